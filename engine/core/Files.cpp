@@ -1,0 +1,96 @@
+#include "engine/core/Files.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+#include <unistd.h>
+
+namespace shoal {
+
+namespace fs = std::filesystem;
+
+const Path& dataRoot() {
+    static const Path root = [] {
+        if (const char* set = std::getenv("SHOAL_DATA"); set && *set) return Path(set);
+        if (fs::exists(Path(SHOAL_SOURCE_DIR) / "content")) return Path(SHOAL_SOURCE_DIR);
+        return Path(SHOAL_INSTALL_DATA);
+    }();
+    return root;
+}
+
+static Path xdgFolder(const char* variable, const char* fallbackBelowHome) {
+    if (const char* set = std::getenv(variable); set && set[0] == '/') return Path(set) / "shoal";
+    const char* home = std::getenv("HOME");
+    return Path(home && *home ? home : "/") / fallbackBelowHome / "shoal";
+}
+
+Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config"); }
+Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share"); }
+Path stateFolder() { return xdgFolder("XDG_STATE_HOME", ".local/state"); }
+
+template <class Bytes> static Result<Bytes> readAll(const Path& file, uint64_t maxBytes) {
+    std::error_code code;
+    const auto status = fs::status(file, code);
+    if (!fs::exists(status)) return Error{file.string(), "there is no such file"};
+    if (fs::is_directory(status)) return Error{file.string(), "is a folder, not a file"};
+    if (!fs::is_regular_file(status)) return Error{file.string(), "is not a regular file"};
+    const uint64_t size = fs::file_size(file, code);
+    if (code) return Error{file.string(), "cannot be read: " + code.message()};
+    if (size > maxBytes)
+        return Error{file.string(), "is larger than the limit of " + std::to_string(maxBytes) + " bytes"};
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return Error{file.string(), "cannot be opened; check its permissions"};
+    Bytes bytes(size, 0);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<uint64_t>(stream.gcount()) != size)
+        return Error{file.string(), "ended while it was being read"};
+    return bytes;
+}
+
+Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes) {
+    return readAll<std::vector<uint8_t>>(file, maxBytes);
+}
+
+Result<std::string> readText(const Path& file, uint64_t maxBytes) {
+    return readAll<std::string>(file, maxBytes);
+}
+
+Status writeFileWhole(const Path& file, std::string_view bytes) {
+    return writeWhole(file, [&](const Path& temporary) -> Status {
+        std::ofstream stream(temporary, std::ios::binary);
+        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        stream.close();
+        if (!stream)
+            return Error{temporary.string(), "cannot be written; is the disk full or the folder read-only?"};
+        return Done{};
+    });
+}
+
+namespace detail {
+
+Path temporaryBeside(const Path& file) {
+    std::error_code code;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), code);
+    Path name = "." + file.stem().string() + "." + std::to_string(::getpid()) + ".part";
+    name += file.extension();
+    return file.parent_path() / name;
+}
+
+Status moveIntoPlace(const Path& temporary, const Path& file) {
+    std::error_code code;
+    fs::rename(temporary, file, code);
+    if (code) {
+        removeQuietly(temporary);
+        return Error{file.string(), "cannot be put in place: " + code.message()};
+    }
+    return Done{};
+}
+
+void removeQuietly(const Path& file) {
+    std::error_code code;
+    fs::remove(file, code);
+}
+
+} // namespace detail
+
+} // namespace shoal

@@ -1,0 +1,55 @@
+// Where things lie, and reading and writing them whole.
+#pragma once
+
+#include "engine/core/Result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shoal {
+
+using Path = std::filesystem::path;
+
+// Folder of content/ and shaders/: $SHOAL_DATA, else the source tree this was built from, else the installed
+// share/shoal. Fixed at first use.
+const Path& dataRoot();
+
+// $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal, $XDG_STATE_HOME/shoal; relative values are ignored, as the
+// XDG Base Directory Specification asks. Not created here.
+Path configFolder();
+Path scoreFolder();
+Path stateFolder();
+
+// The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
+// is taken).
+Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes);
+Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
+
+// Written beside its place and renamed: a reader sees the old file or the new one, never half of one. Creates
+// the parent folder.
+Status writeFileWhole(const Path& file, std::string_view bytes);
+
+// As writeFileWhole for writers that want a file name: calls write(temporary path), then renames. The
+// temporary has the same extension as file.
+template <class Write> Status writeWhole(const Path& file, Write&& write);
+
+namespace detail {
+Path temporaryBeside(const Path& file);
+Status moveIntoPlace(const Path& temporary, const Path& file);
+void removeQuietly(const Path& file);
+} // namespace detail
+
+template <class Write> Status writeWhole(const Path& file, Write&& write) {
+    const Path temporary = detail::temporaryBeside(file);
+    Status written = write(temporary);
+    if (!written) {
+        detail::removeQuietly(temporary);
+        return Error{file.string(), written.error().reason};
+    }
+    return detail::moveIntoPlace(temporary, file);
+}
+
+} // namespace shoal

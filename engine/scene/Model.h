@@ -1,0 +1,150 @@
+// A glTF 2.0 model in memory: what tinygltf read, checked, in types that can be drawn and posed.
+#pragma once
+
+#include "engine/core/Image.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal::scene {
+
+// Model frame: glTF's, right-handed, +Y up, the model faces +Z, metres.
+
+struct Texture {
+    int image = -1; // index into Model::images
+    enum class Wrap { Repeat, Mirror, Clamp } wrapS = Wrap::Repeat, wrapT = Wrap::Repeat;
+    bool nearest = false; // magnification filter
+};
+
+struct TextureUse {
+    int texture = -1; // index into Model::textures; -1: none
+    int texCoord = 0; // 0 or 1
+};
+
+enum class AlphaMode { Opaque, Mask, Blend };
+
+struct Material {
+    std::string name;
+    glm::vec4 baseColourLin{1};
+    float metallic = 1;
+    float roughness = 1; // perceptual; alpha = roughness^2
+    glm::vec3 emissiveLin{0};
+    float normalScale = 1;
+    float occlusionStrength = 1;
+    AlphaMode alphaMode = AlphaMode::Opaque;
+    float alphaCutoff = 0.5f;
+    bool doubleSided = false;
+    TextureUse baseColour, metallicRoughness, normal, occlusion, emissive;
+};
+
+struct MorphTarget { // deltas; each empty or one per vertex
+    std::vector<glm::vec3> positions, normals, tangents;
+};
+
+struct Primitive { // triangles
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;      // always there: flat ones are generated where the file has none
+    std::vector<glm::vec4> tangents;     // w: handedness; empty unless the material has a normal map
+    std::vector<glm::vec2> texCoords[2]; // empty if absent
+    std::vector<glm::vec4> coloursLin;   // empty if absent
+    std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
+    std::vector<glm::vec4> weights;      // sum 1; empty if absent
+    std::vector<uint32_t> indices;       // a multiple of 3, all below positions.size()
+    std::vector<MorphTarget> morphTargets;
+    int material = -1; // index into Model::materials; -1: glTF's default material
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives;
+    std::vector<float> morphWeights; // defaults; one per target
+};
+
+struct Skin {
+    std::vector<int> joints;              // node indices
+    std::vector<glm::mat4> jointFromMesh; // inverse bind matrices; one per joint
+};
+
+struct Transform {
+    glm::vec3 translation{0};
+    glm::quat rotation{1, 0, 0, 0};
+    glm::vec3 scale{1};
+};
+
+struct Node {
+    std::string name;
+    Transform parentFromNode;
+    std::optional<glm::mat4>
+        matrix; // instead of the transform, where the file gives one that cannot be split
+    int parent = -1;
+    std::vector<int> children;
+    int mesh = -1;
+    int skin = -1;
+    std::vector<float> morphWeights; // overrides the mesh's defaults if not empty
+};
+
+struct Channel {
+    enum class Target { Translation, Rotation, Scale, Weights } target = Target::Translation;
+    enum class Interpolation { Step, Linear, CubicSpline } interpolation = Interpolation::Linear;
+    int node = -1;
+    std::vector<float> times_s;
+    std::vector<float> values; // per key: 3, 4 (x y z w) or the number of weights; times 3 for cubic splines
+};
+
+struct Animation {
+    std::string name;
+    float duration_s = 0;
+    std::vector<Channel> channels;
+};
+
+struct Model {
+    std::vector<Node> nodes; // a parent may come after its children; order gives parents before children
+    std::vector<int> order;  // node indices of the default scene, parents first
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<ImageRgba8> images; // as stored: colour images sRGB-coded, data images linear
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
+
+    int findAnimation(const std::string& name) const; // -1 if absent
+    int findNode(const std::string& name) const;      // -1 if absent
+};
+
+// The state of a model at one moment. Reused between frames: nothing allocates after the first use.
+struct Pose {
+    std::vector<Transform> local;                 // per node
+    std::vector<glm::mat4> modelFromNode;         // per node
+    std::vector<std::vector<float>> morphWeights; // per node; empty without morph targets
+};
+
+// The model as its file stands, without any animation.
+void restPose(const Model&, Pose&);
+
+// Overwrites the animated transforms and weights of pose.local at this time (clamped to the animation's span;
+// the caller wraps loops). weight blends between what is there (0) and the animation (1).
+void animate(const Model&, int animation, float time_s, Pose&, float weight = 1);
+
+// Fills modelFromNode from local.
+void updateGlobals(const Model&, Pose&);
+
+// modelFromMesh matrices of a skin's joints: modelFromNode * jointFromMesh. out is resized to the joint
+// count.
+void skinMatrices(const Model&, int skin, const Pose&, std::vector<glm::mat4>& out);
+
+struct Bounds {
+    glm::vec3 low{0}, high{0};
+};
+// Of the posed model's vertices, skinned and morphed, in the model frame.
+Bounds posedBounds(const Model&, const Pose&);
+
+} // namespace shoal::scene
