@@ -1,0 +1,89 @@
+// What the simulation hands to those who show it: picture, sound, haptics. Immutable once made; plain data.
+#pragma once
+
+#include "input/hands/HandPose.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace shoal::game {
+
+// World frame: the env frame of engine/math/LatLong.h, the viewer's eyes at the origin, metres.
+
+enum class Phase { Diving, Results };
+
+// The clips that a species' model must hold, by the names below.
+enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
+constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
+
+struct CreatureView {
+    uint32_t id = 0;                     // stable during a dive; also its place in Snapshot::creatures
+    int species = 0;                     // index into the species table
+    glm::vec3 position{0};               // middle of the body
+    glm::quat worldFromBody{1, 0, 0, 0}; // the body looks along its +Z, +Y up, as its model does
+    glm::vec3 velocity{0};               // m/s
+    float length = 0.2f;                 // metres, nose to tail
+    Motion motion = Motion::Swim;
+    Motion before = Motion::Swim; // what it blends from
+    float blend = 1;              // 0: all `before`, 1: all `motion`
+    float phase_s =
+        0;           // time inside the motion's clip, already sped up as the body swims; the shower wraps it
+    int heldBy = -1; // 0 left, 1 right, -1 free
+};
+
+struct HandView {
+    bool visible = false;
+    float grip = 0;
+    std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
+    int holds = -1;                                        // creature id
+    float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
+};
+
+struct Snapshot {
+    uint64_t tick = 0;
+    double time_s = 0; // since the dive began
+    Phase phase = Phase::Diving;
+    bool paused = false;
+    float timeLeft_s = 0;
+    int score = 0;
+    int caught = 0;
+    int lost = 0;                        // to the shark
+    glm::quat worldFromView{1, 0, 0, 0}; // where the player looks
+    std::array<HandView, 2> hands{};     // left, right
+    std::vector<CreatureView> creatures;
+};
+
+struct Event {
+    enum class Kind {
+        Touch,      // a hand bone meets a fish; strength: closing speed, m/s
+        Startle,    // a fish flees; once per fright
+        Grab,       // a hand closes on a fish
+        Catch,      // held long enough: it counts
+        Release,    // let go after a catch
+        Escape,     // let go, or slipped out, before it counted
+        Miss,       // a hand closed on nothing
+        SharkNear,  // the shark turns towards the player
+        SharkBump,  // the shark hits a hand; strength: closing speed, m/s
+        SharkSteal, // the shark takes a fish out of a hand
+        DiveStart,
+        DiveOver,
+    };
+    Kind kind = Kind::Touch;
+    uint64_t tick = 0;
+    int creature = -1;
+    int hand = -1;   // 0 left, 1 right
+    int finger = -1; // hands::Finger, haptics::kPalm for the palm
+    float strength = 0;
+    glm::vec3 position{0}; // world frame
+};
+
+// Names used by playthrough files and the log; in the order of Kind.
+constexpr std::array<const char*, 12> kEventNames = {"touch",      "startle",     "grab",       "catch",
+                                                     "release",    "escape",      "miss",       "shark_near",
+                                                     "shark_bump", "shark_steal", "dive_start", "dive_over"};
+
+} // namespace shoal::game
