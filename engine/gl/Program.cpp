@@ -1,0 +1,116 @@
+#include "engine/gl/Program.h"
+
+#include "engine/core/Files.h"
+
+#include <array>
+#include <sstream>
+
+namespace shoal::gl {
+
+namespace {
+
+constexpr int kMaxIncludeDepth = 8;
+
+// Appends the file's lines to out, includes resolved, with #line marks that number the files as in `names`.
+Status appendSource(const std::string& name, std::string& out, std::vector<std::string>& names, int depth) {
+    if (depth > kMaxIncludeDepth) return Error{name, "includes nest too deeply"};
+    auto text = readText(dataRoot() / "shaders" / name);
+    if (!text) return text.error();
+    const size_t index = names.size();
+    names.push_back(name);
+    std::istringstream lines(*text);
+    std::string line;
+    int number = 0;
+    const auto mark = [&](int next) {
+        out += "#line " + std::to_string(next) + " " + std::to_string(index) + "\n";
+    };
+    if (depth > 0) mark(1);
+    while (std::getline(lines, line)) {
+        ++number;
+        constexpr std::string_view kInclude = "#include \"";
+        if (line.starts_with(kInclude) && line.ends_with('"')) {
+            const std::string included = line.substr(kInclude.size(), line.size() - kInclude.size() - 1);
+            Status status = appendSource(included, out, names, depth + 1);
+            if (!status) return status;
+            mark(number + 1);
+        } else {
+            out += line + '\n';
+        }
+    }
+    return Done{};
+}
+
+Result<GLuint> compile(GLenum stage, const std::string& name, const std::vector<std::string>& defines) {
+    std::string body;
+    std::vector<std::string> names;
+    if (Status status = appendSource(name, body, names, 0); !status) return status.error();
+    std::string source = "#version 330 core\n";
+    for (const std::string& define : defines) source += "#define " + define + " 1\n";
+    source += "#line 1 0\n" + body;
+    const GLuint shader = glCreateShader(stage);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        std::array<char, 2048> log{};
+        glGetShaderInfoLog(shader, log.size(), nullptr, log.data());
+        glDeleteShader(shader);
+        std::string files;
+        for (size_t i = 0; i < names.size(); ++i)
+            files += (i ? ", " : "") + std::to_string(i) + " = " + names[i];
+        return Error{"shaders/" + name, "does not compile (files: " + files + "): " + log.data()};
+    }
+    return shader;
+}
+
+} // namespace
+
+Result<Program> Program::load(const std::string& stem, const std::vector<std::string>& defines) {
+    auto vertex = compile(GL_VERTEX_SHADER, stem + ".vert", defines);
+    if (!vertex) return vertex.error();
+    auto fragment = compile(GL_FRAGMENT_SHADER, stem + ".frag", defines);
+    if (!fragment) {
+        glDeleteShader(*vertex);
+        return fragment.error();
+    }
+    Program result;
+    result.program_ = Object<Kind::Program>::make();
+    const GLuint program = result.program_.name();
+    glAttachShader(program, *vertex);
+    glAttachShader(program, *fragment);
+    glLinkProgram(program);
+    glDeleteShader(*vertex);
+    glDeleteShader(*fragment);
+    GLint linked = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked) {
+        std::array<char, 2048> log{};
+        glGetProgramInfoLog(program, log.size(), nullptr, log.data());
+        return Error{"shaders/" + stem, std::string("does not link: ") + log.data()};
+    }
+    GLint count = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        std::array<char, 128> name{};
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, static_cast<GLuint>(i), name.size(), nullptr, &size, &type, name.data());
+        result.slots_.push_back({name.data(), glGetUniformLocation(program, name.data())});
+    }
+    return result;
+}
+
+GLint Program::location(const char* name) const {
+    for (const Slot& slot : slots_)
+        if (slot.name == name) return slot.location;
+    return -1;
+}
+
+void Program::bindBlock(const char* name, GLuint binding) const {
+    const GLuint index = glGetUniformBlockIndex(program_.name(), name);
+    if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_.name(), index, binding);
+}
+
+} // namespace shoal::gl

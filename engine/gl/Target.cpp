@@ -1,0 +1,65 @@
+#include "engine/gl/Target.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace shoal::gl {
+
+Target::Target(int width, int height, int samples) : width_(width), height_(height) {
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    samples_ = std::clamp(samples, 1, std::max(1, most));
+    const int storage = samples_ > 1 ? samples_ : 0;
+    const auto attach = [&](Renderbuffer& buffer, GLenum format, GLenum point, int sampleCount) {
+        buffer = Renderbuffer::make();
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, sampleCount, format, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer.name());
+    };
+    drawn_ = Framebuffer::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+    attach(colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, storage);
+    attach(depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, storage);
+    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    if (samples_ > 1) {
+        resolved_ = Framebuffer::make();
+        glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
+        attach(resolvedColour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0);
+    }
+}
+
+void Target::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+    glViewport(0, 0, width_, height_);
+}
+
+void Target::blitTo(GLuint destination, int width, int height) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
+    if (samples_ > 1 && (width != width_ || height != height_)) { // a resolve may not scale
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
+        glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+    }
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
+    const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT, filter);
+    glBindFramebuffer(GL_FRAMEBUFFER, destination);
+}
+
+ImageRgba8 Target::read() const {
+    if (samples_ > 1) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
+        glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_ > 1 ? resolved_.name() : drawn_.name());
+    ImageRgba8 image(width_, height_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    const size_t row = static_cast<size_t>(width_) * 4;
+    for (int y = 0; y < height_ / 2; ++y)
+        std::swap_ranges(image.at(0, y), image.at(0, y) + row, image.at(0, height_ - 1 - y));
+    return image;
+}
+
+} // namespace shoal::gl

@@ -1,0 +1,33 @@
+// A picture to draw into, off screen: colour (RGBA8) and depth, optionally multisampled.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/gl/Objects.h"
+
+namespace shoal::gl {
+
+class Target {
+  public:
+    Target() = default;
+    // samples: 1, or up to what the driver has (more is lowered to that).
+    Target(int width, int height, int samples);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    void bind() const; // and sets the viewport
+
+    // Resolves (if multisampled) into `destination` (0: the window), scaled with a linear filter if sizes
+    // differ.
+    void blitTo(GLuint destination, int width, int height) const;
+
+    // The resolved picture, top row first; colour is premultiplied by alpha as drawn.
+    ImageRgba8 read() const;
+
+  private:
+    int width_ = 0, height_ = 0, samples_ = 1;
+    Framebuffer drawn_, resolved_;
+    Renderbuffer colour_, depth_, resolvedColour_;
+};
+
+} // namespace shoal::gl

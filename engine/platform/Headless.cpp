@@ -1,0 +1,71 @@
+#include "engine/platform/Headless.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+namespace shoal::platform {
+
+struct Headless::State {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    ~State() {
+        if (display == EGL_NO_DISPLAY) return;
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+        eglTerminate(display);
+    }
+};
+
+Headless::Headless(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Headless::Headless(Headless&&) noexcept = default;
+Headless& Headless::operator=(Headless&&) noexcept = default;
+Headless::~Headless() = default;
+
+namespace {
+
+// The first display that starts: a graphics card's (device platform) before Mesa's software rasteriser.
+EGLDisplay firstDisplay() {
+    const auto getDisplay =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    const auto queryDevices =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    if (getDisplay && queryDevices) {
+        EGLDeviceEXT devices[16];
+        EGLint count = 0;
+        queryDevices(16, devices, &count);
+        for (EGLint i = 0; i < count; ++i) {
+            EGLDisplay display = getDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
+            if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+        }
+    }
+    if (getDisplay) {
+        EGLDisplay display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+    }
+    return EGL_NO_DISPLAY;
+}
+
+} // namespace
+
+Result<Headless> Headless::open() {
+    auto state = std::make_unique<State>();
+    state->display = firstDisplay();
+    if (state->display == EGL_NO_DISPLAY)
+        return Error{"", "no OpenGL without a display here; install libgl1-mesa-dri and libegl1"};
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 3,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 3,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                 EGL_NONE};
+    state->context = eglCreateContext(state->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (state->context == EGL_NO_CONTEXT ||
+        !eglMakeCurrent(state->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context))
+        return Error{"", "the graphics driver has no OpenGL 3.3 core context to give"};
+    return Headless(std::move(state));
+}
+
+} // namespace shoal::platform

@@ -1,0 +1,137 @@
+#include "engine/platform/Window.h"
+
+#include <epoxy/gl.h>
+// After epoxy, so that GLFW brings no GL header of its own.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace shoal::platform {
+
+struct Window::State {
+    GLFWwindow* window = nullptr;
+    WindowInput input;
+    glm::dvec2 lastCursor{0};
+    bool cursorKnown = false;
+    int restoreX = 80, restoreY = 80, restoreWidth = 1280, restoreHeight = 720;
+
+    ~State() {
+        if (window) glfwDestroyWindow(window);
+        glfwTerminate();
+    }
+};
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Window::Window(Window&&) noexcept = default;
+Window& Window::operator=(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Result<Window> Window::open(const WindowOptions& options) {
+    glfwSetErrorCallback([](int, const char*) {}); // said in our own words below
+    if (!glfwInit())
+        return Error{
+            "",
+            "there is no display to open a window on; to see something without one: shoal play --headless "
+            "--at 5 --screenshot shoal.png"};
+    auto state = std::make_unique<State>();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    GLFWmonitor* monitor = options.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
+    int width = options.width, height = options.height;
+    if (monitor) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        width = mode->width;
+        height = mode->height;
+    }
+    state->restoreWidth = options.width;
+    state->restoreHeight = options.height;
+    state->window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+    if (!state->window)
+        return Error{"", "no window with OpenGL 3.3 could be opened; is the graphics driver installed?"};
+    glfwMakeContextCurrent(state->window);
+    glfwSwapInterval(options.vsync ? 1 : 0);
+    glfwSetWindowUserPointer(state->window, state.get());
+    glfwSetKeyCallback(state->window, [](GLFWwindow* window, int key, int, int action, int) {
+        if (action == GLFW_PRESS)
+            static_cast<State*>(glfwGetWindowUserPointer(window))->input.keysPressed.push_back(key);
+    });
+    glfwSetScrollCallback(state->window, [](GLFWwindow* window, double, double y) {
+        static_cast<State*>(glfwGetWindowUserPointer(window))->input.wheel += y;
+    });
+    glfwSetMouseButtonCallback(state->window, [](GLFWwindow* window, int button, int action, int) {
+        WindowInput& input = static_cast<State*>(glfwGetWindowUserPointer(window))->input;
+        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) input.leftPressed = true;
+    });
+    return Window(std::move(state));
+}
+
+const WindowInput& Window::poll() {
+    WindowInput& input = state_->input;
+    input.keysPressed.clear();
+    input.wheel = 0;
+    input.leftPressed = false;
+    glfwPollEvents();
+    GLFWwindow* window = state_->window;
+    int width = 1, height = 1;
+    glfwGetWindowSize(window, &width, &height);
+    glm::dvec2 cursor;
+    glfwGetCursorPos(window, &cursor.x, &cursor.y);
+    input.cursorMoved = state_->cursorKnown ? cursor - state_->lastCursor : glm::dvec2(0);
+    state_->lastCursor = cursor;
+    state_->cursorKnown = true;
+    if (glfwGetInputMode(window, GLFW_CURSOR) != GLFW_CURSOR_DISABLED)
+        input.cursor = {std::clamp(cursor.x / std::max(width, 1), 0.0, 1.0),
+                        std::clamp(cursor.y / std::max(height, 1), 0.0, 1.0)};
+    input.leftButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    input.rightButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+    input.middleButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
+    input.focused = glfwGetWindowAttrib(window, GLFW_FOCUSED) == GLFW_TRUE;
+    input.closing = glfwWindowShouldClose(window);
+    return input;
+}
+
+bool Window::down(int key) const { return glfwGetKey(state_->window, key) == GLFW_PRESS; }
+
+glm::ivec2 Window::framebufferSize() const {
+    glm::ivec2 size;
+    glfwGetFramebufferSize(state_->window, &size.x, &size.y);
+    return size;
+}
+
+void Window::present() { glfwSwapBuffers(state_->window); }
+
+void Window::toggleFullscreen() {
+    GLFWwindow* window = state_->window;
+    if (glfwGetWindowMonitor(window)) {
+        glfwSetWindowMonitor(window, nullptr, state_->restoreX, state_->restoreY, state_->restoreWidth,
+                             state_->restoreHeight, GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return;
+    glfwGetWindowPos(window, &state_->restoreX, &state_->restoreY);
+    glfwGetWindowSize(window, &state_->restoreWidth, &state_->restoreHeight);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::holdCursor(bool hold) {
+    const int mode = hold ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
+    if (glfwGetInputMode(state_->window, GLFW_CURSOR) == mode) return;
+    glfwSetInputMode(state_->window, GLFW_CURSOR, mode);
+    state_->cursorKnown = false;
+}
+
+void Window::close() { glfwSetWindowShouldClose(state_->window, GLFW_TRUE); }
+
+double Window::refreshRate_Hz() const {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
+}
+
+GLFWwindow* Window::handle() const { return state_->window; }
+
+} // namespace shoal::platform

@@ -1,0 +1,60 @@
+// A window with an OpenGL 3.3 core context, and what the player does in it since the last poll.
+#pragma once
+
+#include "engine/core/Result.h"
+
+#include <glm/vec2.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace shoal::platform {
+
+struct WindowOptions {
+    std::string title = "Shoal";
+    int width = 1280, height = 720; // of the framebuffer, pixels
+    bool fullscreen = false;        // on the primary monitor, at its own mode
+    bool vsync = true;
+};
+
+// Keys by GLFW's numbers (GLFW_KEY_*), which are ASCII capitals for letters.
+struct WindowInput {
+    std::vector<int> keysPressed; // since the last poll
+    glm::dvec2 cursor{0.5};       // 0 to 1 from the window's upper left
+    glm::dvec2 cursorMoved{0};    // since the last poll, pixels
+    double wheel = 0;             // notches since the last poll, away from the player positive
+    bool leftButton = false, rightButton = false, middleButton = false;
+    bool leftPressed = false; // went down since the last poll
+    bool focused = true;
+    bool closing = false;
+};
+
+class Window {
+  public:
+    // Main thread only. Makes the context current. Fails where there is no display.
+    static Result<Window> open(const WindowOptions& options);
+
+    Window(Window&&) noexcept;
+    Window& operator=(Window&&) noexcept;
+    ~Window();
+
+    const WindowInput& poll(); // valid until the next poll
+    bool down(int key) const;
+    glm::ivec2 framebufferSize() const;
+    void present();
+    void toggleFullscreen();
+    void holdCursor(bool hold); // hides it and lets it move without bounds
+    void close();
+    double refreshRate_Hz() const;
+    GLFWwindow* handle() const;
+
+  private:
+    struct State;
+    explicit Window(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace shoal::platform
