@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,14 @@ class Program {
     }
     void set(const char* name, const glm::mat4& m) const {
         glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);
+    }
+
+    // name: with "[0]".
+    void setArray(const char* name, std::span<const float> values) const {
+        glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
+    }
+    void setArray(const char* name, std::span<const glm::vec2> values) const {
+        glUniform2fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
     }
 
     // Binds a uniform block of this program to a binding point; ignored if the program has none of that name.

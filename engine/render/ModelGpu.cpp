@@ -1,0 +1,163 @@
+#include "engine/render/ModelGpu.h"
+
+#include "shaders/render/Attributes.glsl"
+
+#include <glm/geometric.hpp>
+
+#include <cstddef>
+
+namespace shoal::render {
+
+namespace {
+
+struct FixedVertex { // what morphing leaves alone
+    glm::vec4 tangent{1, 0, 0, 1};
+    glm::vec2 uv0{0}, uv1{0};
+    glm::vec4 colourLin{1};
+    glm::u16vec4 joints{0};
+    glm::vec4 weights{1, 0, 0, 0};
+};
+
+struct MorphVertex {
+    glm::vec3 position, normal;
+};
+
+void attribute(GLuint location, GLint count, GLenum type, size_t stride, size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, type, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+}
+
+std::vector<MorphVertex> morphed(const scene::Primitive& primitive, std::span<const float> weights) {
+    std::vector<MorphVertex> vertices(primitive.positions.size());
+    for (size_t v = 0; v < vertices.size(); ++v) {
+        glm::vec3 position = primitive.positions[v], normal = primitive.normals[v];
+        for (size_t t = 0; t < primitive.morphTargets.size() && t < weights.size(); ++t) {
+            const scene::MorphTarget& target = primitive.morphTargets[t];
+            if (!target.positions.empty()) position += weights[t] * target.positions[v];
+            if (!target.normals.empty()) normal += weights[t] * target.normals[v];
+        }
+        const float length = glm::length(normal);
+        vertices[v] = {position, length > 0 ? normal / length : glm::vec3(0, 1, 0)};
+    }
+    return vertices;
+}
+
+PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive) {
+    PrimitiveGpu gpu;
+    gpu.material = primitive.material;
+    gpu.skinned = !primitive.joints.empty();
+    gpu.indexCount = static_cast<GLsizei>(primitive.indices.size());
+    gpu.vertexArray = gl::VertexArray::make();
+    glBindVertexArray(gpu.vertexArray.name());
+
+    const std::vector<MorphVertex> moving = morphed(primitive, {});
+    gpu.morphable = gl::Buffer::make();
+    glBindBuffer(GL_ARRAY_BUFFER, gpu.morphable.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(moving.size() * sizeof(MorphVertex)), moving.data(),
+                 primitive.morphTargets.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
+    attribute(ATTRIBUTE_POSITION, 3, GL_FLOAT, sizeof(MorphVertex), offsetof(MorphVertex, position));
+    attribute(ATTRIBUTE_NORMAL, 3, GL_FLOAT, sizeof(MorphVertex), offsetof(MorphVertex, normal));
+
+    std::vector<FixedVertex> fixed(primitive.positions.size());
+    for (size_t v = 0; v < fixed.size(); ++v) {
+        if (!primitive.tangents.empty()) fixed[v].tangent = primitive.tangents[v];
+        if (!primitive.texCoords[0].empty()) fixed[v].uv0 = primitive.texCoords[0][v];
+        if (!primitive.texCoords[1].empty()) fixed[v].uv1 = primitive.texCoords[1][v];
+        if (!primitive.coloursLin.empty()) fixed[v].colourLin = primitive.coloursLin[v];
+        if (gpu.skinned) {
+            fixed[v].joints = primitive.joints[v];
+            fixed[v].weights = primitive.weights[v];
+        }
+    }
+    gpu.vertices = gl::Buffer::make();
+    glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(fixed.size() * sizeof(FixedVertex)), fixed.data(),
+                 GL_STATIC_DRAW);
+    constexpr size_t kStride = sizeof(FixedVertex);
+    attribute(ATTRIBUTE_TANGENT, 4, GL_FLOAT, kStride, offsetof(FixedVertex, tangent));
+    attribute(ATTRIBUTE_UV0, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv0));
+    attribute(ATTRIBUTE_UV1, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv1));
+    attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colourLin));
+    attribute(ATTRIBUTE_WEIGHTS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, weights));
+    glEnableVertexAttribArray(ATTRIBUTE_JOINTS);
+    glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
+                           reinterpret_cast<const void*>(offsetof(FixedVertex, joints)));
+
+    gpu.indices = gl::Buffer::make();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.name());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(primitive.indices.size() * sizeof(uint32_t)),
+                 primitive.indices.data(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    return gpu;
+}
+
+GLint wrapMode(scene::Texture::Wrap wrap) {
+    switch (wrap) {
+    case scene::Texture::Wrap::Mirror:
+        return GL_MIRRORED_REPEAT;
+    case scene::Texture::Wrap::Clamp:
+        return GL_CLAMP_TO_EDGE;
+    case scene::Texture::Wrap::Repeat:
+        break;
+    }
+    return GL_REPEAT;
+}
+
+gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image, bool srgb) {
+    gl::Texture gpu = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, gpu.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, image.pixels.data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapMode(texture.wrapS));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapMode(texture.wrapT));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, texture.nearest ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return gpu;
+}
+
+} // namespace
+
+ModelGpu uploadModel(const scene::Model& model) {
+    ModelGpu gpu;
+    gpu.materials = model.materials;
+    gpu.materials.emplace_back();
+    for (const scene::Mesh& mesh : model.meshes) {
+        MeshGpu& meshGpu = gpu.meshes.emplace_back();
+        for (const scene::Primitive& primitive : mesh.primitives)
+            meshGpu.primitives.push_back(uploadPrimitive(primitive));
+    }
+    gpu.colourTextures.resize(model.textures.size());
+    gpu.dataTextures.resize(model.textures.size());
+    const auto want = [&](const scene::TextureUse& use, bool srgb) {
+        if (use.texture < 0) return;
+        const auto index = static_cast<size_t>(use.texture);
+        gl::Texture& slot = (srgb ? gpu.colourTextures : gpu.dataTextures)[index];
+        const int image = model.textures[index].image;
+        if (!slot && image >= 0)
+            slot = uploadTexture(model.textures[index], model.images[static_cast<size_t>(image)], srgb);
+    };
+    for (const scene::Material& material : model.materials) {
+        want(material.baseColour, true);
+        want(material.emissive, true);
+        want(material.metallicRoughness, false);
+        want(material.normal, false);
+        want(material.occlusion, false);
+    }
+    return gpu;
+}
+
+void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, MeshGpu& gpu) {
+    for (size_t p = 0; p < mesh.primitives.size(); ++p) {
+        if (mesh.primitives[p].morphTargets.empty()) continue;
+        const std::vector<MorphVertex> vertices = morphed(mesh.primitives[p], weights);
+        glBindBuffer(GL_ARRAY_BUFFER, gpu.primitives[p].morphable.name());
+        glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size() * sizeof(MorphVertex)),
+                        vertices.data());
+    }
+}
+
+} // namespace shoal::render

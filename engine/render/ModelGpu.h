@@ -1,0 +1,44 @@
+// A model's triangles and textures on the graphics side.
+#pragma once
+
+#include "engine/gl/Objects.h"
+#include "engine/scene/Model.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <span>
+#include <vector>
+
+namespace shoal::render {
+
+struct PrimitiveGpu {
+    gl::VertexArray vertexArray;
+    gl::Buffer vertices, indices,
+        morphable; // morphable: position and normal, rewritten as the weights change
+    GLsizei indexCount = 0;
+    int material = -1;
+    bool skinned = false;
+};
+
+struct MeshGpu {
+    std::vector<PrimitiveGpu> primitives;
+};
+
+struct ModelGpu {
+    std::vector<MeshGpu> meshes;
+    std::vector<gl::Texture>
+        colourTextures; // per Model::textures, sRGB decoded by the sampler; empty if unused so
+    std::vector<gl::Texture> dataTextures;  // per Model::textures, linear
+    std::vector<scene::Material> materials; // the last is glTF's default material
+
+    const scene::Material& materialOf(const PrimitiveGpu& primitive) const {
+        return primitive.material < 0 ? materials.back() : materials[static_cast<size_t>(primitive.material)];
+    }
+};
+
+ModelGpu uploadModel(const scene::Model& model);
+
+// Rewrites the positions and normals of a mesh with morph targets for these weights.
+void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, MeshGpu& gpu);
+
+} // namespace shoal::render

@@ -1,0 +1,227 @@
+#include "engine/render/ObjectPass.h"
+
+#include "engine/light/PhongRings.h"
+#include "engine/math/Brdf.h"
+#include "shaders/render/Attributes.glsl"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace shoal::render {
+
+namespace {
+
+// What a primitive needs of the shader; each set of features is compiled once, when it is first seen.
+enum FeatureBit : unsigned {
+    kSkinned = 1u << 0,
+    kBaseColourMap = 1u << 1,
+    kMetallicRoughnessMap = 1u << 2,
+    kNormalMap = 1u << 3,
+    kOcclusionMap = 1u << 4,
+    kEmissiveMap = 1u << 5,
+    kAlphaMask = 1u << 6,
+    kAlphaBlend = 1u << 7,
+    kPhongRings = 1u << 8,
+};
+constexpr std::array<const char*, 9> kDefines = {"SKINNED",    "BASE_COLOUR_MAP", "METALLIC_ROUGHNESS_MAP",
+                                                 "NORMAL_MAP", "OCCLUSION_MAP",   "EMISSIVE_MAP",
+                                                 "ALPHA_MASK", "ALPHA_BLEND",     "PHONG_RINGS"};
+
+unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive, Glossy glossy) {
+    unsigned features = 0;
+    if (primitive.skinned) features |= kSkinned;
+    if (material.baseColour.texture >= 0) features |= kBaseColourMap;
+    if (material.metallicRoughness.texture >= 0) features |= kMetallicRoughnessMap;
+    if (material.normal.texture >= 0) features |= kNormalMap;
+    if (material.occlusion.texture >= 0) features |= kOcclusionMap;
+    if (material.emissive.texture >= 0) features |= kEmissiveMap;
+    if (material.alphaMode == scene::AlphaMode::Mask) features |= kAlphaMask;
+    if (material.alphaMode == scene::AlphaMode::Blend) features |= kAlphaBlend;
+    if (glossy == Glossy::PhongRings) features |= kPhongRings;
+    return features;
+}
+
+bool blended(const ModelGpu& gpu, const PrimitiveGpu& primitive) {
+    return gpu.materialOf(primitive).alphaMode == scene::AlphaMode::Blend;
+}
+
+gl::Texture makeDfgTable() {
+    const math::DfgTable table = math::makeDfgTable(64);
+    gl::Texture texture = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, table.size, table.size, 0, GL_RG, GL_FLOAT,
+                 table.scaleBias.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+void bindMap(const gl::Program& program, const scene::TextureUse& use,
+             const std::vector<gl::Texture>& textures, GLenum unit, const char* map, const char* uvSet) {
+    if (use.texture < 0) return;
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, textures[static_cast<size_t>(use.texture)].name());
+    program.set(map, static_cast<int>(unit));
+    program.set(uvSet, use.texCoord);
+}
+
+} // namespace
+
+Result<ObjectPass> ObjectPass::make() {
+    ObjectPass pass;
+    pass.dfg_ = makeDfgTable();
+    pass.matrixBuffer_ = gl::Buffer::make();
+    GLint alignment = 256;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    pass.matrixAlignment_ = static_cast<size_t>(std::max(alignment, 16));
+    // Compiled now, so that a broken shader is known at the start and not when the first object appears.
+    PrimitiveGpu plain;
+    ModelGpu none;
+    none.materials.emplace_back();
+    auto program = pass.programFor(none, plain, Glossy::Prefiltered);
+    if (!program) return program.error();
+    return pass;
+}
+
+void ObjectPass::begin() {
+    items_.clear();
+    matrices_.clear();
+    drawCount_ = 0;
+}
+
+void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
+                     const glm::mat4& worldFromModel) {
+    for (const int index : model.order) {
+        const auto n = static_cast<size_t>(index);
+        const scene::Node& node = model.nodes[n];
+        if (node.mesh < 0) continue;
+        const MeshGpu& mesh = gpu.meshes[static_cast<size_t>(node.mesh)];
+        const bool skinned = node.skin >= 0;
+        if (skinned) {
+            scene::skinMatrices(model, node.skin, pose, joints_);
+            for (glm::mat4& joint : joints_) joint = worldFromModel * joint;
+        }
+        const glm::mat4 worldFromNode = worldFromModel * pose.modelFromNode[n];
+        const size_t offset = (matrices_.size() + matrixAlignment_ - 1) / matrixAlignment_ * matrixAlignment_;
+        const size_t bytes =
+            skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
+        matrices_.resize(offset + bytes);
+        std::memcpy(matrices_.data() + offset, skinned ? &joints_[0] : &worldFromNode, bytes);
+        const glm::vec3 centre(skinned ? worldFromModel[3] : worldFromNode[3]);
+        for (const PrimitiveGpu& primitive : mesh.primitives)
+            items_.push_back({&gpu, &primitive, offset, bytes, centre});
+    }
+}
+
+void ObjectPass::upload() {
+    // The shader's block has room for MAX_JOINTS; the range bound must cover it for the last object too.
+    matrices_.resize(matrices_.size() + MAX_JOINTS * sizeof(glm::mat4));
+    glBindBuffer(GL_UNIFORM_BUFFER, matrixBuffer_.name());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(matrices_.size()), matrices_.data(),
+                 GL_STREAM_DRAW);
+}
+
+Result<const gl::Program*> ObjectPass::programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive,
+                                                  Glossy glossy) {
+    const unsigned features = featuresOf(gpu.materialOf(primitive), primitive, glossy);
+    if (const auto found = programs_.find(features); found != programs_.end()) return &found->second;
+    std::vector<std::string> defines;
+    for (size_t bit = 0; bit < kDefines.size(); ++bit)
+        if (features & (1u << bit)) defines.emplace_back(kDefines[bit]);
+    auto program = gl::Program::load("render/Object", defines);
+    if (!program) return program.error();
+    program->bindBlock("JointBlock", BLOCK_JOINTS);
+    return &programs_.emplace(features, std::move(*program)).first->second;
+}
+
+Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view,
+                        const glm::mat3& envFromWorld, const Exposure& exposure, const Water& water,
+                        Glossy glossy) {
+    order_.clear();
+    const float sign = part == Part::Opaque ? 1.0f : -1.0f;
+    for (size_t i = 0; i < items_.size(); ++i)
+        if (blended(*items_[i].gpu, *items_[i].primitive) == (part == Part::Blended))
+            order_.emplace_back(sign * glm::distance(items_[i].centreWorld, view.eyeWorld), i);
+    std::sort(order_.begin(), order_.end());
+
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glFrontFace(GL_CCW);
+    if (part == Part::Blended) {
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
+        glDepthMask(GL_FALSE);
+    } else {
+        glDisable(GL_BLEND);
+    }
+    const glm::mat4 clipFromWorld = view.clipFromWorld();
+    const gl::Program* current = nullptr;
+    for (const auto& [distance, index] : order_) {
+        const Item& item = items_[index];
+        auto program = programFor(*item.gpu, *item.primitive, glossy);
+        if (!program) return program.error();
+        if (*program != current) {
+            current = *program;
+            current->use();
+            surround.bindLight(*current);
+            glActiveTexture(GL_TEXTURE0 + UNIT_DFG);
+            glBindTexture(GL_TEXTURE_2D, dfg_.name());
+            current->set("dfgTable", UNIT_DFG);
+            current->set("clipFromWorld", clipFromWorld);
+            current->set("eyeWorld", view.eyeWorld);
+            current->set("envFromWorld", envFromWorld);
+            current->set("toneCurve", static_cast<int>(exposure.curve));
+            current->set("exposureScale", exposure.scale());
+            current->set("tint", water.tint);
+            current->set("clarity_m", water.clarity_m);
+        }
+        if (glossy == Glossy::PhongRings) {
+            const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
+            std::array<glm::vec2, 6> packed;
+            for (size_t r = 0; r < packed.size(); ++r)
+                packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
+            current->setArray("phongRings_angleWeight[0]", packed);
+        }
+        drawItem(*current, item);
+        ++drawCount_;
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(0);
+    return Done{};
+}
+
+void ObjectPass::drawItem(const gl::Program& program, const Item& item) const {
+    const scene::Material& material = item.gpu->materialOf(*item.primitive);
+    program.set("baseColourLin", material.baseColourLin);
+    program.set("emissiveLin", material.emissiveLin);
+    program.set("metallic", material.metallic);
+    program.set("roughness", material.roughness);
+    program.set("normalScale", material.normalScale);
+    program.set("occlusionStrength", material.occlusionStrength);
+    program.set("alphaCutoff", material.alphaCutoff);
+    const auto& colour = item.gpu->colourTextures;
+    const auto& data = item.gpu->dataTextures;
+    bindMap(program, material.baseColour, colour, UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv");
+    bindMap(program, material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
+            "metallicRoughnessUv");
+    bindMap(program, material.normal, data, UNIT_NORMAL, "normalMap", "normalUv");
+    bindMap(program, material.occlusion, data, UNIT_OCCLUSION, "occlusionMap", "occlusionUv");
+    bindMap(program, material.emissive, colour, UNIT_EMISSIVE, "emissiveMap", "emissiveUv");
+    if (material.doubleSided) {
+        glDisable(GL_CULL_FACE);
+    } else {
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+    }
+    glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
+                      static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
+    glBindVertexArray(item.primitive->vertexArray.name());
+    glDrawElements(GL_TRIANGLES, item.primitive->indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+} // namespace shoal::render

@@ -1,0 +1,66 @@
+// Draws models in the light of the surround. Pairs with shaders/render/Object.
+//
+// A frame: begin(), add() for each object, then draw() once for each eye. Nothing allocates once the vectors
+// have grown.
+#pragma once
+
+#include "engine/gl/Program.h"
+#include "engine/render/ModelGpu.h"
+#include "engine/render/SurroundGpu.h"
+#include "engine/render/View.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace shoal::render {
+
+enum class Glossy { Prefiltered, PhongRings }; // PhongRings: the thesis' 36 samples, for reference
+
+struct Water {
+    glm::vec3 tint{1};   // multiplies the light that objects send back
+    float clarity_m = 0; // distance at which 1/e of an object still shows; 0: no water
+};
+
+class ObjectPass {
+  public:
+    static Result<ObjectPass> make();
+
+    void begin();
+    // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
+    void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
+             const glm::mat4& worldFromModel);
+    // Sends what was added to the graphics side.
+    void upload();
+
+    enum class Part { Opaque, Blended };
+    // Opaque objects front to back, before the backdrop; blended ones back to front, after it.
+    Status draw(Part part, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+                const Exposure& exposure, const Water& water, Glossy glossy);
+
+    int drawCount() const { return drawCount_; } // since begin()
+
+  private:
+    struct Item {
+        const ModelGpu* gpu;
+        const PrimitiveGpu* primitive;
+        size_t matrixOffset; // bytes into the buffer of matrices
+        size_t matrixBytes;
+        glm::vec3 centreWorld;
+    };
+
+    Result<const gl::Program*> programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive, Glossy glossy);
+    void drawItem(const gl::Program& program, const Item& item) const;
+
+    std::map<unsigned, gl::Program> programs_; // by the set of features
+    gl::Texture dfg_;
+    gl::Buffer matrixBuffer_;
+    size_t matrixAlignment_ = 256;
+    std::vector<Item> items_;
+    std::vector<std::pair<float, size_t>> order_;
+    std::vector<uint8_t> matrices_;
+    std::vector<glm::mat4> joints_;
+    int drawCount_ = 0;
+};
+
+} // namespace shoal::render

@@ -1,0 +1,45 @@
+// The surround on the graphics side: the picture behind everything, and the light made from it.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/gl/Program.h"
+#include "engine/light/EnvironmentLight.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace shoal::render {
+
+// Display-coded rows of a frame or of one eye's part of it, 3 bytes a pixel.
+struct CodedFrame {
+    const uint8_t* pixels = nullptr;
+    int width = 0, height = 0;
+    int rowPixels = 0; // from one row to the next, in pixels
+    bool bgr = false;
+};
+
+class SurroundGpu {
+  public:
+    SurroundGpu();
+
+    void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
+    void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
+    void uploadLight(const light::EnvironmentLight& light);
+    // The radiance pyramid, for the thesis' glossy lookup only.
+    void uploadPyramid(const light::RadiancePyramid& pyramid);
+
+    bool frameIsCoded() const { return coded_; }
+    int frameWidth() const { return frameWidth_; }
+
+    void bindFrame(const gl::Program& program) const; // the program must be in use
+    void bindLight(const gl::Program& program) const;
+
+  private:
+    gl::Texture frame_, diffuse_, glossy_, pyramid_;
+    int frameWidth_ = 0, frameHeight_ = 0;
+    bool coded_ = true;
+    int diffuseWidth_ = 0, glossyWidth_ = 0, pyramidWidth_ = 0;
+    std::vector<float> roughness_;
+};
+
+} // namespace shoal::render

@@ -1,0 +1,21 @@
+// Attribute locations and binding points; included by GLSL and by C++, so there is one list.
+#define ATTRIBUTE_POSITION 0
+#define ATTRIBUTE_NORMAL 1
+#define ATTRIBUTE_TANGENT 2
+#define ATTRIBUTE_UV0 3
+#define ATTRIBUTE_UV1 4
+#define ATTRIBUTE_COLOUR 5
+#define ATTRIBUTE_JOINTS 6
+#define ATTRIBUTE_WEIGHTS 7
+#define BLOCK_JOINTS 0
+#define UNIT_DIFFUSE 0
+#define UNIT_GLOSSY 1
+#define UNIT_DFG 2
+#define UNIT_BASE_COLOUR 3
+#define UNIT_METALLIC_ROUGHNESS 4
+#define UNIT_NORMAL 5
+#define UNIT_OCCLUSION 6
+#define UNIT_EMISSIVE 7
+#define UNIT_RADIANCE 8
+#define UNIT_FRAME 0
+#define MAX_JOINTS 256

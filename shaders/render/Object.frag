@@ -1,0 +1,107 @@
+// glTF 2.0 metallic-roughness, lit by the surround and by nothing else.
+#include "render/Attributes.glsl"
+#include "light/LatLong.glsl"
+#include "light/Environment.glsl"
+#ifdef PHONG_RINGS
+#include "light/PhongRings.glsl"
+#endif
+#include "render/Output.glsl"
+
+uniform vec3 eyeWorld;
+uniform mat3 envFromWorld;
+uniform vec4 baseColourLin;
+uniform vec3 emissiveLin;
+uniform float metallic;
+uniform float roughness;
+uniform float normalScale;
+uniform float occlusionStrength;
+uniform float alphaCutoff;
+uniform vec3 tint;            // what the water between has left of the light, 1 in air
+uniform float clarity_m;      // distance at which 1/e of an object shows through the water; 0: air
+uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Karis 2013), z: their sum's white albedo
+uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
+uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
+
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec4 worldTangent;
+in vec4 vertexUv;
+in vec4 vertexColourLin;
+out vec4 colour;
+
+vec2 uvOf(int set) { return set == 0 ? vertexUv.xy : vertexUv.zw; }
+
+void main() {
+    vec4 base = baseColourLin * vertexColourLin;
+#ifdef BASE_COLOUR_MAP
+    base *= texture(baseColourMap, uvOf(baseColourUv));
+#endif
+#ifdef ALPHA_MASK
+    if (base.a < alphaCutoff) discard;
+#endif
+#ifndef ALPHA_BLEND
+    base.a = 1.0;
+#endif
+    float metal = metallic, rough = roughness;
+#ifdef METALLIC_ROUGHNESS_MAP
+    vec4 mr = texture(metallicRoughnessMap, uvOf(metallicRoughnessUv));
+    rough *= mr.g;
+    metal *= mr.b;
+#endif
+    vec3 n = normalize(worldNormal);
+    float facing = gl_FrontFacing ? 1.0 : -1.0;
+#ifdef NORMAL_MAP
+    vec3 bump = texture(normalMap, uvOf(normalUv)).xyz * 2.0 - 1.0;
+    bump.xy *= normalScale;
+    vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
+    if (dot(t, t) > 1e-12) {
+        t = normalize(t);
+        n = normalize(bump.x * t + bump.y * (worldTangent.w * cross(n, t)) + bump.z * n);
+    }
+#endif
+    n *= facing;
+
+    vec3 toEye = eyeWorld - worldPosition;
+    float distance_m = length(toEye);
+    vec3 v = toEye / distance_m;
+    float nv = clamp(dot(n, v), 1e-3, 1.0);
+    vec3 r = envFromWorld * reflect(-v, n);
+
+    vec3 f0 = mix(vec3(0.04), base.rgb, metal);
+    vec2 dfg = textureLod(dfgTable, vec2(nv, rough), 0.0).rg;
+    vec3 single = f0 * dfg.x + dfg.y;
+    // Light that bounces between the microfacets more than once: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet
+    // Model for Real-Time Image Based Lighting", eq. 20.
+    float lost = 1.0 - (dfg.x + dfg.y);
+    vec3 average = f0 + (1.0 - f0) / 21.0;
+    vec3 multiple = single * average / (1.0 - lost * average) * lost;
+    vec3 matte = base.rgb * (1.0 - metal) * (1.0 - single - multiple);
+#ifdef PHONG_RINGS
+    vec3 mirrored = phongRings(r, rough);
+#else
+    vec3 mirrored = glossyRadiance(r, rough);
+#endif
+    vec3 around = diffuseRadiance(envFromWorld * n);
+    float open = 1.0;
+#ifdef OCCLUSION_MAP
+    open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
+#endif
+    vec3 radiance = (single * mirrored + (multiple + matte) * around) * open * tint;
+    vec3 emitted = emissiveLin;
+#ifdef EMISSIVE_MAP
+    emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
+#endif
+    radiance += emitted;
+    if (clarity_m > 0.0) {
+        // Water between eye and object: what it takes away it replaces by its own glow, which is what the surround
+        // shows there, blurred.
+        vec3 water = glossyRadiance(envFromWorld * -v, 0.6);
+        radiance = mix(water, radiance, exp(-distance_m / clarity_m));
+    }
+    vec3 display = displayValue(radiance);
+#ifdef ALPHA_BLEND
+    colour = vec4(display * base.a, base.a);
+#else
+    colour = vec4(display, 1.0);
+#endif
+}

@@ -1,0 +1,38 @@
+#include "render/Attributes.glsl"
+
+layout(location = ATTRIBUTE_POSITION) in vec3 position;
+layout(location = ATTRIBUTE_NORMAL) in vec3 normal;
+layout(location = ATTRIBUTE_TANGENT) in vec4 tangent;
+layout(location = ATTRIBUTE_UV0) in vec2 uv0;
+layout(location = ATTRIBUTE_UV1) in vec2 uv1;
+layout(location = ATTRIBUTE_COLOUR) in vec4 colourLin;
+layout(location = ATTRIBUTE_JOINTS) in uvec4 joints;
+layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
+
+layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
+uniform mat4 clipFromWorld;
+
+out vec3 worldPosition;
+out vec3 worldNormal;
+out vec4 worldTangent;
+out vec4 vertexUv; // set 0 in xy, set 1 in zw
+out vec4 vertexColourLin;
+
+void main() {
+#ifdef SKINNED
+    mat4 worldFromMesh = weights.x * worldFromJoint[joints.x] + weights.y * worldFromJoint[joints.y] +
+                         weights.z * worldFromJoint[joints.z] + weights.w * worldFromJoint[joints.w];
+#else
+    mat4 worldFromMesh = worldFromJoint[0];
+#endif
+    vec4 world = worldFromMesh * vec4(position, 1.0);
+    worldPosition = world.xyz;
+    mat3 m = mat3(worldFromMesh);
+    // The cofactor matrix turns normals rightly under any scale, without a division.
+    mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
+    worldNormal = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
+    worldTangent = vec4(m * tangent.xyz, tangent.w);
+    vertexUv = vec4(uv0, uv1);
+    vertexColourLin = colourLin;
+    gl_Position = clipFromWorld * world;
+}
