@@ -1,0 +1,89 @@
+#include "game/Cast.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::game {
+
+namespace {
+
+// The clip's time for this phase: clips loop.
+float clipTime(const scene::Animation& clip, float phase_s) {
+    if (clip.duration_s <= 0) return 0;
+    const float wrapped = std::fmod(phase_s, clip.duration_s);
+    return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
+}
+
+} // namespace
+
+Result<Cast::Actor> Cast::loadActor(const Path& file) {
+    auto model = scene::loadModel(file);
+    if (!model) return model.error();
+    Actor actor;
+    actor.model = std::move(*model);
+    actor.gpu = render::uploadModel(actor.model);
+    scene::restPose(actor.model, actor.pose);
+    scene::updateGlobals(actor.model, actor.pose);
+    const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
+    actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    for (size_t motion = 0; motion < kMotionNames.size(); ++motion)
+        actor.animations[motion] = actor.model.findAnimation(kMotionNames[motion]);
+    return actor;
+}
+
+Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand) {
+    Cast cast;
+    for (const Path& file : speciesModels) {
+        auto actor = loadActor(file);
+        if (!actor) return actor.error();
+        cast.species_.push_back(std::move(*actor));
+    }
+    const std::array files = {leftHand, rightHand};
+    for (size_t side = 0; side < files.size(); ++side) {
+        auto actor = loadActor(files[side]);
+        if (!actor) return actor.error();
+        for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
+            actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));
+            if (actor->jointNodes[joint] < 0)
+                return Error{files[side].string(),
+                             "has no joint named " + std::string(hands::kJointNames[joint])};
+        }
+        cast.hands_[side] = std::move(*actor);
+    }
+    return cast;
+}
+
+void Cast::show(const Snapshot& snapshot, render::ObjectPass& pass) {
+    for (const CreatureView& creature : snapshot.creatures) {
+        Actor& actor = species_[static_cast<size_t>(creature.species)];
+        scene::restPose(actor.model, actor.pose);
+        const auto play = [&](Motion motion, float weight) {
+            const int index = actor.animations[static_cast<size_t>(motion)];
+            if (index < 0 || weight <= 0) return;
+            const scene::Animation& clip = actor.model.animations[static_cast<size_t>(index)];
+            scene::animate(actor.model, index, clipTime(clip, creature.phase_s), actor.pose, weight);
+        };
+        if (creature.blend < 1) play(creature.before, 1);
+        play(creature.motion, creature.blend);
+        scene::updateGlobals(actor.model, actor.pose);
+        const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
+                                                        glm::mat4_cast(creature.worldFromBody),
+                                                    glm::vec3(creature.length / actor.length_m));
+        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel);
+    }
+    for (size_t side = 0; side < snapshot.hands.size(); ++side) {
+        const HandView& hand = snapshot.hands[side];
+        if (!hand.visible) continue;
+        Actor& actor = hands_[side];
+        for (size_t joint = 0; joint < hand.joints.size(); ++joint)
+            actor.pose.modelFromNode[static_cast<size_t>(actor.jointNodes[joint])] =
+                glm::translate(glm::mat4(1), hand.joints[joint].position) *
+                glm::mat4_cast(hand.joints[joint].orientation);
+        // The joints already stand in the world, wherever the palm is; sort by it.
+        pass.add(actor.model, actor.gpu, actor.pose, glm::mat4(1));
+    }
+}
+
+} // namespace shoal::game

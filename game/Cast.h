@@ -1,0 +1,40 @@
+// The models that play the snapshot's parts: creatures by species, and two hands.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/render/ModelGpu.h"
+#include "engine/render/ObjectPass.h"
+#include "engine/scene/LoadModel.h"
+#include "game/Snapshot.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace shoal::game {
+
+class Cast {
+  public:
+    // One model file per species, in the species table's order; needs a current GL context.
+    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand,
+                             const Path& rightHand);
+
+    // Poses every creature and visible hand of the snapshot and adds them to the pass.
+    void show(const Snapshot& snapshot, render::ObjectPass& pass);
+
+  private:
+    struct Actor {
+        scene::Model model;
+        render::ModelGpu gpu;
+        scene::Pose pose;
+        float length_m = 1;                                // of the rest pose along z
+        std::array<int, kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
+        std::array<int, hands::kJointCount> jointNodes{};  // hands only
+    };
+    static Result<Actor> loadActor(const Path& file);
+
+    std::vector<Actor> species_;
+    std::array<Actor, 2> hands_;
+};
+
+} // namespace shoal::game
