@@ -1,4 +1,4 @@
-#include "game/Cast.h"
+#include "game/app/Cast.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
