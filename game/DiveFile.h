@@ -1,0 +1,45 @@
+// One dive (a level): content/dives/NAME.toml.
+#pragma once
+
+#include "game/Species.h"
+
+#include <vector>
+
+namespace shoal::game {
+
+struct School {
+    int species = 0; // index into the species table; never the shark
+    int count = 1;
+    float radiusLow_m = 0.7f, radiusHigh_m = 3;     // from the vertical axis through the viewer
+    float heightLow_m = -0.5f, heightHigh_m = 0.5f; // against the viewer's eyes
+
+    bool operator==(const School&) const = default;
+};
+
+struct SharkPlan {
+    int species = -1;      // -1: no shark in this dive
+    float radius_m = 4.2f; // of its circles
+    float height_m = -0.2f;
+    std::vector<float> visits_s; // when it comes close, seconds since the dive began, rising
+    float visitLength_s = 10;    // how long it prowls around the player then
+    float prowlRadius_m = 1.7f;
+
+    bool operator==(const SharkPlan&) const = default;
+};
+
+struct DiveFile {
+    std::string name;  // stem of the file
+    std::string title; // as shown
+    std::string video; // file below content/; may be missing (it is made by content/make)
+    float duration_s = 90;
+    float exposure_ev = 0;
+    float floor_m = -1.1f; // fish stay above
+    std::vector<School> schools;
+    SharkPlan shark;
+
+    bool operator==(const DiveFile&) const = default;
+};
+
+Result<DiveFile> loadDive(const Path& file, const SpeciesTable&);
+
+} // namespace shoal::game

@@ -1,0 +1,24 @@
+// Everything the player does in one tick: all that enters the simulation from outside.
+#pragma once
+
+#include "input/hands/HandPose.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace shoal::game {
+
+struct TickInput {
+    std::array<hands::HandPose, 2> hands{}; // left, right; viewer's frame
+    glm::quat worldFromView{1, 0, 0, 0};
+    bool pause = false;   // held: the tick changes nothing but `paused`
+    bool restart = false; // on the tick it becomes true: a new dive with the next seed
+};
+
+// The input as bytes for a Recording: little-endian floats, fixed size.
+constexpr size_t kTickInputBytes = 2 * (3 * 4 + 1 + hands::kJointCount * 8 * 4) + 4 * 4 + 1;
+void toBytes(const TickInput&, std::span<uint8_t, kTickInputBytes> out);
+TickInput fromBytes(std::span<const uint8_t, kTickInputBytes>);
+
+} // namespace shoal::game

@@ -1,0 +1,58 @@
+// A hand of fixed bone lengths, posed by how far each finger is bent: for sources that do not see all joints.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Result.h"
+#include "input/hands/HandPose.h"
+
+#include <array>
+
+namespace shoal::hands {
+
+struct HandShape {
+    std::array<float, kFingerCount> curl{}; // per hands::Finger: 0 straight to 1 bent into a fist
+    float spread = 0;                       // -1 fingers together, 0 as at rest, 1 fanned
+};
+
+// Of the wrist joint, viewer's frame.
+struct WristPose {
+    glm::vec3 position{0};
+    glm::quat orientation{1, 0, 0, 0}; // -Z towards the fingers, +Y out of the back of the hand
+};
+
+class HandRig {
+  public:
+    // Reads content/models/hand_skeleton.json.
+    static Result<HandRig> load(const Path& file);
+
+    // All 26 joints; tracked, confidence 1, grip and pinch as the joints show them. The left hand mirrors the
+    // right.
+    HandPose pose(Side, const HandShape&, const WristPose&) const;
+
+    // Rest length of the bone from kJointParent[joint] to the joint, metres; 0 for the wrist.
+    float boneLength(int joint) const;
+
+  private:
+    std::array<glm::vec3, kJointCount> parentFromJointOffset_{};
+    std::array<glm::quat, kJointCount> parentFromJointTurn_{};
+    std::array<float, kJointCount> radius_{};
+};
+
+// Grip and pinch of any 26 joints, for sources that give none: grip from how far the four fingers are bent,
+// pinch from the gap between thumb tip and index tip. 0 to 1.
+float gripOf(const std::array<Joint, kJointCount>&);
+float pinchOf(const std::array<Joint, kJointCount>&);
+
+// The middle of what a closing hand encloses: below the palm, between thumb and fingers. Same frame as the
+// joints.
+glm::vec3 graspCentre(const std::array<Joint, kJointCount>&);
+
+// All joints finite, within 5 m of the eye, orientations near unit length, radii 1 mm to 10 cm, bones below
+// 25 cm.
+bool plausible(const HandPose&);
+
+// Reach of a hand's grasp centre from the eye, metres.
+constexpr float kReachMin_m = 0.25f;
+constexpr float kReachMax_m = 1.6f;
+
+} // namespace shoal::hands
