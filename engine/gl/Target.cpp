@@ -33,7 +33,7 @@ void Target::bind() const {
     glViewport(0, 0, width_, height_);
 }
 
-void Target::blitTo(GLuint destination, int width, int height) const {
+void Target::blitTo(GLuint destination, int x, int width, int height) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
     if (samples_ > 1 && (width != width_ || height != height_)) { // a resolve may not scale
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
@@ -42,7 +42,7 @@ void Target::blitTo(GLuint destination, int width, int height) const {
     }
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
     const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT, filter);
+    glBlitFramebuffer(0, 0, width_, height_, x, 0, x + width, height, GL_COLOR_BUFFER_BIT, filter);
     glBindFramebuffer(GL_FRAMEBUFFER, destination);
 }
 

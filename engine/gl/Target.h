@@ -17,9 +17,9 @@ class Target {
 
     void bind() const; // and sets the viewport
 
-    // Resolves (if multisampled) into `destination` (0: the window), scaled with a linear filter if sizes
-    // differ.
-    void blitTo(GLuint destination, int width, int height) const;
+    // Resolves (if multisampled) into `destination` (0: the window) at column x, scaled with a linear filter
+    // if sizes differ; leaves the destination bound.
+    void blitTo(GLuint destination, int x, int width, int height) const;
 
     // The resolved picture, top row first; colour is premultiplied by alpha as drawn.
     ImageRgba8 read() const;

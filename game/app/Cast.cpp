@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace shoal::game {
+namespace shoal::app {
 
 namespace {
 
@@ -86,4 +86,4 @@ void Cast::show(const Snapshot& snapshot, render::ObjectPass& pass) {
     }
 }
 
-} // namespace shoal::game
+} // namespace shoal::app

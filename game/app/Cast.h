@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace shoal::game {
+namespace shoal::app {
 
 class Cast {
   public:
@@ -20,16 +20,16 @@ class Cast {
                              const Path& rightHand);
 
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
-    void show(const Snapshot& snapshot, render::ObjectPass& pass);
+    void show(const game::Snapshot& snapshot, render::ObjectPass& pass);
 
   private:
     struct Actor {
         scene::Model model;
         render::ModelGpu gpu;
         scene::Pose pose;
-        float length_m = 1;                                // of the rest pose along z
-        std::array<int, kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
-        std::array<int, hands::kJointCount> jointNodes{};  // hands only
+        float length_m = 1;                                      // of the rest pose along z
+        std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
+        std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
     static Result<Actor> loadActor(const Path& file);
 
@@ -37,4 +37,4 @@ class Cast {
     std::array<Actor, 2> hands_;
 };
 
-} // namespace shoal::game
+} // namespace shoal::app

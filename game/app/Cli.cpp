@@ -1,0 +1,230 @@
+#include "game/app/Cli.h"
+
+#include "engine/core/Log.h"
+#include "game/app/Commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <sstream>
+
+namespace shoal::app {
+
+namespace {
+
+// "1280x720" within sane bounds.
+void addSize(CLI::App& app, glm::ivec2& size) {
+    app.add_option_function<std::string>(
+           "--size",
+           [&size](const std::string& text) {
+               int width = 0, height = 0, end = 0;
+               if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+                   static_cast<size_t>(end) != text.size() || width < 16 || height < 16 || width > 8192 ||
+                   height > 8192)
+                   throw CLI::ValidationError("--size", "wants WIDTHxHEIGHT in pixels, 16x16 to 8192x8192");
+               size = {width, height};
+           },
+           "Picture size in pixels")
+        ->type_name("WxH");
+}
+
+glm::vec3 threeNumbers(const std::string& option, const std::string& text) {
+    glm::vec3 v{0};
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%f,%f,%f%n", &v.x, &v.y, &v.z, &end) != 3 ||
+        static_cast<size_t>(end) != text.size())
+        throw CLI::ValidationError(option, "wants three numbers with commas between");
+    return v;
+}
+
+void addSurround(CLI::App& app, SurroundOptions& options) {
+    auto* group = app.add_option_group("Surround", "What stands around you");
+    auto* video =
+        group->add_option("--video", options.video, "A 360-degree video, lat-long")->type_name("FILE");
+    auto* photo =
+        group->add_option("--photo", options.photo, "A 360-degree photo, lat-long")->type_name("FILE");
+    auto* env =
+        group->add_option("--env", options.env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm")
+            ->type_name("FILE");
+    video->excludes(photo)->excludes(env);
+    photo->excludes(env);
+    group
+        ->add_option("--layout", options.layout,
+                     "Where a stereo picture keeps its eyes; auto reads the file's metadata")
+        ->check(CLI::IsMember({"auto", "mono", "top-bottom", "left-right"}))
+        ->capture_default_str();
+    group->add_option("--env-yaw", options.envYaw_deg, "Turns the surround to the right, degrees")
+        ->check(CLI::Range(-360.0f, 360.0f))
+        ->capture_default_str();
+}
+
+void addLook(CLI::App& app, LookOptions& options) {
+    addSize(app, options.size);
+    app.add_option("--exposure", options.exposure_ev, "Brightens objects and backdrop alike, stops (EV)")
+        ->check(CLI::Range(-10.0f, 10.0f))
+        ->capture_default_str();
+    app.add_option("--tone", options.tone,
+                   "Display curve: auto undoes the video's own, or aces for HDR surrounds; aces; linear")
+        ->check(CLI::IsMember({"auto", "aces", "linear"}))
+        ->capture_default_str();
+    app.add_option("--glossy", options.glossy,
+                   "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples")
+        ->check(CLI::IsMember({"ggx", "phong36"}))
+        ->capture_default_str();
+    app.add_option("--samples", options.samples,
+                   "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or 1 without a graphics card")
+        ->check(CLI::Range(0, 16))
+        ->capture_default_str();
+}
+
+void addPlay(CLI::App& app, PlayOptions& options) {
+    app.add_option("--dive", options.dive, "Name of a dive in content/dives")->capture_default_str();
+    app.add_option("--seed", options.seed, "Seed of everything random in the dive")->capture_default_str();
+    addSurround(app, options.surround);
+    addLook(app, options.look);
+    app.add_option("--hands", options.hands, "mouse, script:FILE (a playthrough) or replay:FILE")
+        ->type_name("SOURCE")
+        ->capture_default_str();
+    app.add_option("--record", options.record, "Writes a replay: seed, settings and every tick's input")
+        ->type_name("FILE");
+    app.add_option("--stereo", options.stereo, "none, or sbs: left and right eye side by side")
+        ->check(CLI::IsMember({"none", "sbs"}))
+        ->capture_default_str();
+    app.add_option("--fov", options.fov_deg, "Vertical field of view, degrees")
+        ->check(CLI::Range(20.0f, 130.0f))
+        ->capture_default_str();
+    app.add_option("--eye-distance", options.eyeDistance_mm, "Between the eyes in stereo, millimetres")
+        ->check(CLI::Range(0.0f, 100.0f))
+        ->capture_default_str();
+    app.add_flag("--fullscreen", options.fullscreen, "Fill the screen (F11 in the game)");
+    app.add_flag("!--no-vsync", options.vsync, "Do not wait for the display");
+    app.add_flag("--headless", options.headless,
+                 "No window, no sound device, no display server; the same pictures");
+    app.add_option("--fps", options.fps, "Headless: pictures drawn for each second of the dive")
+        ->check(CLI::Range(1.0f, 1000.0f))
+        ->capture_default_str();
+    app.add_option("--screenshot", options.screenshot, "Writes a picture at --at, or at the end")
+        ->type_name("FILE.png");
+    app.add_option("--at", options.at_s, "Headless: ends after that many seconds of the dive")
+        ->check(CLI::Range(0.0f, 3600.0f));
+    app.add_option("--stats", options.stats, "Writes frame times (milliseconds), counts and the state hash")
+        ->type_name("FILE.json");
+    app.add_flag("--timedemo", options.timedemo,
+                 "Draws as fast as it can: once to warm up, once measured; the video keeps its own rate");
+    app.add_flag("--backdrop-only", options.backdropOnly,
+                 "Draws the surround alone, to compare frame times with");
+    app.add_flag("--mute", options.mute, "No sound");
+    app.add_flag("--headphones", options.headphones, "Sound for headphones (HRTF)");
+    app.add_option("--volume", options.volume, "Sound volume, 0 to 1")
+        ->check(CLI::Range(0.0f, 1.0f))
+        ->capture_default_str();
+    app.add_option("--haptics", options.hapticStrength, "Strength of haptics, 0 (off) to 1")
+        ->check(CLI::Range(0.0f, 1.0f))
+        ->capture_default_str();
+    app.add_flag("!--no-captions", options.captions, "Do not name sounds on the screen");
+}
+
+void addView(CLI::App& app, ViewOptions& options) {
+    app.add_option("MODEL", options.model, "A glTF 2.0 model: .glb or .gltf")->required();
+    addSurround(app, options.surround);
+    addLook(app, options.look);
+    app.add_option_function<std::string>(
+           "--orbit",
+           [&options](const std::string& text) {
+               options.orbit = threeNumbers("--orbit", text);
+               options.orbitGiven = true;
+           },
+           "Camera around the target: degrees around, degrees from straight up, metres away; 0,90 looks "
+           "along -Z")
+        ->type_name("THETA,PHI,RADIUS");
+    app.add_option_function<std::string>(
+           "--target",
+           [&options](const std::string& text) { options.target = threeNumbers("--target", text); },
+           "What the camera looks at, metres; the model's middle if not given")
+        ->type_name("X,Y,Z");
+    app.add_option("--fov", options.fov_deg, "Vertical field of view, degrees")
+        ->check(CLI::Range(1.0f, 150.0f))
+        ->capture_default_str();
+    app.add_option("--background", options.background, "env, or none: transparent")
+        ->check(CLI::IsMember({"env", "none"}))
+        ->capture_default_str();
+    app.add_option("--animation", options.animation, "Poses the model at that second of an animation")
+        ->type_name("NAME@SECONDS");
+    app.add_option("--at", options.at_s, "Second of the video to stand in")
+        ->check(CLI::Range(0.0f, 36000.0f));
+    app.add_option("--out", options.out, "Writes a picture instead of opening a window")
+        ->type_name("FILE.png");
+}
+
+void addLight(CLI::App& app, LightOptions& options) {
+    app.add_option("FILE", options.file, "A lat-long HDR picture, photo or video")->required();
+    app.add_option("-o,--out", options.out, "Folder for diffuse, glossy_<roughness> and sh.json")
+        ->required()
+        ->type_name("FOLDER");
+    app.add_option("--method", options.method, "Which light to make")
+        ->check(CLI::IsMember({"thesis"}))
+        ->capture_default_str();
+    app.add_option("--format", options.format, "Of the pictures: 32-bit pfm, exr, or Radiance hdr")
+        ->check(CLI::IsMember({"pfm", "exr", "hdr"}))
+        ->capture_default_str();
+    app.add_flag("--ldr-as-is", options.ldrAsIs,
+                 "Take a photo's or video's values as linear light: no inverse tone mapping");
+    app.add_option("--at", options.at_s, "Second of the video")->check(CLI::Range(0.0f, 36000.0f));
+}
+
+} // namespace
+
+int run(int argc, char** argv) {
+    CLI::App app{"Shoal: catch fish inside a 360-degree video that lights them.\n"
+                 "Without a command it plays: `shoal` is `shoal play`.",
+                 "shoal"};
+    app.set_version_flag("--version", SHOAL_VERSION);
+    app.require_subcommand(0, 1);
+    bool verbose = false;
+    app.add_flag("--verbose", verbose, "Say more on standard error");
+
+    PlayOptions playOptions;
+    ViewOptions viewOptions;
+    LightOptions lightOptions;
+    CheckOptions checkOptions;
+    DevicesOptions devicesOptions;
+    auto* playCommand = app.add_subcommand("play", "Play a dive (the default)")->fallthrough();
+    addPlay(*playCommand, playOptions);
+    auto* viewCommand = app.add_subcommand("view", "Light any glTF model in any surroundings")->fallthrough();
+    addView(*viewCommand, viewOptions);
+    auto* lightCommand =
+        app.add_subcommand("light", "Write the light of a surround, for other engines")->fallthrough();
+    addLight(*lightCommand, lightOptions);
+    auto* checkCommand =
+        app.add_subcommand("check", "Is this video, photo, model, dive, playthrough or replay usable?");
+    checkCommand->add_option("FILE", checkOptions.files, "Files to look at")->required();
+    auto* devicesCommand = app.add_subcommand("devices", "List hands, haptic devices and sound outputs");
+    devicesCommand->add_flag("--test", devicesOptions.test, "Pulse each haptic device and play a sound");
+
+    // `shoal --size 640x360` means `shoal play --size 640x360`.
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool named =
+        !words.empty() && (words[0] == "play" || words[0] == "view" || words[0] == "light" ||
+                           words[0] == "check" || words[0] == "devices" || words[0] == "--help" ||
+                           words[0] == "-h" || words[0] == "--version" || words[0] == "--verbose");
+    if (!named) words.insert(words.begin(), "play");
+    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    try {
+        app.parse(words);
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream out, err;
+        const int status = app.exit(error, out, err);
+        std::fputs(out.str().c_str(), stdout);
+        if (status == 0) return 0;
+        std::fprintf(stderr, "shoal: %s (shoal --help lists what there is)\n", error.what());
+        return 2;
+    }
+    log::setUp(verbose);
+    if (*viewCommand) return view(viewOptions);
+    if (*lightCommand) return light(lightOptions);
+    if (*checkCommand) return check(checkOptions);
+    if (*devicesCommand) return devices(devicesOptions);
+    return play(playOptions);
+}
+
+} // namespace shoal::app

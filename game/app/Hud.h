@@ -1,0 +1,71 @@
+// Everything written over the picture: score, time, progress of a hold, captions, menus, the developer's
+// panel (F1).
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/render/View.h"
+#include "game/Snapshot.h"
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace shoal::app {
+
+struct HudCaption {
+    std::string_view text;
+    glm::vec3 position{0}; // world frame; where the sound is
+    float age_s = 0;
+};
+
+// Times of the last frames, milliseconds, for the developer's panel.
+struct FrameTimes {
+    std::array<float, 120> frame_ms{};
+    int next = 0;
+    float light_ms = 0, decode_ms = 0, upload_ms = 0, sim_ms = 0;
+    int draws = 0;
+
+    void add(float ms) {
+        frame_ms[static_cast<size_t>(next)] = ms;
+        next = (next + 1) % static_cast<int>(frame_ms.size());
+    }
+};
+
+struct HudInfo {
+    const game::Snapshot* snapshot = nullptr;
+    const render::View* view = nullptr; // for what stands at a place in the world
+    std::string_view title;
+    std::span<const HudCaption> captions;
+    int bestScore = 0;
+    bool newBest = false;
+    bool showHints = false;
+    bool showTimes = false;
+    const FrameTimes* times = nullptr;
+    std::string_view lightName; // which light is used
+    std::string_view renderer;
+    std::string_view notice; // one sentence to the player, such as "the video is damaged"; empty: none
+    float volume = 0;
+    bool showVolume = false;
+};
+
+class Hud {
+  public:
+    // Needs a current GL context.
+    static Result<Hud> make();
+    Hud(Hud&&) noexcept;
+    Hud& operator=(Hud&&) noexcept;
+    ~Hud();
+
+    // Over the bound framebuffer, which is `size` pixels large.
+    void draw(const HudInfo& info, glm::ivec2 size);
+
+  private:
+    struct State;
+    explicit Hud(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace shoal::app

@@ -1,0 +1,3 @@
+#include "game/app/Cli.h"
+
+int main(int argc, char** argv) { return shoal::app::run(argc, argv); }

@@ -1,0 +1,85 @@
+// What the command line asks for, one struct per command. Declared, explained and bounded in Cli.cpp, and
+// only there.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal::app {
+
+struct SurroundOptions {
+    std::string video, photo, env; // at most one; empty: the dive's own video
+    std::string layout = "auto";   // auto, mono, top-bottom, left-right
+    float envYaw_deg = 0; // column u of the surround appears (u - 0.5) * 360 + this to the right of -Z
+};
+
+struct LookOptions {
+    float exposure_ev = 0;
+    std::string tone = "auto";  // auto, aces, linear
+    std::string glossy = "ggx"; // ggx, phong36
+    int samples = 0;            // for anti-aliasing; 0: 4, or 1 on a software renderer
+    glm::ivec2 size{1280, 720};
+};
+
+struct PlayOptions {
+    std::string dive = "reef";
+    uint64_t seed = 1;
+    SurroundOptions surround;
+    LookOptions look;
+    std::string hands = "mouse"; // mouse, script:FILE, replay:FILE
+    std::string record;
+    std::string stereo = "none"; // none, sbs
+    float fov_deg = 65;          // vertical
+    float eyeDistance_mm = 64;
+    bool fullscreen = false;
+    bool vsync = true;
+    bool headless = false;
+    float fps = 60; // headless: frames a second of dive time
+    std::string screenshot;
+    std::optional<float> at_s;
+    std::string stats;
+    bool timedemo = false;
+    bool backdropOnly = false;
+    bool mute = false;
+    bool headphones = false;
+    float volume = 0.8f;
+    float hapticStrength = 1;
+    bool captions = true;
+    bool reducedMotion = false;
+};
+
+struct ViewOptions {
+    std::string model;
+    SurroundOptions surround;
+    LookOptions look{0, "auto", "ggx", 0, {768, 768}};
+    glm::vec3 orbit{0, 90, 0}; // theta and phi in degrees, radius in metres; radius 0: fits the model
+    bool orbitGiven = false;
+    std::optional<glm::vec3> target; // metres; empty: the model's middle
+    float fov_deg = 45;              // vertical
+    std::string background = "env";  // env, none
+    std::string animation;           // NAME@SECONDS
+    float at_s = 0;                  // of the video
+    std::string out;
+};
+
+struct LightOptions {
+    std::string file, out;
+    std::string format = "pfm"; // pfm, exr, hdr
+    std::string method = "thesis";
+    bool ldrAsIs = false;
+    float at_s = 0;
+};
+
+struct CheckOptions {
+    std::vector<std::string> files;
+};
+
+struct DevicesOptions {
+    bool test = false;
+};
+
+} // namespace shoal::app

@@ -1,0 +1,40 @@
+// What the player hears and feels: sound and haptics from the same snapshots and events as the picture.
+#pragma once
+
+#include "game/Snapshot.h"
+#include "game/app/Hud.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace shoal::app {
+
+struct OutputOptions {
+    bool sound = true;   // false: no device is opened
+    bool haptics = true; // likewise
+    bool headphones = false;
+    float volume = 0.8f;
+    float hapticStrength = 1;
+};
+
+class Outputs {
+  public:
+    // Never fails: a machine without sound plays on silently and says so once.
+    static Outputs open(const OutputOptions& options);
+    Outputs(Outputs&&) noexcept;
+    Outputs& operator=(Outputs&&) noexcept;
+    ~Outputs();
+
+    void frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s);
+    void setVolume(float volume); // 0 to 1
+
+    std::span<const HudCaption> captions() const; // newest first; valid until the next frame()
+
+  private:
+    struct State;
+    explicit Outputs(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace shoal::app

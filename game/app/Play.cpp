@@ -1,0 +1,484 @@
+#include "game/app/Commands.h"
+
+#include "engine/core/Files.h"
+#include "engine/core/Log.h"
+#include "engine/gl/Target.h"
+#include "engine/media/Pictures.h"
+#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
+#include "game/app/HandSource.h"
+#include "game/app/Hud.h"
+#include "game/app/Outputs.h"
+#include "game/app/Scores.h"
+#include "game/app/Stage.h"
+#include "game/app/Statistics.h"
+#include "game/app/Surround.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+namespace shoal::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsBetween(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+// The thesis tints its fish slightly blue, because saturated light from above has lost its colour; the
+// clarity is that of a fair day on a reef, short for one metre of water looks like several on a screen.
+constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
+constexpr float kHintTime_s = 7;
+constexpr double kSlowestFrame_s = 0.5;
+
+// What the files and the command line say, before any device is opened.
+struct Plan {
+    game::SpeciesTable species;
+    game::DiveFile dive;
+    hands::HandRig rig;
+    uint64_t seed = 1;
+    std::optional<game::Script> script;
+    std::optional<sim::Recording> replay;
+};
+
+Result<Plan> makePlan(const PlayOptions& options) {
+    Plan plan;
+    plan.seed = options.seed;
+    std::string diveName = options.dive;
+    const auto after = [&](std::string_view prefix) -> std::optional<std::string> {
+        if (!options.hands.starts_with(prefix)) return std::nullopt;
+        return options.hands.substr(prefix.size());
+    };
+    if (const auto file = after("script:")) {
+        auto script = game::loadScript(*file);
+        if (!script) return script.error();
+        diveName = script->dive;
+        plan.seed = script->seed;
+        plan.script = std::move(*script);
+    } else if (const auto replayFile = after("replay:")) {
+        auto recording = sim::readRecording(*replayFile);
+        if (!recording) return recording.error();
+        if (recording->header().inputBytes != game::kTickInputBytes)
+            return Error{*replayFile, "holds inputs of another kind than this version of the game takes"};
+        diveName = recording->header().dive;
+        plan.seed = recording->header().seed;
+        plan.replay = std::move(*recording);
+    } else if (options.hands != "mouse") {
+        return Error{"--hands " + options.hands, "is not mouse, script:FILE or replay:FILE"};
+    }
+    const Path content = dataRoot() / "content";
+    auto species = game::loadSpecies(content / "species.toml");
+    if (!species) return species.error();
+    plan.species = std::move(*species);
+    const bool plain = diveName.find_first_of("/\\") == std::string::npos && !diveName.starts_with('.');
+    if (!plain) return Error{diveName, "is not the name of a dive"};
+    auto dive = game::loadDive(content / "dives" / (diveName + ".toml"), plan.species);
+    if (!dive) return dive.error();
+    plan.dive = std::move(*dive);
+    auto rig = hands::HandRig::load(content / "models" / "hand_skeleton.json");
+    if (!rig) return rig.error();
+    plan.rig = std::move(*rig);
+    return plan;
+}
+
+HandSource makeSource(const Plan& plan) {
+    if (plan.script) return game::ScriptRun(*plan.script, plan.rig, plan.species);
+    if (plan.replay) return ReplaySource{*plan.replay};
+    return MouseSource(plan.rig, plan.species);
+}
+
+// One run of the simulation and what feeds it.
+struct Run {
+    explicit Run(const Plan& plan)
+        : source(makeSource(plan)), dive(plan.species, plan.dive, plan.seed),
+          recording({.seed = plan.seed, .dive = plan.dive.name, .inputBytes = game::kTickInputBytes}, 16384) {
+        events.reserve(256);
+        dive.snapshot(after);
+        before = after;
+        shown = after;
+    }
+
+    HandSource source;
+    game::Dive dive;
+    sim::FixedStep clock;
+    sim::Recording recording;
+    game::Snapshot before, after, shown;
+    std::vector<game::Event> events; // of this frame's ticks
+    std::vector<game::Event> tickEvents;
+    uint64_t ticks = 0;
+    bool paused = false, restart = false;
+    bool ended = false; // the source has no more to say
+    Status verdict = Done{};
+
+    void tick(bool keep) {
+        game::TickInput input;
+        if (auto* mouse = std::get_if<MouseSource>(&source)) {
+            mouse->next(input);
+            input.pause = paused;
+            input.restart = restart;
+            restart = false;
+        } else if (auto* script = std::get_if<game::ScriptRun>(&source)) {
+            script->next(after, input);
+        } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
+            if (replay->tick >= replay->recording.ticks()) {
+                ended = true;
+                return;
+            }
+            input = game::fromBytes(replay->recording.input(replay->tick).first<game::kTickInputBytes>());
+        }
+        tickEvents.clear();
+        dive.step(input, tickEvents);
+        std::swap(before, after);
+        dive.snapshot(after);
+        ++ticks;
+        events.insert(events.end(), tickEvents.begin(), tickEvents.end());
+        if (keep) {
+            std::array<uint8_t, game::kTickInputBytes> bytes;
+            game::toBytes(input, bytes);
+            recording.add(bytes, dive.stateHash());
+        }
+        if (auto* script = std::get_if<game::ScriptRun>(&source)) {
+            script->observe(tickEvents, after);
+            if (script->finished()) {
+                ended = true;
+                verdict = script->verdict();
+            }
+        } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
+            if (Status same = replay->recording.compare(replay->tick, dive.stateHash()); !same) {
+                ended = true;
+                verdict = same;
+            }
+            ++replay->tick;
+            ended |= replay->tick >= replay->recording.ticks();
+        }
+    }
+
+    void advance(double elapsed_s, bool keep) {
+        events.clear();
+        const int count = clock.advance(elapsed_s);
+        for (int i = 0; i < count && !ended; ++i) tick(keep);
+        game::interpolate(before, after, clock.alpha(), shown);
+    }
+};
+
+// The program while it plays.
+struct Player {
+    const PlayOptions& options;
+    Plan plan;
+    std::optional<platform::Headless> headless; // the context first: it dies last
+    std::optional<platform::Window> window;
+    std::optional<Surround> surround;
+    std::optional<Stage> stage;
+    std::optional<Hud> hud;
+    std::optional<Outputs> outputs;
+    std::vector<gl::Target> targets; // one an eye
+    Statistics statistics;
+    FrameTimes times;
+    float volume = 0.8f;
+    double volumeShown_s = -10;
+    bool showTimes = false;
+    int best = 0;
+    bool newBest = false;
+    bool scored = false;
+    bool leaving = false;
+    int samples = 1;
+
+    explicit Player(const PlayOptions& o) : options(o), volume(o.volume) {}
+
+    Status open();
+    Status playThrough(bool measured);
+    Status drawFrame(const Run& run, glm::ivec2 size);
+    const platform::WindowInput& readKeys(Run& run, double now_s);
+    Status saveScreenshot();
+    void keepScore(const Run& run);
+    bool stereo() const { return options.stereo == "sbs"; }
+};
+
+Status Player::open() {
+    auto made = makePlan(options);
+    if (!made) return made.error();
+    plan = std::move(*made);
+    if (options.headless) {
+        auto context = platform::Headless::open();
+        if (!context) return context.error();
+        headless = std::move(*context);
+    } else {
+        auto opened = platform::Window::open({"Shoal", options.look.size.x, options.look.size.y,
+                                              options.fullscreen, options.vsync && !options.timedemo});
+        if (!opened) return opened.error();
+        window = std::move(*opened);
+    }
+    statistics.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const bool software = statistics.renderer.find("llvmpipe") != std::string::npos ||
+                          statistics.renderer.find("softpipe") != std::string::npos;
+    samples = options.look.samples > 0 ? options.look.samples : software ? 1 : 4;
+
+    auto opened = Surround::open({.options = options.surround,
+                                  .defaultVideo = dataRoot() / "content" / plan.dive.video,
+                                  .bothEyes = stereo(),
+                                  .pyramid = options.look.glossy == "phong36"});
+    if (!opened) return opened.error();
+    surround = std::move(*opened);
+
+    std::vector<Path> models;
+    for (const game::Species& species : plan.species)
+        models.push_back(dataRoot() / "content" / species.model);
+    const Path folder = dataRoot() / "content" / "models";
+    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb");
+    if (!cast) return cast.error();
+    auto madeStage = Stage::make(std::move(*cast));
+    if (!madeStage) return madeStage.error();
+    stage = std::move(*madeStage);
+    auto madeHud = Hud::make();
+    if (!madeHud) return madeHud.error();
+    hud = std::move(*madeHud);
+    outputs = Outputs::open({.sound = !options.mute && !options.headless,
+                             .haptics = options.hapticStrength > 0 && !options.headless,
+                             .headphones = options.headphones,
+                             .volume = options.volume,
+                             .hapticStrength = options.hapticStrength});
+    best = bestScore(plan.dive.name);
+    return Done{};
+}
+
+Status Player::drawFrame(const Run& run, glm::ivec2 size) {
+    const int eyes = stereo() ? 2 : 1;
+    const glm::ivec2 eyeSize(std::max(1, size.x / eyes), std::max(1, size.y));
+    if (targets.size() != static_cast<size_t>(eyes) || targets[0].width() != eyeSize.x ||
+        targets[0].height() != eyeSize.y) {
+        targets.clear();
+        for (int eye = 0; eye < eyes; ++eye) targets.emplace_back(eyeSize.x, eyeSize.y, samples);
+    }
+    stage->set(run.shown, options.backdropOnly);
+    const render::Exposure exposure{options.look.tone == "aces"     ? render::ToneCurve::Aces
+                                    : options.look.tone == "linear" ? render::ToneCurve::Linear
+                                                                    : surround->naturalTone(),
+                                    plan.dive.exposure_ev + options.look.exposure_ev};
+    const render::Glossy glossy =
+        options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
+    for (int eye = 0; eye < eyes; ++eye) {
+        render::View view;
+        view.worldFromEye = run.shown.worldFromView;
+        const float side = eyes == 2 ? (eye == 0 ? -0.5f : 0.5f) * options.eyeDistance_mm * 1e-3f : 0.0f;
+        view.eyeWorld = view.worldFromEye * glm::vec3(side, 0, 0);
+        view.verticalFov = glm::radians(options.fov_deg);
+        view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
+        const gl::Target& target = targets[static_cast<size_t>(eye)];
+        target.bind();
+        if (Status drawn = stage->draw(*surround, eye, view, exposure, kWater, glossy); !drawn) return drawn;
+        if (options.backdropOnly) continue;
+        hud->draw({.snapshot = &run.shown,
+                   .view = &view,
+                   .title = plan.dive.title,
+                   .captions = options.captions ? outputs->captions() : std::span<const HudCaption>(),
+                   .bestScore = best,
+                   .newBest = newBest,
+                   .showHints = std::holds_alternative<MouseSource>(run.source) &&
+                                run.shown.time_s < kHintTime_s && !std::get<MouseSource>(run.source).used(),
+                   .showTimes = showTimes,
+                   .times = &times,
+                   .lightName = surround->lightName(),
+                   .renderer = statistics.renderer,
+                   .notice = surround->notice(),
+                   .volume = volume,
+                   .showVolume = glfwGetTime() - volumeShown_s < 1.5 && window.has_value()},
+                  eyeSize);
+    }
+    times.draws = stage->drawCount();
+    return Done{};
+}
+
+const platform::WindowInput& Player::readKeys(Run& run, double now_s) {
+    const platform::WindowInput& input = window->poll();
+    leaving |= input.closing;
+    const bool results = run.after.phase == game::Phase::Results;
+    const bool mine = std::holds_alternative<MouseSource>(run.source);
+    if (mine && !input.focused && !results) run.paused = true;
+    for (const int key : input.keysPressed) {
+        switch (key) {
+        case GLFW_KEY_ESCAPE:
+            if (results || !mine)
+                leaving = true;
+            else
+                run.paused = !run.paused;
+            break;
+        case GLFW_KEY_P:
+            run.paused = mine && !run.paused && !results;
+            break;
+        case GLFW_KEY_Q:
+            leaving |= run.paused || results;
+            break;
+        case GLFW_KEY_R:
+            run.restart |= run.paused || results;
+            break;
+        case GLFW_KEY_ENTER:
+            run.restart |= results;
+            break;
+        case GLFW_KEY_F1:
+            showTimes = !showTimes;
+            break;
+        case GLFW_KEY_F11:
+            window->toggleFullscreen();
+            break;
+        case GLFW_KEY_EQUAL:
+        case GLFW_KEY_KP_ADD:
+            volume = std::min(1.0f, volume + 0.1f);
+            break;
+        case GLFW_KEY_MINUS:
+        case GLFW_KEY_KP_SUBTRACT:
+            volume = std::max(0.0f, volume - 0.1f);
+            break;
+        default:
+            continue;
+        }
+        if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_ADD ||
+            key == GLFW_KEY_KP_SUBTRACT) {
+            outputs->setVolume(volume);
+            volumeShown_s = now_s;
+        }
+    }
+    if (input.leftPressed && results) run.restart = true;
+    if (run.restart) run.paused = false;
+    return input;
+}
+
+void Player::keepScore(const Run& run) {
+    const bool results = run.after.phase == game::Phase::Results;
+    if (!results) {
+        scored = newBest = false;
+        return;
+    }
+    if (scored) return;
+    scored = true;
+    if (run.after.score <= best) return;
+    best = run.after.score;
+    newBest = true;
+    // Only what a person has played counts.
+    if (!options.headless && std::holds_alternative<MouseSource>(run.source))
+        if (Status saved = saveBestScore(plan.dive.name, best); !saved)
+            log::warn("{}", saved.error().sentence());
+}
+
+Status Player::saveScreenshot() {
+    const ImageRgba8 left = targets[0].read();
+    const int eyes = static_cast<int>(targets.size());
+    ImageRgb8 picture(left.width * eyes, left.height);
+    for (int eye = 0; eye < eyes; ++eye) {
+        const ImageRgba8 image = eye == 0 ? left : targets[static_cast<size_t>(eye)].read();
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                std::copy_n(image.at(x, y), 3, picture.at(eye * left.width + x, y));
+    }
+    return media::writePng(options.screenshot, picture);
+}
+
+// One run from start to end. measured: its frames go into the statistics.
+Status Player::playThrough(bool measured) {
+    Run run(plan);
+    const bool keep = !options.record.empty();
+    const Clock::time_point began = Clock::now();
+    Clock::time_point last = began;
+    double video_s = 0;
+    for (uint64_t frame = 0; !leaving; ++frame) {
+        const Clock::time_point now = Clock::now();
+        const double wall_s = std::min(secondsBetween(last, now), kSlowestFrame_s);
+        last = now;
+        // With a player in front, time is the clock's; else each picture is 1 / fps after the one before.
+        const bool live = window && !options.timedemo;
+        const double elapsed_s = live ? wall_s : frame == 0 ? 0 : 1.0 / static_cast<double>(options.fps);
+        const platform::WindowInput* input = window ? &readKeys(run, glfwGetTime()) : nullptr;
+        if (auto* mouse = std::get_if<MouseSource>(&run.source)) {
+            const glm::ivec2 size = window ? window->framebufferSize() : options.look.size;
+            mouse->frame(window ? &*window : nullptr, input, run.shown, static_cast<float>(elapsed_s),
+                         glm::radians(options.fov_deg),
+                         static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1)));
+        }
+        const Clock::time_point simBegan = Clock::now();
+        run.advance(elapsed_s, keep);
+        times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
+        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s));
+        keepScore(run);
+
+        if (!run.paused) video_s += elapsed_s;
+        const bool exact = !window && !options.timedemo;
+        const bool fresh =
+            surround->update(options.timedemo ? secondsBetween(began, Clock::now()) : video_s, exact);
+        if (fresh && measured) {
+            statistics.light_ms.add(static_cast<double>(surround->light_ms()));
+            statistics.decode_ms.add(static_cast<double>(surround->decode_ms()));
+        }
+        times.light_ms = surround->light_ms();
+        times.decode_ms = surround->decode_ms();
+        times.upload_ms = surround->upload_ms();
+
+        const glm::ivec2 size = window ? window->framebufferSize() : options.look.size;
+        if (size.x > 0 && size.y > 0) { // not while minimised
+            if (Status drawn = drawFrame(run, size); !drawn) return drawn;
+            if (window) {
+                const int eyes = static_cast<int>(targets.size());
+                for (int eye = 0; eye < eyes; ++eye)
+                    targets[static_cast<size_t>(eye)].blitTo(0, eye * size.x / eyes, size.x / eyes, size.y);
+                window->present();
+            }
+        }
+        glFinish();
+        const double frame_ms = secondsBetween(now, Clock::now()) * 1e3;
+        times.add(static_cast<float>(frame_ms));
+        if (measured && frame > 0) statistics.frame_ms.add(frame_ms);
+
+        if (run.ended) break;
+        if (options.at_s && run.shown.time_s >= static_cast<double>(*options.at_s)) break;
+        if (options.at_s && static_cast<double>(frame) >= static_cast<double>(*options.at_s * options.fps) &&
+            !window)
+            break;
+        const bool alone = !window && std::holds_alternative<MouseSource>(run.source);
+        if ((alone || options.timedemo) && std::holds_alternative<MouseSource>(run.source) &&
+            run.after.phase == game::Phase::Results)
+            break;
+    }
+    statistics.draws = times.draws;
+    statistics.caught = run.after.caught;
+    statistics.score = run.after.score;
+    statistics.stateHash = run.dive.stateHash();
+    statistics.ticks = run.ticks;
+    if (keep && measured)
+        if (Status written = sim::writeRecording(options.record, run.recording); !written) return written;
+    return run.verdict;
+}
+
+} // namespace
+
+int play(const PlayOptions& options) {
+    const auto failed = [](const Error& error) {
+        log::error("{}", error.sentence());
+        return 1;
+    };
+    Player player(options);
+    if (Status opened = player.open(); !opened) return failed(opened.error());
+    Status verdict = Done{};
+    if (options.timedemo) verdict = player.playThrough(false);
+    if (verdict) verdict = player.playThrough(true);
+    // What was asked for is written even when an expectation failed: it helps to see why.
+    if (!options.screenshot.empty() && !player.targets.empty())
+        if (Status saved = player.saveScreenshot(); !saved) return failed(saved.error());
+    if (!options.stats.empty())
+        if (Status written = writeStatistics(options.stats, player.statistics); !written)
+            return failed(written.error());
+    if (options.timedemo)
+        std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
+                    player.statistics.renderer.c_str(), player.statistics.frame_ms.count(),
+                    player.statistics.frame_ms.quantile(0.5), player.statistics.frame_ms.quantile(0.99),
+                    player.statistics.frame_ms.quantile(1));
+    if (!verdict) return failed(verdict.error());
+    return 0;
+}
+
+} // namespace shoal::app

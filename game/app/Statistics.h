@@ -1,0 +1,39 @@
+// Frame times and what else --stats writes.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Result.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shoal::app {
+
+// Milliseconds, in the order they came.
+class Series {
+  public:
+    explicit Series(size_t reserve = 16384) { values_.reserve(reserve); }
+    void add(double ms) { values_.push_back(static_cast<float>(ms)); }
+    void clear() { values_.clear(); }
+    size_t count() const { return values_.size(); }
+    double quantile(double q) const; // 0 to 1; nearest rank; 0 when empty
+
+  private:
+    std::vector<float> values_;
+};
+
+struct Statistics {
+    std::string renderer;
+    Series frame_ms, light_ms, decode_ms;
+    int draws = 0; // of the last frame
+    int caught = 0, score = 0;
+    uint64_t stateHash = 0, ticks = 0;
+};
+
+// Most memory this process has held, MiB.
+double peakResident_MiB();
+
+Status writeStatistics(const Path& file, const Statistics& statistics);
+
+} // namespace shoal::app

@@ -1,0 +1,57 @@
+// What stands around the player: a video, a photo or an HDR picture, and the light made from it, on the
+// graphics side.
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/render/SurroundGpu.h"
+#include "engine/render/View.h"
+#include "game/app/Options.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace shoal::app {
+
+struct SurroundSetup {
+    SurroundOptions options;
+    Path defaultVideo;     // played where the options name nothing
+    bool bothEyes = false; // a stereo picture shows each eye its own half; else all see the left one
+    bool still = false;    // one picture for good: as much light quality as a second buys
+    bool pyramid = false;  // keep the radiance pyramid too, for the thesis' glossy lookup
+};
+
+class Surround {
+  public:
+    // Needs a current GL context. The first picture is there on return.
+    static Result<Surround> open(const SurroundSetup& setup);
+    Surround(Surround&&) noexcept;
+    Surround& operator=(Surround&&) noexcept;
+    ~Surround();
+
+    // Shows what is due at this time of the video, seconds (it repeats for ever). exact: waits for just that
+    // frame, so that equal times give equal pictures; else takes the newest complete one. True if the picture
+    // changed.
+    bool update(double time_s, bool exact);
+
+    const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
+    glm::mat3 envFromWorld() const;
+    render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
+
+    // Of the newest frame; 0 for stills after the first.
+    float light_ms() const;
+    float decode_ms() const;
+    float upload_ms() const;
+    std::string_view lightName() const;
+    std::string_view notice() const; // one sentence when the video broke; else empty
+
+  private:
+    struct State;
+    explicit Surround(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace shoal::app
