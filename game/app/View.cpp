@@ -1,0 +1,264 @@
+// shoal view: any glTF model in any surroundings, as a picture or in a window to turn it in.
+#include "game/app/Commands.h"
+
+#include "engine/core/Log.h"
+#include "engine/gl/Target.h"
+#include "engine/media/Pictures.h"
+#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
+#include "engine/render/BackdropPass.h"
+#include "engine/render/ObjectPass.h"
+#include "engine/scene/LoadModel.h"
+#include "game/app/Surround.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
+
+struct Clip {
+    int animation = -1;
+    float time_s = 0;
+};
+
+// "NAME@SECONDS"; the name alone means its start.
+Result<Clip> findClip(const scene::Model& model, const std::string& text, const std::string& file) {
+    if (text.empty()) return Clip{};
+    const size_t at = text.rfind('@');
+    Clip clip;
+    clip.animation = model.findAnimation(text.substr(0, at));
+    if (clip.animation < 0) {
+        std::string names;
+        for (const scene::Animation& animation : model.animations)
+            names += (names.empty() ? "" : ", ") + animation.name;
+        return Error{file, "has no animation named " + text.substr(0, at) +
+                               (names.empty() ? "; it has none" : "; it has " + names)};
+    }
+    if (at != std::string::npos) {
+        const char* end = text.data() + text.size();
+        if (std::from_chars(text.data() + at + 1, end, clip.time_s).ptr != end)
+            return Error{"--animation " + text, "wants NAME@SECONDS"};
+    }
+    return clip;
+}
+
+struct Orbit {
+    glm::vec3 target{0};
+    float theta = 0, phi = 1.5708f; // radians; around from +Z towards +X, and from straight up
+    float radius = 1;               // metres
+    float modelRadius = 1;          // of a ball around the target that holds the model
+
+    render::View view(float verticalFov, float aspect) const {
+        const glm::vec3 back(std::sin(phi) * std::sin(theta), std::cos(phi), std::sin(phi) * std::cos(theta));
+        const glm::vec3 right(std::cos(theta), 0, -std::sin(theta)); // level, also straight above the target
+        render::View view;
+        view.eyeWorld = target + radius * back;
+        view.worldFromEye = glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
+        view.verticalFov = verticalFov;
+        view.aspect = aspect;
+        view.far_m = (radius + modelRadius) * 1.01f;
+        view.near_m = std::max((radius - modelRadius) * 0.99f, view.far_m * 2e-4f);
+        return view;
+    }
+};
+
+class Viewer {
+  public:
+    explicit Viewer(const ViewOptions& options) : options_(options) {}
+
+    Status open();
+    Status writePicture();
+    Status showWindow();
+
+  private:
+    Status draw(const gl::Target& target, const Orbit& orbit);
+    void pose(const Clip& clip);
+
+    const ViewOptions& options_;
+    std::optional<platform::Headless> headless_; // the context first: it dies last
+    std::optional<platform::Window> window_;
+    scene::Model model_;
+    scene::Pose pose_;
+    Clip clip_;
+    render::ModelGpu gpu_;
+    std::optional<Surround> surround_;
+    std::optional<render::BackdropPass> backdrop_;
+    std::optional<render::ObjectPass> objects_;
+    Orbit orbit_;
+};
+
+void Viewer::pose(const Clip& clip) {
+    scene::restPose(model_, pose_);
+    if (clip.animation >= 0) scene::animate(model_, clip.animation, clip.time_s, pose_);
+    scene::updateGlobals(model_, pose_);
+    for (size_t n = 0; n < model_.nodes.size(); ++n) {
+        const int mesh = model_.nodes[n].mesh;
+        if (mesh >= 0 && !pose_.morphWeights[n].empty())
+            render::uploadMorphed(model_.meshes[static_cast<size_t>(mesh)], pose_.morphWeights[n],
+                                  gpu_.meshes[static_cast<size_t>(mesh)]);
+    }
+}
+
+Status Viewer::open() {
+    auto loaded = scene::loadModel(options_.model);
+    if (!loaded) return loaded.error();
+    model_ = std::move(*loaded);
+    auto clip = findClip(model_, options_.animation, options_.model);
+    if (!clip) return clip.error();
+    clip_ = *clip;
+    if (!options_.out.empty()) {
+        auto context = platform::Headless::open();
+        if (!context) return context.error();
+        headless_ = std::move(*context);
+    } else {
+        auto opened =
+            platform::Window::open({"Shoal: " + options_.model, options_.look.size.x, options_.look.size.y});
+        if (!opened)
+            return Error{"", "there is no display to open a window on; --out FILE.png writes a picture"};
+        window_ = std::move(*opened);
+    }
+    gpu_ = render::uploadModel(model_);
+    pose(clip_);
+    auto surround = Surround::open({.options = options_.surround,
+                                    .defaultVideo = dataRoot() / "content/video/reef.mp4",
+                                    .still = true,
+                                    .pyramid = options_.look.glossy == "phong36"});
+    if (!surround) return surround.error();
+    surround_ = std::move(*surround);
+    surround_->update(static_cast<double>(options_.at_s), true);
+    auto backdrop = render::BackdropPass::make();
+    if (!backdrop) return backdrop.error();
+    backdrop_ = std::move(*backdrop);
+    auto objects = render::ObjectPass::make();
+    if (!objects) return objects.error();
+    objects_ = std::move(*objects);
+
+    const scene::Bounds bounds = scene::posedBounds(model_, pose_);
+    const glm::vec3 middle = (bounds.low + bounds.high) * 0.5f;
+    orbit_.target = options_.target.value_or(middle);
+    orbit_.modelRadius =
+        std::max(glm::distance(bounds.low, bounds.high) / 2 + glm::distance(orbit_.target, middle), 1e-6f);
+    orbit_.theta = glm::radians(options_.orbit.x);
+    orbit_.phi = glm::radians(options_.orbit.y);
+    const float fits = orbit_.modelRadius / std::sin(glm::radians(options_.fov_deg) / 2) * 1.05f;
+    // Radius 0, when asked for, puts the camera onto the target, as far as a direction can still be told.
+    orbit_.radius = options_.orbitGiven ? std::max(options_.orbit.z, 1e-5f) : fits;
+    return Done{};
+}
+
+Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
+    target.bind();
+    glClearColor(0, 0, 0, 0);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const render::View view =
+        orbit.view(glm::radians(options_.fov_deg),
+                   static_cast<float>(target.width()) / static_cast<float>(target.height()));
+    const render::Exposure exposure{options_.look.tone == "aces"     ? render::ToneCurve::Aces
+                                    : options_.look.tone == "linear" ? render::ToneCurve::Linear
+                                                                     : surround_->naturalTone(),
+                                    options_.look.exposure_ev};
+    const render::Glossy glossy =
+        options_.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
+    objects_->begin();
+    objects_->add(model_, gpu_, pose_, glm::mat4(1));
+    objects_->upload();
+    using Part = render::ObjectPass::Part;
+    const glm::mat3 turn = surround_->envFromWorld();
+    if (Status s = objects_->draw(Part::Opaque, surround_->gpu(0), view, turn, exposure, {}, glossy); !s)
+        return s;
+    if (options_.background == "env") backdrop_->draw(surround_->gpu(0), view, turn, exposure);
+    return objects_->draw(Part::Blended, surround_->gpu(0), view, turn, exposure, {}, glossy);
+}
+
+// Box-filtered by kSupersampling each way, alpha made straight again.
+ImageRgba8 reduced(const ImageRgba8& large) {
+    ImageRgba8 small(large.width / kSupersampling, large.height / kSupersampling);
+    constexpr float kArea = kSupersampling * kSupersampling;
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            std::array<float, 4> sum{};
+            for (int dy = 0; dy < kSupersampling; ++dy)
+                for (int dx = 0; dx < kSupersampling; ++dx)
+                    for (size_t c = 0; c < 4; ++c)
+                        sum[c] += large.at(x * kSupersampling + dx, y * kSupersampling + dy)[c];
+            const float alpha = sum[3] / kArea;
+            for (size_t c = 0; c < 3; ++c) {
+                const float straight = alpha > 0 ? sum[c] / kArea * 255 / alpha : 0;
+                small.at(x, y)[c] = static_cast<uint8_t>(std::lround(std::min(straight, 255.0f)));
+            }
+            small.at(x, y)[3] = static_cast<uint8_t>(std::lround(alpha));
+        }
+    return small;
+}
+
+Status Viewer::writePicture() {
+    const glm::ivec2 size = options_.look.size * kSupersampling;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    if (size.x > most || size.y > most) return Error{"--size", "is more than the graphics driver can draw"};
+    const gl::Target target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
+    if (Status drawn = draw(target, orbit_); !drawn) return drawn;
+    return media::writePng(options_.out, reduced(target.read()));
+}
+
+Status Viewer::showWindow() {
+    gl::Target target;
+    double clipStart = glfwGetTime();
+    bool moving = !options_.animation.empty() || !model_.animations.empty();
+    if (clip_.animation < 0 && !model_.animations.empty()) clip_.animation = 0;
+    for (;;) {
+        const platform::WindowInput& input = window_->poll();
+        if (input.closing || window_->down(GLFW_KEY_ESCAPE)) return Done{};
+        for (const int key : input.keysPressed) {
+            if (key == GLFW_KEY_SPACE) moving = !moving;
+            if (key == GLFW_KEY_F11) window_->toggleFullscreen();
+            if (key == GLFW_KEY_N && !model_.animations.empty()) {
+                clip_.animation = (clip_.animation + 1) % static_cast<int>(model_.animations.size());
+                clipStart = glfwGetTime();
+            }
+        }
+        if (input.leftButton || input.rightButton) {
+            orbit_.theta -= static_cast<float>(input.cursorMoved.x) * 0.008f;
+            orbit_.phi =
+                std::clamp(orbit_.phi - static_cast<float>(input.cursorMoved.y) * 0.008f, 0.01f, 3.13f);
+        }
+        orbit_.radius *= std::exp2(static_cast<float>(-input.wheel) * 0.15f);
+        if (moving && clip_.animation >= 0) {
+            const float duration = model_.animations[static_cast<size_t>(clip_.animation)].duration_s;
+            clip_.time_s =
+                duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
+            pose(clip_);
+        }
+        surround_->update(glfwGetTime() + static_cast<double>(options_.at_s), false);
+        const glm::ivec2 size = window_->framebufferSize();
+        if (size.x > 0 && size.y > 0) {
+            if (target.width() != size.x || target.height() != size.y)
+                target = gl::Target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
+            if (Status drawn = draw(target, orbit_); !drawn) return drawn;
+            target.blitTo(0, 0, size.x, size.y);
+        }
+        window_->present();
+    }
+}
+
+} // namespace
+
+int view(const ViewOptions& options) {
+    Viewer viewer(options);
+    Status status = viewer.open();
+    if (status) status = options.out.empty() ? viewer.showWindow() : viewer.writePicture();
+    if (status) return 0;
+    log::error("{}", status.error().sentence());
+    return 1;
+}
+
+} // namespace shoal::app
