@@ -13,6 +13,8 @@
 
 namespace shoal::game {
 
+struct World; // game/World.h: the state itself, for those who write rules
+
 class Dive {
   public:
     Dive(SpeciesTable, DiveFile, uint64_t seed);
@@ -35,7 +37,6 @@ class Dive {
     const DiveFile& file() const;
 
   private:
-    struct World;
     std::unique_ptr<World> world_;
 };
 

@@ -44,7 +44,7 @@ class MouseHands {
     HandRig rig_;
     Side active_;
     float distance_ = 0.7f;
-    float assisted_ = 0.7f;
+    float assistRests_s_ = 0; // the wheel was just used: no help with depth for so long
     std::array<Hand, 2> hands_{};
     std::array<HandPose, 2> poses_{};
 };

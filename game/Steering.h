@@ -1,0 +1,73 @@
+// Arithmetic shared by everything that swims. No trigonometry: only roots, which IEEE 754 rounds exactly.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::game {
+
+constexpr glm::vec3 kUp(0, 1, 0);
+
+inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
+    const float squared = glm::dot(v, v);
+    return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
+}
+
+inline glm::vec3 limited(glm::vec3 v, float length) {
+    const float squared = glm::dot(v, v);
+    return squared > length * length ? v * (length / std::sqrt(squared)) : v;
+}
+
+// Turns the unit vector towards the unit goal by at most maxAngle radians (below about 0.2, where the chord
+// is the arc).
+inline glm::vec3 turnedTowards(glm::vec3 forward, glm::vec3 goal, float maxAngle) {
+    const float along = glm::dot(forward, goal);
+    glm::vec3 across = goal - forward * along;
+    float length = glm::length(across);
+    if (length < 1e-5f) {
+        if (along > 0) return forward;
+        across =
+            normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0)); // straight behind: go round sideways
+        length = 1;
+    } else
+        across /= length;
+    const float step = along > 0 ? std::min(maxAngle, length) : maxAngle;
+    return glm::normalize(forward + across * step);
+}
+
+// Keeps a heading from pointing steeply up or down: |y| <= most, unit length.
+inline glm::vec3 levelled(glm::vec3 forward, float most) {
+    if (std::fabs(forward.y) <= most) return forward;
+    const glm::vec3 flat = normalizedOr({forward.x, 0, forward.z}, {0, 0, 1});
+    const float y = forward.y > 0 ? most : -most;
+    return glm::vec3(flat.x, 0, flat.z) * std::sqrt(1 - most * most) + glm::vec3(0, y, 0);
+}
+
+// Towards the left of a body that looks along forward with +Y up.
+inline glm::vec3 leftOf(glm::vec3 forward) {
+    return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
+}
+
+// Body frame: +Z along forward, +Y as upright as bank allows; bank is the tangent of the lean to the left.
+inline glm::quat bodyTurn(glm::vec3 forward, float bank) {
+    const glm::vec3 left = leftOf(forward);
+    const glm::vec3 up = glm::normalize(glm::cross(forward, left) + left * bank);
+    const glm::vec3 x = glm::normalize(glm::cross(up, forward));
+    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(forward, x), forward)));
+}
+
+// Between two rotations, by the shorter way; good enough for small blends.
+inline glm::quat blended(glm::quat from, glm::quat to, float t) {
+    if (glm::dot(from, to) < 0) to = -to;
+    return glm::normalize(from * (1 - t) + to * t);
+}
+
+inline float towards(float value, float goal, float step) {
+    return value + std::clamp(goal - value, -step, step);
+}
+
+} // namespace shoal::game

@@ -1,0 +1,171 @@
+// The whole state of a dive, and the parts a tick is made of. Internal to the rules; others use Dive and
+// Snapshot.
+#pragma once
+
+#include "engine/core/Hash.h"
+#include "engine/core/Random.h"
+#include "engine/physics/ContactWorld.h"
+#include "engine/sim/FixedStep.h"
+#include "game/DiveFile.h"
+#include "game/Snapshot.h"
+#include "game/TickInput.h"
+#include "input/haptics/HapticFrame.h"
+
+#include <array>
+#include <vector>
+
+namespace shoal::game {
+
+constexpr float kDt = sim::kTick_s;
+constexpr int kParts = haptics::kActuatorsPerHand; // five fingers and the palm
+
+// A hand closes when its grip rises through the first, opens when it falls through the second.
+constexpr float kGripCloses = 0.55f;
+constexpr float kGripOpens = 0.35f;
+constexpr int kCloseWindow = 12;         // ticks after closing in which a fish still slips into the hand
+constexpr float kGraspRadius_m = 0.075f; // around hands::graspCentre
+constexpr float kHoldToCatch_s = 1;
+constexpr float kShowCatch_s = 0.2f; // from the catch until it is let go
+constexpr float kUncatchable_s = 2;
+
+struct Gait { // which clip plays
+    Motion motion = Motion::Swim, before = Motion::Swim;
+    float blend = 1;
+    float phase_s = 0;
+
+    void set(Motion next);
+    void advance(float rate);
+};
+
+struct Fish {
+    enum class Mind { Cruise, Dart, Held, Mouth };
+
+    int species = 0;
+    int school = 0;
+    glm::vec3 position{0};
+    glm::vec3 forward{0, 0, 1};
+    float bank = 0;
+    float speed = 0;       // along forward
+    glm::vec3 push{0};     // m/s, what others did to it; fades
+    glm::vec3 velocity{0}; // of the last tick, in all
+    glm::quat worldFromBody{1, 0, 0, 0};
+
+    // Its habits
+    float radius = 1, height = 0, cruise = 0.3f;
+    float sense = 1; // +1 circles to the left of looking outward, -1 to the right
+    glm::vec3 wander{0}, wanderGoal{0};
+    int wanderTicks = 0;
+
+    Mind mind = Mind::Cruise;
+    float dart_s = 0;        // time left of the flight
+    float frightRest_s = 0;  // not frightened anew for so long
+    glm::vec3 flee{0, 0, 1}; // unit
+    float nervous_s = 0;     // how long it has been touched gently
+    float uncatchable_s = 0;
+    int heldBy = -1;
+    float held_s = 0;
+    bool counted = false; // this hold has become a catch
+    glm::quat palmFromBody{1, 0, 0, 0}, palmFromBodyGoal{1, 0, 0, 0};
+    glm::vec3 palmOffset{0}; // from the grasp centre, palm's frame, at the grab
+    std::array<std::array<uint32_t, kParts>, 2>
+        touchedUntil{}; // tick to which a touch by that part still counts
+    Gait gait;
+};
+
+struct Shark {
+    enum class Mind { Circle, Prowl, Strike, Leave };
+
+    bool present = false;
+    int species = -1;
+    glm::vec3 position{0};
+    glm::vec3 forward{0, 0, 1};
+    float bank = 0, speed = 0;
+    glm::vec3 velocity{0};
+    glm::quat worldFromBody{1, 0, 0, 0};
+    float sense = 1;
+    Mind mind = Mind::Circle;
+    float mind_s = 0;   // since it changed
+    float visit_s = 0;  // left of the present visit
+    float interest = 0; // grows while a fish struggles
+    uint32_t nextVisit = 0;
+    int prey = -1;  // creature id it strikes at
+    int mouth = -1; // creature id it carries
+    float bumpRest_s = 0;
+    Gait gait;
+};
+
+struct Hand {
+    bool visible = false;
+    bool known = false;       // joints hold a pose
+    bool moved = false;       // before holds the tick before
+    hands::HandPose lastGood; // viewer's frame
+    int untrackedTicks = 0;
+    std::array<hands::Joint, hands::kJointCount> joints{}, before{}; // world
+    glm::vec3 grasp{0};
+    glm::vec3 velocity{0};     // of the palm, over the last tick
+    glm::vec3 calmVelocity{0}; // the same, smoothed over about 50 ms
+    float grip = 0;
+    bool closed = false;
+    int window = 0; // ticks left to catch what comes in
+    int holds = -1;
+};
+
+struct World {
+    World(SpeciesTable, DiveFile, uint64_t seed);
+
+    // The tick, in this order.
+    void begin(uint64_t newSeed);
+    void readHands(const TickInput&);
+    void frightenByHands(std::vector<Event>&);
+    void touch(std::vector<Event>&);
+    void closeHands(std::vector<Event>&);
+    void swim();
+    void swimShark(std::vector<Event>&);
+    void carry(std::vector<Event>&);
+    void step(const TickInput&, std::vector<Event>&);
+
+    // Fish and hands
+    void startle(int fish, glm::vec3 from, std::vector<Event>&);
+    void grab(int fish, int hand, std::vector<Event>&);
+    void letGo(int hand, Event::Kind why, std::vector<Event>&); // Release or Escape
+    bool graspable(const Fish&, const Hand&, int hand) const;
+    float graspGap(const Fish&, const Hand&) const; // from the grasp centre to the body's surface, m
+    void steer(Fish&, size_t index);
+    void keepApart(size_t index, glm::vec3& desired);
+    void keepInBounds(Fish&);
+
+    // The shark
+    void sharkMind(std::vector<Event>&);
+    void sharkMove();
+    void steal(int fish, std::vector<Event>&);
+    void setMind(Shark::Mind);
+    glm::vec3 mouthPosition() const;
+    int sharkId() const { return static_cast<int>(fish.size()); }
+
+    void emit(std::vector<Event>&, Event::Kind, int creature = -1, int hand = -1, int finger = -1,
+              float strength = 0, glm::vec3 position = glm::vec3(0)) const;
+    void fill(Snapshot&) const;
+    uint64_t hash() const;
+
+    const SpeciesTable species;
+    const DiveFile file;
+    uint64_t seed = 0;
+    Random random;
+    uint32_t tick = 0; // since the dive began
+    uint64_t totalTicks = 0;
+    Phase phase = Phase::Diving;
+    bool begun = false, paused = false, restartHeld = false;
+    int score = 0, caught = 0, lost = 0;
+    glm::quat worldFromView{1, 0, 0, 0};
+    std::array<Hand, 2> hands;
+    std::vector<Fish> fish;
+    Shark shark;
+
+    // Scratch: no part of the state.
+    physics::ContactWorld contactWorld;
+    std::vector<physics::Body> bodies;
+    std::vector<physics::Mover> movers;
+    std::vector<physics::Contact> contacts;
+};
+
+} // namespace shoal::game

@@ -1,0 +1,224 @@
+#include "input/hands/HandRig.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace shoal::hands {
+
+namespace {
+
+constexpr float kDegree = std::numbers::pi_v<float> / 180;
+
+// Bend of each joint at curl 1, radians about its own X; towards the palm. Ranges of a relaxed fist.
+constexpr std::array<float, kJointCount> kFullBend = [] {
+    std::array<float, kJointCount> bend{};
+    bend[2] = 15 * kDegree; // thumb: metacarpal, proximal, distal
+    bend[3] = 40 * kDegree;
+    bend[4] = 60 * kDegree;
+    for (int proximal : {7, 12, 17, 22}) {
+        bend[proximal] = 80 * kDegree;
+        bend[proximal + 1] = 95 * kDegree;
+        bend[proximal + 2] = 60 * kDegree;
+    }
+    return bend;
+}();
+
+// Turn about its own Y at spread 1, radians; positive towards the thumb's side of a right hand.
+constexpr std::array<float, kJointCount> kFullSpread = [] {
+    std::array<float, kJointCount> spread{};
+    spread[2] = 15 * kDegree;
+    spread[7] = 10 * kDegree;
+    spread[12] = 2 * kDegree;
+    spread[17] = -6 * kDegree;
+    spread[22] = -13 * kDegree;
+    return spread;
+}();
+
+int fingerOfJoint(int joint) {
+    if (joint < 2) return -1;
+    return joint < 6 ? 0 : 1 + (joint - 6) / 5;
+}
+
+glm::quat turnTo(glm::vec3 minusZ, glm::vec3 up) {
+    const glm::vec3 z = -glm::normalize(minusZ);
+    const glm::vec3 x = glm::normalize(glm::cross(up, z));
+    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)));
+}
+
+Joint mirrored(Joint joint) {
+    joint.position.x = -joint.position.x;
+    joint.orientation.y = -joint.orientation.y;
+    joint.orientation.z = -joint.orientation.z;
+    return joint;
+}
+
+std::optional<glm::vec3> vectorFrom(const nlohmann::json& object, const char* key) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_array() || found->size() != 3) return std::nullopt;
+    glm::vec3 v(0);
+    for (int i = 0; i < 3; ++i) {
+        if (!(*found)[i].is_number()) return std::nullopt;
+        v[i] = (*found)[i].get<float>();
+        if (!std::isfinite(v[i]) || std::fabs(v[i]) > 1) return std::nullopt;
+    }
+    return v;
+}
+
+std::string textFrom(const nlohmann::json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+} // namespace
+
+Result<HandRig> HandRig::load(const Path& file) {
+    auto text = readText(file, 1u << 20);
+    if (!text) return text.error();
+    const auto fail = [&](std::string reason) { return Error{file.string(), std::move(reason)}; };
+    const auto json = nlohmann::json::parse(*text, nullptr, false);
+    if (!json.is_object() || !json.contains("joints") || !json["joints"].is_array())
+        return fail("is not a hand skeleton: no array \"joints\"");
+
+    const auto& list = json["joints"];
+    if (list.size() != kJointCount) return fail("needs exactly 26 joints");
+    std::array<glm::vec3, kJointCount> position{}, up{};
+    std::array<int, kJointCount> towards{};
+    HandRig rig;
+    for (int i = 0; i < kJointCount; ++i) {
+        const auto& entry = list[i];
+        const std::string name(kJointNames[i]);
+        if (!entry.is_object() || textFrom(entry, "name") != name)
+            return fail("joint " + std::to_string(i) + " must be \"" + name + "\"");
+        const auto p = vectorFrom(entry, "position"), u = vectorFrom(entry, "up");
+        if (!p || !u || !entry.contains("radius") || !entry["radius"].is_number())
+            return fail("joint \"" + name + "\" needs position, radius and up");
+        position[i] = *p;
+        up[i] = *u;
+        rig.radius_[i] = entry["radius"].get<float>();
+        if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
+            return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
+        const std::string next = textFrom(entry, "towards");
+        const auto at = std::find(kJointNames.begin(), kJointNames.end(), next);
+        towards[i] = at == kJointNames.end() ? -1 : static_cast<int>(at - kJointNames.begin());
+        if (towards[i] < 0 && !next.empty())
+            return fail("joint \"" + name + "\" points towards unknown \"" + next + "\"");
+    }
+
+    std::array<glm::quat, kJointCount> turn{};
+    for (int pass = 0; pass < 2; ++pass) // the tips, which copy their parent, after the others
+        for (int i = 0; i < kJointCount; ++i) {
+            if ((towards[i] < 0) != (pass == 1)) continue;
+            if (towards[i] < 0) {
+                turn[i] = kJointParent[i] < 0 ? glm::quat(1, 0, 0, 0) : turn[kJointParent[i]];
+                continue;
+            }
+            const glm::vec3 ahead = position[towards[i]] - position[i];
+            if (glm::length(ahead) < 1e-4f || glm::length(glm::cross(ahead, up[i])) < 1e-5f)
+                return fail("joint \"" + std::string(kJointNames[i]) + "\" has no usable direction");
+            turn[i] = turnTo(ahead, up[i]);
+        }
+    for (int i = 0; i < kJointCount; ++i) {
+        const int parent = kJointParent[i];
+        if (parent < 0) {
+            rig.parentFromJointTurn_[i] = turn[i]; // of the wrist within the skeleton's own frame
+            continue;
+        }
+        const glm::quat parentFromRest = glm::conjugate(turn[parent]);
+        rig.parentFromJointOffset_[i] = parentFromRest * (position[i] - position[parent]);
+        rig.parentFromJointTurn_[i] = parentFromRest * turn[i];
+    }
+    return rig;
+}
+
+HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist) const {
+    // Parents first: the wrist, then every other joint in order but the palm and metacarpals hang from it
+    // too.
+    std::array<Joint, kJointCount> rest;
+    const auto place = [&](int i) {
+        const int parent = kJointParent[i];
+        Joint& joint = rest[i];
+        joint.radius = radius_[i];
+        if (parent < 0) {
+            joint.position = glm::vec3(0);
+            joint.orientation = glm::quat(1, 0, 0, 0);
+            return;
+        }
+        joint.position = rest[parent].position + rest[parent].orientation * parentFromJointOffset_[i];
+        joint.orientation = rest[parent].orientation * parentFromJointTurn_[i];
+        const int finger = fingerOfJoint(i);
+        if (finger < 0) return;
+        const float bend = -kFullBend[i] * std::clamp(shape.curl[finger], 0.0f, 1.0f);
+        const float spread = kFullSpread[i] * std::clamp(shape.spread, -1.0f, 1.0f);
+        if (spread != 0) joint.orientation = joint.orientation * glm::angleAxis(spread, glm::vec3(0, 1, 0));
+        if (bend != 0) joint.orientation = joint.orientation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
+        joint.orientation = glm::normalize(joint.orientation);
+    };
+    place(1);
+    place(0);
+    for (int i = 2; i < kJointCount; ++i) place(i);
+
+    HandPose hand;
+    hand.tracked = true;
+    hand.confidence = 1;
+    for (int i = 0; i < kJointCount; ++i) {
+        const Joint joint = side == Side::Left ? mirrored(rest[i]) : rest[i];
+        hand.joints[i].position = wrist.position + wrist.orientation * joint.position;
+        hand.joints[i].orientation = wrist.orientation * joint.orientation;
+        hand.joints[i].radius = joint.radius;
+    }
+    hand.grip = gripOf(hand.joints);
+    hand.pinch = pinchOf(hand.joints);
+    return hand;
+}
+
+float HandRig::boneLength(int joint) const { return glm::length(parentFromJointOffset_[joint]); }
+
+float gripOf(const std::array<Joint, kJointCount>& joints) {
+    // Sum of the three knuckles' bends, averaged over the fingers: 30 degrees is a relaxed open hand, 200 a
+    // fist.
+    constexpr float kOpen = 30 * kDegree, kFist = 200 * kDegree;
+    float sum = 0;
+    for (int metacarpal : {6, 11, 16, 21})
+        for (int i = metacarpal; i < metacarpal + 3; ++i) {
+            const glm::vec3 here = joints[i + 1].position - joints[i].position;
+            const glm::vec3 next = joints[i + 2].position - joints[i + 1].position;
+            const float scale = glm::length(here) * glm::length(next);
+            if (scale > 1e-9f) sum += std::acos(std::clamp(glm::dot(here, next) / scale, -1.0f, 1.0f));
+        }
+    return std::clamp((sum / 4 - kOpen) / (kFist - kOpen), 0.0f, 1.0f);
+}
+
+float pinchOf(const std::array<Joint, kJointCount>& joints) {
+    constexpr float kFar_m = 0.05f; // gap between the tips' surfaces that counts as open
+    const float gap =
+        glm::distance(joints[5].position, joints[10].position) - joints[5].radius - joints[10].radius;
+    return std::clamp(1 - gap / kFar_m, 0.0f, 1.0f);
+}
+
+glm::vec3 graspCentre(const std::array<Joint, kJointCount>& joints) {
+    return joints[0].position + joints[0].orientation * glm::vec3(0, -0.045f, -0.035f);
+}
+
+bool plausible(const HandPose& hand) {
+    const auto finite = [](float v) { return std::isfinite(v); };
+    if (!finite(hand.grip) || !finite(hand.pinch) || !finite(hand.confidence)) return false;
+    for (int i = 0; i < kJointCount; ++i) {
+        const Joint& joint = hand.joints[i];
+        const glm::vec3 p = joint.position;
+        if (!finite(p.x) || !finite(p.y) || !finite(p.z) || !(glm::dot(p, p) < 25)) return false;
+        const float norm = glm::dot(joint.orientation, joint.orientation);
+        if (!(norm > 0.9f && norm < 1.1f)) return false;
+        if (!(joint.radius >= 0.001f && joint.radius <= 0.1f)) return false;
+        const int parent = kJointParent[i];
+        if (parent >= 0 && !(glm::distance(p, hand.joints[parent].position) < 0.25f)) return false;
+    }
+    return true;
+}
+
+} // namespace shoal::hands

@@ -1,0 +1,98 @@
+#include "input/hands/MouseHands.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::hands {
+
+namespace {
+
+constexpr float kCloseTime_s = 0.12f;
+constexpr float kFollow_s = 0.025f; // the hand lags the cursor by about this: no jitter, no felt delay
+constexpr float kSwap_s = 0.09f;    // to the side and back
+constexpr float kAssist_s = 0.08f;
+constexpr float kAssistRest_s = 1.2f; // how long the wheel's word stands against the help with depth
+constexpr float kNotch = 1.06f;       // reach per notch
+
+float eased(float tau_s, float dt_s) { return 1 - std::exp(-dt_s / tau_s); }
+
+glm::vec3 restingPlace(Side side, float tanX, float tanY) {
+    const float sign = side == Side::Left ? -1.0f : 1.0f;
+    const float z = 0.5f;
+    return {sign * z * std::min(0.62f * tanX, 0.6f), -z * 0.88f * tanY, -z};
+}
+
+} // namespace
+
+HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float closed) {
+    const float sign = side == Side::Left ? -1.0f : 1.0f;
+    const glm::vec3 shoulder(sign * 0.18f, -0.24f, 0.04f);
+    // Fingers along the forearm and somewhat up; the back of the hand outwards, upwards and to the player.
+    const glm::vec3 fingers = glm::normalize(glm::normalize(grasp - shoulder) + glm::vec3(0, 0.35f, 0));
+    const glm::vec3 back = glm::vec3(sign * 0.65f, 0.6f, 0.35f);
+    const glm::vec3 z = -fingers;
+    const glm::vec3 x = glm::normalize(glm::cross(back, z));
+    WristPose wrist;
+    wrist.orientation = glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)));
+
+    const float smooth = closed * closed * (3 - 2 * closed);
+    HandShape shape;
+    shape.curl = {0.05f + 0.75f * smooth, 0.10f + 0.80f * smooth, 0.12f + 0.80f * smooth,
+                  0.14f + 0.80f * smooth, 0.16f + 0.80f * smooth};
+    shape.spread = 0.5f * (1 - smooth);
+    // The grasp centre hangs from the palm, the palm from the wrist: neither depends on the fingers.
+    const HandPose atOrigin = rig.pose(side, shape, wrist);
+    wrist.position = grasp - graspCentre(atOrigin.joints);
+    HandPose hand = atOrigin;
+    for (Joint& joint : hand.joints) joint.position += wrist.position;
+    return hand;
+}
+
+MouseHands::MouseHands(HandRig rig, Side active) : rig_(std::move(rig)), active_(active) {}
+
+void MouseHands::reset() {
+    hands_ = {};
+    distance_ = 0.7f;
+    assistRests_s_ = 0;
+}
+
+const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float dt_s) {
+    dt_s = std::isfinite(dt_s) ? std::clamp(dt_s, 0.0f, 0.1f) : 0.0f;
+    if (input.swapHands) active_ = active_ == Side::Left ? Side::Right : Side::Left;
+
+    if (input.wheel != 0) {
+        distance_ *= std::pow(kNotch, std::clamp(input.wheel, -20.0f, 20.0f));
+        assistRests_s_ = kAssistRest_s;
+    }
+    assistRests_s_ = std::max(0.0f, assistRests_s_ - dt_s);
+    if (input.assist_m && !input.close && assistRests_s_ == 0)
+        distance_ += (*input.assist_m - distance_) * eased(kAssist_s, dt_s);
+    distance_ = std::clamp(distance_, kReachMin_m, kReachMax_m);
+
+    const float tanY = std::tan(0.5f * std::clamp(input.fovY, 0.2f, 2.6f));
+    const float tanX = tanY * std::clamp(input.aspect, 0.1f, 10.0f);
+    const glm::vec2 cursor = glm::clamp(input.cursor, glm::vec2(-1), glm::vec2(1));
+    const glm::vec3 ray = glm::normalize(glm::vec3(cursor.x * tanX, cursor.y * tanY, -1));
+
+    for (int i = 0; i < 2; ++i) {
+        const Side side = i == 0 ? Side::Left : Side::Right;
+        const bool active = side == active_;
+        Hand& hand = hands_[i];
+        const glm::vec3 goal = active ? ray * distance_ : restingPlace(side, tanX, tanY);
+        if (hand.placed)
+            hand.grasp += (goal - hand.grasp) * eased(active ? kFollow_s : kSwap_s, dt_s);
+        else
+            hand.grasp = goal;
+        hand.placed = true;
+        const float closedGoal = active ? (input.close ? 1.0f : 0.0f) : (hand.closed > 0.5f ? 1.0f : 0.0f);
+        const float step = dt_s / kCloseTime_s;
+        hand.closed += std::clamp(closedGoal - hand.closed, -step, step);
+        poses_[i] = reachingHand(rig_, side, hand.grasp, hand.closed);
+    }
+    return poses_;
+}
+
+} // namespace shoal::hands
