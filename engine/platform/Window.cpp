@@ -1,7 +1,6 @@
 #include "engine/platform/Window.h"
 
 #include <epoxy/gl.h>
-// After epoxy, so that GLFW brings no GL header of its own.
 #include <GLFW/glfw3.h>
 
 #include <algorithm>

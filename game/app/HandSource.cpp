@@ -1,7 +1,6 @@
 #include "game/app/HandSource.h"
 
 #include <GLFW/glfw3.h>
-#include <epoxy/gl.h>
 
 #include <algorithm>
 #include <cmath>

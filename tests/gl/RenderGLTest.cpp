@@ -1,0 +1,246 @@
+// What is drawn belongs to the picture: backdrop where the map says, matte and mirror balls in the video's
+// own colours.
+#include "engine/gl/Target.h"
+#include "engine/light/InverseToneMap.h"
+#include "engine/math/LatLong.h"
+#include "engine/platform/Headless.h"
+#include "engine/render/BackdropPass.h"
+#include "engine/render/ObjectPass.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <optional>
+
+namespace shoal {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+class RenderGL : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto context = platform::Headless::open();
+        if (!context) GTEST_SKIP() << context.error().sentence();
+        context_ = std::move(*context);
+    }
+    std::optional<platform::Headless> context_;
+};
+
+// A colour that turns smoothly with direction, so that bilinear reading adds next to nothing.
+glm::vec3 smoothColour(const glm::vec3& dir) { return 0.5f + 0.4f * dir; }
+
+ImageRgb8 smoothFrame(int width) {
+    ImageRgb8 frame(width, width / 2);
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::vec3 colour = smoothColour(directionFromLatLong(
+                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(frame.height))));
+            for (int c = 0; c < 3; ++c)
+                frame.at(x, y)[c] = static_cast<uint8_t>(std::lround(colour[c] * 255));
+        }
+    return frame;
+}
+
+void upload(render::SurroundGpu& surround, const ImageRgb8& frame) {
+    surround.uploadFrame({frame.pixels.data(), frame.width, frame.height, frame.width, false});
+}
+
+glm::quat looking(const glm::vec3& dir) {
+    const glm::vec3 back = -glm::normalize(dir);
+    const glm::vec3 side = std::abs(back.y) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 right = glm::normalize(glm::cross(side, back));
+    return glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
+}
+
+TEST_F(RenderGL, BackdropShowsTheMapWhereItLies) {
+    auto pass = render::BackdropPass::make();
+    ASSERT_TRUE(pass) << pass.error().sentence();
+    render::SurroundGpu surround;
+    upload(surround, smoothFrame(512));
+    const gl::Target target(96, 64, 1);
+    // Ahead, behind (the seam), both poles, and askew.
+    for (const glm::vec3 ahead : {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0),
+                                  glm::vec3(0, -1, 0), glm::vec3(1, 1, 1), glm::vec3(-1, -0.3f, 0.2f)}) {
+        render::View view;
+        view.worldFromEye = looking(ahead);
+        view.verticalFov = 1.7f;
+        view.aspect = 1.5f;
+        target.bind();
+        glClear(GL_DEPTH_BUFFER_BIT);
+        pass->draw(surround, view, glm::mat3(1), {});
+        const ImageRgba8 picture = target.read();
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x) {
+                const glm::vec2 ndc((static_cast<float>(x) + 0.5f) / 48 - 1,
+                                    1 - (static_cast<float>(y) + 0.5f) / 32);
+                const glm::vec3 dir =
+                    glm::normalize(view.worldFromEye * glm::vec3(ndc * view.halfExtent(), -1.0f));
+                const glm::vec3 expected = smoothColour(dir) * 255.0f;
+                // Half a step of rounding into the frame and half out of it; the pole's texel row adds the
+                // cap's bend, 0.4 * 255 * (pi / 512) = 0.6.
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(picture.at(x, y)[c], expected[c], 1.7f)
+                        << x << "," << y << " looking " << ahead.x;
+            }
+    }
+}
+
+TEST_F(RenderGL, YawOfTheSurroundTurnsItToTheRight) {
+    auto pass = render::BackdropPass::make();
+    ASSERT_TRUE(pass);
+    render::SurroundGpu surround;
+    upload(surround, smoothFrame(256));
+    const gl::Target target(9, 9, 1);
+    target.bind();
+    glClear(GL_DEPTH_BUFFER_BIT);
+    // The column that looks along -Z appears 90 degrees to the right of -Z, so ahead lies what looks along
+    // -X.
+    const glm::mat3 envFromWorld(glm::mat3_cast(glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0))));
+    pass->draw(surround, {.verticalFov = 0.2f, .aspect = 1}, envFromWorld, {});
+    const ImageRgba8 picture = target.read();
+    const glm::vec3 expected = smoothColour({-1, 0, 0}) * 255.0f;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f);
+}
+
+// A ball of radius 1 at the origin.
+scene::Model ball(float metallic, float roughness) {
+    scene::Model model;
+    scene::Primitive primitive;
+    constexpr int kAround = 96, kDown = 48;
+    for (int y = 0; y <= kDown; ++y)
+        for (int x = 0; x <= kAround; ++x) {
+            const glm::vec3 p = directionFromLatLong(
+                glm::vec2(static_cast<float>(x) / kAround, static_cast<float>(y) / kDown));
+            primitive.positions.push_back(p);
+            primitive.normals.push_back(p);
+        }
+    for (int y = 0; y < kDown; ++y)
+        for (int x = 0; x < kAround; ++x) {
+            const auto a = static_cast<uint32_t>(y * (kAround + 1) + x);
+            const uint32_t b = a + kAround + 1;
+            primitive.indices.insert(primitive.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+        }
+    primitive.material = 0;
+    model.materials.push_back({.metallic = metallic, .roughness = roughness, .doubleSided = true});
+    model.meshes.push_back({"ball", {primitive}, {}});
+    model.nodes.push_back({.name = "ball", .mesh = 0});
+    model.order = {0};
+    return model;
+}
+
+// Light as the pipeline makes it for a frame that hardly changes from texel to texel: the mirror is the frame
+// itself.
+light::EnvironmentLight lightOf(const ImageRgb8& frame) {
+    light::EnvironmentLight result;
+    ImageRgbF radiance(frame.width, frame.height);
+    for (size_t i = 0; i < radiance.pixels.size(); i += 3) {
+        const glm::vec3 colour(frame.pixels[i], frame.pixels[i + 1], frame.pixels[i + 2]);
+        const glm::vec3 lin = light::radianceFromDisplay(colour / 255.0f);
+        for (size_t c = 0; c < 3; ++c) radiance.pixels[i + c] = lin[static_cast<int>(c)];
+    }
+    result.diffuse = ImageRgbF(64, 32);
+    for (size_t i = 0; i < result.diffuse.pixels.size(); ++i)
+        result.diffuse.pixels[i] = radiance.pixels[i % 3];
+    ImageRgbF rough(frame.width / 2, frame.height / 2);
+    for (size_t i = 0; i < rough.pixels.size(); ++i) rough.pixels[i] = radiance.pixels[i % 3];
+    result.glossy = {{0.0f, radiance}, {1.0f, rough}};
+    return result;
+}
+
+ImageRgba8 drawBall(const scene::Model& model, const render::SurroundGpu& surround, const render::View& view,
+                    float exposure_ev, int size) {
+    auto pass = render::ObjectPass::make();
+    EXPECT_TRUE(pass) << pass.error().sentence();
+    const render::ModelGpu gpu = render::uploadModel(model);
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    scene::updateGlobals(model, pose);
+    const gl::Target target(size, size, 1);
+    target.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    pass->begin();
+    pass->add(model, gpu, pose, glm::mat4(1));
+    pass->upload();
+    const Status drawn = pass->draw(render::ObjectPass::Part::Opaque, surround, view, glm::mat3(1),
+                                    {.exposure_ev = exposure_ev}, {}, render::Glossy::Prefiltered);
+    EXPECT_TRUE(drawn);
+    return target.read();
+}
+
+ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) {
+    ImageRgb8 frame(64, 32);
+    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
+        frame.pixels[i] = r;
+        frame.pixels[i + 1] = g;
+        frame.pixels[i + 2] = b;
+    }
+    return frame;
+}
+
+TEST_F(RenderGL, WhiteMatteBallInAUniformVideoHasTheVideosValue) {
+    for (const auto& [r, g, b] :
+         {std::array<uint8_t, 3>{20, 20, 20}, {128, 128, 128}, {200, 180, 40}, {255, 255, 255}})
+        for (const float roughness : {0.0f, 0.5f, 1.0f}) {
+            const ImageRgb8 frame = uniformFrame(r, g, b);
+            render::SurroundGpu surround;
+            upload(surround, frame);
+            surround.uploadLight(lightOf(frame));
+            const ImageRgba8 picture =
+                drawBall(ball(0, roughness), surround,
+                         {.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1}, 0, 64);
+            int covered = 0;
+            for (int y = 0; y < 64; ++y)
+                for (int x = 0; x < 64; ++x) {
+                    const uint8_t* pixel = picture.at(x, y);
+                    if (!pixel[3]) continue;
+                    ++covered;
+                    // One step of the display; half floats hold radiance to 1 in 2048.
+                    ASSERT_NEAR(pixel[0], r, 1) << x << "," << y << " roughness " << roughness;
+                    ASSERT_NEAR(pixel[1], g, 1);
+                    ASSERT_NEAR(pixel[2], b, 1);
+                }
+            EXPECT_GT(covered, 1000);
+        }
+}
+
+TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
+    const ImageRgb8 frame = smoothFrame(512);
+    render::SurroundGpu surround;
+    upload(surround, frame);
+    surround.uploadLight(lightOf(frame));
+    for (const glm::vec3 eye :
+         {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
+        render::View view{.eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
+        const ImageRgba8 picture = drawBall(ball(1, 0), surround, view, 0, 9);
+        // The middle of the ball throws the look back whence it came.
+        const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
+        // 1/255 asked for, and half a step of rounding in the frame.
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f) << eye.x << " " << eye.y;
+    }
+}
+
+TEST_F(RenderGL, ExposureChangesObjectAndBackdropAlike) {
+    const ImageRgb8 frame = uniformFrame(90, 120, 60);
+    render::SurroundGpu surround;
+    upload(surround, frame);
+    surround.uploadLight(lightOf(frame));
+    auto backdrop = render::BackdropPass::make();
+    ASSERT_TRUE(backdrop);
+    for (const float ev : {-1.5f, 0.7f, 3.0f}) {
+        const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
+        const ImageRgba8 object = drawBall(ball(0, 1), surround, view, ev, 9);
+        const gl::Target target(9, 9, 1);
+        target.bind();
+        glClear(GL_DEPTH_BUFFER_BIT);
+        backdrop->draw(surround, view, glm::mat3(1), {.exposure_ev = ev});
+        const ImageRgba8 behind = target.read();
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(object.at(4, 4)[c], behind.at(4, 4)[c], 1) << ev;
+    }
+}
+
+} // namespace
+} // namespace shoal

@@ -1,0 +1,130 @@
+// glTF models drawn by `shoal view`, against path-traced pictures of the same scenes and against other
+// real-time renderers. The bound: no further from the path tracer than the median of the real-time renderers.
+#include "engine/core/Files.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <optional>
+
+namespace shoal {
+namespace {
+
+Path sharedFolder() {
+    const char* set = std::getenv("SHOAL_SHARED");
+    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared") / "data" / "fidelity";
+}
+
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgba;
+};
+
+std::optional<Picture> readPng(const Path& file) {
+    Picture picture;
+    int channels = 0;
+    uint8_t* pixels = stbi_load(file.c_str(), &picture.width, &picture.height, &channels, 4);
+    if (!pixels) return std::nullopt;
+    picture.rgba.assign(pixels, pixels + static_cast<size_t>(picture.width) * picture.height * 4);
+    stbi_image_free(pixels);
+    return picture;
+}
+
+// Root mean square of the coded values' differences, 0 to 1, where both pictures are fully covered.
+double rmse(const Picture& a, const Picture& b) {
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < a.rgba.size(); i += 4) {
+        if (a.rgba[i + 3] != 255 || b.rgba[i + 3] != 255) continue;
+        for (size_t c = 0; c < 3; ++c) {
+            const double difference = (a.rgba[i + c] - b.rgba[i + c]) / 255.0;
+            sum += difference * difference;
+        }
+        count += 3;
+    }
+    return count ? std::sqrt(sum / static_cast<double>(count)) : 1.0;
+}
+
+std::string number(const nlohmann::json& value) { return std::to_string(value.get<double>()); }
+
+class Fidelity : public testing::TestWithParam<const char*> {};
+
+TEST_P(Fidelity, NoFurtherFromThePathTracerThanTheMedianRealTimeRenderer) {
+    const Path folder = sharedFolder();
+    const auto text = readText(folder / "scenarios.json");
+    if (!text) GTEST_SKIP() << "needs the reference data: " << text.error().sentence();
+    const auto scenarios = nlohmann::json::parse(*text).at("scenarios");
+    const std::string name = std::string("khronos-") + GetParam();
+    const auto found =
+        std::find_if(scenarios.begin(), scenarios.end(), [&](const auto& s) { return s.at("name") == name; });
+    ASSERT_NE(found, scenarios.end());
+    const auto& scenario = *found;
+
+    const auto& orbit = scenario.at("orbit");
+    const auto& target = scenario.at("target");
+    const Path out = Path(testing::TempDir()) / (name + ".png");
+    std::string command =
+        std::string("'") + SHOAL_PROGRAM + "' view '" + (folder / scenario.at("model")).string() +
+        "' --env '" + (folder / scenario.at("lighting")).string() +
+        "' --env-yaw 90 --tone aces --orbit=" + number(orbit.at("theta")) + "," + number(orbit.at("phi")) +
+        "," + number(orbit.at("radius")) + " --target=" + number(target.at("x")) + "," +
+        number(target.at("y")) + "," + number(target.at("z")) + " --fov " +
+        number(scenario.at("verticalFoV")) + " --size " +
+        std::to_string(scenario.at("golden_size")[0].get<int>()) + "x" +
+        std::to_string(scenario.at("golden_size")[1].get<int>()) + " --background " +
+        (scenario.at("renderSkybox").get<bool>() ? "env" : "none") + " --out '" + out.string() + "'";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const auto ours = readPng(out);
+    ASSERT_TRUE(ours);
+
+    const auto golden = [&](const std::string& renderer) {
+        return readPng(folder / name / ("golden_" + renderer + ".png"));
+    };
+    std::string truthName = "blender-cycles";
+    auto truth = golden(truthName);
+    if (!truth) truth = golden(truthName = "three-gpu-pathtracer");
+    ASSERT_TRUE(truth);
+    ASSERT_EQ(ours->width, truth->width);
+    std::vector<double> others;
+    std::string table;
+    for (const char* renderer : {"model-viewer", "filament", "babylon", "gltf-sample-viewer", "rhodonite"}) {
+        const auto picture = golden(renderer);
+        if (!picture || picture->width != truth->width || picture->height != truth->height) continue;
+        // In another pose, or without a tone curve: no measure of lighting.
+        if (std::string(renderer) == "babylon" && name == "khronos-Fox") continue;
+        others.push_back(rmse(*picture, *truth));
+        char cell[64];
+        std::snprintf(cell, sizeof cell, "  %s %.4f", renderer, others.back());
+        table += cell;
+    }
+    ASSERT_FALSE(others.empty());
+    std::sort(others.begin(), others.end());
+    const size_t n = others.size();
+    const double median = n % 2 ? others[n / 2] : (others[n / 2 - 1] + others[n / 2]) / 2;
+    const double mine = rmse(*ours, *truth);
+    std::printf("[ FIDELITY ] %-36s ours %.4f  median %.4f |%s | against %s\n", name.c_str(), mine, median,
+                table.c_str(), truthName.c_str());
+    EXPECT_LE(mine, median);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, Fidelity,
+                         testing::Values("DamagedHelmet", "Suzanne", "Duck", "Fox", "CesiumMan",
+                                         "NormalTangentTest", "VertexColorTest", "AnimatedMorphCube",
+                                         "MetalRoughSpheresNoTextures"),
+                         [](const auto& each) { return std::string(each.param); });
+
+} // namespace
+} // namespace shoal

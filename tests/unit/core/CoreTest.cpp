@@ -1,0 +1,88 @@
+#include "engine/core/Files.h"
+#include "engine/core/Hash.h"
+#include "engine/core/Random.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace shoal {
+namespace {
+
+TEST(Random, IsPcg32) {
+    // The first outputs of O'Neill's reference program, pcg32-demo, for seed 42 and stream 54.
+    Random random(42, 54);
+    EXPECT_EQ(random.next(), 0xa15c02b7u);
+    EXPECT_EQ(random.next(), 0x7b47f409u);
+    EXPECT_EQ(random.next(), 0xba1d3330u);
+}
+
+TEST(Random, StaysInRange) {
+    Random random(7);
+    for (int i = 0; i < 100000; ++i) {
+        const float unit = random.unit();
+        ASSERT_GE(unit, 0);
+        ASSERT_LT(unit, 1);
+        ASSERT_LT(random.below(3), 3u);
+    }
+}
+
+TEST(Hash, IsFnv1a) {
+    // From the FNV reference test vectors.
+    EXPECT_EQ(Hash().value(), 0xcbf29ce484222325ull);
+    Hash hash;
+    hash.bytes("foobar", 6);
+    EXPECT_EQ(hash.value(), 0x85944171f73967e8ull);
+}
+
+class Files : public testing::Test {
+  protected:
+    Path folder_ = Path(testing::TempDir()) / "shoal_files";
+    void SetUp() override {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+};
+
+TEST_F(Files, WritesWholeAndReadsBack) {
+    const Path file = folder_ / "below" / "a.txt";
+    ASSERT_TRUE(writeFileWhole(file, "one"));
+    ASSERT_TRUE(writeFileWhole(file, "two"));
+    EXPECT_EQ(readText(file).value(), "two");
+    // Nothing half written stays beside it.
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1);
+}
+
+TEST_F(Files, AFailedWriterLeavesTheOldFile) {
+    const Path file = folder_ / "a.txt";
+    ASSERT_TRUE(writeFileWhole(file, "old"));
+    const Status status = writeWhole(file, [](const Path& temporary) -> Status {
+        std::ofstream(temporary) << "half";
+        return Error{temporary.string(), "stopped half way"};
+    });
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().path, file.string());
+    EXPECT_EQ(readText(file).value(), "old");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, SaysWhyItCannotRead) {
+    EXPECT_NE(readText(folder_ / "none").error().reason.find("no such file"), std::string::npos);
+    EXPECT_NE(readText(folder_).error().reason.find("folder"), std::string::npos);
+    ASSERT_TRUE(writeFileWhole(folder_ / "big", std::string(100, 'x')));
+    EXPECT_NE(readText(folder_ / "big", 99).error().reason.find("limit"), std::string::npos);
+    EXPECT_TRUE(readText(folder_ / "big", 100));
+}
+
+TEST_F(Files, RelativeXdgFoldersAreIgnored) {
+    ::setenv("HOME", "/home/diver", 1);
+    ::setenv("XDG_DATA_HOME", "relative", 1);
+    EXPECT_EQ(scoreFolder(), "/home/diver/.local/share/shoal");
+    ::setenv("XDG_DATA_HOME", "/data", 1);
+    EXPECT_EQ(scoreFolder(), "/data/shoal");
+    ::unsetenv("XDG_DATA_HOME");
+}
+
+} // namespace
+} // namespace shoal
