@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+"""Makes content/models/*.glb: every animal and both hands. Same program, same bytes.
+
+Usage: make_models.py [NAME ...] [--out FOLDER]. Needs Python 3, numpy and Pillow.
+"""
+
+import argparse
+import importlib
+import sys
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
+
+ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'shark')
+HANDS = ('hand_left', 'hand_right')
+
+
+def main():
+    models = HERE.parent.parent / 'models'
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('names', nargs='*', metavar='NAME', help=', '.join(ANIMALS + HANDS))
+    parser.add_argument('--out', type=Path, default=models, help='folder of the .glb files')
+    options = parser.parse_args()
+    unknown = set(options.names) - set(ANIMALS + HANDS)
+    if unknown:
+        parser.error(f'unknown: {", ".join(sorted(unknown))}')
+    wanted = options.names or ANIMALS + HANDS
+    options.out.mkdir(parents=True, exist_ok=True)
+
+    def report(name, started, size, triangles):
+        print(f'{name}: {triangles} triangles, {size / 1e6:.2f} MB, {time.monotonic() - started:.1f} s')
+
+    for name in wanted:
+        started = time.monotonic()
+        if name in ANIMALS:
+            animal = importlib.import_module(f'species.{name}').make()
+            report(name, started, *animal.write(options.out / f'{name}.glb'))
+    hands = [name for name in wanted if name in HANDS]
+    if hands:
+        started = time.monotonic()
+        import hands as maker
+        for name, size, triangles in maker.write(options.out, models / 'hand_skeleton.json', hands):
+            report(name, started, size, triangles)
+
+
+if __name__ == '__main__':
+    main()

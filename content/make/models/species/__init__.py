@@ -1,0 +1,1 @@
+"""One module per animal; each has make() -> fish.Animal."""
