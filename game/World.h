@@ -97,7 +97,6 @@ struct Shark {
 struct Hand {
     bool visible = false;
     bool known = false;       // joints hold a pose
-    bool moved = false;       // before holds the tick before
     hands::HandPose lastGood; // viewer's frame
     int untrackedTicks = 0;
     std::array<hands::Joint, hands::kJointCount> joints{}, before{}; // world
@@ -129,6 +128,7 @@ struct World {
     void grab(int fish, int hand, std::vector<Event>&);
     void letGo(int hand, Event::Kind why, std::vector<Event>&); // Release or Escape
     bool graspable(const Fish&, const Hand&, int hand) const;
+    bool onPalmSide(const Fish&, const Hand&) const;
     float graspGap(const Fish&, const Hand&) const; // from the grasp centre to the body's surface, m
     void steer(Fish&, size_t index);
     void keepApart(size_t index, glm::vec3& desired);

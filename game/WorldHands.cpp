@@ -48,7 +48,6 @@ void World::readHands(const TickInput& input) {
             // A pose that cannot be is not believed: the last good one stays.
             if (hands::plausible(given)) {
                 hand.lastGood = given;
-                if (!hand.visible) hand.moved = false; // it appears: it did not sweep here
                 hand.known = true;
                 hand.untrackedTicks = 0;
             } else
@@ -70,12 +69,14 @@ void World::readHands(const TickInput& input) {
             hand.joints[j].orientation = worldFromView * hand.joints[j].orientation;
         }
         if (appears) hand.before = hand.joints;
-        hand.moved = !appears;
         hand.velocity = (hand.joints[0].position - hand.before[0].position) / kDt;
         hand.calmVelocity += (hand.velocity - hand.calmVelocity) * (1.0f / 6);
         if (appears) hand.calmVelocity = glm::vec3(0);
         hand.grasp = hands::graspCentre(hand.joints);
         hand.grip = std::clamp(hand.lastGood.grip, 0.0f, 1.0f);
+        if (appears)
+            hand.closed =
+                hand.holds >= 0 || hand.grip > kGripCloses; // a fist that appears did not close here
     }
 }
 
@@ -168,7 +169,7 @@ void World::touch(std::vector<Event>& out) {
         f.touchedUntil[h][part] = tick + kTouchKept;
 
         // Fingers that close around it hold it; they do not bat it away.
-        const bool beingGrasped = graspGap(f, hand) < kGraspRadius_m && !hand.closed;
+        const bool beingGrasped = graspGap(f, hand) < kGraspRadius_m && onPalmSide(f, hand) && !hand.closed;
         const float palmClosing = glm::dot(hand.velocity - f.velocity, contact.normal);
         if (!beingGrasped) {
             const float shove = std::min(0.6f * contact.closingSpeed + 0.04f, kMaxSpeed_mps);
@@ -189,8 +190,14 @@ float World::graspGap(const Fish& f, const Hand& hand) const {
                                {f.position - reach, f.position + reach, kind.bodyRadius_m});
 }
 
+bool World::onPalmSide(const Fish& f, const Hand& hand) const {
+    const glm::vec3 outOfPalm = hand.joints[0].orientation * glm::vec3(0, -1, 0);
+    return glm::dot(f.position - hand.joints[0].position, outOfPalm) > 0;
+}
+
 bool World::graspable(const Fish& f, const Hand& hand, int h) const {
     if (f.mind == Fish::Mind::Held || f.mind == Fish::Mind::Mouth || f.uncatchable_s > 0) return false;
+    if (!onPalmSide(f, hand)) return false;
     if (graspGap(f, hand) < kGraspRadius_m) return true;
     const auto touched = [&](int part) { return f.touchedUntil[h][part] > tick; };
     return (touched(0) || touched(haptics::kPalm)) &&
@@ -298,7 +305,7 @@ void World::carry(std::vector<Event>& out) {
         f.speed = 0;
         f.gait.set(Motion::Struggle);
         f.gait.advance(1.6f);
-        if (!f.counted && f.held_s >= kHoldToCatch_s - 0.5f * kDt) {
+        if (!f.counted && f.held_s >= kHoldToCatch_s + 0.5f * kDt) {
             f.counted = true;
             ++caught;
             score += species[f.species].points;

@@ -9,7 +9,7 @@ namespace {
 constexpr float kInner_m = 0.45f;     // no fish nearer to the vertical axis through the player
 constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish leaves its band
 constexpr float kCeiling_m = 1.3f;
-constexpr float kSharkShy_m = 1.3f;
+constexpr float kSharkShy_m = 0.95f;
 
 // Distance at which two fish start to give way, centre to centre.
 float roomBetween(const Species& a, const Species& b) { return 0.45f * (a.length_m + b.length_m) + 0.08f; }
@@ -33,10 +33,10 @@ void World::keepApart(size_t index, glm::vec3& desired) {
         const float distance = std::sqrt(squared);
         const glm::vec3 away = distance > 1e-4f ? apart / distance : glm::vec3(0, index < j ? -1 : 1, 0);
         const float urgency = 1 - std::sqrt(nearest) / room;
-        desired += away * (1.8f * urgency * kind.cruise_mps);
+        desired += away * (1.8f * urgency * std::max(kind.cruise_mps, f.speed));
         // Steering comes too late for bodies that already touch: a soft push.
         const float touching = 0.8f * room;
-        if (distance < touching) f.push += away * (2.5f * (1 - distance / touching) * kDt);
+        if (distance < touching) f.push += away * (6.0f * (1 - distance / touching) * kDt);
     }
 }
 
@@ -79,13 +79,7 @@ void World::steer(Fish& f, size_t index) {
         const float outer = file.schools[f.school].radiusHigh_m + 0.6f * kOuterSlack_m;
         if (radius > outer) desired -= outward * kind.dart_mps * 1.2f;
     }
-    if (!darting)
-        keepApart(index, desired);
-    else {
-        glm::vec3 ignored(0);
-        keepApart(index, ignored);
-        desired += 0.5f * ignored;
-    }
+    keepApart(index, desired);
 
     // A slow hand is merely swum around.
     for (const Hand& hand : hands) {

@@ -1,0 +1,86 @@
+// A dive on the shipped files, and hands to put into it.
+#pragma once
+
+#include "game/Playback.h"
+#include "game/World.h"
+#include "input/hands/MouseHands.h"
+
+#include <gtest/gtest.h>
+
+namespace shoal::game::test {
+
+inline const DiveFiles& reef() {
+    static const DiveFiles files = [] {
+        auto loaded = loadDiveFiles("reef");
+        if (!loaded) throw std::runtime_error(loaded.error().sentence());
+        return *loaded;
+    }();
+    return files;
+}
+
+inline const hands::HandRig& rig() {
+    static const hands::HandRig loaded = [] {
+        auto read = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+        if (!read) throw std::runtime_error(read.error().sentence());
+        return *read;
+    }();
+    return loaded;
+}
+
+// A hand whose grasp centre is there; the player looks along -Z, so viewer's frame and world agree.
+inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {
+    return hands::reachingHand(rig(), side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
+}
+
+inline int count(const std::vector<Event>& events, Event::Kind kind) {
+    int n = 0;
+    for (const Event& event : events) n += event.kind == kind;
+    return n;
+}
+
+inline const Event* first(const std::vector<Event>& events, Event::Kind kind) {
+    for (const Event& event : events)
+        if (event.kind == kind) return &event;
+    return nullptr;
+}
+
+// A world with one resting fish 0.6 m ahead and no shark: rules can be watched one at a time.
+struct OneFish {
+    World world;
+    TickInput input;
+    std::vector<Event> events;
+
+    explicit OneFish(bool withShark = false) : world(reef().species, lonely(withShark), 5) { rest(); }
+
+    static DiveFile lonely(bool withShark) {
+        DiveFile file = reef().dive;
+        file.schools = {file.schools.at(0)};
+        file.schools[0].count = 1;
+        if (!withShark) file.shark.species = -1;
+        return file;
+    }
+
+    Fish& fish() { return world.fish[0]; }
+    // Puts the fish back where it was and stills it.
+    void rest(glm::vec3 at = {0, -0.1f, -0.6f}) {
+        fish().position = at;
+        fish().forward = {1, 0, 0};
+        fish().speed = fish().cruise = 0;
+        fish().push = fish().velocity = glm::vec3(0);
+        fish().wander = fish().wanderGoal = glm::vec3(0);
+        fish().radius = std::sqrt(at.x * at.x + at.z * at.z);
+        fish().height = at.y;
+    }
+    void step(int ticks = 1) {
+        for (int i = 0; i < ticks; ++i) world.step(input, events);
+    }
+    // Closes (or opens) the right hand over 0.12 s at a place.
+    void moveGrip(glm::vec3 at, float from, float to) {
+        for (int i = 1; i <= 15; ++i) {
+            input.hands[1] = handAt(at, from + (to - from) * static_cast<float>(i) / 15);
+            step();
+        }
+    }
+};
+
+} // namespace shoal::game::test

@@ -1,0 +1,363 @@
+// The rules of catching, one at a time.
+#include "Fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <limits>
+
+namespace shoal::game {
+namespace {
+
+using Kind = Event::Kind;
+using test::count;
+using test::first;
+using test::handAt;
+using test::OneFish;
+
+constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
+
+TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
+    OneFish one;
+    one.input.hands[1] = handAt(kPlace);
+    one.step();
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    const Event* grab = first(one.events, Kind::Grab);
+    ASSERT_NE(grab, nullptr);
+    EXPECT_EQ(grab->hand, 1);
+    EXPECT_EQ(grab->creature, 0);
+    Snapshot now;
+    one.world.fill(now);
+    EXPECT_EQ(now.hands[1].holds, 0);
+    EXPECT_EQ(now.creatures[0].heldBy, 1);
+    EXPECT_EQ(now.creatures[0].motion, Motion::Struggle);
+
+    const uint64_t grabbed = grab->tick;
+    while (one.world.totalTicks < grabbed + 119) one.step();
+    EXPECT_EQ(count(one.events, Kind::Catch), 0);
+    one.step();
+    EXPECT_EQ(count(one.events, Kind::Catch), 1) << "120 ticks after the grab";
+    EXPECT_EQ(one.world.caught, 1);
+    EXPECT_EQ(one.world.score, one.world.species[one.fish().species].points);
+    one.step(30);
+    EXPECT_EQ(count(one.events, Kind::Release), 1);
+    EXPECT_EQ(count(one.events, Kind::Escape) + count(one.events, Kind::Miss), 0);
+    EXPECT_EQ(one.world.hands[1].holds, -1);
+
+    // It swims off, and for two seconds nobody catches it again.
+    one.moveGrip(kPlace, 1, 0);
+    EXPECT_GT(glm::distance(one.fish().position, kPlace), 0.1f);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    one.step(kCloseWindow);
+    EXPECT_EQ(count(one.events, Kind::Grab), 1);
+    EXPECT_EQ(count(one.events, Kind::Miss), 1);
+}
+
+TEST(Catching, OpeningEarlyLetsItEscape) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(count(one.events, Kind::Grab), 1);
+    one.step(60);
+    one.moveGrip(kPlace, 1, 0);
+    EXPECT_EQ(count(one.events, Kind::Escape), 1);
+    EXPECT_EQ(count(one.events, Kind::Catch), 0);
+    EXPECT_EQ(one.world.score, 0);
+}
+
+TEST(Catching, ClosingOnNothingIsOneMiss) {
+    OneFish one;
+    const glm::vec3 elsewhere(0.4f, 0.2f, -0.5f);
+    one.moveGrip(elsewhere, 0, 0);
+    one.moveGrip(elsewhere, 0, 1);
+    one.step(120);
+    EXPECT_EQ(count(one.events, Kind::Miss), 1);
+    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+}
+
+TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
+    OneFish one;
+    const glm::vec3 aside = kPlace + glm::vec3(0, 0, 0.35f);
+    one.moveGrip(aside, 0, 0);
+    one.moveGrip(aside, 0, 1);
+    one.step(30);
+    one.events.clear();
+    one.rest();
+    for (int i = 0; i <= 60; ++i) { // 0.8 m/s
+        one.input.hands[1] =
+            handAt(glm::mix(aside, kPlace - glm::vec3(0, 0, 0.05f), static_cast<float>(i) / 60), 1);
+        one.step();
+    }
+    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+    EXPECT_GE(count(one.events, Kind::Touch), 1);
+    EXPECT_EQ(count(one.events, Kind::Startle), 1);
+    EXPECT_EQ(count(one.events, Kind::Miss), 0);
+}
+
+TEST(Catching, GripNeedsToCrossWithHysteresis) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    // A trembling grip between the thresholds neither drops nor grabs anew.
+    for (int i = 0; i < 40; ++i) {
+        one.input.hands[1].grip = i % 2 ? kGripOpens + 0.02f : kGripCloses + 0.02f;
+        one.step();
+    }
+    EXPECT_EQ(count(one.events, Kind::Escape), 0);
+    EXPECT_EQ(count(one.events, Kind::Grab), 1);
+}
+
+TEST(Catching, EachHandHoldsItsOwn) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    // The left hand cannot take what the right one holds.
+    for (int i = 0; i <= 15; ++i) {
+        one.input.hands[0] = handAt(kPlace, static_cast<float>(i) / 15, 0);
+        one.step();
+    }
+    EXPECT_EQ(one.world.hands[0].holds, -1);
+    EXPECT_EQ(one.world.hands[1].holds, 0);
+    EXPECT_EQ(count(one.events, Kind::Grab), 1);
+}
+
+TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    one.input.hands[1].tracked = false;
+    one.step(20);
+    EXPECT_EQ(one.world.hands[1].holds, 0);
+    one.step(60);
+    EXPECT_EQ(one.world.hands[1].holds, -1);
+    EXPECT_EQ(count(one.events, Kind::Escape), 1);
+}
+
+TEST(Touching, AFastHandThatJumpsThroughAFishBetweenTwoTicksTouchesIt) {
+    for (float speed : {5.0f, 20.0f, 60.0f}) {
+        OneFish one;
+        const glm::vec3 half(0.5f * speed / 120, 0, 0);
+        one.input.hands[1] = handAt(kPlace - half, 1);
+        one.world.fish[0].position = kPlace + glm::vec3(0, 3, 0); // out of the way while the hand appears
+        one.step();
+        one.rest();
+        one.events.clear();
+        one.input.hands[1] = handAt(kPlace + half, 1);
+        one.step();
+        EXPECT_GE(count(one.events, Kind::Touch), 1) << speed << " m/s";
+        EXPECT_EQ(count(one.events, Kind::Startle), 1) << speed << " m/s";
+    }
+}
+
+TEST(Touching, NoPushMakesAFishFasterThanThreeMetresASecond) {
+    for (float speed : {1.0f, 4.0f, 20.0f, 100.0f})
+        for (int round = 0; round < 8; ++round) {
+            OneFish one;
+            float fastest = 0;
+            for (int i = 0; i < 60; ++i) {
+                const float way =
+                    std::fmod(speed * static_cast<float>(i) / 120 + 0.05f * static_cast<float>(round), 1.0f);
+                one.input.hands[1] = handAt(kPlace + glm::vec3(way - 0.5f, 0, 0), round % 2 ? 1.0f : 0.0f);
+                const glm::vec3 from = one.fish().position;
+                one.step();
+                if (one.fish().heldBy >= 0) break; // in a hand it goes where the hand goes
+                fastest = std::max(fastest, glm::length(one.fish().velocity));
+                // Position and velocity agree: no displacement beside the velocity. Half a millimetre a
+                // second of rounding.
+                EXPECT_LE(glm::distance(from, one.fish().position) * 120, kMaxSpeed_mps + 1e-3f);
+            }
+            EXPECT_LE(fastest, kMaxSpeed_mps + 1e-4f) << speed << " m/s";
+        }
+}
+
+TEST(Touching, AGentleTouchPushesAway) {
+    OneFish one;
+    const glm::vec3 left = kPlace - glm::vec3(0.3f, 0, 0.02f); // the back of a right hand faces the fish
+    one.input.hands[1] = handAt(left);
+    one.step();
+    one.rest();
+    for (int i = 0; i <= 120 && !first(one.events, Kind::Touch); ++i) { // 0.2 m/s
+        one.input.hands[1] = handAt(left + glm::vec3(0.2f * static_cast<float>(i) / 120, 0, 0));
+        one.rest();
+        one.step();
+    }
+    const Event* touch = first(one.events, Kind::Touch);
+    ASSERT_NE(touch, nullptr);
+    EXPECT_LT(touch->strength, 0.25f);
+    EXPECT_GE(touch->finger, 0);
+    EXPECT_LE(touch->finger, haptics::kPalm);
+    EXPECT_EQ(count(one.events, Kind::Startle), 0);
+    EXPECT_GT(one.fish().push.x, 0.03f) << "away from the hand";
+    EXPECT_LT(glm::length(one.fish().push), 0.3f) << "gently";
+}
+
+TEST(Fright, AFastHandFrightensOnceAndTheFishCalmsDown) {
+    OneFish one;
+    one.input.hands[1] = handAt(kPlace + glm::vec3(0.45f, 0, 0));
+    one.step();
+    one.rest();
+    for (int i = 1; i <= 20; ++i) { // 2 m/s towards it
+        one.input.hands[1] = handAt(kPlace + glm::vec3(0.45f - 2.0f * static_cast<float>(i) / 120, 0, 0));
+        one.step();
+    }
+    EXPECT_EQ(count(one.events, Kind::Startle), 1);
+    EXPECT_EQ(one.fish().mind, Fish::Mind::Dart);
+    one.input.hands[1].tracked = false;
+    one.step(480);
+    EXPECT_EQ(one.fish().mind, Fish::Mind::Cruise);
+    EXPECT_LT(one.fish().speed, 0.3f);
+    EXPECT_EQ(count(one.events, Kind::Startle), 1);
+}
+
+TEST(Fright, ASlowHandDoesNotFrighten) {
+    OneFish one;
+    for (int i = 0; i <= 90; ++i) { // 0.4 m/s from below, to where the palm nearly touches it
+        one.rest();
+        one.input.hands[1] =
+            handAt(kPlace + glm::vec3(0.05f, -0.36f + 0.3f * static_cast<float>(i) / 90, 0.04f));
+        one.step();
+    }
+    EXPECT_EQ(count(one.events, Kind::Startle), 0);
+}
+
+TEST(BadInput, IsNotBelieved) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    OneFish one;
+    one.input.hands[1] = handAt(kPlace + glm::vec3(0.3f, 0, 0));
+    one.step(2);
+    const glm::vec3 good = one.world.hands[1].grasp;
+    const auto bad = [&](auto spoil) {
+        TickInput input = one.input;
+        spoil(input);
+        one.world.step(input, one.events);
+        EXPECT_EQ(one.world.hands[1].grasp, good);
+        EXPECT_TRUE(one.world.hands[1].visible);
+        EXPECT_TRUE(std::isfinite(one.fish().position.x));
+        one.step();
+    };
+    bad([&](TickInput& i) { i.hands[1].joints[4].position.x = nan; });
+    bad([&](TickInput& i) { i.hands[1].joints[0].orientation.w = nan; });
+    bad([&](TickInput& i) { i.hands[1].joints[20].position.y = 1e30f; });
+    bad([&](TickInput& i) { i.hands[1].grip = nan; });
+    bad([&](TickInput& i) { i.worldFromView = {nan, 0, 0, 0}; });
+    bad([&](TickInput& i) { i.worldFromView = {0, 0, 0, 0}; });
+    // For long: the hand is gone, nothing else happens.
+    for (int i = 0; i < 200; ++i) {
+        TickInput input = one.input;
+        input.hands[1].joints[4].position.x = nan;
+        one.world.step(input, one.events);
+    }
+    EXPECT_FALSE(one.world.hands[1].visible);
+}
+
+TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
+    OneFish one;
+    const int ticks = static_cast<int>(one.world.file.duration_s * 120);
+    one.step(ticks - 1);
+    EXPECT_EQ(one.world.phase, Phase::Diving);
+    EXPECT_EQ(count(one.events, Kind::DiveStart), 1);
+    one.step(2);
+    EXPECT_EQ(one.world.phase, Phase::Results);
+    EXPECT_EQ(count(one.events, Kind::DiveOver), 1);
+    // In the results nothing is caught.
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+    one.input.restart = true;
+    one.step(50); // held down: one restart
+    EXPECT_EQ(one.world.seed, 6u);
+    EXPECT_EQ(one.world.phase, Phase::Diving);
+    EXPECT_EQ(one.world.tick, 50u);
+    EXPECT_EQ(count(one.events, Kind::DiveStart), 2);
+    EXPECT_EQ(one.world.score, 0);
+}
+
+TEST(Course, PauseFreezes) {
+    OneFish one(true);
+    one.step(10);
+    one.input.pause = true;
+    one.step();
+    const uint64_t frozen = one.world.hash();
+    const glm::vec3 at = one.fish().position;
+    one.step(500);
+    EXPECT_EQ(one.world.hash(), frozen);
+    EXPECT_EQ(one.fish().position, at);
+    Snapshot now;
+    one.world.fill(now);
+    EXPECT_TRUE(now.paused);
+    one.input.pause = false;
+    one.step();
+    EXPECT_EQ(one.world.tick, 11u);
+}
+
+// Puts the shark there, prowling, looking at a place.
+void placeShark(World& world, glm::vec3 at, glm::vec3 looking) {
+    world.shark.position = at;
+    world.shark.forward = glm::normalize(looking - at);
+    world.setMind(Shark::Mind::Prowl);
+    world.shark.visit_s = 10;
+}
+
+TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
+    OneFish one(true);
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    placeShark(one.world, {0.3f, -0.1f, -2.9f}, kPlace);
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    one.step(115);
+    const Event* steal = first(one.events, Kind::SharkSteal);
+    ASSERT_NE(steal, nullptr);
+    EXPECT_EQ(steal->hand, 1);
+    EXPECT_EQ(one.world.lost, 1);
+    EXPECT_EQ(one.world.caught, 0);
+    EXPECT_EQ(one.world.hands[1].holds, -1);
+    EXPECT_EQ(one.world.shark.mind, Shark::Mind::Leave);
+    one.input.hands[1].tracked = false;
+    one.step(1800);
+    EXPECT_EQ(one.world.shark.mouth, -1);
+    EXPECT_EQ(one.fish().mind, Fish::Mind::Cruise) << "it got away and came back";
+    EXPECT_EQ(count(one.events, Kind::SharkSteal), 1);
+}
+
+TEST(SharkRules, ABumpDropsWhatTheHandHolds) {
+    OneFish one(true);
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    // Its flank comes upon the hand while it is after nothing.
+    one.world.shark.position = kPlace + glm::vec3(0.25f, 0, -0.1f);
+    one.world.shark.forward = {0, 0, -1};
+    one.world.setMind(Shark::Mind::Leave);
+    one.step();
+    EXPECT_EQ(count(one.events, Kind::SharkBump), 1);
+    EXPECT_EQ(count(one.events, Kind::Escape), 1);
+    EXPECT_EQ(one.world.hands[1].holds, -1);
+    one.step(60);
+    EXPECT_EQ(count(one.events, Kind::SharkBump), 1) << "one bump, not one a tick";
+}
+
+TEST(SharkRules, VisitsAreAnnounced) {
+    OneFish one(true);
+    one.step(90 * 120);
+    EXPECT_EQ(count(one.events, Kind::SharkNear), static_cast<int>(one.world.file.shark.visits_s.size()));
+    const Event* near = first(one.events, Kind::SharkNear);
+    ASSERT_NE(near, nullptr);
+    EXPECT_EQ(near->creature, 1);
+    EXPECT_NEAR(static_cast<float>(near->tick) / 120, one.world.file.shark.visits_s[0], 0.02f);
+}
+
+} // namespace
+} // namespace shoal::game
