@@ -28,8 +28,8 @@ Result<Cast::Actor> Cast::loadActor(const Path& file) {
     scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
-    for (size_t motion = 0; motion < kMotionNames.size(); ++motion)
-        actor.animations[motion] = actor.model.findAnimation(kMotionNames[motion]);
+    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
+        actor.animations[motion] = actor.model.findAnimation(game::kMotionNames[motion]);
     return actor;
 }
 
@@ -55,11 +55,11 @@ Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHan
     return cast;
 }
 
-void Cast::show(const Snapshot& snapshot, render::ObjectPass& pass) {
-    for (const CreatureView& creature : snapshot.creatures) {
+void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
+    for (const game::CreatureView& creature : snapshot.creatures) {
         Actor& actor = species_[static_cast<size_t>(creature.species)];
         scene::restPose(actor.model, actor.pose);
-        const auto play = [&](Motion motion, float weight) {
+        const auto play = [&](game::Motion motion, float weight) {
             const int index = actor.animations[static_cast<size_t>(motion)];
             if (index < 0 || weight <= 0) return;
             const scene::Animation& clip = actor.model.animations[static_cast<size_t>(index)];
@@ -74,7 +74,7 @@ void Cast::show(const Snapshot& snapshot, render::ObjectPass& pass) {
         pass.add(actor.model, actor.gpu, actor.pose, worldFromModel);
     }
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
-        const HandView& hand = snapshot.hands[side];
+        const game::HandView& hand = snapshot.hands[side];
         if (!hand.visible) continue;
         Actor& actor = hands_[side];
         for (size_t joint = 0; joint < hand.joints.size(); ++joint)

@@ -6,6 +6,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
+#include "game/Playback.h"
 #include "game/app/HandSource.h"
 #include "game/app/Hud.h"
 #include "game/app/Outputs.h"
@@ -74,16 +75,11 @@ Result<Plan> makePlan(const PlayOptions& options) {
     } else if (options.hands != "mouse") {
         return Error{"--hands " + options.hands, "is not mouse, script:FILE or replay:FILE"};
     }
-    const Path content = dataRoot() / "content";
-    auto species = game::loadSpecies(content / "species.toml");
-    if (!species) return species.error();
-    plan.species = std::move(*species);
-    const bool plain = diveName.find_first_of("/\\") == std::string::npos && !diveName.starts_with('.');
-    if (!plain) return Error{diveName, "is not the name of a dive"};
-    auto dive = game::loadDive(content / "dives" / (diveName + ".toml"), plan.species);
-    if (!dive) return dive.error();
-    plan.dive = std::move(*dive);
-    auto rig = hands::HandRig::load(content / "models" / "hand_skeleton.json");
+    auto files = game::loadDiveFiles(diveName);
+    if (!files) return files.error();
+    plan.species = std::move(files->species);
+    plan.dive = std::move(files->dive);
+    auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     if (!rig) return rig.error();
     plan.rig = std::move(*rig);
     return plan;
@@ -99,7 +95,7 @@ HandSource makeSource(const Plan& plan) {
 struct Run {
     explicit Run(const Plan& plan)
         : source(makeSource(plan)), dive(plan.species, plan.dive, plan.seed),
-          recording({.seed = plan.seed, .dive = plan.dive.name, .inputBytes = game::kTickInputBytes}, 16384) {
+          recording(game::headerFor(dive), 16384) {
         events.reserve(256);
         dive.snapshot(after);
         before = after;

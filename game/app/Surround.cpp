@@ -10,40 +10,82 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 namespace shoal::app {
 
 namespace {
 
-// Width of the widest map that objects mirror, for a moving video: fish are rough and small, so half the video's own
-// resolution already shows nothing missing. Stills keep what they have.
+// Widest map that objects mirror. For a moving video half of the usual 2048: fish are rough and small, and
+// show nothing finer. A still is made once, and may have all it has.
 constexpr int kVideoLightWidth = 1024;
+constexpr int kStillLightWidth = 4096;
 
-Result<media::Layout> layoutNamed(const std::string& name) {
-    if (name == "auto") return media::Layout::Auto;
+constexpr int kSlots = 4;
+
+media::Layout layoutNamed(const std::string& name) {
     if (name == "mono") return media::Layout::Mono;
     if (name == "top-bottom") return media::Layout::TopBottom;
-    return media::Layout::LeftRight;
+    if (name == "left-right") return media::Layout::LeftRight;
+    return media::Layout::Auto;
+}
+
+// One eye's part of a frame, where it lies.
+struct EyePart {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+EyePart partOf(int width, int height, media::Layout layout, int eye) {
+    const media::EyeView view = media::eyeView(layout, eye);
+    const auto at = [](float share, int size) {
+        return static_cast<int>(share * static_cast<float>(size) + 0.5f);
+    };
+    return {at(view.offset.x, width), at(view.offset.y, height), at(view.scale.x, width),
+            at(view.scale.y, height)};
+}
+
+light::FrameView viewOf(const ImageRgb8& frame, const EyePart& part, bool bgr) {
+    return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
+}
+
+float millisecondsSince(std::chrono::steady_clock::time_point began) {
+    return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
 
 } // namespace
 
 struct Surround::State {
-    bool bothEyes = false;
     bool keepPyramid = false;
-    float yaw = 0; // radians
+    bool bothEyes = false;
+    float yaw = 0; // radians, to the right
     bool hdr = false;
-    std::array<render::SurroundGpu, 2> gpu; // per eye; the second is used for stereo pictures only
+    std::array<render::SurroundGpu, 2> gpu; // per eye; the second only where each eye has its own picture
     bool twoPictures = false;
+    media::Layout layout = media::Layout::Mono;
 
-    // Made on the decode thread, slot by slot, and handed over with the frame. Declared before the player, whose thread
-    // writes them until it is gone.
+    // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
+    // thread writes them until it is gone.
     std::vector<light::EnvironmentLight> lights;
-    std::unique_ptr<light::LightMaker> maker;
+    std::optional<light::LightMaker> maker;
     std::optional<media::VideoPlayer> player;
     int64_t shownFrame = -1;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
     std::string notice;
+
+    void setLayout(media::Layout found) {
+        layout = found;
+        twoPictures = bothEyes && found != media::Layout::Mono;
+    }
+
+    // All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
+    void uploadPicture(const ImageRgb8& frame, bool bgr, const light::EnvironmentLight& light) {
+        for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
+            const EyePart part = partOf(frame.width, frame.height, layout, eye);
+            gpu[static_cast<size_t>(eye)].uploadFrame(
+                {frame.at(part.x, part.y), part.width, part.height, frame.width, bgr});
+        }
+        uploadLight(light);
+    }
 
     void uploadLight(const light::EnvironmentLight& light) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
@@ -51,6 +93,124 @@ struct Surround::State {
             if (keepPyramid) gpu[static_cast<size_t>(eye)].uploadPyramid(light.radiance);
         }
     }
+
+    Status openVideo(const Path& file, media::Layout wish, light::Quality quality);
+    Status openPhoto(const Path& file, media::Layout wish);
+    Status openEnv(const Path& file);
 };
+
+Status Surround::State::openVideo(const Path& file, media::Layout wish, light::Quality quality) {
+    const auto info = media::inspectVideo(file, wish);
+    if (!info) return info.error();
+    setLayout(info->layout);
+    const EyePart part = partOf(info->width, info->height, layout, 0);
+    const int most = quality == light::Quality::Still ? kStillLightWidth : kVideoLightWidth;
+    maker.emplace(part.width, most, quality);
+    lights.resize(kSlots);
+    auto opened = media::VideoPlayer::open(
+        file, {.layout = layout,
+               .slots = kSlots,
+               .prepare = [this, part](const media::VideoFrame& frame, int slot) {
+                   maker->make(viewOf(frame.pixelsBgr, part, true), lights[static_cast<size_t>(slot)]);
+               }});
+    if (!opened) return opened.error();
+    player = std::move(*opened);
+    return Done{};
+}
+
+Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
+    auto picture = media::readPicture(file);
+    if (!picture) return picture.error();
+    if (wish == media::Layout::Auto) wish = media::layoutFromShape(picture->width, picture->height);
+    if (wish == media::Layout::Auto) wish = media::layoutFromContent(*picture);
+    setLayout(wish);
+    const EyePart part = partOf(picture->width, picture->height, layout, 0);
+    maker.emplace(part.width, kStillLightWidth, light::Quality::Still);
+    lights.resize(1);
+    const auto began = std::chrono::steady_clock::now();
+    maker->make(viewOf(*picture, part, false), lights[0]);
+    light_ms = millisecondsSince(began);
+    uploadPicture(*picture, false, lights[0]);
+    return Done{};
+}
+
+Status Surround::State::openEnv(const Path& file) {
+    auto picture = media::readHdr(file);
+    if (!picture) return picture.error();
+    hdr = true;
+    maker.emplace(picture->radianceLin.width, kStillLightWidth, light::Quality::Still);
+    lights.resize(1);
+    const auto began = std::chrono::steady_clock::now();
+    const size_t mended =
+        static_cast<size_t>(picture->repaired) + maker->make(picture->radianceLin, lights[0]);
+    light_ms = millisecondsSince(began);
+    if (mended)
+        log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
+                  file.string(), mended);
+    gpu[0].uploadFrame(picture->radianceLin);
+    uploadLight(lights[0]);
+    return Done{};
+}
+
+Result<Surround> Surround::open(const SurroundSetup& setup) {
+    auto state = std::make_unique<State>();
+    state->keepPyramid = setup.pyramid;
+    state->bothEyes = setup.bothEyes;
+    state->yaw = glm::radians(setup.options.envYaw_deg);
+    const media::Layout wish = layoutNamed(setup.options.layout);
+    const light::Quality quality = setup.still ? light::Quality::Still : light::Quality::Video;
+    Status opened = !setup.options.photo.empty()   ? state->openPhoto(setup.options.photo, wish)
+                    : !setup.options.env.empty()   ? state->openEnv(setup.options.env)
+                    : !setup.options.video.empty() ? state->openVideo(setup.options.video, wish, quality)
+                                                   : state->openVideo(setup.defaultVideo, wish, quality);
+    if (!opened) return opened.error();
+    Surround surround(std::move(state));
+    surround.update(0, true);
+    return surround;
+}
+
+Surround::Surround(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Surround::Surround(Surround&&) noexcept = default;
+Surround& Surround::operator=(Surround&&) noexcept = default;
+Surround::~Surround() = default;
+
+bool Surround::update(double time_s, bool exact) {
+    State& s = *state_;
+    if (!s.player) return false;
+    const media::VideoFrame* frame = exact ? s.player->waitFor(time_s) : s.player->newest(time_s);
+    if (std::string status = s.player->status(); !status.empty()) {
+        log::warn("{}", status);
+        s.notice = std::move(status);
+    }
+    if (frame->index == s.shownFrame) return false;
+    s.shownFrame = frame->index;
+    const auto began = std::chrono::steady_clock::now();
+    s.uploadPicture(frame->pixelsBgr, true, s.lights[static_cast<size_t>(s.player->slotOf(*frame))]);
+    s.upload_ms = millisecondsSince(began);
+    s.light_ms = static_cast<float>(frame->prepare_ms);
+    s.decode_ms = static_cast<float>(frame->decode_ms);
+    return true;
+}
+
+const render::SurroundGpu& Surround::gpu(int eye) const {
+    return state_->gpu[state_->twoPictures ? static_cast<size_t>(eye) : 0];
+}
+
+glm::mat3 Surround::envFromWorld() const {
+    // About +Y, positive angles turn towards the left: what lies yaw to the right comes ahead.
+    return glm::mat3_cast(glm::angleAxis(state_->yaw, glm::vec3(0, 1, 0)));
+}
+
+render::ToneCurve Surround::naturalTone() const {
+    return state_->hdr ? render::ToneCurve::Aces : render::ToneCurve::InverseOfVideo;
+}
+
+float Surround::light_ms() const { return state_->light_ms; }
+float Surround::decode_ms() const { return state_->decode_ms; }
+float Surround::upload_ms() const { return state_->upload_ms; }
+std::string_view Surround::lightName() const {
+    return state_->hdr ? "as measured, GGX prefiltered" : "thesis inverse tone mapping, GGX prefiltered";
+}
+std::string_view Surround::notice() const { return state_->notice; }
 
 } // namespace shoal::app

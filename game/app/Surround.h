@@ -2,7 +2,7 @@
 // graphics side.
 #pragma once
 
-#include "engine/core/Result.h"
+#include "engine/core/Files.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 #include "game/app/Options.h"
