@@ -42,7 +42,7 @@ SharkPlan readShark(TomlFile& file, const toml::table& entry, const SpeciesTable
     table.number("radius", shark.radius_m, 3, 8);
     table.number("height", shark.height_m, -1, 1);
     table.number("visit_length", shark.visitLength_s, 1, 60);
-    table.number("prowl_radius", shark.prowlRadius_m, 1.3f, 3);
+    table.number("prowl_radius", shark.prowlRadius_m, 1.1f, 3);
     if (const auto* visits = table.list("visits")) {
         if (visits->size() > kMaxVisits) table.complain("visits", "holds more than 100 times");
         for (const toml::node& node : *visits) {

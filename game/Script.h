@@ -18,7 +18,7 @@ struct ScriptStep {
         Open,    // open a hand
         Look,    // turn towards yaw and pitch, or `at` "shark" or "fish"
         Wait,    // `seconds`, or `until` an event of that name, or until the `phase`
-        Wave,    // swing a hand to and fro ahead at `speed` m/s for `seconds`
+        Wave,    // swing a hand 0.5 m to both sides of where it is at `speed` m/s for `seconds`
         Hover,   // bring a hand in the shark's way, for `seconds`
         Offer,   // bring what the hand holds as near to the shark as it reaches, for `seconds`
         Rest,    // take a hand back to the side
@@ -84,6 +84,7 @@ class ScriptRun {
   private:
     struct ScriptHand {
         glm::vec3 graspWorld{0};
+        glm::vec3 anchor{0}; // middle of a wave
         float closed = 0;
         float closedGoal = 0;
         int target = -1; // creature followed

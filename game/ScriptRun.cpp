@@ -18,7 +18,7 @@ constexpr float kHeadSpeed_radps = 2.2f;
 constexpr float kCloseTime_s = 0.12f;
 constexpr float kReach_m = 1.2f; // of a person's arm; the rig reaches farther
 constexpr float kNear_m = 0.3f;
-constexpr float kThere_m = 0.035f; // grasp centre this near to a fish's middle: close now
+constexpr float kThere_m = 0.045f; // grasp centre this near to a fish's middle: close now
 constexpr float kPi = std::numbers::pi_v<float>;
 
 glm::vec3 withinReach(glm::vec3 p) {
@@ -77,7 +77,7 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
         const glm::vec3 soon = creature.position + 0.4f * creature.velocity;
         const float distance = glm::length(soon);
         float cost = glm::distance(soon, hand.graspWorld);
-        cost += 4 * std::max(0.0f, distance - (kReach_m - 0.1f)) + 4 * std::max(0.0f, 0.45f - distance);
+        cost += 12 * std::max(0.0f, distance - (kReach_m - 0.1f)) + 4 * std::max(0.0f, 0.45f - distance);
         cost += 0.5f *
                 std::max(0.0f, -glm::dot(soon, now.worldFromView * glm::vec3(0, 0, -1))); // behind the back
         if (creature.motion == Motion::Dart) cost += 1.5f;
@@ -108,12 +108,14 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
     ScriptHand& hand = hands_[step.hand];
     switch (step.what) {
     case Do::Reach: {
-        // Another fish when this one fled, or two seconds brought nothing.
-        const bool again = (tick_ - stepBegan_) % 240 == 0;
-        if (hand.target < 0 || again ||
-            (hand.target < static_cast<int>(now.creatures.size()) &&
-             now.creatures[hand.target].motion == Motion::Dart && (tick_ - stepBegan_) % 60 == 0))
-            hand.target = chooseFish(step, now);
+        // Another fish when this one fled or is out of reach, or two seconds brought nothing.
+        const uint64_t spent = tick_ - stepBegan_;
+        bool again = hand.target < 0 || spent % 240 == 0;
+        if (!again && spent % 60 == 0) {
+            const CreatureView& fish = now.creatures[hand.target];
+            again = fish.motion == Motion::Dart || glm::length(fish.position) > kReach_m;
+        }
+        if (again) hand.target = chooseFish(step, now);
         hand.closedGoal = 0;
         return follow(step.hand, now) && hand.closed == 0;
     }
@@ -148,10 +150,11 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
         }
         return spent_s >= step.seconds;
     case Do::Wave: {
-        // To and fro over 1 m, 0.6 m ahead; a triangle, so the speed is the same throughout.
-        const float way = std::fmod(spent_s * step.speed, 2.0f);
+        // To and fro over 1 m about where the hand was; a triangle, so the speed is the same throughout.
+        if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
+        const float way = std::fmod(spent_s * step.speed + 0.5f, 2.0f);
         const float x = way < 1 ? way - 0.5f : 1.5f - way;
-        hand.graspWorld = now.worldFromView * glm::vec3(x, -0.12f, -0.6f);
+        hand.graspWorld = hand.anchor + now.worldFromView * glm::vec3(x, 0, 0);
         return spent_s >= step.seconds;
     }
     case Do::Hover:

@@ -10,12 +10,12 @@ namespace shoal::game {
 
 namespace {
 
-constexpr int kKeepTicks = 12;       // a hand lost for less than 0.1 s stays where it was
-constexpr int kDropTicks = 36;       // lost for longer: what it holds swims off
-constexpr float kSlip_mps = 6;       // a fish slips out of a hand faster than this
-constexpr uint32_t kTouchKept = 12;  // ticks a touch is remembered
-constexpr float kGentle_mps = 0.5f;  // a palm slower than this does not frighten by touching...
-constexpr float kPatience_s = 0.35f; // ...for so long
+constexpr int kKeepTicks = 12;      // a hand lost for less than 0.1 s stays where it was
+constexpr int kDropTicks = 36;      // lost for longer: what it holds swims off
+constexpr float kSlip_mps = 6;      // a fish slips out of a hand faster than this
+constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
+constexpr float kGentle_mps = 0.5f; // a palm slower than this does not frighten by touching...
+constexpr float kPatience_s = 0.5f; // ...for so long
 
 bool sound(const glm::quat& q) {
     const float norm = glm::dot(q, q);
@@ -147,6 +147,7 @@ void World::touch(std::vector<Event>& out) {
     }
     contactWorld.collide(bodies, movers, kDt, contacts);
 
+    int touchedBefore = -1;
     for (const physics::Contact& contact : contacts) {
         const int id = static_cast<int>(contact.body), h = contact.group;
         const int part = partOfBone(contact.tag);
@@ -156,6 +157,7 @@ void World::touch(std::vector<Event>& out) {
             const bool striking = shark.mind == Shark::Mind::Strike && hand.holds == shark.prey;
             if (striking) continue; // its jaws come first; see swimShark
             shark.bumpRest_s = 0.8f;
+            shark.visit_s = std::min(shark.visit_s, 1.0f); // it has had enough
             emit(out, Event::Kind::SharkBump, id, h, part, contact.closingSpeed, contact.point);
             if (hand.holds >= 0)
                 letGo(h, fish[hand.holds].counted ? Event::Kind::Release : Event::Kind::Escape, out);
@@ -168,15 +170,18 @@ void World::touch(std::vector<Event>& out) {
             emit(out, Event::Kind::Touch, id, h, part, contact.closingSpeed, contact.point);
         f.touchedUntil[h][part] = tick + kTouchKept;
 
-        // Fingers that close around it hold it; they do not bat it away.
-        const bool beingGrasped = graspGap(f, hand) < kGraspRadius_m && onPalmSide(f, hand) && !hand.closed;
+        // An open hand lets it in between thumb and fingers, and closing fingers hold it: neither bats it
+        // away.
+        const bool beingGrasped =
+            graspGap(f, hand) < 1.5f * kGraspRadius_m && onPalmSide(f, hand) && !hand.closed;
         const float palmClosing = glm::dot(hand.velocity - f.velocity, contact.normal);
         if (!beingGrasped) {
             const float shove = std::min(0.6f * contact.closingSpeed + 0.04f, kMaxSpeed_mps);
             const float already = glm::dot(f.push, contact.normal);
             f.push += contact.normal * std::max(0.0f, shove - already);
         }
-        f.nervous_s += kDt;
+        if (id != touchedBefore) f.nervous_s += kDt; // contacts come sorted by body
+        touchedBefore = id;
         if (palmClosing > kGentle_mps || f.nervous_s > kPatience_s || (hand.closed && hand.window == 0))
             startle(id, hand.joints[0].position, out);
     }

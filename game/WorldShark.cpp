@@ -10,7 +10,7 @@ constexpr float kJaws_m = 0.28f;      // how near its mouth must come to take a 
 constexpr float kEyeRoom_m = 0.55f;   // no part of its axis comes nearer to the player's eyes
 constexpr float kStrikeTime_s = 2.5f; // then it gives up
 constexpr float kCarryTo_m = 3.6f;    // where it loses what it took
-constexpr float kTempted = 2.5f;      // seconds of struggling that bring it early
+constexpr float kTempted = 4;         // seconds of struggling that bring it early
 constexpr float kStrikeFrom_m = 3.0f; // farther away it does not try
 
 } // namespace
@@ -96,7 +96,7 @@ void World::sharkMove() {
 
     const float circle = shark.mind == Mind::Prowl ? file.shark.prowlRadius_m : file.shark.radius_m;
     const float height = shark.mind == Mind::Prowl ? 0.5f * file.shark.height_m : file.shark.height_m;
-    glm::vec3 desired = along + outward * std::clamp(0.9f * (circle - radius), -1.4f, 1.4f) +
+    glm::vec3 desired = along + outward * std::clamp(1.8f * (circle - radius), -1.4f, 1.4f) +
                         kUp * std::clamp(0.8f * (height - shark.position.y), -0.4f, 0.4f);
     float goalSpeed = kind.cruise_mps;
     float turn = kind.turn_radps;
