@@ -107,9 +107,9 @@ void World::frightenByHands(std::vector<Event>& out) {
             const glm::vec3 apart = f.position - hand.grasp;
             const float distance = glm::length(apart);
             if (distance > 0.8f || distance < 1e-4f) continue;
-            // A hand coming on at 1 m/s is noticed at 0.3 m, at 2 m/s at 0.5 m.
+            // A hand coming on at 1.2 m/s is noticed at 0.23 m, at 3 m/s at 0.5 m.
             const float closing = glm::dot(hand.calmVelocity - f.velocity, apart / distance);
-            if (closing < 0.9f || distance > shyness * (0.1f + 0.2f * closing)) continue;
+            if (closing < 1.2f || distance > shyness * (0.05f + 0.15f * closing)) continue;
             startle(static_cast<int>(i), hand.grasp, out);
         }
     }

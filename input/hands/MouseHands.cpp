@@ -14,6 +14,7 @@ constexpr float kCloseTime_s = 0.12f;
 constexpr float kFollow_s = 0.025f; // the hand lags the cursor by about this: no jitter, no felt delay
 constexpr float kSwap_s = 0.09f;    // to the side and back
 constexpr float kAssist_s = 0.08f;
+constexpr float kAssist_mps = 0.7f;   // a faster hand would frighten what it reaches for
 constexpr float kAssistRest_s = 1.2f; // how long the wheel's word stands against the help with depth
 constexpr float kNotch = 1.06f;       // reach per notch
 
@@ -69,7 +70,8 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
     }
     assistRests_s_ = std::max(0.0f, assistRests_s_ - dt_s);
     if (input.assist_m && !input.close && assistRests_s_ == 0)
-        distance_ += (*input.assist_m - distance_) * eased(kAssist_s, dt_s);
+        distance_ += std::clamp((*input.assist_m - distance_) * eased(kAssist_s, dt_s), -kAssist_mps * dt_s,
+                                kAssist_mps * dt_s);
     distance_ = std::clamp(distance_, kReachMin_m, kReachMax_m);
 
     const float tanY = std::tan(0.5f * std::clamp(input.fovY, 0.2f, 2.6f));

@@ -1,0 +1,56 @@
+// In steady state a tick takes no memory from the heap.
+#include "Fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+bool counting = false;
+int allocations = 0;
+
+void* take(std::size_t size) {
+    if (counting) ++allocations;
+    if (void* p = std::malloc(size ? size : 1)) return p;
+    throw std::bad_alloc();
+}
+} // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void* operator new[](std::size_t size) { return take(size); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+
+namespace shoal::game {
+namespace {
+
+TEST(Allocation, ATickTakesNoMemory) {
+    Dive dive(test::reef().species, test::reef().dive, 2);
+    Snapshot a, b, shown;
+    std::vector<Event> events;
+    events.reserve(1000);
+    TickInput input;
+    dive.snapshot(a);
+    dive.snapshot(b);
+    interpolate(a, b, 0.5f, shown);
+    for (int i = 0; i < 6000; ++i) {
+        if (i == 120) counting = true; // Bullet's pools and our scratch have their size
+        events.clear();
+        // A hand that swings and closes, so that contacts and grabs happen.
+        const float x = static_cast<float>(i % 240) / 240 - 0.5f;
+        input.hands[1] = test::handAt({x, -0.1f, -0.8f}, i % 90 < 45 ? 0.0f : 1.0f);
+        dive.step(input, events);
+        b = a;
+        dive.snapshot(a);
+        interpolate(b, a, 0.5f, shown);
+        (void)dive.stateHash();
+    }
+    counting = false;
+    EXPECT_EQ(allocations, 0);
+}
+
+} // namespace
+} // namespace shoal::game

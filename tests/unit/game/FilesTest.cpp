@@ -1,0 +1,110 @@
+// Species, dives and scripts as files: what is wrong is named with its line.
+#include "Fixture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace shoal::game {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Files : public testing::Test {
+  protected:
+    void TearDown() override { std::filesystem::remove(file_); }
+    const Path& write(const std::string& text) {
+        EXPECT_TRUE(writeFileWhole(file_, text));
+        return file_;
+    }
+    Path file_ =
+        Path(testing::TempDir()) / (std::string("shoal_files_") +
+                                    testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
+};
+
+const std::string kSpecies = "[[species]]\nname = \"perch\"\nmodel = \"models/perch.glb\"\nlength = 0.2\n";
+
+TEST_F(Files, SpeciesErrorsNameTheLine) {
+    ASSERT_TRUE(loadSpecies(write(kSpecies)));
+    EXPECT_EQ(loadSpecies(file_)->at(0).name, "perch");
+    const auto reason = [&](const std::string& text) {
+        const auto read = loadSpecies(write(text));
+        return read ? std::string("accepted") : read.error().sentence();
+    };
+    EXPECT_THAT(reason(kSpecies + "colour = 3\n"),
+                AllOf(HasSubstr("line 5"), HasSubstr("unknown key \"colour\"")));
+    EXPECT_THAT(reason(kSpecies + "cruise = 99\n"), AllOf(HasSubstr("line 5"), HasSubstr("0.05 to 2")));
+    EXPECT_THAT(reason(kSpecies + "cruise = nan\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(kSpecies + "cruise = \"fast\"\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(kSpecies + "points = 1.5\n"), HasSubstr("whole number"));
+    EXPECT_THAT(reason(kSpecies + "cruise = = 3\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(kSpecies + kSpecies), AllOf(HasSubstr("line 5"), HasSubstr("twice")));
+    EXPECT_THAT(reason("[[species]]\nname = \"perch\"\n"), HasSubstr("\"model\" is missing"));
+    EXPECT_THAT(reason("[[species]]\nname=\"a\"\nmodel=\"../a\"\nlength=0.2\n"), HasSubstr("below content"));
+    EXPECT_THAT(reason(""), HasSubstr("missing"));
+    EXPECT_THAT(reason("species = 3"), HasSubstr("list"));
+    EXPECT_FALSE(loadSpecies("/nonexistent/species.toml"));
+}
+
+TEST_F(Files, DiveErrorsNameTheLine) {
+    const SpeciesTable& known = test::reef().species;
+    const std::string good = "duration = 30\n[[school]]\nspecies = \"snapper\"\ncount = 3\n";
+    ASSERT_TRUE(loadDive(write(good), known));
+    const auto reason = [&](const std::string& text) {
+        const auto read = loadDive(write(text), known);
+        return read ? std::string("accepted") : read.error().sentence();
+    };
+    EXPECT_THAT(reason(good + "radius = [2, 1]\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(good + "radius = [0.1, 1]\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(good + "radius = [1, 2, 3]\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(good + "[[school]]\nspecies = \"whale\"\ncount = 1\n"),
+                AllOf(HasSubstr("line 6"), HasSubstr("whale")));
+    EXPECT_THAT(reason(good + "[[school]]\nspecies = \"shark\"\ncount = 1\n"),
+                HasSubstr("must not be a shark"));
+    EXPECT_THAT(reason(good + "[[school]]\nspecies = \"snapper\"\ncount = 200\n"),
+                HasSubstr("more than 200 fish"));
+    EXPECT_THAT(reason(good + "[shark]\nspecies = \"snapper\"\n"), HasSubstr("must be a shark"));
+    EXPECT_THAT(reason(good + "[shark]\nspecies = \"shark\"\nvisits = [20, 10]\n"), HasSubstr("rising"));
+    EXPECT_THAT(reason("video = \"/etc/passwd\"\n" + good), HasSubstr("line 1"));
+    EXPECT_THAT(reason("duration = 30\n"), HasSubstr("\"school\" is missing"));
+}
+
+TEST_F(Files, ScriptErrorsNameTheLine) {
+    const std::string good = "seed = 4\n[[step]]\ndo = \"wait\"\nseconds = 1\n";
+    ASSERT_TRUE(loadScript(write(good)));
+    const auto reason = [&](const std::string& text) {
+        const auto read = loadScript(write(text));
+        return read ? std::string("accepted") : read.error().sentence();
+    };
+    EXPECT_THAT(reason(good + "[[step]]\ndo = \"fly\"\n"),
+                AllOf(HasSubstr("line 6"), HasSubstr("reach, close")));
+    EXPECT_THAT(reason(good + "until = \"dinner\"\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason(good + "[[step]]\ndo = \"again\"\nfrom = 2\n"), HasSubstr("earlier"));
+    EXPECT_THAT(reason(good + "[[expect]]\norder = [\"grab\", \"dinner\"]\n"), HasSubstr("line 6"));
+    EXPECT_THAT(reason("dive = \"../reef\"\n" + good), HasSubstr("line 1"));
+    EXPECT_THAT(reason(good + "hand = \"third\"\n"), HasSubstr("line 5"));
+}
+
+TEST_F(Files, AScriptThatFailsSaysWhy) {
+    const auto verdict = [&](const std::string& text) {
+        const auto script = loadScript(write(text));
+        EXPECT_TRUE(script) << script.error().sentence();
+        const Played played = playScript(*script, test::rig(), test::reef());
+        return played.verdict ? std::string("met") : played.verdict.error().sentence();
+    };
+    const std::string wait = "name = \"idle\"\n[[step]]\ndo = \"wait\"\nseconds = 1\n";
+    EXPECT_EQ(verdict(wait), "met");
+    EXPECT_EQ(verdict(wait + "[[expect]]\nevent = \"dive_start\"\n"), "met");
+    EXPECT_EQ(verdict(wait + "[[expect]]\ncaught = 1\n"), "idle: line 5: caught 0, expected 1");
+    EXPECT_THAT(verdict(wait + "[[expect]]\nevent = \"grab\"\n"), HasSubstr("\"grab\" occurred 0 times"));
+    EXPECT_THAT(verdict(wait + "[[expect]]\nnever = \"dive_start\"\n"), HasSubstr("expected never"));
+    EXPECT_THAT(verdict(wait + "[[expect]]\norder = [\"dive_start\", \"catch\"]\n"),
+                HasSubstr("\"catch\" did not occur"));
+    EXPECT_THAT(verdict("[[step]]\ndo = \"wait\"\nuntil = \"catch\"\ntimeout = 2\n"),
+                HasSubstr("line 1: step 1 was not done in time"));
+    EXPECT_THAT(verdict("timeout = 1\n[[step]]\ndo = \"wait\"\nuntil = \"catch\"\n"),
+                HasSubstr("time was over"));
+}
+
+} // namespace
+} // namespace shoal::game
