@@ -1,0 +1,18 @@
+// Is this file usable, what is it, and if not, why not: for `shoal check`.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Result.h"
+
+#include <string>
+
+namespace shoal::media {
+
+// One sentence of what it is ("2048x1024 h264 video, ..."), or the reason why it cannot be used. Decodes up
+// to a second at the beginning and the last part, so damage in the middle may stay unseen.
+Result<std::string> checkVideo(const Path& file);
+
+// The same for photos and high dynamic range pictures, which are decoded whole.
+Result<std::string> checkPicture(const Path& file);
+
+} // namespace shoal::media

@@ -1,0 +1,210 @@
+#include "engine/media/PictureHeader.h"
+
+#include "engine/media/Bytes.h"
+#include "engine/media/JpegSegments.h"
+
+#include <array>
+#include <cctype>
+#include <optional>
+
+namespace shoal::media {
+
+namespace {
+
+struct Size {
+    int64_t width, height;
+};
+
+constexpr const char* kCutShort = "is cut short";
+
+std::optional<Size> jpegSize(ByteSpan b) {
+    std::optional<Size> size;
+    walkJpeg(b, [&](uint8_t marker, ByteSpan payload) {
+        const bool startOfFrame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (startOfFrame && payload.size() >= 5) size = Size{big16(payload, 3), big16(payload, 1)};
+        return startOfFrame;
+    });
+    return size;
+}
+
+std::optional<Size> pngSize(ByteSpan b) {
+    if (b.size() < 24 || !hasText(b, 12, "IHDR")) return std::nullopt;
+    return Size{big32(b, 16), big32(b, 20)};
+}
+
+std::optional<Size> bmpSize(ByteSpan b) {
+    if (b.size() < 26) return std::nullopt;
+    if (little32(b, 14) == 12) return Size{little16(b, 18), little16(b, 20)}; // OS/2 1.x
+    const auto height = static_cast<int32_t>(little32(b, 22));                // negative: rows from the top
+    return Size{static_cast<int32_t>(little32(b, 18)), height < 0 ? -int64_t{height} : height};
+}
+
+// RFC 6386 section 9.1 (VP8), the WebP container specification (VP8L, VP8X).
+std::optional<Size> webpSize(ByteSpan b) {
+    if (b.size() < 30) return std::nullopt;
+    if (hasText(b, 12, "VP8X")) return Size{little24(b, 24) + 1, little24(b, 27) + 1};
+    if (hasText(b, 12, "VP8L")) {
+        const uint32_t packed = little32(b, 21);
+        return Size{(packed & 0x3fff) + 1, (packed >> 14 & 0x3fff) + 1};
+    }
+    if (hasText(b, 12, "VP8 ")) return Size{little16(b, 26) & 0x3fff, little16(b, 28) & 0x3fff};
+    return std::nullopt;
+}
+
+// The next unsigned number in the text of a PNM or PFM header, past white space and comments.
+std::optional<int64_t> nextNumber(ByteSpan b, size_t& at) {
+    while (at < b.size() && (std::isspace(b[at]) || b[at] == '#')) {
+        if (b[at] == '#')
+            while (at < b.size() && b[at] != '\n') ++at;
+        else
+            ++at;
+    }
+    int64_t value = 0;
+    const size_t begin = at;
+    for (; at < b.size() && std::isdigit(b[at]) && at - begin < 9; ++at) value = value * 10 + (b[at] - '0');
+    if (at == begin) return std::nullopt;
+    return value;
+}
+
+std::optional<Size> pnmSize(ByteSpan b) {
+    size_t at = 2;
+    const auto width = nextNumber(b, at);
+    const auto height = nextNumber(b, at);
+    if (!width || !height) return std::nullopt;
+    return Size{*width, *height};
+}
+
+// Radiance: header lines, an empty line, then "-Y height +X width"; other orientations are not read.
+std::optional<Size> radianceSize(ByteSpan b) {
+    const std::string_view text = asText(b.first(std::min<size_t>(b.size(), 64 << 10)));
+    const size_t empty = text.find("\n\n");
+    if (empty == text.npos || !hasText(b, empty + 2, "-Y ")) return std::nullopt;
+    size_t at = empty + 5;
+    const auto height = nextNumber(b, at);
+    if (!height || !hasText(b, at, " +X ")) return std::nullopt;
+    at += 4;
+    const auto width = nextNumber(b, at);
+    if (!width) return std::nullopt;
+    return Size{*width, *height};
+}
+
+// OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name.
+std::optional<Size> exrSize(ByteSpan b) {
+    if (b.size() < 8 || (little32(b, 4) & 0x1800) != 0) return std::nullopt; // deep or of several parts
+    const std::string_view text = asText(b);
+    size_t at = 8;
+    for (int attribute = 0; attribute < 256; ++attribute) {
+        const size_t nameEnd = text.find('\0', at);
+        if (nameEnd == text.npos || nameEnd == at) break;
+        const size_t typeEnd = text.find('\0', nameEnd + 1);
+        if (typeEnd == text.npos || b.size() - typeEnd < 5) break;
+        const size_t value = typeEnd + 5;
+        const size_t size = little32(b, typeEnd + 1);
+        if (size > b.size() - value) break;
+        if (text.substr(at, nameEnd - at) == "dataWindow" && size == 16) {
+            const auto side = [&](size_t offset) {
+                return int64_t{static_cast<int32_t>(little32(b, value + offset))};
+            };
+            return Size{side(8) - side(0) + 1, side(12) - side(4) + 1};
+        }
+        at = value + size;
+    }
+    return std::nullopt;
+}
+
+std::optional<PictureKind> kindOf(ByteSpan b) {
+    using enum PictureKind;
+    if (hasText(b, 0, "\xff\xd8\xff")) return Jpeg;
+    if (hasText(b, 0, "\x89PNG\r\n\x1a\n")) return Png;
+    if (hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP")) return Webp;
+    if (hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE")) return Radiance;
+    if (hasText(b, 0, "\x76\x2f\x31\x01")) return Exr;
+    if (hasText(b, 0, "PF") || hasText(b, 0, "Pf")) return Pfm;
+    if (b.size() > 2 && b[0] == 'P' && b[1] >= '1' && b[1] <= '6' && std::isspace(b[2])) return Pnm;
+    if (hasText(b, 0, "BM")) return Bmp;
+    return std::nullopt;
+}
+
+std::optional<Size> sizeOf(PictureKind kind, ByteSpan b) {
+    switch (kind) {
+    case PictureKind::Jpeg:
+        return jpegSize(b);
+    case PictureKind::Png:
+        return pngSize(b);
+    case PictureKind::Bmp:
+        return bmpSize(b);
+    case PictureKind::Webp:
+        return webpSize(b);
+    case PictureKind::Pnm:
+    case PictureKind::Pfm:
+        return pnmSize(b);
+    case PictureKind::Radiance:
+        return radianceSize(b);
+    case PictureKind::Exr:
+        return exrSize(b);
+    }
+    return std::nullopt;
+}
+
+// CRC-32 as in ISO 3309, the one PNG uses (PNG specification, annex D).
+uint32_t crc32(ByteSpan b) {
+    static const std::array<uint32_t, 256> table = [] {
+        std::array<uint32_t, 256> made{};
+        for (uint32_t n = 0; n < 256; ++n) {
+            uint32_t c = n;
+            for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ (c >> 1) : c >> 1;
+            made[n] = c;
+        }
+        return made;
+    }();
+    uint32_t c = 0xffffffffu;
+    for (const uint8_t byte : b) c = table[(c ^ byte) & 0xff] ^ (c >> 8);
+    return ~c;
+}
+
+const char* damageInPng(ByteSpan b) {
+    for (size_t at = 8; b.size() >= at && b.size() - at >= 12;) {
+        const size_t length = big32(b, at);
+        if (length > b.size() - at - 12) return kCutShort;
+        if (crc32(b.subspan(at + 4, length + 4)) != big32(b, at + 8 + length))
+            return "is damaged: a checksum in it does not match";
+        if (hasText(b, at + 4, "IEND")) return "";
+        at += 12 + length;
+    }
+    return kCutShort;
+}
+
+const char* damageInJpeg(ByteSpan b) {
+    const size_t data = walkJpeg(b, [](uint8_t, ByteSpan) { return false; });
+    const bool ends = asText(b.subspan(std::min(data, b.size()))).find("\xff\xd9") != std::string_view::npos;
+    return ends ? "" : kCutShort;
+}
+
+} // namespace
+
+const char* nameOf(PictureKind kind) {
+    constexpr const char* kNames[] = {"JPEG", "PNG", "BMP", "WebP", "PNM", "Radiance HDR", "OpenEXR", "PFM"};
+    return kNames[static_cast<int>(kind)];
+}
+
+bool isHdr(PictureKind kind) { return kind >= PictureKind::Radiance; }
+
+Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
+    const auto kind = kindOf(bytes);
+    if (!kind)
+        return Error{"", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, PNM, HDR, EXR, PFM)"};
+    const auto size = sizeOf(*kind, bytes);
+    if (!size || size->width <= 0 || size->height <= 0)
+        return Error{"", std::string("its ") + nameOf(*kind) +
+                             " header is damaged, cut short or of an unread variant"};
+    return PictureHeader{*kind, size->width, size->height};
+}
+
+const char* damageIn(PictureKind kind, ByteSpan bytes) {
+    if (kind == PictureKind::Png) return damageInPng(bytes);
+    if (kind == PictureKind::Jpeg) return damageInJpeg(bytes);
+    return "";
+}
+
+} // namespace shoal::media

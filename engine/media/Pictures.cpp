@@ -1,0 +1,72 @@
+#include "engine/media/Pictures.h"
+
+#include "engine/media/PictureHeader.h"
+#include "engine/media/Quiet.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cassert>
+
+namespace shoal::media {
+
+namespace {
+
+constexpr uint64_t kMaxFileBytes = 512u << 20;
+
+template <int kChannels>
+Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int toOpenCv) {
+    assert(!image.empty());
+    setUpDecoders();
+    try {
+        const cv::Mat rgb(image.height, image.width, CV_8UC(kChannels),
+                          const_cast<uint8_t*>(image.pixels.data()));
+        cv::Mat bgr;
+        cv::cvtColor(rgb, bgr, toOpenCv);
+        std::vector<uint8_t> png;
+        if (!cv::imencode(".png", bgr, png))
+            return Error{file.string(), "the picture cannot be coded as PNG"};
+        return writeFileWhole(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+    } catch (const std::exception& failure) {
+        return Error{file.string(), std::string("the picture cannot be coded as PNG: ") + failure.what()};
+    }
+}
+
+} // namespace
+
+Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
+    setUpDecoders();
+    auto bytes = readFile(file, kMaxFileBytes);
+    if (!bytes) return bytes.error();
+    const auto header = readPictureHeader(*bytes);
+    if (!header) return Error{file.string(), header.error().reason};
+    if (isHdr(header->kind)) return Error{file.string(), "is a high dynamic range picture; give it as --env"};
+    if (header->width > limits.maxWidth || header->height > limits.maxHeight)
+        return Error{file.string(),
+                     "its " + std::to_string(header->width) + "x" + std::to_string(header->height) +
+                         " pixels are more than the limit of " + std::to_string(limits.maxWidth) + "x" +
+                         std::to_string(limits.maxHeight)};
+    if (const char* damage = damageIn(header->kind, *bytes); *damage) return Error{file.string(), damage};
+    try {
+        const QuietCerr quiet;
+        const cv::Mat bgr = cv::imdecode(*bytes, cv::IMREAD_COLOR);
+        if (bgr.empty() || bgr.type() != CV_8UC3)
+            return Error{file.string(), std::string("cannot be decoded as ") + nameOf(header->kind) +
+                                            ": damaged, or a rare variant"};
+        ImageRgb8 image(bgr.cols, bgr.rows);
+        cv::Mat rgb(bgr.rows, bgr.cols, CV_8UC3, image.pixels.data());
+        cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
+        return image;
+    } catch (const std::exception&) {
+        return Error{file.string(), std::string("cannot be decoded as ") + nameOf(header->kind)};
+    }
+}
+
+Status writePng(const Path& file, const ImageRgb8& image) {
+    return writeColour(file, image, cv::COLOR_RGB2BGR);
+}
+Status writePng(const Path& file, const ImageRgba8& image) {
+    return writeColour(file, image, cv::COLOR_RGBA2BGRA);
+}
+
+} // namespace shoal::media

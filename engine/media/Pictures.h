@@ -1,0 +1,46 @@
+// Pictures in and out. Rows from the top, as Image has them. No function here keeps state; use from any
+// thread, the first time before others are started (Quiet.h).
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
+#include "engine/core/Result.h"
+
+#include <cstdint>
+
+namespace shoal::media {
+
+// Checked against the file's header before memory is taken for the pixels.
+struct PictureLimits {
+    int maxWidth = 16384;
+    int maxHeight = 8192;
+};
+
+// JPEG, PNG, BMP, WebP, PNM; sRGB-coded, red first, turned upright by its EXIF orientation, transparency
+// dropped. The kind is told by the content, not by the name.
+Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
+
+struct HdrPicture {
+    ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
+    // Components that were no light and were replaced: NaN and negative by 0, infinite and above
+    // kMaxRadiance by the largest sound component. Worth a warning if above 0.
+    int64_t repaired = 0;
+};
+
+// Larger values are taken for damage: the sun's disc is about 1e9 cd/m^2, and sums of squares of this stay
+// finite in 32 bits.
+constexpr float kMaxRadiance = 1e12f;
+
+// Radiance RGBE (-Y +X orientation), OpenEXR (one part, flat), PFM (colour or grey). Values above the
+// half-float limit 65504 are kept.
+Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
+
+// Lossless. Written whole (engine/core/Files.h).
+Status writePng(const Path& file, const ImageRgb8& image);
+Status writePng(const Path& file, const ImageRgba8& image);
+
+// By extension: .pfm (exact), .exr (32-bit float, exact), .hdr (RGBE: shared exponent, error up to 1/256 of
+// the pixel's largest component). Written whole.
+Status writeHdr(const Path& file, const ImageRgbF& radianceLin);
+
+} // namespace shoal::media

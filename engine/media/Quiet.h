@@ -1,0 +1,29 @@
+// Internal to this room: how OpenCV and FFmpeg are set up.
+#pragma once
+
+#include <mutex>
+#include <streambuf>
+
+namespace shoal::media {
+
+// Called before every first use of OpenCV. Sets, unless the person's environment already does: no chatter of
+// FFmpeg and OpenCV on standard error (the player reads our sentences instead), the EXR codec on, and files
+// as FFmpeg's only protocol, so that no video can make it open a connection. The first call should come
+// before other threads read the environment.
+void setUpDecoders();
+
+// Stops std::cerr for its lifetime: OpenCV 4.6 reports what imread, imdecode and imwrite throw there,
+// whatever the log level. Our own messages take another way (engine/core/Log.h). One at a time.
+class QuietCerr {
+  public:
+    QuietCerr();
+    ~QuietCerr();
+    QuietCerr(const QuietCerr&) = delete;
+    QuietCerr& operator=(const QuietCerr&) = delete;
+
+  private:
+    std::unique_lock<std::mutex> turn_;
+    std::streambuf* before_;
+};
+
+} // namespace shoal::media

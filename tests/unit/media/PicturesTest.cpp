@@ -1,0 +1,295 @@
+#include "engine/media/Pictures.h"
+
+#include "engine/core/Random.h"
+#include "engine/media/Check.h"
+#include "engine/media/PanoramaPlacement.h"
+#include "engine/media/PictureHeader.h"
+#include "tests/unit/media/TestFiles.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sys/stat.h>
+
+namespace shoal::media {
+namespace {
+
+ImageRgb8 noise8(int width, int height) {
+    Random random(1);
+    ImageRgb8 image(width, height);
+    for (auto& value : image.pixels) value = static_cast<uint8_t>(random.below(256));
+    return image;
+}
+
+// Radiance over twelve decades, beyond half floats.
+ImageRgbF noiseF(int width, int height) {
+    Random random(2);
+    ImageRgbF image(width, height);
+    for (auto& value : image.pixels) value = std::pow(10.0f, random.between(-6, 6));
+    return image;
+}
+
+TEST(Pictures, PngRoundTripIsExactAndRedStaysRed) {
+    const TempFolder folder;
+    const ImageRgb8 image = noise8(37, 19);
+    ASSERT_TRUE(writePng(folder / "a.png", image));
+    const auto read = readPicture(folder / "a.png");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->width, 37);
+    EXPECT_EQ(read->height, 19);
+    EXPECT_EQ(read->pixels, image.pixels);
+
+    // Against OpenCV directly, which has blue first.
+    ImageRgb8 red(1, 1);
+    red.pixels = {255, 0, 7};
+    ASSERT_TRUE(writePng(folder / "red.png", red));
+    const cv::Mat bgr = cv::imread((folder / "red.png").string());
+    EXPECT_EQ(bgr.at<cv::Vec3b>(0, 0), cv::Vec3b(7, 0, 255));
+}
+
+TEST(Pictures, PngKeepsAlpha) {
+    const TempFolder folder;
+    ImageRgba8 image(2, 1);
+    image.pixels = {1, 2, 3, 4, 250, 251, 252, 0};
+    ASSERT_TRUE(writePng(folder / "a.png", image));
+    const cv::Mat bgra = cv::imread((folder / "a.png").string(), cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(bgra.channels(), 4);
+    EXPECT_EQ(bgra.at<cv::Vec4b>(0, 0), cv::Vec4b(3, 2, 1, 4));
+    EXPECT_EQ(bgra.at<cv::Vec4b>(0, 1), cv::Vec4b(252, 251, 250, 0));
+}
+
+TEST(Pictures, ReadsEachKindByItsContent) {
+    const TempFolder folder;
+    const ImageRgb8 image = noise8(24, 16);
+    cv::Mat bgr(16, 24, CV_8UC3);
+    for (int i = 0; i < 24 * 16; ++i)
+        for (int c = 0; c < 3; ++c) bgr.data[3 * i + c] = image.pixels[static_cast<size_t>(3 * i + 2 - c)];
+    for (const char* extension : {".bmp", ".ppm", ".webp", ".png"}) {
+        const Path real = folder / (std::string("a") + extension), disguised = folder / "a.jpg";
+        cv::imwrite(real.string(), bgr, {cv::IMWRITE_WEBP_QUALITY, 101}); // above 100: lossless
+        std::filesystem::rename(real, disguised);
+        const auto read = readPicture(disguised);
+        ASSERT_TRUE(read) << extension << ": " << read.error().sentence();
+        EXPECT_EQ(read->pixels, image.pixels) << extension;
+    }
+}
+
+// A JPEG whose EXIF says "turn by 90 degrees": stored 2 wide x 1 high comes out upright.
+TEST(Pictures, JpegIsTurnedUprightByItsExif) {
+    const TempFolder folder;
+    cv::Mat stored(16, 32, CV_8UC3, cv::Scalar::all(0));
+    stored(cv::Rect(16, 0, 16, 16)) = cv::Scalar::all(255); // right half white
+    std::vector<uint8_t> jpeg;
+    cv::imencode(".jpg", stored, jpeg);
+    // APP1: "Exif", TIFF big endian, one entry: orientation (0x112), short, 6 = turn clockwise.
+    const std::string exif("\xff\xe1\x00\x22"
+                           "Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+                           36);
+    std::string bytes(jpeg.begin(), jpeg.end());
+    bytes.insert(2, exif);
+    writeBytes(folder / "turned.jpg", bytes);
+    const auto read = readPicture(folder / "turned.jpg");
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->width, 16);
+    EXPECT_EQ(read->height, 32);
+    EXPECT_LT(read->at(8, 4)[0], 30); // clockwise: the left half is now above
+    EXPECT_GT(read->at(8, 28)[0], 225);
+}
+
+TEST(Pictures, SizeIsCheckedBeforeDecoding) {
+    const TempFolder folder;
+    ASSERT_TRUE(writePng(folder / "a.png", noise8(40, 20)));
+    EXPECT_TRUE(readPicture(folder / "a.png", {40, 20}));
+    EXPECT_FALSE(readPicture(folder / "a.png", {39, 20}));
+    EXPECT_FALSE(readPicture(folder / "a.png", {40, 19}));
+
+    // A header that promises 2^31 - 1 squared, with a right checksum or not, is refused for its size.
+    std::string bytes = readBytes(folder / "a.png");
+    bytes.replace(16, 8, "\x7f\xff\xff\xff\x7f\xff\xff\xff");
+    writeBytes(folder / "bomb.png", bytes);
+    const auto bomb = readPicture(folder / "bomb.png");
+    ASSERT_FALSE(bomb);
+    EXPECT_NE(bomb.error().reason.find("2147483647x2147483647"), std::string::npos) << bomb.error().reason;
+}
+
+TEST(Pictures, WhatIsNoPictureIsRefusedByName) {
+    const TempFolder folder;
+    writeBytes(folder / "text.png", "this is no picture");
+    writeBytes(folder / "empty.png", "");
+    ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+    std::filesystem::create_directory(folder / "folder.png");
+    for (const char* name : {"text.png", "empty.png", "pipe.png", "folder.png", "missing.png"}) {
+        const auto read = readPicture(folder / name);
+        ASSERT_FALSE(read) << name;
+        EXPECT_NE(read.error().sentence().find(name), std::string::npos);
+        EXPECT_FALSE(readHdr(folder / name));
+        EXPECT_FALSE(checkPicture(folder / name));
+    }
+}
+
+TEST(HdrPictures, PfmAndExrRoundTripsAreExact) {
+    const TempFolder folder;
+    const ImageRgbF image = noiseF(33, 17);
+    for (const char* name : {"a.pfm", "a.exr"}) {
+        ASSERT_TRUE(writeHdr(folder / name, image)) << name;
+        const auto read = readHdr(folder / name);
+        ASSERT_TRUE(read) << read.error().sentence();
+        EXPECT_EQ(read->repaired, 0);
+        EXPECT_EQ(read->radianceLin.width, 33);
+        EXPECT_EQ(read->radianceLin.height, 17);
+        EXPECT_EQ(read->radianceLin.pixels, image.pixels) << name;
+    }
+}
+
+TEST(HdrPictures, RadianceKeepsEachPixelWithinItsSharedExponent) {
+    const TempFolder folder;
+    const ImageRgbF image = noiseF(33, 17);
+    ASSERT_TRUE(writeHdr(folder / "a.hdr", image));
+    const auto read = readHdr(folder / "a.hdr");
+    ASSERT_TRUE(read) << read.error().sentence();
+    for (int y = 0; y < 17; ++y)
+        for (int x = 0; x < 33; ++x) {
+            const float* wanted = image.at(x, y);
+            const float* got = read->radianceLin.at(x, y);
+            // The largest component has a mantissa of 128..255, truncated: below 1/128 of it, whatever the
+            // component.
+            const float bound = std::max({wanted[0], wanted[1], wanted[2]}) / 128;
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], bound) << x << ' ' << y << ' ' << c;
+        }
+}
+
+TEST(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
+    const TempFolder folder;
+    const auto floats = [](std::initializer_list<float> values, bool bigEndian) {
+        std::string text;
+        for (const float value : values) {
+            std::string four(reinterpret_cast<const char*>(&value), 4);
+            if (bigEndian) std::reverse(four.begin(), four.end());
+            text += four;
+        }
+        return text;
+    };
+    writeBytes(folder / "big.pfm", "PF\n1 2\n2.0\n" + floats({1, 2, 3, 4, 5, 6}, true));
+    const auto big = readHdr(folder / "big.pfm");
+    ASSERT_TRUE(big) << big.error().sentence();
+    EXPECT_EQ(big->radianceLin.pixels, (std::vector<float>{8, 10, 12, 2, 4, 6})); // doubled by the scale
+    writeBytes(folder / "grey.pfm", "Pf\n1 2\n-1.0\n" + floats({1, 2}, false));
+    const auto grey = readHdr(folder / "grey.pfm");
+    ASSERT_TRUE(grey) << grey.error().sentence();
+    EXPECT_EQ(grey->radianceLin.pixels, (std::vector<float>{2, 2, 2, 1, 1, 1}));
+}
+
+TEST(HdrPictures, WhatIsNoLightIsReplacedAndCounted) {
+    const TempFolder folder;
+    constexpr float kInf = std::numeric_limits<float>::infinity();
+    ImageRgbF image(2, 2);
+    image.pixels = {1, -2, std::nanf(""), kInf, -kInf, 78944, 3e38f, 0, 1, 2, 3, 4};
+    for (const char* name : {"a.pfm", "a.exr"}) {
+        ASSERT_TRUE(writeHdr(folder / name, image));
+        const auto read = readHdr(folder / name);
+        ASSERT_TRUE(read) << read.error().sentence();
+        EXPECT_EQ(read->repaired, 5) << name;
+        EXPECT_EQ(read->radianceLin.pixels,
+                  (std::vector<float>{1, 0, 0, 78944, 0, 78944, 78944, 0, 1, 2, 3, 4}))
+            << name;
+    }
+}
+
+TEST(HdrPictures, LimitsAndKindsAreChecked) {
+    const TempFolder folder;
+    for (const char* name : {"a.pfm", "a.exr", "a.hdr"}) {
+        ASSERT_TRUE(writeHdr(folder / name, noiseF(40, 20)));
+        EXPECT_TRUE(readHdr(folder / name, {40, 20})) << name;
+        EXPECT_FALSE(readHdr(folder / name, {39, 20})) << name;
+        EXPECT_FALSE(readHdr(folder / name, {40, 19})) << name;
+        EXPECT_FALSE(readPicture(folder / name)) << name;
+    }
+    ASSERT_TRUE(writePng(folder / "a.png", noise8(4, 2)));
+    EXPECT_FALSE(readHdr(folder / "a.png"));
+    EXPECT_FALSE(writeHdr(folder / "a.jpg", noiseF(4, 2)));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.jpg"));
+}
+
+TEST(HdrPictures, AFailedWriteLeavesTheOldFile) {
+    const TempFolder folder;
+    ASSERT_TRUE(writeHdr(folder / "a.exr", noiseF(4, 2)));
+    const std::string before = readBytes(folder / "a.exr");
+    EXPECT_FALSE(writeHdr(folder / "a.exr" / "b.exr", noiseF(4, 2)));
+    EXPECT_EQ(readBytes(folder / "a.exr"), before);
+}
+
+TEST(HdrPictures, SharedLightHasTheStatedMaximum) {
+    const struct {
+        const char* name;
+        double meanLuminance, maxLuminance;
+    } kFacts[] = {{"venice_sunset_1k.hdr", 0.50, 2091},
+                  {"kloppenheim_05_1k.hdr", 0.80, 78944},
+                  {"dikhololo_night_1k.hdr", 0.08, 73}};
+    for (const auto& fact : kFacts) {
+        const Path file = sharedData(std::string("hdr/") + fact.name);
+        if (file.empty()) GTEST_SKIP() << "no shared hdr/" << fact.name;
+        const auto read = readHdr(file);
+        ASSERT_TRUE(read) << read.error().sentence();
+        EXPECT_EQ(read->radianceLin.width, 1024);
+        EXPECT_EQ(read->repaired, 0);
+        double largest = 0;
+        for (size_t i = 0; i < read->radianceLin.pixels.size(); i += 3) {
+            const float* p = &read->radianceLin.pixels[i];
+            largest = std::max(largest, 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
+        }
+        EXPECT_NEAR(largest, fact.maxLuminance, 1.0) << fact.name; // stated to the unit
+    }
+}
+
+TEST(Check, PicturesAreDescribed) {
+    const TempFolder folder;
+    ASSERT_TRUE(writePng(folder / "pano.png", noise8(64, 32)));
+    EXPECT_EQ(*checkPicture(folder / "pano.png"), "64x32 PNG picture, lat-long mono by its shape");
+    ASSERT_TRUE(writePng(folder / "photo.png", noise8(48, 32)));
+    EXPECT_NE(checkPicture(folder / "photo.png")->find("not a 360-degree picture"), std::string::npos);
+    ImageRgbF bad(4, 2);
+    bad.pixels[5] = -1;
+    ASSERT_TRUE(writeHdr(folder / "bad.pfm", bad));
+    EXPECT_NE(checkPicture(folder / "bad.pfm")->find("1 components"), std::string::npos);
+}
+
+TEST(PanoramaPlacement, IsReadFromXmp) {
+    const TempFolder folder;
+    std::vector<uint8_t> jpeg;
+    cv::imencode(".jpg", cv::Mat(8, 16, CV_8UC3, cv::Scalar::all(9)), jpeg);
+    const auto withXmp = [&](const std::string& xmp) {
+        const std::string payload = std::string("http://ns.adobe.com/xap/1.0/\0", 29) + xmp;
+        const size_t length = payload.size() + 2;
+        std::string bytes(jpeg.begin(), jpeg.end());
+        bytes.insert(2, std::string("\xff\xe1") + static_cast<char>(length >> 8) +
+                            static_cast<char>(length & 0xff) + payload);
+        writeBytes(folder / "pano.jpg", bytes);
+        return panoramaPlacement(folder / "pano.jpg");
+    };
+    const std::string attributes =
+        R"(<rdf:Description GPano:ProjectionType="equirectangular" GPano:FullPanoWidthPixels="8000"
+        GPano:FullPanoHeightPixels="4000" GPano:CroppedAreaImageWidthPixels="6000" GPano:PoseHeadingDegrees="90.5"
+        GPano:CroppedAreaImageHeightPixels="1500" GPano:CroppedAreaLeftPixels="1000"
+        GPano:CroppedAreaTopPixels="1250"/>)";
+    const auto placement = withXmp(attributes);
+    ASSERT_TRUE(placement);
+    EXPECT_EQ(placement->fullWidth, 8000);
+    EXPECT_EQ(placement->fullHeight, 4000);
+    EXPECT_EQ(placement->left, 1000);
+    EXPECT_EQ(placement->top, 1250);
+    EXPECT_EQ(placement->width, 6000);
+    EXPECT_EQ(placement->height, 1500);
+    EXPECT_DOUBLE_EQ(placement->heading_deg, 90.5);
+
+    std::string larger = attributes;
+    larger.replace(larger.find("6000"), 4, "9000");
+    EXPECT_FALSE(withXmp(larger)) << "a part larger than the whole";
+    EXPECT_FALSE(withXmp("<x/>"));
+    ASSERT_TRUE(writePng(folder / "a.png", noise8(4, 2)));
+    EXPECT_FALSE(panoramaPlacement(folder / "a.png"));
+}
+
+} // namespace
+} // namespace shoal::media

@@ -1,0 +1,108 @@
+// The reference videos have the facts that their description states, and seeking agrees with playing.
+#include "engine/core/Hash.h"
+#include "engine/media/Check.h"
+#include "engine/media/Pictures.h"
+#include "engine/media/VideoPlayer.h"
+#include "tests/unit/media/TestFiles.h"
+
+#include <vector>
+
+namespace shoal::media {
+namespace {
+
+struct Facts {
+    const char* name;
+    int width, height;
+    double fps;
+    int frames;
+    Layout layout;
+};
+
+void PrintTo(const Facts& facts, std::ostream* stream) { *stream << facts.name; }
+
+class SharedVideo : public testing::TestWithParam<Facts> {
+  protected:
+    void SetUp() override {
+        file = sharedData(std::string("video/") + GetParam().name);
+        if (file.empty()) GTEST_SKIP() << "no shared video/" << GetParam().name;
+    }
+    Path file;
+};
+
+uint64_t hashOf(const ImageRgb8& picture) {
+    Hash hash;
+    hash.bytes(picture.pixels.data(), picture.pixels.size());
+    return hash.value();
+}
+
+TEST_P(SharedVideo, HasItsFacts) {
+    const Facts& facts = GetParam();
+    const auto info = inspectVideo(file);
+    ASSERT_TRUE(info) << info.error().sentence();
+    EXPECT_EQ(info->width, facts.width);
+    EXPECT_EQ(info->height, facts.height);
+    EXPECT_NEAR(info->fps, facts.fps, 0.005); // stated to two decimals
+    EXPECT_EQ(info->codec, "h264");
+    EXPECT_EQ(info->layout, facts.layout) << info->layoutSource;
+    EXPECT_NEAR(static_cast<double>(info->frameCount), facts.frames, 0.01 * facts.frames);
+    const auto check = checkVideo(file);
+    EXPECT_TRUE(check) << check.error().sentence();
+}
+
+// Played in order, over the loop; then the same pictures by jumps in a fresh player.
+TEST_P(SharedVideo, PlaysAndSeeksAlike) {
+    const Facts& facts = GetParam();
+    auto opened = VideoPlayer::open(file);
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    auto player = std::move(opened).value();
+    const double fps = player.info().fps;
+    const int played = facts.frames + 5;
+    std::vector<uint64_t> hashes;
+    int64_t passLength = 0;
+    for (int i = 0; i < played; ++i) {
+        const VideoFrame* frame = player.waitFor(i / fps);
+        ASSERT_EQ(frame->index, i);
+        if (i > 0 && frame->number == 0) passLength = i;
+        hashes.push_back(hashOf(frame->pixelsBgr));
+    }
+    EXPECT_EQ(player.status(), "");
+    ASSERT_EQ(passLength, facts.frames);
+    for (int i = facts.frames; i < played; ++i)
+        EXPECT_EQ(hashes[static_cast<size_t>(i)], hashes[static_cast<size_t>(i - facts.frames)]);
+
+    auto jumper = std::move(VideoPlayer::open(file)).value();
+    for (const int index : {facts.frames - 1, 7, facts.frames / 2, facts.frames * 3 + 11, 1})
+        EXPECT_EQ(hashOf(jumper.waitFor(index / fps)->pixelsBgr),
+                  hashes[static_cast<size_t>(index % facts.frames)])
+            << index;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, SharedVideo,
+    testing::Values(Facts{"overpass_360_mono_2048x1024.mp4", 2048, 1024, 29.97, 120, Layout::Mono},
+                    Facts{"congo_360_overunder_1920x1080.mp4", 1920, 1080, 917425.0 / 30618, 300,
+                          Layout::TopBottom},
+                    Facts{"richo_360_mono_426x214.mp4", 426, 214, 30, 1202, Layout::Mono}));
+
+TEST(SharedPhotos, HaveTheirFactsAndLayout) {
+    const struct {
+        const char* name;
+        int width, height;
+        Layout layout;
+    } kFacts[] = {{"coral_underwater_360_overunder_2048.jpg", 2048, 2048, Layout::TopBottom},
+                  {"petra_360_2048x1024.jpg", 2048, 1024, Layout::Mono},
+                  {"puydesancy_360_4096x2048.jpg", 4096, 2048, Layout::Mono}};
+    for (const auto& facts : kFacts) {
+        const Path file = sharedData(std::string("photo/") + facts.name);
+        if (file.empty()) GTEST_SKIP() << "no shared photo/" << facts.name;
+        const auto picture = readPicture(file);
+        ASSERT_TRUE(picture) << picture.error().sentence();
+        EXPECT_EQ(picture->width, facts.width);
+        EXPECT_EQ(picture->height, facts.height);
+        EXPECT_EQ(layoutFromShape(picture->width, picture->height), facts.layout);
+        EXPECT_EQ(layoutFromContent(*picture), facts.layout) << facts.name;
+    }
+}
+
+} // namespace
+} // namespace shoal::media

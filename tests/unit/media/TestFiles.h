@@ -1,0 +1,67 @@
+// Small files that the media tests make for themselves.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/videoio.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace shoal::media {
+
+// A folder of its own for one test, gone afterwards.
+class TempFolder {
+  public:
+    TempFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "shoal-media-XXXXXX").string();
+        path_ = ::mkdtemp(name.data());
+    }
+    ~TempFolder() { std::filesystem::remove_all(path_); }
+    TempFolder(const TempFolder&) = delete;
+    TempFolder& operator=(const TempFolder&) = delete;
+
+    Path operator/(const std::string& name) const { return path_ / name; }
+
+  private:
+    Path path_;
+};
+
+// Reference data, or an empty path.
+inline Path sharedData(const std::string& name) {
+    const char* set = std::getenv("SHOAL_SHARED");
+    const Path root = set && *set ? Path(set) : dataRoot().parent_path() / "shared";
+    const Path file = root / "data" / name;
+    return std::filesystem::exists(file) ? file : Path{};
+}
+
+inline void writeBytes(const Path& file, std::string_view bytes) {
+    std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+inline std::string readBytes(const Path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Frame i is uniform grey of level kFirstGrey + kGreyStep * i: numberOf() reads it back. JPEG at its default
+// quality keeps a uniform grey within one level, so up to 50 frames stay distinct.
+constexpr int kFirstGrey = 20, kGreyStep = 4;
+
+inline void writeGreyVideo(const Path& file, int frames, double fps = 30, int width = 64, int height = 32) {
+    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), fps,
+                           {width, height});
+    ASSERT_TRUE(writer.isOpened()) << file;
+    for (int i = 0; i < frames; ++i)
+        writer.write(cv::Mat(height, width, CV_8UC3, cv::Scalar::all(kFirstGrey + kGreyStep * i)));
+}
+
+inline int numberOf(const ImageRgb8& picture) {
+    const int grey = picture.at(picture.width / 2, picture.height / 2)[1];
+    return (grey - kFirstGrey + kGreyStep / 2) / kGreyStep;
+}
+
+} // namespace shoal::media

@@ -1,0 +1,201 @@
+#include "engine/media/VideoPlayer.h"
+
+#include "tests/unit/media/TestFiles.h"
+
+#include <array>
+#include <atomic>
+#include <set>
+#include <sys/stat.h>
+#include <thread>
+
+namespace shoal::media {
+namespace {
+
+constexpr double kFps = 30;
+
+VideoPlayer opened(const Path& file, VideoOptions options = {}) {
+    auto player = VideoPlayer::open(file, std::move(options));
+    EXPECT_TRUE(player) << (player ? "" : player.error().sentence());
+    return std::move(player).value();
+}
+
+TEST(VideoPlayer, ShowsEveryFrameInOrderAndLoops) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 12);
+    auto player = opened(file);
+    for (int i = 0; i < 40; ++i) {
+        const VideoFrame* frame = player.waitFor(i / kFps);
+        ASSERT_EQ(frame->index, i);
+        EXPECT_EQ(frame->number, i % 12);
+        EXPECT_EQ(numberOf(frame->pixelsBgr), i % 12);
+        EXPECT_DOUBLE_EQ(frame->pts_s, i / kFps);
+    }
+    EXPECT_EQ(player.status(), "");
+}
+
+TEST(VideoPlayer, AFrameStaysUntilTheNextIsDue) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 12);
+    auto player = opened(file);
+    for (int tick = 0; tick < 48; ++tick) // four ticks a frame, a hair after each
+        EXPECT_EQ(player.waitFor(tick / (4 * kFps) + 1e-5)->index, tick / 4) << tick;
+}
+
+TEST(VideoPlayer, WaitForJumpsAheadAndBack) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 40);
+    auto player = opened(file);
+    for (const int index : {0, 39, 3, 40, 41, 399, 0, 1, 4000 + 17, 79, 80})
+        EXPECT_EQ(numberOf(player.waitFor(index / kFps)->pixelsBgr), index % 40) << index;
+}
+
+TEST(VideoPlayer, AJumpBeyondTheEndIsTheSameAsPlayingOn) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 37);
+    auto player = opened(file);
+    EXPECT_EQ(player.waitFor(1000 / kFps)->number, 1000 % 37);
+}
+
+// The caller's time runs faster than any decoder: frames are left out, order and due times hold.
+TEST(VideoPlayer, NewestNeverGoesBackNorAhead) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 45);
+    auto player = opened(file);
+    int64_t before = 0;
+    int64_t distinct = 0;
+    for (int call = 0; distinct < 100; ++call) {
+        const double time_s = call * 1e-4;
+        const VideoFrame* frame = player.newest(time_s);
+        ASSERT_GE(frame->index, before);
+        ASSERT_LE(frame->pts_s, time_s + 1e-6);
+        ASSERT_EQ(numberOf(frame->pixelsBgr), frame->index % 45);
+        distinct += frame->index != before;
+        before = frame->index;
+        std::this_thread::yield();
+    }
+}
+
+TEST(VideoPlayer, NewestReachesTheDueFrameAfterAHangAndSkipsTheRest) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 45);
+    std::atomic<int> prepared{0};
+    VideoOptions options;
+    options.prepare = [&](const VideoFrame&, int) { ++prepared; };
+    auto player = opened(file, std::move(options));
+    const double time_s = 1000 / kFps; // as if the game had hung for half a minute
+    while (player.newest(time_s)->index != 1000) std::this_thread::yield();
+    EXPECT_EQ(numberOf(player.newest(time_s)->pixelsBgr), 1000 % 45);
+    // Those read ahead before and after, and a few on the way; not the thousand between.
+    EXPECT_LT(prepared, 30);
+}
+
+TEST(VideoPlayer, NewestTakesUpAnEarlierTime) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 45);
+    auto player = opened(file);
+    ASSERT_EQ(player.waitFor(40 / kFps)->index, 40);
+    EXPECT_EQ(player.newest(38 / kFps)->index, 40) << "a small step back keeps the frame";
+    while (player.newest(5 / kFps)->index != 5) std::this_thread::yield();
+}
+
+TEST(VideoPlayer, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 20);
+    std::array<int, 4> preparedNumber{};
+    VideoOptions options;
+    options.prepare = [&](const VideoFrame& frame, int slot) {
+        preparedNumber.at(static_cast<size_t>(slot)) = numberOf(frame.pixelsBgr);
+    };
+    auto player = opened(file, std::move(options));
+    for (int i = 0; i < 60; ++i) {
+        const VideoFrame* frame = player.waitFor(i / kFps);
+        EXPECT_EQ(preparedNumber.at(static_cast<size_t>(player.slotOf(*frame))), i % 20);
+    }
+}
+
+TEST(VideoPlayer, NothingIsAllocatedPerFrameBySlots) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 20);
+    auto player = opened(file);
+    std::set<const uint8_t*> memory;
+    for (int i = 0; i < 60; ++i) memory.insert(player.waitFor(i / kFps)->pixelsBgr.pixels.data());
+    EXPECT_LE(memory.size(), 4u);
+}
+
+TEST(VideoPlayer, KeepsTheNativeRate) {
+    const TempFolder folder;
+    for (const double fps : {24.0, 50.0}) {
+        const Path file = folder / "rate.avi";
+        writeGreyVideo(file, 10, fps);
+        auto player = opened(file);
+        EXPECT_DOUBLE_EQ(player.info().fps, fps);
+        EXPECT_EQ(player.waitFor(7.5 / fps)->index, 7);
+    }
+}
+
+TEST(VideoPlayer, AnAbsurdRateBecomesThirty) {
+    const TempFolder folder;
+    const Path file = folder / "rate.avi";
+    writeGreyVideo(file, 10, 1000);
+    EXPECT_DOUBLE_EQ(opened(file).info().fps, kFallbackFps);
+}
+
+TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
+    const TempFolder folder;
+    const Path whole = folder / "whole.avi", cut = folder / "cut.avi";
+    writeGreyVideo(whole, 40);
+    const std::string bytes = readBytes(whole);
+    const size_t pictures = bytes.find("movi"), index1 = bytes.rfind("idx1");
+    writeBytes(cut, bytes.substr(0, (pictures + index1) / 2));
+    auto player = opened(cut);
+    const VideoFrame* last = player.waitFor(1e6);
+    const int64_t index = last->index;
+    EXPECT_NEAR(static_cast<double>(index), 19, 2); // all pictures take about the same room
+    EXPECT_EQ(numberOf(last->pixelsBgr), index);
+    const std::string sentence = player.status();
+    EXPECT_NE(sentence.find("the last good frame stays"), std::string::npos) << sentence;
+    EXPECT_EQ(player.status(), "");
+    EXPECT_EQ(player.waitFor(2e6)->index, index);
+    EXPECT_EQ(player.newest(3e6)->index, index);
+    EXPECT_EQ(numberOf(player.waitFor(2 / kFps)->pixelsBgr), 2) << "what is good can be shown again";
+    EXPECT_EQ(player.waitFor(2e6)->index, index);
+}
+
+TEST(VideoPlayer, EndsWhileBusy) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 40);
+    for (int i = 0; i < 20; ++i) {
+        auto player = opened(file);
+        player.newest(i);
+    }
+}
+
+TEST(VideoPlayer, RefusesWhatIsNoVideo) {
+    const TempFolder folder;
+    writeBytes(folder / "empty.mp4", "");
+    writeBytes(folder / "text.mp4", "#EXTM3U\nhttp://localhost/x.ts\n");
+    writeBytes(folder / "head.mp4", std::string("\0\0\0\x18"
+                                                "ftypisom\0\0\0\0isommp42",
+                                                24));
+    ASSERT_EQ(::mkfifo((folder / "pipe.mp4").c_str(), 0600), 0);
+    std::filesystem::create_directory(folder / "folder.mp4");
+    for (const char* name : {"empty.mp4", "text.mp4", "head.mp4", "pipe.mp4", "folder.mp4", "missing.mp4"}) {
+        const auto player = VideoPlayer::open(folder / name);
+        ASSERT_FALSE(player) << name;
+        EXPECT_NE(player.error().sentence().find(name), std::string::npos);
+        EXPECT_FALSE(player.error().reason.empty());
+    }
+}
+
+} // namespace
+} // namespace shoal::media
