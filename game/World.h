@@ -24,6 +24,7 @@ constexpr float kGripCloses = 0.55f;
 constexpr float kGripOpens = 0.35f;
 constexpr int kCloseWindow = 12;         // ticks after closing in which a fish still slips into the hand
 constexpr float kGraspRadius_m = 0.075f; // around hands::graspCentre
+constexpr int kHandDropTicks = 36;       // a hand untracked for longer: what it holds swims off
 constexpr float kHoldToCatch_s = 1;
 constexpr float kShowCatch_s = 0.2f; // from the catch until it is let go
 constexpr float kUncatchable_s = 2;
