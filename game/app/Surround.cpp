@@ -94,18 +94,18 @@ struct Surround::State {
         }
     }
 
-    Status openVideo(const Path& file, media::Layout wish, light::Quality quality);
+    Status openVideo(const Path& file, media::Layout wish, light::LightQuality quality);
     Status openPhoto(const Path& file, media::Layout wish);
     Status openEnv(const Path& file);
 };
 
-Status Surround::State::openVideo(const Path& file, media::Layout wish, light::Quality quality) {
+Status Surround::State::openVideo(const Path& file, media::Layout wish, light::LightQuality quality) {
     const auto info = media::inspectVideo(file, wish);
     if (!info) return info.error();
     setLayout(info->layout);
     const EyePart part = partOf(info->width, info->height, layout, 0);
-    const int most = quality == light::Quality::Still ? kStillLightWidth : kVideoLightWidth;
-    maker.emplace(part.width, most, quality);
+    const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
+    maker.emplace(light::LightOptions{most, quality});
     lights.resize(kSlots);
     auto opened = media::VideoPlayer::open(
         file, {.layout = layout,
@@ -125,7 +125,7 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     if (wish == media::Layout::Auto) wish = media::layoutFromContent(*picture);
     setLayout(wish);
     const EyePart part = partOf(picture->width, picture->height, layout, 0);
-    maker.emplace(part.width, kStillLightWidth, light::Quality::Still);
+    maker.emplace(light::LightOptions{kStillLightWidth, light::LightQuality::Still});
     lights.resize(1);
     const auto began = std::chrono::steady_clock::now();
     maker->make(viewOf(*picture, part, false), lights[0]);
@@ -138,11 +138,11 @@ Status Surround::State::openEnv(const Path& file) {
     auto picture = media::readHdr(file);
     if (!picture) return picture.error();
     hdr = true;
-    maker.emplace(picture->radianceLin.width, kStillLightWidth, light::Quality::Still);
+    maker.emplace(light::LightOptions{kStillLightWidth, light::LightQuality::Still});
     lights.resize(1);
     const auto began = std::chrono::steady_clock::now();
-    const size_t mended =
-        static_cast<size_t>(picture->repaired) + maker->make(picture->radianceLin, lights[0]);
+    const size_t mended = static_cast<size_t>(picture->repaired) +
+                          maker->makeFromHdr(picture->radianceLin, lights[0]).repairedTexels;
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
@@ -158,7 +158,7 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
     state->bothEyes = setup.bothEyes;
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
-    const light::Quality quality = setup.still ? light::Quality::Still : light::Quality::Video;
+    const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
     Status opened = !setup.options.photo.empty()   ? state->openPhoto(setup.options.photo, wish)
                     : !setup.options.env.empty()   ? state->openEnv(setup.options.env)
                     : !setup.options.video.empty() ? state->openVideo(setup.options.video, wish, quality)
