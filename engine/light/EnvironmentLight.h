@@ -18,8 +18,8 @@ struct RadiancePyramid {
 // the direction, with n = v = r (Karis 2013, "Real Shading in Unreal Engine 4", the split sum's first
 // factor).
 struct GlossyLevel {
-    float roughness = 0; // 0 is the mirror
-    ImageRgbF radianceLin;
+    float roughness = 0;   // 0 is the mirror
+    ImageRgbF radianceLin; // empty for the mirror, which is level 0 of the radiance pyramid
 };
 
 struct EnvironmentLight {
@@ -27,7 +27,7 @@ struct EnvironmentLight {
     // Radiance leaving a white matte surface by its normal: irradiance / pi. 64x32. A uniform surround of
     // radiance L gives L.
     ImageRgbF diffuse;
-    // Ascending roughness from 0 to 1; widths halve from level to level.
+    // Ascending roughness from 0 to 1; widths halve from level to level: the mip chain of one texture.
     std::vector<GlossyLevel> glossy;
 };
 

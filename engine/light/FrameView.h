@@ -1,0 +1,17 @@
+// A look at a decoded frame, or at one eye's rectangle of it: nothing is owned, nothing copied.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace shoal::light {
+
+// Lat-long, 8 bits a channel, display-coded, three bytes a pixel.
+struct FrameView {
+    const uint8_t* pixels = nullptr; // the top left pixel of the rectangle
+    int width = 0, height = 0;       // pixels
+    ptrdiff_t rowStride = 0;         // bytes from one row to the next
+    bool bgr = true;                 // byte order blue, green, red; else red, green, blue
+};
+
+} // namespace shoal::light

@@ -1,0 +1,44 @@
+// From display to light and back: the thesis' inverse tone mapping, its eq. 4.1 to 4.3, and its exact
+// inverse. Twin of shaders/light/ToneCurve.glsl.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::light {
+
+// Eq. 4.3. Of coded values: the curve was made for them as they come. It is linear, so it serves for light
+// too.
+inline float thesisLuminance(const glm::vec3& c) { return 0.30f * c.x + 0.59f * c.y + 0.11f * c.z; }
+
+// Eq. 4.1 and 4.2: white gives 11.8, black 0. colour: coded red, green, blue, 0 to 1.
+inline glm::vec3 radianceFromDisplay(const glm::vec3& colour) {
+    const float l = thesisLuminance(colour);
+    const float l2 = l * l;
+    const float l4 = l2 * l2;
+    return (10.0f * l4 * l4 * l2 + 1.8f) * colour;
+}
+
+// The inverse: a perfect mirror shows the video's own colours. radiance: not negative; the result is not
+// clamped.
+//
+// Colour and radiance share their hue, so with y the radiance's luminance one number is unknown: y = 10 L^11
+// + 1.8 L. That function is convex and rising and the start lies at or above its root, so Newton falls onto
+// the root from above; after six steps the error is below 1e-6 for y up to 1000 (the start is worst near y
+// = 3.3).
+inline glm::vec3 displayFromRadiance(const glm::vec3& radiance) {
+    const float y = thesisLuminance(radiance);
+    if (y <= 1e-6f) return radiance / 1.8f;
+    float l = std::min(y / 1.8f, std::pow(y * 0.1f, 1.0f / 11.0f));
+    for (int i = 0; i < 6; ++i) {
+        const float l2 = l * l;
+        const float l4 = l2 * l2;
+        const float l10 = l4 * l4 * l2;
+        l -= (10.0f * l10 * l + 1.8f * l - y) / (110.0f * l10 + 1.8f);
+    }
+    return radiance * (l / y);
+}
+
+} // namespace shoal::light

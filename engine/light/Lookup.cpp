@@ -1,0 +1,41 @@
+#include "engine/light/Lookup.h"
+
+#include "engine/light/GlossyPrefilter.h"
+#include "engine/math/LatLong.h"
+
+namespace shoal::light {
+
+glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
+    const glm::vec2 uv = latLongFromDirection(dir);
+    const float x = uv.x * static_cast<float>(map.width) - 0.5f;
+    const float y = uv.y * static_cast<float>(map.height) - 0.5f;
+    const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+    const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+    const auto texel = [&](int column, int row) {
+        const float* t =
+            map.at((column % map.width + map.width) % map.width, std::clamp(row, 0, map.height - 1));
+        return glm::vec3(t[0], t[1], t[2]);
+    };
+    const glm::vec3 top = texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx;
+    const glm::vec3 bottom = texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx;
+    return top * (1 - fy) + bottom * fy;
+}
+
+glm::vec3 lookUp(const RadiancePyramid& pyramid, const glm::vec3& dir, float lod) {
+    const float top = static_cast<float>(pyramid.levels.size() - 1);
+    const float level = std::clamp(lod, 0.0f, top);
+    const auto low = static_cast<size_t>(level);
+    const size_t high = std::min(low + 1, pyramid.levels.size() - 1);
+    const float f = level - static_cast<float>(low);
+    return lookUp(pyramid.levels[low], dir) * (1 - f) + lookUp(pyramid.levels[high], dir) * f;
+}
+
+glm::vec3 lookUpGlossy(const EnvironmentLight& light, const glm::vec3& dir, float roughness) {
+    const float lod = lodFromRoughness(light.glossy, roughness);
+    const auto low = static_cast<size_t>(lod);
+    const size_t high = std::min(low + 1, light.glossy.size() - 1);
+    const float f = lod - static_cast<float>(low);
+    return lookUp(glossyImage(light, low), dir) * (1 - f) + lookUp(glossyImage(light, high), dir) * f;
+}
+
+} // namespace shoal::light

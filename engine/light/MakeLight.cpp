@@ -1,0 +1,73 @@
+#include "engine/light/MakeLight.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+
+namespace shoal::light {
+
+namespace {
+
+// Milliseconds since it was made or last asked.
+class Stopwatch {
+  public:
+    float lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<float, std::milli> passed = now - begin_;
+        begin_ = now;
+        return passed.count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+void cutToHalf(ImageRgbF& image) {
+    for (float& value : image.pixels) value = std::min(value, kMaxHalf);
+}
+
+} // namespace
+
+LightMaker::LightMaker(LightOptions options) : options_(options) {}
+
+LightReport LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
+    LightReport report;
+    Stopwatch watch;
+    pyramid_.make(frame, options_.baseWidth, out.radiance);
+    report.pyramid_ms = watch.lap();
+    finish(out, report);
+    return report;
+}
+
+LightReport LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
+    LightReport report;
+    Stopwatch watch;
+    report.repairedTexels = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
+    report.pyramid_ms = watch.lap();
+    finish(out, report);
+    // Display-coded frames end at 11.8.
+    for (ImageRgbF& level : out.radiance.levels) cutToHalf(level);
+    for (GlossyLevel& level : out.glossy) cutToHalf(level.radianceLin);
+    cutToHalf(out.diffuse);
+    return report;
+}
+
+void LightMaker::finish(EnvironmentLight& out, LightReport& report) {
+    const int baseWidth = out.radiance.levels[0].width;
+    if (!glossy_ || glossy_->plans()[0].width != baseWidth) {
+        if (options_.quality == LightQuality::Video)
+            glossy_.emplace(videoLevels(baseWidth), GlossyPrefilter::Rules::Keep);
+        else
+            glossy_.emplace(stillLevels(baseWidth), GlossyPrefilter::Rules::MakeEachTime);
+    }
+    Stopwatch watch;
+    const auto level = std::find_if(out.radiance.levels.begin(), out.radiance.levels.end(),
+                                    [](const ImageRgbF& image) { return image.width == kDiffuseWidth; });
+    assert(level != out.radiance.levels.end());
+    diffuse_.make(*level, out.diffuse);
+    report.diffuse_ms = watch.lap();
+    glossy_->make(out.radiance, out.glossy);
+    report.glossy_ms = watch.lap();
+}
+
+} // namespace shoal::light

@@ -1,0 +1,198 @@
+#include "engine/light/Pyramid.h"
+
+#include "engine/light/Vectorise.h"
+#include "engine/math/LatLong.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace shoal::light {
+
+namespace {
+
+// One row of coded bytes to linear planes; the arithmetic of radianceFromDisplay().
+SHOAL_VECTORISE
+void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
+               float* __restrict green, float* __restrict blue) {
+    const int blueAt = 2 - redAt;
+    for (int x = 0; x < width; ++x) {
+        red[x] = static_cast<float>(bytes[3 * x + redAt]);
+        green[x] = static_cast<float>(bytes[3 * x + 1]);
+        blue[x] = static_cast<float>(bytes[3 * x + blueAt]);
+    }
+    constexpr float kUnit = 1.0f / 255.0f;
+    for (int x = 0; x < width; ++x) {
+        const float r = red[x] * kUnit, g = green[x] * kUnit, b = blue[x] * kUnit;
+        const float l = 0.30f * r + 0.59f * g + 0.11f * b;
+        const float l2 = l * l;
+        const float l4 = l2 * l2;
+        const float scale = 10.0f * l4 * l4 * l2 + 1.8f;
+        red[x] = scale * r;
+        green[x] = scale * g;
+        blue[x] = scale * b;
+    }
+}
+
+// Pairs of columns to their mean, planes to interleaved.
+SHOAL_VECTORISE
+void narrowByTwo(const float* __restrict red, const float* __restrict green, const float* __restrict blue,
+                 int width, float* __restrict out) {
+    for (int x = 0; x < width; ++x) {
+        out[3 * x] = 0.5f * (red[2 * x] + red[2 * x + 1]);
+        out[3 * x + 1] = 0.5f * (green[2 * x] + green[2 * x + 1]);
+        out[3 * x + 2] = 0.5f * (blue[2 * x] + blue[2 * x + 1]);
+    }
+}
+
+SHOAL_VECTORISE
+void addScaled(const float* __restrict in, float weight, int count, float* __restrict out) {
+    for (int i = 0; i < count; ++i) out[i] += weight * in[i];
+}
+
+SHOAL_VECTORISE
+void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
+              float bottomWeight, int width, float* __restrict out) {
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c)
+            out[3 * x + c] = topWeight * (top[6 * x + c] + top[6 * x + 3 + c]) +
+                             bottomWeight * (bottom[6 * x + c] + bottom[6 * x + 3 + c]);
+}
+
+void fit(ImageRgbF& image, int width, int height) {
+    if (image.width != width || image.height != height) image = ImageRgbF(width, height);
+}
+
+// Half of the sphere's height lies between the two: sine of the latitude of a row's edge, row counted from
+// the top.
+double edgeSine(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
+
+// Returns whether the value had to change.
+bool repair(float& value) {
+    if (value >= 0 && value <= kMaxRadianceIn) return false;
+    value = std::isinf(value) && value > 0 ? kMaxHalf : value > 0 ? kMaxRadianceIn : 0.0f;
+    return true;
+}
+
+} // namespace
+
+int baseWidthFor(int sourceWidth, int askedWidth) {
+    const int most = std::max({1, std::min(sourceWidth, askedWidth), kMinBaseWidth});
+    return static_cast<int>(std::bit_floor(static_cast<unsigned>(most)));
+}
+
+void halve(const ImageRgbF& in, ImageRgbF& out) {
+    assert(in.width >= 4 && in.height >= 2);
+    fit(out, in.width / 2, in.height / 2);
+    for (int y = 0; y < out.height; ++y) {
+        const double top = texelSolidAngle(2 * y, in.width, in.height);
+        const double bottom = texelSolidAngle(2 * y + 1, in.width, in.height);
+        halveRow(in.at(0, 2 * y), in.at(0, 2 * y + 1), static_cast<float>(0.5 * top / (top + bottom)),
+                 static_cast<float>(0.5 * bottom / (top + bottom)), out.width, out.at(0, y));
+    }
+}
+
+void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out) {
+    assert(sourceWidth > 0 && sourceHeight > 0);
+    const int width = baseWidthFor(sourceWidth, askedWidth), height = width / 2;
+    const auto levelCount = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
+    out.levels.resize(levelCount);
+    for (size_t k = 0; k < levelCount; ++k) fit(out.levels[k], width >> k, height >> k);
+    if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
+    sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
+
+    // Shares in whole numbers, so that no texel is left over or counted twice: edges of source rows are
+    // multiples of `height`, edges of target rows multiples of sourceHeight, in a map of height *
+    // sourceHeight rows.
+    rows_.clear();
+    for (int from = 0; from < sourceHeight; ++from) {
+        const int64_t begin = int64_t{from} * height, end = begin + height;
+        for (int64_t at = begin; at < end;) {
+            const int64_t to = at / sourceHeight;
+            const int64_t next = std::min(end, (to + 1) * sourceHeight);
+            const double part = edgeSine(static_cast<double>(at) / sourceHeight, height) -
+                                edgeSine(static_cast<double>(next) / sourceHeight, height);
+            const double whole =
+                edgeSine(static_cast<double>(to), height) - edgeSine(static_cast<double>(to + 1), height);
+            rows_.push_back({from, static_cast<int>(to), static_cast<float>(part / whole)});
+            at = next;
+        }
+    }
+    assert(rows_.back().to == height - 1);
+
+    columns_.clear();
+    columnWeights_.clear();
+    for (int to = 0; to < width; ++to) {
+        const int64_t begin = int64_t{to} * sourceWidth, end = begin + sourceWidth;
+        ColumnSpan span{static_cast<int>(begin / width), 0, columnWeights_.size()};
+        for (int64_t at = begin; at < end; ++span.count) {
+            const int64_t next = std::min(end, (at / width + 1) * width);
+            columnWeights_.push_back(static_cast<float>(static_cast<double>(next - at) / sourceWidth));
+            at = next;
+        }
+        columns_.push_back(span);
+    }
+    for (auto* plane : {&red_, &green_, &blue_}) plane->resize(static_cast<size_t>(sourceWidth));
+    narrow_.resize(static_cast<size_t>(width) * 3);
+}
+
+void PyramidMaker::narrowRow() {
+    if (sourceWidth_ == 2 * baseWidth_) {
+        narrowByTwo(red_.data(), green_.data(), blue_.data(), baseWidth_, narrow_.data());
+        return;
+    }
+    float* out = narrow_.data();
+    for (const ColumnSpan& span : columns_) {
+        float r = 0, g = 0, b = 0;
+        for (int i = 0; i < span.count; ++i) {
+            const float weight = columnWeights_[span.weights + static_cast<size_t>(i)];
+            const auto at = static_cast<size_t>(span.first + i);
+            r += weight * red_[at];
+            g += weight * green_[at];
+            b += weight * blue_[at];
+        }
+        *out++ = r;
+        *out++ = g;
+        *out++ = b;
+    }
+}
+
+void PyramidMaker::addRow(size_t share, ImageRgbF& base) {
+    const RowShare& row = rows_[share];
+    addScaled(narrow_.data(), row.weight, base.width * 3, base.at(0, row.to));
+}
+
+void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
+    prepare(frame.width, frame.height, askedWidth, out);
+    ImageRgbF& base = out.levels[0];
+    std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
+    size_t share = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
+                  green_.data(), blue_.data());
+        narrowRow();
+        for (; share < rows_.size() && rows_[share].from == y; ++share) addRow(share, base);
+    }
+    for (size_t k = 1; k < out.levels.size(); ++k) halve(out.levels[k - 1], out.levels[k]);
+}
+
+size_t PyramidMaker::make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out) {
+    prepare(radianceLin.width, radianceLin.height, askedWidth, out);
+    ImageRgbF& base = out.levels[0];
+    std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
+    size_t share = 0, repaired = 0;
+    for (int y = 0; y < radianceLin.height; ++y) {
+        const float* in = radianceLin.at(0, y);
+        for (size_t x = 0; x < static_cast<size_t>(radianceLin.width); ++x, in += 3) {
+            red_[x] = in[0], green_[x] = in[1], blue_[x] = in[2];
+            const bool r = repair(red_[x]), g = repair(green_[x]), b = repair(blue_[x]);
+            repaired += r || g || b;
+        }
+        narrowRow();
+        for (; share < rows_.size() && rows_[share].from == y; ++share) addRow(share, base);
+    }
+    for (size_t k = 1; k < out.levels.size(); ++k) halve(out.levels[k - 1], out.levels[k]);
+    return repaired;
+}
+
+} // namespace shoal::light

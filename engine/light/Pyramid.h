@@ -1,0 +1,65 @@
+// The radiance pyramid of a frame: inverse tone mapping, resampling and halving, all weighed by exact solid
+// angles.
+#pragma once
+
+#include "engine/light/EnvironmentLight.h"
+#include "engine/light/FrameView.h"
+
+#include <vector>
+
+namespace shoal::light {
+
+// Input above this is cut to it; NaN and negative values become 0. Large enough for any sun as a texel of a
+// map holds it, small enough that no sum of products overflows.
+constexpr float kMaxRadianceIn = 1048576.0f; // 2^20
+
+// The largest half float. Infinities come from pictures whose sun was stored as half floats: they become
+// this.
+constexpr float kMaxHalf = 65504.0f;
+
+constexpr int kMinBaseWidth = 256; // smaller sources are enlarged, so that every step has its levels
+
+// Width of level 0 for a source: the largest power of two not above sourceWidth and askedWidth, at least
+// kMinBaseWidth.
+int baseWidthFor(int sourceWidth, int askedWidth);
+
+// Half the size; each texel is the mean of four weighed by their solid angles. in: width = 2 height, a power
+// of two >= 4.
+void halve(const ImageRgbF& in, ImageRgbF& out);
+
+// Makes pyramids; keeps its tables and rows between calls, so nothing is allocated while sizes stay. One
+// thread at a time.
+class PyramidMaker {
+  public:
+    // Inverse tone mapping (InverseToneMap.h) happens before any averaging. Any width and height: the source
+    // is taken as the whole sphere.
+    void make(const FrameView& frame, int askedWidth, RadiancePyramid& out);
+
+    // Linear radiance in. Returns how many texels had to be repaired.
+    size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
+
+  private:
+    // Source row `from` gives the part `weight` of target row `to`.
+    struct RowShare {
+        int from = 0, to = 0;
+        float weight = 0;
+    };
+    // Source columns first .. first + count - 1 make one target column.
+    struct ColumnSpan {
+        int first = 0, count = 0;
+        size_t weights = 0; // index of the first of `count`
+    };
+
+    void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
+    void addRow(size_t share, ImageRgbF& base);
+    void narrowRow();
+
+    int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;
+    std::vector<RowShare> rows_; // ascending by `from`
+    std::vector<ColumnSpan> columns_;
+    std::vector<float> columnWeights_;
+    std::vector<float> red_, green_, blue_; // one source row, linear
+    std::vector<float> narrow_;             // the same at the base's width, interleaved
+};
+
+} // namespace shoal::light

@@ -1,0 +1,112 @@
+#include "engine/math/Brdf.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::math {
+
+using std::numbers::pi;
+
+double ggxD(double nh, double alpha) {
+    const double alpha2 = alpha * alpha;
+    const double q = nh * nh * (alpha2 - 1.0) + 1.0;
+    return alpha2 / (pi * q * q);
+}
+
+double smithV(double nl, double nv, double alpha) {
+    if (nl <= 0 || nv <= 0) return 0;
+    const double alpha2 = alpha * alpha;
+    const double lightTerm = nv * std::sqrt(nl * nl * (1.0 - alpha2) + alpha2);
+    const double viewTerm = nl * std::sqrt(nv * nv * (1.0 - alpha2) + alpha2);
+    return 0.5 / (lightTerm + viewTerm);
+}
+
+double schlick(double f0, double vh) { return f0 + (1.0 - f0) * std::pow(1.0 - vh, 5.0); }
+
+double ggxMirrorLobe(double cosine, double alpha) {
+    if (cosine <= 0) return 0;
+    // nh^2 = cos^2(angle / 2) = (1 + cosine) / 2, put so that nothing cancels at the peak of a narrow lobe.
+    const double alpha2 = alpha * alpha;
+    const double q = (1.0 - cosine) * 0.5 + alpha2 * (1.0 + cosine) * 0.5;
+    return alpha2 / (pi * q * q) * cosine;
+}
+
+double phongLobe(double cosine, double exponent) {
+    return cosine <= 0 ? 0 : (exponent + 1.0) / (2.0 * pi) * std::pow(cosine, exponent);
+}
+
+double phongExponentFromRoughness(double roughness) {
+    const double alpha = std::max(alphaFromRoughness(roughness), 1e-4);
+    return 0.5 / (alpha * alpha) + 0.5;
+}
+
+// With normals drawn as they are seen from v, the estimator of the albedo is F G2 / G1 (Heitz 2018, "Sampling
+// the GGX Distribution of Visible Normals", eq. 19). The normals come from a uniform spherical cap around the
+// stretched view: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
+Dfg dfg(double nv, double roughness, int samples) {
+    assert(nv > 0 && nv <= 1 && samples > 0);
+    const double alpha = std::max(alphaFromRoughness(roughness), 1e-4);
+    const double sinV = std::sqrt(std::max(0.0, 1.0 - nv * nv));
+    const double stretched = std::sqrt(alpha * alpha * sinV * sinV + nv * nv);
+    const double wx = alpha * sinV / stretched, wz = nv / stretched;
+    const auto lambda = [&](double c) {
+        return 0.5 * (std::sqrt(1.0 + alpha * alpha * (1.0 / (c * c) - 1.0)) - 1.0);
+    };
+    const double lambdaV = lambda(nv);
+
+    Dfg sum;
+    for (int j = 0; j < samples; ++j) {
+        // Midpoints of s in share = s^2: what masking and the horizon take lies in the lobe's thin tail, near
+        // share 0.
+        const double s = (j + 0.5) / samples;
+        const double cz = s * s * (1.0 + wz) - wz, part = 2.0 * s;
+        const double cr = std::sqrt(std::max(0.0, 1.0 - cz * cz));
+        for (int i = 0; i < samples; ++i) {
+            const double phi = pi * (i + 0.5) / samples; // the other half mirrors this one
+            double hx = alpha * (cr * std::cos(phi) + wx), hy = alpha * cr * std::sin(phi), hz = cz + wz;
+            const double length = std::sqrt(hx * hx + hy * hy + hz * hz);
+            hx /= length, hz /= length;
+            const double vh = sinV * hx + nv * hz;
+            const double nl = 2.0 * vh * hz - nv;
+            if (nl <= 0 || vh <= 0) continue;
+            const double visible = part * (1.0 + lambdaV) / (1.0 + lambdaV + lambda(std::min(nl, 1.0)));
+            const double fresnel = std::pow(1.0 - std::min(vh, 1.0), 5.0);
+            sum.scale += (1.0 - fresnel) * visible;
+            sum.bias += fresnel * visible;
+        }
+    }
+    const double count = static_cast<double>(samples) * samples;
+    return {sum.scale / count, sum.bias / count};
+}
+
+double directionalAlbedo(double nv, double roughness, double f0) {
+    const Dfg factor = dfg(nv, roughness);
+    return f0 * factor.scale + factor.bias;
+}
+
+double averageAlbedo(double roughness) {
+    constexpr int kSteps = 64;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double nv = (i + 0.5) / kSteps;
+        sum += directionalAlbedo(nv, roughness, 1.0) * 2.0 * nv / kSteps;
+    }
+    return sum;
+}
+
+DfgTable makeDfgTable(int size) {
+    assert(size > 0);
+    DfgTable table{size, {}};
+    table.scaleBias.reserve(static_cast<size_t>(size) * size * 2);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const Dfg factor = dfg((x + 0.5) / size, (y + 0.5) / size);
+            table.scaleBias.push_back(static_cast<float>(factor.scale));
+            table.scaleBias.push_back(static_cast<float>(factor.bias));
+        }
+    return table;
+}
+
+} // namespace shoal::math

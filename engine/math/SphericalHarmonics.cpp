@@ -1,0 +1,84 @@
+#include "engine/math/SphericalHarmonics.h"
+
+#include "engine/math/LatLong.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::math {
+
+using std::numbers::pi;
+
+const std::array<double, kShBands> kShCosine = {pi, 2 * pi / 3, pi / 4, 0, -pi / 24};
+
+// Cartesian forms, e.g. Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks", appendix A2.
+ShBasis shBasis(const glm::dvec3& dir) {
+    const double x = dir.x, y = dir.y, z = dir.z;
+    const double x2 = x * x, y2 = y * y, z2 = z * z;
+    const auto k = [](double square) { return std::sqrt(square / pi); };
+    static const double k00 = k(1.0 / 4), k1 = k(3.0 / 4), k2 = k(15.0 / 4), k20 = k(5.0 / 16),
+                        k22 = k(15.0 / 16);
+    static const double k33 = k(35.0 / 32), k32 = k(105.0 / 4), k31 = k(21.0 / 32), k30 = k(7.0 / 16);
+    static const double k322 = k(105.0 / 16), k44 = k(315.0 / 16), k43 = k(315.0 / 32), k42 = k(45.0 / 16);
+    static const double k41 = k(45.0 / 32), k40 = k(9.0 / 256), k422 = k(45.0 / 64), k444 = k(315.0 / 256);
+    return {
+        k00,
+        k1 * y,
+        k1 * z,
+        k1 * x,
+        k2 * x * y,
+        k2 * y * z,
+        k20 * (3 * z2 - 1),
+        k2 * x * z,
+        k22 * (x2 - y2),
+        k33 * y * (3 * x2 - y2),
+        k32 * x * y * z,
+        k31 * y * (5 * z2 - 1),
+        k30 * z * (5 * z2 - 3),
+        k31 * x * (5 * z2 - 1),
+        k322 * z * (x2 - y2),
+        k33 * x * (x2 - 3 * y2),
+        k44 * x * y * (x2 - y2),
+        k43 * y * z * (3 * x2 - y2),
+        k42 * x * y * (7 * z2 - 1),
+        k41 * y * z * (7 * z2 - 3),
+        k40 * (35 * z2 * z2 - 30 * z2 + 3),
+        k41 * x * z * (7 * z2 - 3),
+        k422 * (x2 - y2) * (7 * z2 - 1),
+        k43 * x * z * (x2 - 3 * y2),
+        k444 * (x2 * x2 - 6 * x2 * y2 + y2 * y2),
+    };
+}
+
+ShRgb shProject(const ImageRgbF& radianceLin) {
+    ShRgb result{};
+    for (int row = 0; row < radianceLin.height; ++row) {
+        const double solidAngle = texelSolidAngle(row, radianceLin.width, radianceLin.height);
+        for (int column = 0; column < radianceLin.width; ++column) {
+            const glm::dvec2 uv((column + 0.5) / radianceLin.width, (row + 0.5) / radianceLin.height);
+            const ShBasis basis = shBasis(directionFromLatLong(uv));
+            const float* texel = radianceLin.at(column, row);
+            const glm::dvec3 power = glm::dvec3(texel[0], texel[1], texel[2]) * solidAngle;
+            for (size_t i = 0; i < basis.size(); ++i) result[i] += power * basis[i];
+        }
+    }
+    return result;
+}
+
+glm::dvec3 shEvaluate(const ShRgb& coefficients, const glm::dvec3& dir, int bands) {
+    assert(bands >= 1 && bands <= kShBands);
+    const ShBasis basis = shBasis(dir);
+    glm::dvec3 sum(0);
+    for (size_t i = 0; i < static_cast<size_t>(bands) * bands; ++i) sum += coefficients[i] * basis[i];
+    return sum;
+}
+
+glm::dvec3 shDiffuseRadiance(const ShRgb& radiance, const glm::dvec3& normal, int bands) {
+    ShRgb diffuse = radiance;
+    for (size_t l = 0; l < kShBands; ++l)
+        for (size_t i = l * l; i < (l + 1) * (l + 1); ++i) diffuse[i] *= kShCosine[l] / pi;
+    return shEvaluate(diffuse, normal, bands);
+}
+
+} // namespace shoal::math

@@ -1,0 +1,40 @@
+// Real, orthonormal spherical harmonics to band 4 on the env frame's x, y, z, and what a matte surface makes
+// of them.
+#pragma once
+
+#include "engine/core/Image.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+
+namespace shoal::math {
+
+constexpr int kShBands = 5; // l = 0 .. 4
+constexpr int kShCount = kShBands * kShBands;
+
+// Index of Y_lm: l (l + 1) + m.
+using ShBasis = std::array<double, kShCount>;
+using ShRgb = std::array<glm::dvec3, kShCount>;
+
+// All Y_lm in one direction (unit length, z the polar axis of the harmonics). Signs as in Ramamoorthi and
+// Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", eq. 3: without the
+// Condon-Shortley phase.
+ShBasis shBasis(const glm::dvec3& dir);
+
+// Integral of radiance times Y_lm over the sphere (their eq. 2); texels taken at their centres, with exact
+// solid angles.
+ShRgb shProject(const ImageRgbF& radianceLin);
+
+// Sum of coefficients times Y_lm; bands: how many to use, 1 to kShBands.
+glm::dvec3 shEvaluate(const ShRgb& coefficients, const glm::dvec3& dir, int bands = kShBands);
+
+// Factors A_l which turn radiance into irradiance, band by band: pi, 2 pi / 3, pi / 4, 0, -pi / 24 (their eq.
+// 8 and 9).
+extern const std::array<double, kShBands> kShCosine;
+
+// Radiance leaving a white matte surface by its normal: irradiance / pi. bands = 3 is the paper's nine
+// coefficients.
+glm::dvec3 shDiffuseRadiance(const ShRgb& radiance, const glm::dvec3& normal, int bands = 3);
+
+} // namespace shoal::math
