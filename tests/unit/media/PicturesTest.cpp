@@ -114,6 +114,28 @@ TEST(Pictures, SizeIsCheckedBeforeDecoding) {
     EXPECT_NE(bomb.error().reason.find("2147483647x2147483647"), std::string::npos) << bomb.error().reason;
 }
 
+// Found before the decoders are asked, so that they have nothing to complain about on standard error.
+TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
+    const TempFolder folder;
+    cv::Mat picture(32, 64, CV_8UC3);
+    cv::randu(picture, 0, 256);
+    for (const char* name : {"a.png", "a.jpg"}) {
+        cv::imwrite((folder / name).string(), picture);
+        const std::string good = readBytes(folder / name);
+        writeBytes(folder / name, good.substr(0, good.size() / 2));
+        const auto cut = readPicture(folder / name);
+        ASSERT_FALSE(cut) << name;
+        EXPECT_EQ(cut.error().reason, "is cut short");
+    }
+    cv::imwrite((folder / "a.png").string(), picture);
+    std::string bytes = readBytes(folder / "a.png");
+    bytes[bytes.size() / 2] ^= 1;
+    writeBytes(folder / "a.png", bytes);
+    const auto altered = readPicture(folder / "a.png");
+    ASSERT_FALSE(altered);
+    EXPECT_NE(altered.error().reason.find("checksum"), std::string::npos);
+}
+
 TEST(Pictures, WhatIsNoPictureIsRefusedByName) {
     const TempFolder folder;
     writeBytes(folder / "text.png", "this is no picture");
@@ -158,6 +180,32 @@ TEST(HdrPictures, RadianceKeepsEachPixelWithinItsSharedExponent) {
             const float bound = std::max({wanted[0], wanted[1], wanted[2]}) / 128;
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], wanted[c], bound) << x << ' ' << y << ' ' << c;
         }
+}
+
+// Header and pixels by hand: (128, 64, 0) * 2^(129 - 136) = (1, 0.5, 0).
+TEST(HdrPictures, RadianceFlatAndBothRunLengthCodes) {
+    const TempFolder folder;
+    const auto picture = [&](int width, const std::string& pixels) {
+        writeBytes(folder / "a.hdr",
+                   "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X " + std::to_string(width) + "\n" + pixels);
+        const auto read = readHdr(folder / "a.hdr");
+        return read ? read->radianceLin.pixels : std::vector<float>{};
+    };
+    const std::string pixel("\x80\x40\x00\x81", 4), black("\x80\x40\x00\x00", 4);
+    EXPECT_EQ(picture(2, pixel + black), (std::vector<float>{1, 0.5f, 0, 0, 0, 0}));
+    // The old code: repeat the pixel before twice.
+    EXPECT_EQ(picture(3, pixel + std::string("\1\1\1\2", 4)),
+              (std::vector<float>{1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0}));
+    // The new one, 8 pixels: red as a run, green as copies, blue and exponent as runs.
+    const std::string line = std::string("\2\2\0\x08", 4) + "\x88\x80" + "\x08" + "@@@@@@@@" +
+                             std::string("\x88\0", 2) + "\x88\x81";
+    std::vector<float> eight;
+    for (int i = 0; i < 8; ++i) eight.insert(eight.end(), {1, 0.5f, 0});
+    EXPECT_EQ(picture(8, line), eight);
+    // A run over the line's end, a repeat without a pixel, too few bytes.
+    EXPECT_TRUE(picture(8, std::string("\2\2\0\x08", 4) + "\x89\x80" + std::string(20, 'x')).empty());
+    EXPECT_TRUE(picture(2, std::string("\1\1\1\1", 4) + pixel).empty());
+    EXPECT_TRUE(picture(8, line.substr(0, line.size() - 1)).empty());
 }
 
 TEST(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {

@@ -9,9 +9,10 @@
 namespace shoal::media {
 namespace {
 
+// Big endian; zeros before eight bytes.
 std::string be(uint64_t value, int bytes) {
     std::string text;
-    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(value >> (8 * i) & 0xff);
+    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(i < 8 ? value >> (8 * i) & 0xff : 0);
     return text;
 }
 
