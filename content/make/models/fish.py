@@ -381,7 +381,13 @@ class Rig:
         return w
 
     def bind(self, part):
-        part.joints, part.weights = strongest_four(self.weights(part.positions))
+        """part.jaw, if there: how much each vertex follows the jaw instead, 0..1."""
+        w = self.weights(part.positions)
+        jaw = getattr(part, 'jaw', None)
+        if jaw is not None:
+            w *= 1 - jaw[:, None]
+            w[:, self.names.index('jaw')] = jaw
+        part.joints, part.weights = strongest_four(w)
         return part
 
     def bind_fin(self, part, joint):
@@ -489,7 +495,9 @@ class Animal:
     fin_size: int = 512
     fin_rough: float = 0.45
     extra_joints: list = field(default_factory=list)
-    extra_parts: list = field(default_factory=list)  # (parts, material maker)
+    extra_parts: list = field(default_factory=list)  # (part, dict of Glb.material's arguments)
+    thick_fins: bool = False  # opaque foils, as sharks have, instead of translucent sheets
+    eye_picture: np.ndarray = None
 
     def write(self, path):
         glb = Glb()
@@ -508,29 +516,34 @@ class Animal:
                                      glb.texture(paint.jpeg(self.normal, 93)),
                                      glb.texture(paint.jpeg(paint.shrink(self.metal_rough, 2), 90)))
         picture, relief = atlas(self.fins, self.fin_size)
-        fin_material = glb.material('fins', glb.texture(paint.png(picture)),
-                                    glb.texture(paint.jpeg(paint.shrink(relief, 1), 90)),
-                                    rough=self.fin_rough, metal=0.0, blend=True, double=True)
+        encoded = paint.jpeg(picture[..., :3], 92) if self.thick_fins else paint.png(picture)
+        fin_material = glb.material('fins', glb.texture(encoded), glb.texture(paint.jpeg(relief, 90)),
+                                    rough=self.fin_rough, metal=0.0, blend=not self.thick_fins,
+                                    double=not self.thick_fins)
         s, h, r, iris, ring = self.eye
-        eye_material = glb.material('eyes', glb.texture(paint.jpeg(eye_picture(iris, ring), 95)), rough=0.1,
-                                    metal=0.0)
+        look = eye_picture(iris, ring) if self.eye_picture is None else self.eye_picture
+        eye_material = glb.material('eyes', glb.texture(paint.jpeg(look, 95)), rough=0.1, metal=0.0)
 
         skin = rig.bind(body.part(self.rings, self.around))
         centre, outward = body.on_side(s, h)
-        outward = unit(outward + [0.25, 0.0, 0.12])
+        outward = unit(outward + [0.25, 0.0, 0.12])  # eyes look a little more sideways and ahead than the skin
         left = eye_part(centre - outward * 0.18 * r * body.length, outward, r * body.length)
         eyes = rig.bind(join([left, mirrored(left)]))
         eyes.joints[:], eyes.weights[:] = 0, [1, 0, 0, 0]
         sheets = join([rig.bind_fin(p, f.joint) for f in self.fins for p in f.parts()])
 
         nodes, skin_index = rig.add_nodes(glb)
-        mesh = glb.mesh(self.name, [glb.primitive(skin, skin_material), glb.primitive(eyes, eye_material, False),
-                                    glb.primitive(sheets, fin_material)])
+        primitives = [glb.primitive(skin, skin_material), glb.primitive(eyes, eye_material, False)]
+        extras = [rig.bind(part) for part, _ in self.extra_parts]
+        primitives += [glb.primitive(part, glb.material(**look), False)
+                       for part, (_, look) in zip(extras, self.extra_parts)]
+        primitives.append(glb.primitive(sheets, fin_material))
+        mesh = glb.mesh(self.name, primitives)
         glb.node(self.name, mesh=mesh, skin=skin_index)
         for clip in self.clips:
             add_clip(glb, rig, nodes, **clip)
         size = glb.save(path)
-        return size, sum(len(p.triangles) for p in (skin, eyes, sheets))
+        return size, sum(len(p.triangles) for p in (skin, eyes, sheets, *extras))
 
 
 def with_mirror(fin):

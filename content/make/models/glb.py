@@ -74,7 +74,8 @@ class Glb:
                       'NORMAL': self.accessor(part.normals, target=vertex)}
         if tangents:
             attributes['TANGENT'] = self.accessor(part.tangents, target=vertex)
-        attributes['TEXCOORD_0'] = self.accessor(part.uvs, target=vertex)
+        if part.uvs is not None:
+            attributes['TEXCOORD_0'] = self.accessor(part.uvs, target=vertex)
         if part.colours is not None:
             attributes['COLOR_0'] = self.accessor(part.colours, target=vertex)
         attributes['JOINTS_0'] = self.accessor(part.joints, 'u1', vertex)

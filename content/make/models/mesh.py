@@ -12,7 +12,7 @@ class Part:
     positions: np.ndarray                    # n x 3, metres
     normals: np.ndarray                      # n x 3
     tangents: np.ndarray                     # n x 4
-    uvs: np.ndarray                          # n x 2
+    uvs: Optional[np.ndarray]                # n x 2
     triangles: np.ndarray                    # m x 3
     joints: Optional[np.ndarray] = None      # n x 4
     weights: Optional[np.ndarray] = None     # n x 4

@@ -1,0 +1,320 @@
+"""Grey reef shark, Carcharhinus amblyrhynchos: grey-bronze above, white below, a jaw that opens, teeth."""
+
+import numpy as np
+
+import paint
+from fish import (Animal, Body, facing, median_fin, mirrored, paired_fin, tail_fin, wave, with_mirror)
+from mesh import Curve, Part, grid_triangles, join, quaternion, tangent_frame, unit, without_slivers
+from paint import bump, line, mix, rgb, step
+from skin import Skin
+
+LENGTH, END = 1.8, 0.775
+EYE = (0.088, 0.002, 0.0078)
+MOUTH_FRONT, MOUTH_CORNER, CORNER_V = 0.066, 0.118, 0.70
+HINGE = (0.128, -0.018)  # s, h
+MOUTH_RING = 15
+
+
+def displace(s, h, v):
+    brow = 0.003 * bump(s - EYE[0], 0.03) * bump(v - 0.40, 0.08)
+    gills = 0.002 * bump(s - 0.215, 0.05) * bump(v - 0.58, 0.18)
+    return brow + gills
+
+
+def mouth_s(v):
+    """Where the mouth lies, s of V; beyond the corner it runs on as a plain ring."""
+    t = np.clip((1 - v) / (1 - CORNER_V), 0, 1)
+    return MOUTH_FRONT + (MOUTH_CORNER - MOUTH_FRONT) * t ** 1.7
+
+
+class SharkBody(Body):
+    def grid(self, rings, around):
+        """U and V of the left side's vertices; the ring MOUTH_RING bends along the mouth, those near it follow."""
+        ring_u = np.linspace(0, 1, rings)
+        # a mouth corner ring among the evenly spaced ones
+        base = self.u_of(MOUTH_CORNER)
+        head = np.linspace(0, 1, MOUTH_RING + 1) * base
+        rest = base + (1 - base) * np.linspace(0, 1, rings - MOUTH_RING)[1:]
+        ring_u = np.concatenate([head, rest])
+        v = np.linspace(0, 1, around)
+        k = np.argmin(np.abs(v - CORNER_V))
+        v = v + (CORNER_V - v[k]) * bump(v - v[k], 0.1)
+        target = self.u_of(mouth_s(v))
+        j = np.arange(rings)[:, None]
+        ahead = ring_u[:, None] * (target / base)[None]
+        fade = step(18, 0, j - MOUTH_RING)
+        behind = ring_u[:, None] + (target - base)[None] * fade
+        u = np.where(j <= MOUTH_RING, ahead, behind)
+        return u, np.broadcast_to(v, u.shape), int(k)
+
+    def jaw(self, s, v):
+        """How much skin behind the mouth follows the jaw."""
+        return step(CORNER_V, CORNER_V + 0.10, v) * step(HINGE[0] + 0.055, HINGE[0] - 0.01, s)
+
+    def part(self, rings, around):
+        u, v, corner = self.grid(rings, around)
+        du, dv = self.derivatives(u, v)
+        n = -np.cross(du, dv)
+        n[:, [0, -1], 0] = 0
+        n = unit(n)
+        n[0] = unit(np.mean(n[1], 0) * [0, 1, 1])
+        p, t = self.point(u, v), tangent_frame(n, du, -dv)
+        jaw = np.where(np.arange(rings)[:, None] > MOUTH_RING, self.jaw(self.s_of(u), v), 0.0)
+        triangles = grid_triangles(rings, around)
+        # the lower lip: the mouth ring once more, for the rows behind it
+        lower = np.arange(corner + 1, around)
+        new = rings * around + np.arange(len(lower))
+        rename = np.arange(rings * around + len(lower))
+        rename[MOUTH_RING * around + lower] = new
+        behind = triangles.max(1) >= (MOUTH_RING + 1) * around
+        triangles = np.where(behind[:, None], rename[triangles], triangles)
+
+        def doubled(a):
+            return np.concatenate([a.reshape(rings * around, -1), a[MOUTH_RING, lower].reshape(len(lower), -1)])
+        uv = doubled(np.stack([u, v], -1))
+        left = Part(doubled(p), doubled(n), doubled(t), uv, triangles)
+        left = facing(without_slivers(left))
+        jaw = np.concatenate([jaw.reshape(-1), self.jaw(self.s_of(uv[new, 0]), uv[new, 1])])
+        whole = join([left, mirrored(left)])
+        whole.jaw = np.concatenate([jaw, jaw])
+        return whole
+
+    def lips(self, count):
+        """Points along the mouth from the left corner over the front to the right one, and their jaw weights."""
+        v = np.concatenate([np.linspace(CORNER_V, 1, count), np.linspace(1, CORNER_V, count)[1:]])
+        side = np.concatenate([np.ones(count), -np.ones(count - 1)])
+        u = self.u_of(mouth_s(v))
+        p = self.point(u, v)
+        p[:, 0] *= side
+        return p, self.jaw(mouth_s(v), v)
+
+
+def mouth_inside(body):
+    """A pouch behind the lips: palate, floor and throat."""
+    lip, jaw = body.lips(13)
+    throat = np.array([0, HINGE[1] * LENGTH, (0.5 - HINGE[0] - 0.03) * LENGTH])
+    rows, jaws = [], []
+    for t in (0.0, 0.12, 0.35, 0.7, 1.0):  # along the palate to the throat
+        lift = np.array([0, 0.022, 0]) * np.sin(np.pi * min(t * 1.4, 1)) ** 0.7
+        rows.append(lip * (1 - t) + (throat + [0, 0.006, 0]) * t + lift * (1 - t * 0.5))
+        jaws.append(0 * jaw + 0.25 * t * t)
+    for t in (1.0, 0.7, 0.35, 0.12, 0.0):  # and along the floor back to the lower lip
+        drop = np.array([0, 0.006, 0]) * np.sin(np.pi * t)
+        rows.append(lip * (1 - t) + (throat - [0, 0.004, 0]) * t + drop)
+        jaws.append(jaw * (1 - 0.5 * t * t) * (1 - t) + 0.25 * t * t)
+    p, jaw = np.stack(rows), np.stack(jaws)
+    dv, du = np.gradient(p, axis=0), np.gradient(p, axis=1)
+    n = np.cross(dv, du)
+    n = unit(np.where(np.linalg.norm(n, axis=-1, keepdims=True) < 1e-12, [0.0, 0, 1], n))  # the throat is one point
+    r, c = p.shape[:2]
+    part = Part(p.reshape(-1, 3), n.reshape(-1, 3), np.zeros((r * c, 4)), None, grid_triangles(r, c))
+    part.jaw = jaw.reshape(-1)
+    depth = np.repeat([0.0, 0.4, 0.8, 1, 1, 1, 1, 0.8, 0.4, 0.0], c)
+    tint = mix(np.array([0.50, 0.26, 0.24]), np.array([0.10, 0.022, 0.022]), depth)
+    part.colours = np.concatenate([tint, np.ones((r * c, 1))], -1)
+    return part
+
+
+def teeth(body):
+    lip, jaw = body.lips(60)
+    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(lip, axis=0), axis=1))])
+    parts, jaws = [], []
+    for row, (count, size, inward) in enumerate(((25, 0.0125, 0.0135), (24, 0.0098, 0.0035))):
+        for k in range(count):
+            where = along[-1] * (0.06 + 0.88 * (k + 0.5) / count)
+            c = np.array([np.interp(where, along, lip[:, i]) for i in range(3)])
+            ahead = np.array([np.interp(where + 1e-3, along, lip[:, i]) for i in range(3)])
+            across = unit(ahead - c)
+            inner = unit(np.array([0, -0.01, (0.5 - 0.13) * LENGTH]) - c)
+            up = unit(np.array([0, 1.0, 0]) - inner * 0.0)
+            grade = 0.65 + 0.35 * np.sin(np.pi * (k + 0.5) / count)
+            tall, wide = size * grade, 0.0052 * grade * (1 if row == 0 else 0.75)
+            if row == 0:
+                root = c + inner * 0.005 + up * (inward + 0.001 * paint.scatter(7, k))
+                tip = root - up * tall + inner * 0.004 + across * 0.002 * np.sign(k - count / 2)
+            else:
+                root = c + inner * 0.006 + up * 0.0005
+                tip = root + up * tall * 0.8 + inner * 0.002
+            deep = inner * 0.0022
+            points = np.array([root - across * wide - deep, root + across * wide - deep, root + across * wide + deep,
+                               root - across * wide + deep, tip])
+            faces = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
+            flat = points[faces].reshape(-1, 3)
+            middle = points.mean(0)
+            n = np.cross(flat[1::3] - flat[0::3], flat[2::3] - flat[0::3])
+            turn = np.sum(n * (flat.reshape(-1, 3, 3).mean(1) - middle), 1) < 0
+            tri = np.arange(12).reshape(-1, 3)
+            tri[turn] = tri[turn][:, ::-1]
+            n = unit(np.where(turn[:, None], -n, n))
+            parts.append(Part(flat, np.repeat(n, 3, 0), np.zeros((12, 4)), None, tri))
+            jaws.append(np.full(12, 0.0 if row == 0 else np.interp(where, along, jaw)))
+    whole = join(parts)
+    whole.jaw = np.concatenate(jaws)
+    return whole
+
+
+def make_body():
+    return SharkBody(
+        LENGTH, END,
+        upper=[(0, 0.0), (0.015, 0.013), (0.05, 0.028), (0.10, 0.045), (0.17, 0.065), (0.26, 0.083), (0.35, 0.088),
+               (0.46, 0.075), (0.58, 0.050), (0.68, 0.031), (0.74, 0.024), (END, 0.025)],
+        lower=[(0, -0.006), (0.015, -0.018), (0.05, -0.027), (0.10, -0.037), (0.17, -0.053), (0.26, -0.070),
+               (0.35, -0.074), (0.46, -0.062), (0.58, -0.040), (0.68, -0.023), (0.74, -0.017), (END, -0.016)],
+        width=[(0, 0.0), (0.015, 0.026), (0.05, 0.044), (0.10, 0.056), (0.17, 0.066), (0.26, 0.073), (0.35, 0.072),
+               (0.46, 0.058), (0.58, 0.037), (0.68, 0.021), (0.74, 0.014), (END, 0.004)],
+        widest=[(0, 0.45), (0.10, 0.40), (0.25, 0.42), (0.5, 0.5), (END, 0.5)], displace=displace)
+
+
+GREY, DARK, PALE = '#6f7674', '#4b5251', '#dfe2de'
+
+
+def paint_body(body):
+    skin = Skin(body)
+    at = skin.at
+    tone = paint.fbm(111, at.s * 10, at.v * 6, octaves=4)
+    wave_line = 0.60 + 0.035 * np.sin(at.s * 17) + 0.02 * tone - 0.10 * step(0.14, 0.0, at.s) + 0.04 * step(0.6, 0.75, at.s)
+    skin.colour = mix(rgb(GREY), rgb(DARK), step(0.42, 0.05, at.v + 0.05 * tone))
+    skin.tint('#8a8a80', 0.45 * bump(at.v - 0.46, 0.10))
+    border = at.v - wave_line + 0.012 * paint.fbm(112, at.s * 90, at.v * 60, octaves=3)
+    skin.tint(PALE, step(-0.035, 0.045, border))
+    # a faint pale wedge on the flank
+    wedge = (at.s - 0.50) * 0.55
+    skin.tint('#b9bdb8', 0.35 * step(0.0, 0.03, at.s - 0.46) * line(at.v - 0.56 + wedge * 0.2, 0.02, 0.03) * step(0.66, 0.58, at.s))
+    skin.mottle(113, 0.10, 0.06)
+    skin.mottle(114, 0.02, 0.04)
+    # skin teeth too small to see one by one
+    grain = paint.noise(115, at.s * 420, at.v * 260) + 0.7 * paint.noise(116, at.s * 700, at.v * 480)
+    skin.height += 0.00022 * grain
+    skin.shade(1 + 0.025 * grain)
+    # scars
+    for k in range(7):
+        s0, v0 = 0.25 + 0.45 * paint.scatter(117, k), 0.15 + 0.40 * paint.scatter(118, k)
+        angle, size = np.pi * paint.scatter(119, k), 0.010 + 0.015 * paint.scatter(120, k)
+        ds, dv = at.s - s0, (at.v - v0) * 0.22
+        d = ds * np.sin(angle) + dv * np.cos(angle) + 0.0008 * paint.noise(121, at.s * 200, at.v * 100)
+        t = ds * np.cos(angle) - dv * np.sin(angle)
+        skin.tint('#a9aaa2', 0.5 * line(d, 0.0005, 0.0009) * step(size, size * 0.5, np.abs(t)))
+    # five gill slits
+    for k in range(5):
+        s0 = 0.192 + 0.0145 * k
+        low, high = 0.44 + 0.012 * k, 0.68 - 0.014 * abs(k - 1.5)
+        span = step(low, low + 0.03, at.v) * step(high, high - 0.03, at.v)
+        bow = s0 + 0.006 * ((at.v - 0.56) / 0.12) ** 2 * -1 + 0.004
+        d = at.s - bow
+        skin.height += LENGTH * (0.0016 * bump(d + 0.0035, 0.0035) - 0.0024 * bump(d, 0.0016)) * span
+        skin.tint('#15191a', 0.90 * line(d, 0.0007, 0.0014) * span)
+        skin.shade(0.80, bump(d - 0.004, 0.004) * span)
+    # nostrils, lips, eyes
+    nostril = np.hypot((at.s - 0.045) * 1.0, (at.v - 0.80) * 0.09)
+    slant = (at.s - 0.045) - (at.v - 0.80) * 0.05
+    skin.tint('#2a2c2c', 0.9 * line(slant, 0.0011, 0.0012) * step(0.075, 0.05, np.abs(at.v - 0.80)))
+    skin.height -= LENGTH * 0.0012 * bump(nostril, 0.004)
+    lip = at.s - mouth_s(at.v)
+    around = step(CORNER_V - 0.03, CORNER_V + 0.01, at.v)
+    skin.tint('#a39a94', 0.55 * line(lip, 0.0015, 0.0035) * around)
+    skin.tint('#4a3a38', 0.75 * line(lip, 0.0004, 0.0011) * around)
+    skin.height += LENGTH * 0.0012 * bump(np.abs(lip) - 0.004, 0.0025) * around
+    fold = np.hypot(np.maximum(np.abs(at.s - MOUTH_CORNER - 0.006) - 0.008, 0), (at.v - CORNER_V + 0.012) * 0.1)
+    skin.tint('#55504e', 0.6 * line(fold, 0.0004, 0.001))
+    skin.socket(EYE[0], EYE[1], EYE[2], '#2a2e2e', 0.8)
+    for k in range(130):  # pores that sense electricity, over the snout
+        s0, v0 = 0.012 + 0.07 * paint.scatter(122, k) ** 0.8, 0.45 + 0.5 * paint.scatter(123, k)
+        d = np.hypot(at.s - s0, (at.v - v0) * 0.10)
+        skin.tint('#3a3e3e', 0.6 * line(d, 0.0003, 0.0005))
+    skin.countershade(0.80, 1.04)
+    skin.rough[:] = 0.46 + 0.04 * grain
+    return skin.pictures()
+
+
+def fin_paint(kind, seed):
+    def picture(a, b):
+        grain = paint.noise(seed, a * 190, b * 150) + 0.6 * paint.fbm(seed + 1, a * 8, b * 8, octaves=4)
+        colour = mix(rgb(DARK), rgb('#727978'), 0.5 + 0.25 * grain)
+        fringe = step(0.45, 1.0, a) * 0.22
+        if kind == 'tail':
+            edge = step(0.80, 0.96, b + 0.03 * grain + 0.10 * step(0.1, 0.6, a))
+            colour = mix(colour, rgb('#171a1b'), 0.92 * edge)
+        elif kind == 'dorsal':
+            colour = mix(colour, rgb('#9aa09c'), 0.5 * step(0.88, 1.0, b + 0.02 * grain) + 0.3 * step(0.93, 1, a))
+        else:
+            colour = mix(colour, rgb('#23282a'), 0.75 * step(0.70, 0.98, b + 0.05 * grain))
+        colour = colour * (1 - fringe * 0.3)[..., None] * (0.92 + 0.08 * step(0, 0.3, b))[..., None]
+        cloth = np.sin(a * 110 + 3 * b) * step(0.2, 0.8, b)
+        return colour, np.ones(a.shape), 0.0003 * grain + 0.0001 * cloth
+    return picture
+
+
+def belly_paint(seed):
+    """Undersides of pectoral and pelvic fins would be white; one picture serves both skins, so it stays grey."""
+    return fin_paint('paired', seed)
+
+
+def shark_eye():
+    size = 128
+    y, x = np.mgrid[0:size, 0:size]
+    x, y = (x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1
+    r, g = np.hypot(x, y), np.arctan2(y, x)
+    spokes = paint.fbm(131, g * 8, r * 3, octaves=3)
+    c = mix(rgb('#b3ab86'), rgb('#6d6a55'), step(0.35, 0.85, r)) * (1 + 0.2 * spokes)[..., None]
+    slit = np.hypot(x / 0.20, y / 0.62)
+    c = mix(rgb('#050607'), c, step(0.90, 1.08, slit))
+    return mix(c, rgb('#14181a'), step(0.80, 0.95, r))
+
+
+def jaw_clip(angle):
+    return lambda phase: {'jaw': quaternion([1, 0, 0], angle(phase))}
+
+
+def both(*makers):
+    return lambda phase: {k: v for maker in makers for k, v in maker(phase).items()}
+
+
+def steer(rest, swing):
+    def clip(phase):
+        left = quaternion([0, 0, 1], rest + swing * np.sin(2 * np.pi * phase + 0.5))
+        return {'pectoral_left': left, 'pectoral_right': left * [1, -1, -1, 1]}
+    return clip
+
+
+def make():
+    body = make_body()
+    t = dict(columns=13, rows=8)
+    first = median_fin(body, 'dorsal', 'upper', 0.315, 0.435,
+                       lengths=[(0, 0.128), (0.12, 0.118), (0.3, 0.086), (0.55, 0.052), (0.8, 0.036), (1, 0.034)],
+                       leans=[(0, 0.72), (0.3, 0.82), (0.7, 1.15), (1, 1.52)], tile=(0.02, 0.02, 0.46, 0.30), sink=0.016,
+                       thickness=0.013, paint=fin_paint('dorsal', 141), **t)
+    second = median_fin(body, 'dorsal2', 'upper', 0.618, 0.668, lengths=[(0, 0.040), (0.3, 0.030), (0.7, 0.018), (1, 0.024)],
+                        leans=[(0, 0.85), (0.5, 1.15), (1, 1.52)], tile=(0.52, 0.02, 0.20, 0.16), sink=0.008,
+                        thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 143))
+    anal = median_fin(body, 'anal', 'lower', 0.625, 0.675, lengths=[(0, 0.044), (0.3, 0.032), (0.7, 0.017), (1, 0.024)],
+                      leans=[(0, 0.80), (0.5, 1.1), (1, 1.52)], tile=(0.76, 0.02, 0.20, 0.16), sink=0.008,
+                      thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 145))
+    tail = tail_fin(body, lengths=[(0, 0.268), (0.05, 0.262), (0.085, 0.240), (0.11, 0.226), (0.25, 0.160), (0.42, 0.094),
+                                   (0.55, 0.072), (0.75, 0.094), (0.92, 0.126), (1, 0.128)], spread=0.78, turn=-0.08,
+                    tile=(0.02, 0.36, 0.56, 0.30), overlap=0.035, thickness=0.011, columns=25, rows=10,
+                    paint=fin_paint('tail', 147))
+    pectoral = paired_fin(body, 'pectoral', 0.232, (-0.034, -0.046), lengths=[(0, 0.182), (0.2, 0.165), (0.45, 0.110),
+                                                                             (0.75, 0.062), (1, 0.050)],
+                          first=(0.80, -0.36, -0.62), last=(0.30, -0.16, -0.95), tile=(0.02, 0.70, 0.46, 0.28),
+                          slant=0.075, sink=0.016, thickness=0.010, joint='pectoral_left', paint=fin_paint('dark', 149), **t)
+    pelvic = paired_fin(body, 'pelvic', 0.515, (-0.034, -0.042), lengths=[(0, 0.062), (0.3, 0.055), (0.7, 0.035), (1, 0.034)],
+                        first=(0.70, -0.50, -0.55), last=(0.22, -0.15, -0.96), tile=(0.52, 0.70, 0.24, 0.20),
+                        slant=0.040, sink=0.010, thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 151))
+    colour, normal, metal_rough = paint_body(body)
+    hinge = np.array([0, HINGE[1] * LENGTH, (0.5 - HINGE[0]) * LENGTH])
+
+    def snap(p):  # opens in the first half, closes fast, holds
+        return 0.62 * (step(0.05, 0.42, p) - step(0.52, 0.66, p)) + 0.03
+    clips = [
+        dict(name='cruise', duration=1.6, keys=32, lateral=wave(0.75, 1.05),
+             fins=both(steer(0.0, 0.05), jaw_clip(lambda p: 0.05 + 0.02 * np.sin(2 * np.pi * p)))),
+        dict(name='lunge', duration=0.6, keys=24, lateral=wave(1.30, 0.95),
+             fins=both(steer(-0.10, 0.05), jaw_clip(lambda p: 0.22 + 0.04 * np.sin(2 * np.pi * p)))),
+        dict(name='bite', duration=0.8, keys=32, lateral=lambda s, p: wave(0.7, 1.0)(s, p) + 0.05 * (s - 0.3) * np.sin(
+            4 * np.pi * p) * bump(p - 0.6, 0.15) * step(0.3, 0, s),
+             fins=both(steer(-0.15, 0.04), jaw_clip(snap)))]
+    return Animal('shark', body, [first, second, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
+                  (*EYE, '#000000', '#000000'), colour, normal, metal_rough, clips, rings=64, around=27,
+                  extra_joints=[('jaw', 0, hinge)], thick_fins=True, fin_rough=0.48, eye_picture=shark_eye(),
+                  extra_parts=[(mouth_inside(body), dict(name='mouth', base=[1, 1, 1, 1], rough=0.45, metal=0.0, double=True)),
+                               (teeth(body), dict(name='teeth', base=[0.80, 0.77, 0.68, 1], rough=0.3, metal=0.0))])
