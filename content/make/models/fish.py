@@ -164,8 +164,8 @@ class Fin:
     waves: float = 3.0
     thickness: float = 0.0  # half, at the root's middle; 0: one sheet
     joint: str = ''        # pectoral joint, if it has one
-    columns: int = 17
-    rows: int = 9
+    columns: int = 14
+    rows: int = 7
     mirror: bool = False
     paint: Callable = None
 
@@ -236,7 +236,7 @@ def mirrored(part):
     return Part(part.positions * f, part.normals * f, t, part.uvs, part.triangles[:, ::-1])
 
 
-def eye_part(centre, outward, radius, bulge=0.55, rings=7, around=16):
+def eye_part(centre, outward, radius, bulge=0.55, rings=6, around=16):
     """Half an ellipsoid that looks along `outward`; its texture is seen from the front."""
     n = unit(outward)
     right = unit(np.cross([0, 1, 0], n))
@@ -286,7 +286,9 @@ def tail_fin(body, lengths, spread, tile, s=None, overlap=0.02, turn=0.0, **more
     root = np.stack([0 * a, top + (bottom - top) * a, 0.5 - s + 0 * a], -1) * body.length
     angle = (spread * (1 - 2 * a) * (0.75 + 0.25 * np.abs(1 - 2 * a))) + turn
     direction = np.stack([0 * a, np.sin(angle), -np.cos(angle)], -1)
-    return Fin('tail', root, direction, (Curve(lengths)(a) + overlap) * body.length, tile, **more)
+    long = Curve(lengths)(a) + overlap
+    long = long * (1 - s) / np.max(long * np.cos(angle))  # the longest ray ends at s = 1
+    return Fin('tail', root, direction, long * body.length, tile, **more)
 
 
 def paired_fin(body, name, s, heights, lengths, first, last, tile, sink=0.006, slant=0.0, **more):
@@ -311,11 +313,11 @@ def ray_picture(a, b, rays, width=0.16, spiny=0.0, seed=3):
     d = np.minimum(np.abs(f - fork), np.abs(f + fork))
     w = width * np.where(soft, 1 - 0.45 * b, 1.25 - 0.8 * b)
     lines = 1 - paint.step(w * 0.5, w * 1.3, d)
-    joints = 0.85 + 0.15 * np.sign(np.sin(b * 90 + np.floor(r) * 2.4))
+    joints = 0.93 + 0.07 * np.sign(np.sin(b * 90 + np.floor(r) * 2.4))
     return lines * np.where(soft & (b > 0.2), joints, 1.0)
 
 
-def edge_alpha(a, b, rays, spiny=0.0, scallop=0.10, ragged=0.02, seed=9):
+def edge_alpha(a, b, rays, spiny=0.0, scallop=0.10, ragged=0.010, seed=9):
     """1 inside the fin, 0 beyond its edge, which dips between spines and frays between rays."""
     f = np.abs((a * rays) % 1.0 - 0.5) * 2  # 0 on a ray
     spine = paint.step(spiny + 0.02, spiny - 0.02, a)
@@ -444,7 +446,7 @@ def thrash(strength=1.0):
     def lateral(s, phase):
         c = 0.75 * np.sin(2 * np.pi * 2 * phase) + 0.4 * np.sin(2 * np.pi * 3 * phase + 0.9)
         tail = np.sin(2 * np.pi * (s * 0.9 - 3 * phase))
-        return strength * (0.30 * c * ((s - 0.42) ** 2 - 0.06) + 0.06 * s * s * tail)
+        return strength * (0.48 * c * ((s - 0.42) ** 2 - 0.06) + 0.06 * s * s * tail)
     return lateral
 
 
@@ -490,8 +492,8 @@ class Animal:
     normal: np.ndarray
     metal_rough: np.ndarray
     clips: list              # dicts for add_clip
-    rings: int = 52
-    around: int = 23
+    rings: int = 46
+    around: int = 21
     fin_size: int = 512
     fin_rough: float = 0.45
     extra_joints: list = field(default_factory=list)

@@ -60,7 +60,7 @@ class Skin:
         lips = bump(ends - lip * 0.55, lip * 0.5) * span
         if lip_colour is not None:
             self.tint(lip_colour, 0.7 * line(ends, lip * 0.8, lip * 0.6))
-        self.height += self.length * (0.0035 * lips - 0.006 * line(ends, 0, width * 1.3))
+        self.height += self.length * (0.0016 * lips - 0.0030 * line(ends, 0, width * 1.3))
         self.tint('#1a0c0a', 0.85 * slit)
 
     def nostril(self, s, h, r=0.0035):

@@ -9,7 +9,7 @@ from paint import bump, line, mix, rgb, step
 from skin import Skin
 
 LENGTH, END = 0.25, 0.80
-EYE = (0.135, 0.060, 0.0235)
+EYE = (0.138, 0.072, 0.0245)
 BLUE, NIGHT, YELLOW, SKY = '#20308f', '#0d1030', '#f3cf2e', '#3f8fe8'
 
 
@@ -23,22 +23,28 @@ def displace(s, h, v):
 def make_body():
     return Body(
         LENGTH, END,
-        upper=[(0, 0.0), (0.015, 0.022), (0.05, 0.060), (0.10, 0.118), (0.16, 0.185), (0.24, 0.250), (0.34, 0.292),
+        upper=[(0, 0.0), (0.015, 0.026), (0.05, 0.080), (0.10, 0.155), (0.16, 0.222), (0.24, 0.274), (0.34, 0.300),
                (0.46, 0.290), (0.58, 0.245), (0.68, 0.165), (0.75, 0.090), (END, 0.072)],
-        lower=[(0, -0.010), (0.015, -0.032), (0.05, -0.062), (0.10, -0.112), (0.16, -0.168), (0.24, -0.228),
+        lower=[(0, -0.010), (0.015, -0.034), (0.05, -0.070), (0.10, -0.124), (0.16, -0.182), (0.24, -0.238),
                (0.34, -0.268), (0.46, -0.272), (0.58, -0.232), (0.68, -0.150), (0.75, -0.082), (END, -0.068)],
         width=[(0, 0.0), (0.015, 0.022), (0.05, 0.040), (0.10, 0.056), (0.16, 0.068), (0.24, 0.078), (0.34, 0.080),
                (0.46, 0.072), (0.58, 0.055), (0.68, 0.035), (0.75, 0.019), (END, 0.003)],
         widest=[(0, 0.5), (0.15, 0.44), (0.3, 0.42), (END, 0.5)], keel=1.3, displace=displace)
 
 
+def smooth_least(a, b, k):
+    """The smaller of two distances, rounded where they meet."""
+    t = np.maximum(k - np.abs(a - b), 0) / k
+    return np.minimum(a, b) - t * t * k / 4
+
+
 def lines_of(s, h):
     """1 on a yellow line. Lines start behind the gill, rise a little towards the back's rear and meet the tail."""
     bend = h - 0.03 + 0.16 * (s - 0.30) * step(-0.05, 0.30, h) + 0.10 * (s - 0.3) * step(0.0, -0.3, h) * -1
     squeeze = bend / (1 - 0.30 * step(0.35, 0.80, s))
-    t = squeeze / 0.0225 + 0.22 * paint.noise(41, s * 9, h * 6) + 0.10 * paint.noise(42, s * 60, h * 60)
+    t = squeeze / 0.0225 + 0.20 * paint.noise(41, s * 9, h * 6) + 0.05 * paint.noise(42, s * 24, h * 24)
     f = np.abs(t % 1.0 - 0.5)
-    return 1 - step(0.13, 0.22, f)
+    return 1 - step(0.15, 0.22, f)
 
 
 def paint_body(body):
@@ -62,11 +68,11 @@ def paint_body(body):
     mask = skin.curve([(-0.06, 0.155), (0.0, 0.118), (0.06, 0.112), (0.12, 0.122), (0.20, 0.160), (0.28, 0.220)])
     back = skin.curve([(-0.06, 0.168), (0.0, 0.172), (0.06, 0.168), (0.12, 0.176), (0.20, 0.212), (0.28, 0.262)])
     inside = np.minimum(mask, -back)
-    inside = np.minimum(inside, (at.h + 0.055) * 0.7)
+    inside = smooth_least(inside, (at.h + 0.055) * 0.6, 0.02)
     skin.tint(SKY, 0.95 * step(-0.0105, -0.0075, inside))
     skin.tint(NIGHT, 0.97 * step(-0.003, 0.001, inside))
     bar = np.minimum(head - 0.002, -(head - 0.062 - 0.02 * bump(at.h + 0.03, 0.10)))
-    bar = np.minimum(bar, (0.12 - at.h) * 0.6)
+    bar = smooth_least(bar, (0.13 - at.h) * 0.45, 0.03)
     skin.tint('#3f7fe0', 0.9 * step(-0.0085, -0.006, bar))
     skin.tint('#0b0d26', 0.96 * step(-0.002, 0.002, bar))
     skin.scales(58, 0.00013, 0.35 + 0.65 * step(0.15, 0.22, at.s), edge=0.20, variety=0.16, metal=0.20)
@@ -120,15 +126,15 @@ def make():
         lengths=[(0, 0.015), (0.06, 0.045), (0.30, 0.070), (0.55, 0.085), (0.75, 0.120), (0.86, 0.165), (0.93, 0.150),
                  (1, 0.050)],
         leans=[(0, 0.55), (0.4, 0.75), (0.75, 1.00), (0.9, 1.15), (1, 1.25)], tile=(0.02, 0.02, 0.96, 0.24),
-        ripple=0.0015, waves=2.0, columns=31, paint=fin_paint('dorsal', 34, 0.5, 2))
+        ripple=0.0015, waves=2.0, columns=25, paint=fin_paint('dorsal', 34, 0.5, 2))
     anal = median_fin(
         body, 'anal', 'lower', 0.46, 0.762,
         lengths=[(0, 0.02), (0.10, 0.055), (0.45, 0.095), (0.75, 0.145), (0.88, 0.150), (1, 0.045)],
         leans=[(0, 0.5), (0.5, 0.85), (0.8, 1.1), (1, 1.25)], tile=(0.02, 0.29, 0.56, 0.22), ripple=0.0012, waves=1.5,
-        columns=21, paint=fin_paint('anal', 22, 0.18, 4))
+        columns=17, paint=fin_paint('anal', 22, 0.18, 4))
     tail = tail_fin(
         body, lengths=[(0, 0.180), (0.1, 0.192), (0.5, 0.200), (0.9, 0.192), (1, 0.180)], spread=0.36,
-        tile=(0.62, 0.29, 0.36, 0.32), ripple=0.0015, waves=1.2, columns=19, paint=fin_paint('tail', 17, 0, 6))
+        tile=(0.62, 0.29, 0.36, 0.32), ripple=0.0015, waves=1.2, columns=15, paint=fin_paint('tail', 17, 0, 6))
     pectoral = paired_fin(
         body, 'pectoral', 0.285, (-0.035, -0.105), lengths=[(0, 0.120), (0.25, 0.155), (0.6, 0.150), (1, 0.075)],
         first=(0.50, 0.30, -0.85), last=(0.45, -0.70, -0.60), tile=(0.02, 0.55, 0.42, 0.26), bend=(0, 0, -0.006),
@@ -142,8 +148,8 @@ def make():
     clips = [
         dict(name='swim', duration=1.2, keys=28, lateral=wave(0.50, 1.1), fins=flap(beat, 2, 0.60, 0.15),
              lift=lambda p: 0.0018 * np.sin(4 * np.pi * p), roll=lambda p: 0.03 * np.sin(2 * np.pi * p)),
-        dict(name='dart', duration=0.48, keys=20, lateral=wave(1.35, 0.95), fins=flap(beat, 1, 0.12, 0.45)),
+        dict(name='dart', duration=0.48, keys=20, lateral=wave(1.2, 1.0), fins=flap(beat, 1, 0.12, 0.45)),
         dict(name='struggle', duration=0.9, keys=32, lateral=thrash(0.8), fins=flap(beat, 6, 0.55),
              roll=lambda p: 0.30 * np.sin(2 * np.pi * 3 * p + 0.4))]
     return Animal('angelfish', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#3a2a14', '#c99a3a'), colour, normal, metal_rough, clips, around=27)
+                  (*EYE, '#3a2a14', '#c99a3a'), colour, normal, metal_rough, clips)

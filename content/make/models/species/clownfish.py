@@ -66,7 +66,7 @@ def paint_body(body):
     skin.gill([(-0.11, 0.120), (-0.05, 0.172), (0.03, 0.180), (0.07, 0.172)], dark=0.16, relief=0.002)
     skin.lateral_line([(0.24, 0.115), (0.40, 0.135), (0.55, 0.11), (0.64, 0.075), (0.66, 0.07)], 0.12)
     skin.socket(EYE[0], EYE[1], EYE[2], '#2a1206', 0.75)
-    skin.mouth((0.062, -0.022), tip_h=-0.006, droop=0.004, lip_colour='#f0a24a')
+    skin.mouth((0.062, -0.022), tip_h=-0.006, droop=0.004, width=0.0022, lip_colour='#f0a24a')
     skin.nostril(0.055, 0.036)
     skin.countershade(0.82, 1.10)
     skin.rough[:] += 0.02
@@ -97,14 +97,14 @@ def make():
         lengths=[(0, 0.015), (0.05, 0.055), (0.25, 0.080), (0.45, 0.072), (0.55, 0.070), (0.72, 0.112), (0.88, 0.110),
                  (0.96, 0.080), (1, 0.045)],
         leans=[(0, 0.75), (0.5, 0.80), (0.75, 0.95), (1, 1.15)], tile=(0.02, 0.02, 0.96, 0.20), ripple=0.0012,
-        waves=2.5, columns=29, paint=fin_paint(25, spiny=0.55, seed=2))
+        waves=2.5, columns=25, paint=fin_paint(25, spiny=0.55, seed=2))
     anal = median_fin(
         body, 'anal', 'lower', 0.50, 0.735, lengths=[(0, 0.02), (0.12, 0.075), (0.5, 0.108), (0.85, 0.100), (1, 0.04)],
         leans=[(0, 0.7), (0.6, 0.9), (1, 1.15)], tile=(0.02, 0.26, 0.46, 0.20), ripple=0.001, waves=1.5,
         paint=fin_paint(14, spiny=0.12, seed=4))
     tail = tail_fin(
         body, lengths=[(0, 0.165), (0.12, 0.190), (0.5, 0.208), (0.88, 0.190), (1, 0.165)], spread=0.40,
-        tile=(0.52, 0.26, 0.46, 0.34), ripple=0.0012, waves=1.5, columns=19,
+        tile=(0.52, 0.26, 0.46, 0.34), ripple=0.0012, waves=1.5, columns=15,
         paint=fin_paint(17, seed=6, band=0.16))
     pectoral = paired_fin(
         body, 'pectoral', 0.262, (-0.015, -0.085), lengths=[(0, 0.110), (0.25, 0.150), (0.6, 0.150), (1, 0.085)],
@@ -119,7 +119,7 @@ def make():
         dict(name='swim', duration=0.8, keys=24, lateral=wave(0.85, 0.9),
              fins=flap((0.2, 1.0, 0.25), 2, 0.55, 0.10), lift=lambda p: 0.0012 * np.sin(2 * np.pi * p),
              roll=lambda p: 0.05 * np.sin(2 * np.pi * p + 1)),
-        dict(name='dart', duration=0.4, keys=20, lateral=wave(1.7, 0.85), fins=flap((0.2, 1.0, 0.25), 1, 0.15, 0.5)),
+        dict(name='dart', duration=0.4, keys=20, lateral=wave(1.4, 0.9), fins=flap((0.2, 1.0, 0.25), 1, 0.15, 0.5)),
         dict(name='struggle', duration=0.8, keys=32, lateral=thrash(1.0), fins=flap((0.2, 1.0, 0.25), 6, 0.6),
              roll=lambda p: 0.28 * np.sin(2 * np.pi * 3 * p + 0.4))]
     return Animal('clownfish', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],

@@ -12,7 +12,7 @@ LENGTH, END = 1.8, 0.775
 EYE = (0.088, 0.002, 0.0078)
 MOUTH_FRONT, MOUTH_CORNER, CORNER_V = 0.066, 0.118, 0.70
 HINGE = (0.128, -0.018)  # s, h
-MOUTH_RING = 15
+MOUTH_RING = 14
 
 
 def displace(s, h, v):
@@ -109,8 +109,8 @@ def mouth_inside(body):
     r, c = p.shape[:2]
     part = Part(p.reshape(-1, 3), n.reshape(-1, 3), np.zeros((r * c, 4)), None, grid_triangles(r, c))
     part.jaw = jaw.reshape(-1)
-    depth = np.repeat([0.0, 0.4, 0.8, 1, 1, 1, 1, 0.8, 0.4, 0.0], c)
-    tint = mix(np.array([0.50, 0.26, 0.24]), np.array([0.10, 0.022, 0.022]), depth)
+    depth = np.repeat([0.0, 0.25, 0.6, 0.9, 1, 1, 0.9, 0.55, 0.2, 0.0], c)
+    tint = mix(np.array([0.30, 0.115, 0.105]), np.array([0.040, 0.008, 0.008]), depth)
     part.colours = np.concatenate([tint, np.ones((r * c, 1))], -1)
     return part
 
@@ -187,7 +187,7 @@ def paint_body(body):
     skin.height += 0.00022 * grain
     skin.shade(1 + 0.025 * grain)
     # scars
-    for k in range(7):
+    for k in range(3):
         s0, v0 = 0.25 + 0.45 * paint.scatter(117, k), 0.15 + 0.40 * paint.scatter(118, k)
         angle, size = np.pi * paint.scatter(119, k), 0.010 + 0.015 * paint.scatter(120, k)
         ds, dv = at.s - s0, (at.v - v0) * 0.22
@@ -255,8 +255,8 @@ def shark_eye():
     x, y = (x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1
     r, g = np.hypot(x, y), np.arctan2(y, x)
     spokes = paint.fbm(131, g * 8, r * 3, octaves=3)
-    c = mix(rgb('#b3ab86'), rgb('#6d6a55'), step(0.35, 0.85, r)) * (1 + 0.2 * spokes)[..., None]
-    slit = np.hypot(x / 0.20, y / 0.62)
+    c = mix(rgb('#7d7a62'), rgb('#3b3c34'), step(0.30, 0.80, r)) * (1 + 0.2 * spokes)[..., None]
+    slit = np.hypot(x / 0.30, y / 0.66)
     c = mix(rgb('#050607'), c, step(0.90, 1.08, slit))
     return mix(c, rgb('#14181a'), step(0.80, 0.95, r))
 
@@ -278,7 +278,7 @@ def steer(rest, swing):
 
 def make():
     body = make_body()
-    t = dict(columns=13, rows=8)
+    t = dict(columns=12, rows=7)
     first = median_fin(body, 'dorsal', 'upper', 0.315, 0.435,
                        lengths=[(0, 0.128), (0.12, 0.118), (0.3, 0.086), (0.55, 0.052), (0.8, 0.036), (1, 0.034)],
                        leans=[(0, 0.72), (0.3, 0.82), (0.7, 1.15), (1, 1.52)], tile=(0.02, 0.02, 0.46, 0.30), sink=0.016,
@@ -289,12 +289,13 @@ def make():
     anal = median_fin(body, 'anal', 'lower', 0.625, 0.675, lengths=[(0, 0.044), (0.3, 0.032), (0.7, 0.017), (1, 0.024)],
                       leans=[(0, 0.80), (0.5, 1.1), (1, 1.52)], tile=(0.76, 0.02, 0.20, 0.16), sink=0.008,
                       thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 145))
-    tail = tail_fin(body, lengths=[(0, 0.268), (0.05, 0.262), (0.085, 0.240), (0.11, 0.226), (0.25, 0.160), (0.42, 0.094),
-                                   (0.55, 0.072), (0.75, 0.094), (0.92, 0.126), (1, 0.128)], spread=0.78, turn=-0.08,
-                    tile=(0.02, 0.36, 0.56, 0.30), overlap=0.035, thickness=0.011, columns=25, rows=10,
+    tail = tail_fin(body, lengths=[(0, 0.290), (0.05, 0.284), (0.08, 0.258), (0.105, 0.236), (0.13, 0.228), (0.22, 0.158),
+                                   (0.34, 0.100), (0.50, 0.068), (0.68, 0.078), (0.86, 0.118), (0.95, 0.132), (1, 0.128)],
+                    spread=0.74, turn=-0.06,
+                    tile=(0.02, 0.36, 0.56, 0.30), overlap=0.035, thickness=0.010, columns=25, rows=9,
                     paint=fin_paint('tail', 147))
-    pectoral = paired_fin(body, 'pectoral', 0.232, (-0.034, -0.046), lengths=[(0, 0.182), (0.2, 0.165), (0.45, 0.110),
-                                                                             (0.75, 0.062), (1, 0.050)],
+    pectoral = paired_fin(body, 'pectoral', 0.232, (-0.034, -0.046), lengths=[(0, 0.190), (0.06, 0.186), (0.25, 0.140),
+                                                                             (0.5, 0.088), (0.75, 0.058), (1, 0.050)],
                           first=(0.80, -0.36, -0.62), last=(0.30, -0.16, -0.95), tile=(0.02, 0.70, 0.46, 0.28),
                           slant=0.075, sink=0.016, thickness=0.010, joint='pectoral_left', paint=fin_paint('dark', 149), **t)
     pelvic = paired_fin(body, 'pelvic', 0.515, (-0.034, -0.042), lengths=[(0, 0.062), (0.3, 0.055), (0.7, 0.035), (1, 0.034)],
@@ -314,7 +315,7 @@ def make():
             4 * np.pi * p) * bump(p - 0.6, 0.15) * step(0.3, 0, s),
              fins=both(steer(-0.15, 0.04), jaw_clip(snap)))]
     return Animal('shark', body, [first, second, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#000000', '#000000'), colour, normal, metal_rough, clips, rings=64, around=27,
+                  (*EYE, '#000000', '#000000'), colour, normal, metal_rough, clips, rings=56, around=23,
                   extra_joints=[('jaw', 0, hinge)], thick_fins=True, fin_rough=0.48, eye_picture=shark_eye(),
                   extra_parts=[(mouth_inside(body), dict(name='mouth', base=[1, 1, 1, 1], rough=0.45, metal=0.0, double=True)),
                                (teeth(body), dict(name='teeth', base=[0.80, 0.77, 0.68, 1], rough=0.3, metal=0.0))])

@@ -93,7 +93,7 @@ def make():
         body, 'dorsal', 'upper', 0.225, 0.645,
         lengths=[(0, 0.010), (0.08, 0.050), (0.2, 0.075), (0.4, 0.066), (0.58, 0.048), (0.68, 0.050), (0.85, 0.046),
                  (1, 0.040)],
-        leans=[(0, 0.60), (0.5, 0.85), (1, 1.15)], tile=(0.02, 0.02, 0.96, 0.18), sink=0.010, columns=29,
+        leans=[(0, 0.60), (0.5, 0.85), (1, 1.15)], tile=(0.02, 0.02, 0.96, 0.18), sink=0.010, columns=25,
         ripple=0.0012, waves=2, paint=fin_paint(('#e9bd25', '#f3d75a', '#caa02a'), 24, 0.52, 0.50, 2))
     anal = median_fin(
         body, 'anal', 'lower', 0.485, 0.640, lengths=[(0, 0.02), (0.15, 0.062), (0.5, 0.052), (1, 0.035)],
@@ -102,10 +102,10 @@ def make():
     tail = tail_fin(
         body, lengths=[(0, 0.292), (0.06, 0.278), (0.2, 0.190), (0.35, 0.118), (0.5, 0.085), (0.65, 0.116),
                        (0.8, 0.186), (0.94, 0.272), (1, 0.286)], spread=0.60,
-        tile=(0.44, 0.22, 0.54, 0.36), ripple=0.0015, waves=1, columns=25, rows=11,
+        tile=(0.44, 0.22, 0.54, 0.36), ripple=0.0015, waves=1, columns=21, rows=9,
         paint=fin_paint((YELLOW, '#f6d23c', '#c9960f'), 19, 0.0, 0.78, 6))
     pectoral = paired_fin(
-        body, 'pectoral', 0.222, (-0.018, -0.052), lengths=[(0, 0.150), (0.25, 0.165), (0.6, 0.110), (1, 0.045)],
+        body, 'pectoral', 0.222, (-0.018, -0.052), lengths=[(0, 0.100), (0.12, 0.150), (0.28, 0.160), (0.5, 0.125), (0.75, 0.075), (1, 0.035)],
         first=(0.42, 0.05, -0.90), last=(0.34, -0.60, -0.65), tile=(0.02, 0.42, 0.38, 0.26), bend=(0, -0.004, -0.004),
         joint='pectoral_left', slant=0.008, columns=13, paint=fin_paint(('#e8d9a8', '#f0e6c8', '#c9b37a'), 15, 0, 0.28, 8))
     pelvic = paired_fin(
@@ -116,7 +116,7 @@ def make():
     beat = (0.1, 1.0, 0.25)
     clips = [
         dict(name='swim', duration=0.9, keys=24, lateral=wave(0.80, 1.0), fins=flap(beat, 1, 0.20, 0.18)),
-        dict(name='dart', duration=0.42, keys=20, lateral=wave(1.5, 0.95), fins=flap(beat, 1, 0.05, 0.35)),
+        dict(name='dart', duration=0.42, keys=20, lateral=wave(1.3, 0.95), fins=flap(beat, 1, 0.05, 0.35)),
         dict(name='struggle', duration=0.8, keys=32, lateral=thrash(1.0), fins=flap(beat, 5, 0.40),
              roll=lambda p: 0.30 * np.sin(2 * np.pi * 3 * p + 0.4))]
     return Animal('snapper', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
