@@ -168,6 +168,8 @@ class Fin:
     rows: int = 7
     mirror: bool = False
     paint: Callable = None
+    under: tuple = None     # another tile for a thick fin's lower skin, painted by paint_under
+    paint_under: Callable = None
 
     def parts(self):
         k = len(self.root)
@@ -206,7 +208,10 @@ class Fin:
             m = np.where(bad[..., None] | (np.linalg.norm(qn, axis=-1, keepdims=True) < 1e-12), n * sign, unit(qn))
             # round the leading edge: both skins meet there in the direction of the edge
             m[:, 0] = unit(m[:, 0] - 1.2 * unit(qu[:, 0]))
-            out.append(self._part(q, m, qu, -qv, uv, sign < 0))
+            skin = uv
+            if self.under and (n[..., 1].mean() * sign < 0):
+                skin = (uv - self.tile[:2]) / self.tile[2:] * self.under[2:] + self.under[:2]
+            out.append(self._part(q, m, qu, -qv, skin, sign < 0))
         return out
 
     def _part(self, p, n, along, up, uv, flip):
@@ -330,18 +335,20 @@ def atlas(fins, size):
     colour = np.zeros((size, size, 4))
     normal = np.ones((size, size, 3)) * [0.5, 0.5, 1.0]
     painted = set()
-    for fin in fins:
-        if fin.tile in painted:
+    tiles = [(fin, fin.tile, fin.paint) for fin in fins]
+    tiles += [(fin, fin.under, fin.paint_under) for fin in fins if fin.under]
+    for fin, tile, painter in tiles:
+        if tile in painted:
             continue
-        painted.add(fin.tile)
-        x, y, w, h = fin.tile
+        painted.add(tile)
+        x, y, w, h = tile
         pad = 3
         x0, y0 = int(round(x * size)) - pad, int(round(y * size)) - pad
         x1, y1 = int(round((x + w) * size)) + pad, int(round((y + h) * size)) + pad
         px, py = np.meshgrid(np.arange(max(x0, 0), min(x1, size)), np.arange(max(y0, 0), min(y1, size)))
         a = ((px + 0.5) / size - x) / w
         b = ((py + 0.5) / size - y) / h
-        c, alpha, height = fin.paint(np.clip(a, 0, 1), np.clip(b, 0, 1))
+        c, alpha, height = painter(np.clip(a, 0, 1), np.clip(b, 0, 1))
         colour[py, px] = np.concatenate([c, alpha[..., None]], -1)
         span = np.linalg.norm(np.diff(fin.root, axis=0), axis=1).sum() + 0.5 * fin.length.mean()
         normal[py, px] = paint.normal_map(height, span / (w * size), fin.length.mean() / (h * size))

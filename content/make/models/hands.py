@@ -11,7 +11,7 @@ from hand_skin import HandSkin, pictures
 from mesh import Part, strongest_four, tangent_frame, unit
 
 TEXELS = 1024
-CELL = (0.0035, 0.0034, 0.0051)  # metres; fingers run along z
+CELL = (0.0036, 0.0034, 0.0051)  # metres; fingers run along z
 
 
 def weights(hand, p):

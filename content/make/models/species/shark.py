@@ -110,7 +110,7 @@ def mouth_inside(body):
     part = Part(p.reshape(-1, 3), n.reshape(-1, 3), np.zeros((r * c, 4)), None, grid_triangles(r, c))
     part.jaw = jaw.reshape(-1)
     depth = np.repeat([0.0, 0.25, 0.6, 0.9, 1, 1, 0.9, 0.55, 0.2, 0.0], c)
-    tint = mix(np.array([0.30, 0.115, 0.105]), np.array([0.040, 0.008, 0.008]), depth)
+    tint = mix(np.array([0.20, 0.075, 0.068]), np.array([0.040, 0.008, 0.008]), depth)
     part.colours = np.concatenate([tint, np.ones((r * c, 1))], -1)
     return part
 
@@ -186,14 +186,6 @@ def paint_body(body):
     grain = paint.noise(115, at.s * 420, at.v * 260) + 0.7 * paint.noise(116, at.s * 700, at.v * 480)
     skin.height += 0.00022 * grain
     skin.shade(1 + 0.025 * grain)
-    # scars
-    for k in range(3):
-        s0, v0 = 0.25 + 0.45 * paint.scatter(117, k), 0.15 + 0.40 * paint.scatter(118, k)
-        angle, size = np.pi * paint.scatter(119, k), 0.010 + 0.015 * paint.scatter(120, k)
-        ds, dv = at.s - s0, (at.v - v0) * 0.22
-        d = ds * np.sin(angle) + dv * np.cos(angle) + 0.0008 * paint.noise(121, at.s * 200, at.v * 100)
-        t = ds * np.cos(angle) - dv * np.sin(angle)
-        skin.tint('#a9aaa2', 0.5 * line(d, 0.0005, 0.0009) * step(size, size * 0.5, np.abs(t)))
     # five gill slits
     for k in range(5):
         s0 = 0.192 + 0.0145 * k
@@ -244,9 +236,13 @@ def fin_paint(kind, seed):
     return picture
 
 
-def belly_paint(seed):
-    """Undersides of pectoral and pelvic fins would be white; one picture serves both skins, so it stays grey."""
-    return fin_paint('paired', seed)
+def under_paint(seed):
+    def picture(a, b):
+        grain = paint.fbm(seed, a * 14, b * 14, octaves=4)
+        colour = mix(rgb(PALE), rgb('#c3c7c2'), 0.5 + 0.5 * grain)
+        dusk = np.maximum(step(0.80, 1.0, b + 0.05 * grain), 0.8 * step(0.86, 1.0, a) * step(0.2, 0.6, b))
+        return mix(colour, rgb('#2c3133'), 0.8 * dusk), np.ones(a.shape), 0.0002 * grain
+    return picture
 
 
 def shark_eye():
@@ -289,18 +285,20 @@ def make():
     anal = median_fin(body, 'anal', 'lower', 0.625, 0.675, lengths=[(0, 0.044), (0.3, 0.032), (0.7, 0.017), (1, 0.024)],
                       leans=[(0, 0.80), (0.5, 1.1), (1, 1.52)], tile=(0.76, 0.02, 0.20, 0.16), sink=0.008,
                       thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 145))
-    tail = tail_fin(body, lengths=[(0, 0.290), (0.05, 0.284), (0.08, 0.258), (0.105, 0.236), (0.13, 0.228), (0.22, 0.158),
-                                   (0.34, 0.100), (0.50, 0.068), (0.68, 0.078), (0.86, 0.118), (0.95, 0.132), (1, 0.128)],
+    tail = tail_fin(body, lengths=[(0, 0.292), (0.04, 0.272), (0.08, 0.238), (0.12, 0.226), (0.20, 0.170), (0.28, 0.128),
+                                   (0.38, 0.094), (0.50, 0.068), (0.68, 0.078), (0.86, 0.118), (0.95, 0.132), (1, 0.128)],
                     spread=0.74, turn=-0.06,
                     tile=(0.02, 0.36, 0.56, 0.30), overlap=0.035, thickness=0.010, columns=25, rows=9,
                     paint=fin_paint('tail', 147))
     pectoral = paired_fin(body, 'pectoral', 0.232, (-0.034, -0.046), lengths=[(0, 0.190), (0.06, 0.186), (0.25, 0.140),
                                                                              (0.5, 0.088), (0.75, 0.058), (1, 0.050)],
                           first=(0.80, -0.36, -0.62), last=(0.30, -0.16, -0.95), tile=(0.02, 0.70, 0.46, 0.28),
-                          slant=0.075, sink=0.016, thickness=0.010, joint='pectoral_left', paint=fin_paint('dark', 149), **t)
+                          slant=0.075, sink=0.016, thickness=0.010, joint='pectoral_left', paint=fin_paint('dark', 149),
+                          under=(0.76, 0.70, 0.22, 0.28), paint_under=under_paint(153), **t)
     pelvic = paired_fin(body, 'pelvic', 0.515, (-0.034, -0.042), lengths=[(0, 0.062), (0.3, 0.055), (0.7, 0.035), (1, 0.034)],
-                        first=(0.70, -0.50, -0.55), last=(0.22, -0.15, -0.96), tile=(0.52, 0.70, 0.24, 0.20),
-                        slant=0.040, sink=0.010, thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 151))
+                        first=(0.70, -0.50, -0.55), last=(0.22, -0.15, -0.96), tile=(0.52, 0.70, 0.20, 0.20),
+                        slant=0.040, sink=0.010, thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 151),
+                        under=(0.52, 0.22, 0.20, 0.12), paint_under=under_paint(155))
     colour, normal, metal_rough = paint_body(body)
     hinge = np.array([0, HINGE[1] * LENGTH, (0.5 - HINGE[0]) * LENGTH])
 

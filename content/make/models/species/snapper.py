@@ -67,7 +67,7 @@ def paint_body(body):
     skin.gill([(-0.070, 0.110), (-0.035, 0.146), (0.02, 0.152), (0.045, 0.148)], dark=0.20, relief=0.002)
     skin.lateral_line([(0.205, 0.062), (0.35, 0.075), (0.5, 0.052), (0.64, 0.016), (0.72, 0.002), (0.745, 0.0)], 0.18)
     skin.socket(EYE[0], EYE[1], EYE[2], '#3a3a30', 0.55)
-    skin.mouth((0.066, -0.020), tip_h=-0.004, droop=0.003, width=0.0020, lip=0.0065, lip_colour='#d8c4bb')
+    skin.mouth((0.066, -0.020), tip_h=-0.004, droop=0.003, width=0.0020, lip=0.0065, lip_colour='#a3aeb4')
     # the upper jaw's plate behind the mouth
     skin.height += 0.0006 * bump(np.hypot((at.s - 0.060) / 1.6, at.h + 0.020), 0.010)
     skin.nostril(0.060, 0.026, 0.0025)
