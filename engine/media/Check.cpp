@@ -72,10 +72,11 @@ Result<std::string> checkVideo(const Path& file) {
     if (frames < info.frameCount - tolerated)
         return Error{file.string(), format("is damaged: only %.1f of %.1f s can be decoded",
                                            static_cast<double>(frames) / info.fps, info.duration_s)};
+    const std::string codec = info.codec.empty() ? "" : info.codec + " ";
     std::string sentence =
-        format("%dx%d %s video, %.4g frames/s, %.1f s, lat-long %s (%s)", info.width, info.height,
-               info.codec.c_str(), info.fps, static_cast<double>(frames) / info.fps, nameOf(info.layout),
-               info.layoutSource);
+        format("%dx%d %svideo, %.4g frames/s, %.1f s, %s colour, lat-long %s (%s)", info.width, info.height,
+               codec.c_str(), info.fps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
+               nameOf(info.layout), info.layoutSource);
     if (m.missingLeft + m.missingRight + m.missingTop + m.missingBottom > 0)
         sentence += "; covers only a part of the surround";
     if (!m.present) sentence += "; does not say that it is a 360-degree video";

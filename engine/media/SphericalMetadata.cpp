@@ -36,7 +36,7 @@ struct Box {
 struct Track {
     bool isVideo = false;
     SphericalMetadata v1, v2;
-    int width = 0, height = 0;
+    int width = 0, height = 0, matrixCode = 0;
     double editedUnits = 0; // of the movie's time scale
     double media_s = 0;
 };
@@ -138,15 +138,15 @@ struct Mp4Scan {
             track.width = static_cast<int>(big16(*b, 24));
             track.height = static_cast<int>(big16(*b, 26));
         }
-        children(box.begin + 78, box.end, depth + 1, [&](const Box& child) { inV2(child, depth + 1); });
+        children(box.begin + 78, box.end, depth + 1, [&](const Box& child) { inEntry(child, depth + 1); });
     }
 
-    void inV2(const Box& box, int depth) {
+    void inEntry(const Box& box, int depth) {
         SphericalMetadata& v2 = track.v2;
         switch (box.name) {
         case name4("sv3d"):
         case name4("proj"):
-            children(box.begin, box.end, depth + 1, [&](const Box& b) { inV2(b, depth + 1); });
+            children(box.begin, box.end, depth + 1, [&](const Box& b) { inEntry(b, depth + 1); });
             break;
         case name4("st3d"):
             if (const auto b = payload<5>(box)) {
@@ -170,6 +170,10 @@ struct Mp4Scan {
                 const auto part = [&](size_t at) { return static_cast<float>(big32(*b, at) / 4294967296.0); };
                 setMissing(v2, part(4), part(8), part(12), part(16));
             }
+            break;
+        case name4("colr"): // "nclx" or "nclc", primaries, transfer, matrix
+            if (const auto b = payload<10>(box); b && hasText(*b, 0, "ncl"))
+                track.matrixCode = static_cast<int>(big16(*b, 8));
             break;
         case name4("cbmp"):
             setProjection(v2, Projection::Cubemap);
@@ -273,6 +277,7 @@ struct Mp4Scan {
         }
         found.frameWidth = track.width;
         found.frameHeight = track.height;
+        found.matrixCode = track.matrixCode;
         found.shown_s =
             track.editedUnits > 0 && movieScale > 0 ? track.editedUnits / movieScale : track.media_s;
         done = true;

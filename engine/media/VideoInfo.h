@@ -3,6 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
+#include "engine/media/ColourMatrix.h"
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
 
@@ -19,7 +20,9 @@ struct VideoInfo {
     double fps = kFallbackFps; // the container's mean; kFallbackFps if that is not within kMinFps..kMaxFps
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
-    std::string codec;         // four letters such as "h264"
+    std::string codec;         // such as "h264"; empty if the container does not say
+    ColourMatrix matrix =
+        ColourMatrix::Bt601; // stated or told by size; frames are given out corrected for it
     SphericalMetadata metadata;
     Layout layout = Layout::Mono;  // never Auto
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"

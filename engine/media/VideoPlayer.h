@@ -8,8 +8,8 @@
 // the decode thread. Memory: the slots, taken at open(); nothing per frame by us (OpenCV's decoder has its
 // own).
 //
-// Not done here: sound; colour matrices other than BT.601, which OpenCV 4.6 assumes for every video; the
-// number of FFmpeg's threads, which OpenCV 4.6 sets to the machine's cores.
+// Not done here: sound; conversion of wide-gamut or HDR video; choosing the number of FFmpeg's threads, which
+// OpenCV 4.6 sets to the machine's cores.
 #pragma once
 
 #include "engine/core/Image.h"

@@ -4,6 +4,8 @@
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Quiet.h"
 
+#include <opencv2/core.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,7 +59,7 @@ std::string codecName(double fourcc) {
     if (name == "hvc1" || name == "hev1" || name == "HEVC") return "hevc";
     if (name == "vp09" || name == "VP90") return "vp9";
     if (name == "av01" || name == "AV01") return "av1";
-    return name.empty() ? "unknown" : name;
+    return name;
 }
 
 } // namespace
@@ -72,9 +74,8 @@ Result<VideoSource> VideoSource::open(const Path& file) {
     std::error_code code;
     source.file_ = std::filesystem::absolute(file, code); // a leading '/' keeps FFmpeg from seeing a protocol
     if (!source.reopen())
-        return Error{
-            file.string(),
-            "has no video that can be decoded: damaged, cut short, or of a codec that is not installed"};
+        return Error{file.string(), "has no video that can be decoded: damaged, cut short, only sound, or of "
+                                    "a codec that is not installed"};
 
     VideoInfo& info = source.info_;
     const auto number = [&](int property) {
@@ -99,6 +100,9 @@ Result<VideoSource> VideoSource::open(const Path& file) {
     info.duration_s = static_cast<double>(info.frameCount) / info.fps;
     info.codec = codecName(number(cv::CAP_PROP_FOURCC));
     info.metadata = *metadata;
+    // Motion JPEG is BT.601 whatever its size (JFIF).
+    info.matrix = info.codec == "MJPG" ? ColourMatrix::Bt601
+                                       : colourMatrixOf(metadata->matrixCode, info.width, info.height);
     return source;
 }
 
@@ -141,7 +145,10 @@ bool VideoSource::retrieve(ImageRgb8& bgr) {
     try {
         cv::Mat target(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
         // A frame of another size would make OpenCV take memory of its own.
-        return capture_.retrieve(target) && target.data == bgr.pixels.data();
+        if (!capture_.retrieve(target) || target.data != bgr.pixels.data()) return false;
+        if (info_.matrix != ColourMatrix::Bt601)
+            cv::transform(target, target, cv::Matx33f(correctionBgr(info_.matrix).data()));
+        return true;
     } catch (const std::exception&) {
         return false;
     }
