@@ -5,6 +5,7 @@
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -44,6 +45,19 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
 
 bool blended(const ModelGpu& gpu, const PrimitiveGpu& primitive) {
     return gpu.materialOf(primitive).alphaMode == scene::AlphaMode::Blend;
+}
+
+// Whether the ball reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
+bool sees(const View& view, const Ball& ball) {
+    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (ball.centre - view.eyeWorld);
+    if (-inEye.z < view.near_m - ball.radius || -inEye.z > view.far_m + ball.radius) return false;
+    const glm::vec2 half = view.halfExtent();
+    const auto beyond = [&](float across,
+                            float slope) { // distance outside of the plane across = slope * ahead
+        return (across + slope * inEye.z) / std::sqrt(1 + slope * slope) > ball.radius;
+    };
+    return !(beyond(inEye.x, half.x + view.shift.x) || beyond(-inEye.x, half.x - view.shift.x) ||
+             beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
 }
 
 gl::Texture makeDfgTable() {
@@ -94,7 +108,7 @@ void ObjectPass::begin() {
 }
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-                     const glm::mat4& worldFromModel) {
+                     const glm::mat4& worldFromModel, const Ball& bound) {
     for (const int index : model.order) {
         const auto n = static_cast<size_t>(index);
         const scene::Node& node = model.nodes[n];
@@ -111,9 +125,8 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
             skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
         matrices_.resize(offset + bytes);
         std::memcpy(matrices_.data() + offset, skinned ? &joints_[0] : &worldFromNode, bytes);
-        const glm::vec3 centre(skinned ? worldFromModel[3] : worldFromNode[3]);
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, offset, bytes, centre});
+            items_.push_back({&gpu, &primitive, offset, bytes, bound});
     }
 }
 
@@ -144,8 +157,9 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     order_.clear();
     const float sign = part == Part::Opaque ? 1.0f : -1.0f;
     for (size_t i = 0; i < items_.size(); ++i)
-        if (blended(*items_[i].gpu, *items_[i].primitive) == (part == Part::Blended))
-            order_.emplace_back(sign * glm::distance(items_[i].centreWorld, view.eyeWorld), i);
+        if (blended(*items_[i].gpu, *items_[i].primitive) == (part == Part::Blended) &&
+            sees(view, items_[i].bound))
+            order_.emplace_back(sign * glm::distance(items_[i].bound.centre, view.eyeWorld), i);
     std::sort(order_.begin(), order_.end());
 
     glEnable(GL_DEPTH_TEST);

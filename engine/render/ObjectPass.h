@@ -15,6 +15,11 @@
 
 namespace shoal::render {
 
+struct Ball {
+    glm::vec3 centre{0};
+    float radius = 0;
+};
+
 enum class Glossy { Prefiltered, PhongRings }; // PhongRings: the thesis' 36 samples, for reference
 
 struct Water {
@@ -28,8 +33,9 @@ class ObjectPass {
 
     void begin();
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
+    // bound: a ball in the world that holds the posed model; what lies outside the view is not drawn.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-             const glm::mat4& worldFromModel);
+             const glm::mat4& worldFromModel, const Ball& bound);
     // Sends what was added to the graphics side.
     void upload();
 
@@ -46,7 +52,7 @@ class ObjectPass {
         const PrimitiveGpu* primitive;
         size_t matrixOffset; // bytes into the buffer of matrices
         size_t matrixBytes;
-        glm::vec3 centreWorld;
+        Ball bound; // world
     };
 
     Result<const gl::Program*> programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive, Glossy glossy);

@@ -71,7 +71,9 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
         const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
                                                         glm::mat4_cast(creature.worldFromBody),
                                                     glm::vec3(creature.length / actor.length_m));
-        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel);
+        // No fin reaches further from the middle than this, however the body bends.
+        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel,
+                 {creature.position, creature.length * 0.7f});
     }
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
         const game::HandView& hand = snapshot.hands[side];
@@ -81,8 +83,9 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
             actor.pose.modelFromNode[static_cast<size_t>(actor.jointNodes[joint])] =
                 glm::translate(glm::mat4(1), hand.joints[joint].position) *
                 glm::mat4_cast(hand.joints[joint].orientation);
-        // The joints already stand in the world, wherever the palm is; sort by it.
-        pass.add(actor.model, actor.gpu, actor.pose, glm::mat4(1));
+        // The joints already stand in the world.
+        constexpr float kHandRadius_m = 0.25f;
+        pass.add(actor.model, actor.gpu, actor.pose, glm::mat4(1), {hand.joints[0].position, kHandRadius_m});
     }
 }
 

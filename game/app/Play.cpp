@@ -410,6 +410,7 @@ Status Player::playThrough(bool measured) {
         if (fresh && measured) {
             statistics.light_ms.add(static_cast<double>(surround->light_ms()));
             statistics.decode_ms.add(static_cast<double>(surround->decode_ms()));
+            statistics.upload_ms.add(static_cast<double>(surround->upload_ms()));
         }
         times.light_ms = surround->light_ms();
         times.decode_ms = surround->decode_ms();

@@ -36,6 +36,7 @@ Status writeStatistics(const Path& file, const Statistics& s) {
         {"frame_ms", summary(s.frame_ms)},
         {"light_ms", summary(s.light_ms)},
         {"decode_ms", summary(s.decode_ms)},
+        {"upload_ms", summary(s.upload_ms)},
         {"draws", s.draws},
         {"caught", s.caught},
         {"score", s.score},

@@ -169,7 +169,7 @@ Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
     const render::Glossy glossy =
         options_.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
     objects_->begin();
-    objects_->add(model_, gpu_, pose_, glm::mat4(1));
+    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit.target, orbit.modelRadius});
     objects_->upload();
     using Part = render::ObjectPass::Part;
     const glm::mat3 turn = surround_->envFromWorld();

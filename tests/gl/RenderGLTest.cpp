@@ -162,7 +162,7 @@ ImageRgba8 drawBall(const scene::Model& model, const render::SurroundGpu& surrou
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    pass->add(model, gpu, pose, glm::mat4(1));
+    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1});
     pass->upload();
     const Status drawn = pass->draw(render::ObjectPass::Part::Opaque, surround, view, glm::mat3(1),
                                     {.exposure_ev = exposure_ev}, {}, render::Glossy::Prefiltered);
