@@ -140,8 +140,10 @@ def palm_field(hand, p):
 def hand_field(hand):
     def field(p):
         p = np.asarray(p, float)
-        f = palm_field(hand, p)
-        for finger in FINGERS:
-            f = smooth_min(f, finger_field(hand, finger, p), 0.006 if finger != 'thumb' else 0.008)
+        fingers = finger_field(hand, FINGERS[1], p)
+        for finger in FINGERS[2:]:  # little fillet here, or the gaps between fingers would fill
+            fingers = smooth_min(fingers, finger_field(hand, finger, p), 0.002)
+        f = smooth_min(palm_field(hand, p), fingers, 0.006)
+        f = smooth_min(f, finger_field(hand, FINGERS[0], p), 0.008)
         return smooth_max(f, p[:, 2] - WRIST_END, 0.008)
     return field

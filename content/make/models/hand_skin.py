@@ -8,6 +8,15 @@ from mesh import unit
 from paint import bump, line, mix, rgb, step
 
 
+def rounded(points, times=3):
+    """Cuts the corners of a polyline (Chaikin 1974)."""
+    for _ in range(times):
+        a, b = points[:-1], points[1:]
+        points = np.concatenate([points[:1], np.stack([0.75 * a + 0.25 * b, 0.25 * a + 0.75 * b], 1).reshape(-1, 2),
+                                 points[-1:]])
+    return points
+
+
 class HandSkin:
     def __init__(self, hand):
         self.hand = hand
@@ -64,7 +73,7 @@ class HandSkin:
                     total = np.maximum(total, near * palm * 0.7 * bump(z + 0.43 * length, 0.0006))
                 if k > 0:  # wrinkles over the knuckle
                     spread = 1.0 if k == 1 else 0.6
-                    waves = paint.noise(83, q[:, 2] * 900 + 2.0 * paint.noise(84, *(p.T * 300)), q[:, 0] * 90)
+                    waves = paint.noise(83, q[:, 2] * 950 + 0.8 * paint.noise(84, *(p.T * 260)), q[:, 0] * 70)
                     bow = bump(q[:, 2] - 0.002, 0.0048 * spread) * bump(q[:, 0], r * 0.8)
                     total = np.maximum(total, near * back * bow * 0.75 * step(0.05, 0.55, waves))
         # the lines of the palm, as polylines in x, z
@@ -76,12 +85,12 @@ class HandSkin:
         flat = p[:, [0, 2]] + 0.0012 * np.stack([paint.noise(85, *(p.T * 110)), paint.noise(86, *(p.T * 110))], -1)
         for k, points in enumerate(lines):
             d = np.full(len(p), 1.0)
-            points = np.array(points)
+            points = rounded(np.array(points))
             for a, b in zip(points[:-1], points[1:]):
                 t = np.clip((flat - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
                 d = np.minimum(d, np.linalg.norm(flat - a - t[:, None] * (b - a), axis=1))
             total = np.maximum(total, palm * (0.75 if k < 3 else 0.5) * bump(d, 0.0007))
-        return total
+        return total * (0.72 + 0.4 * paint.noise(87, *(p.T * 130)))
 
     def relief(self, p, n_up):
         """Metres above the smooth solid."""
@@ -139,7 +148,7 @@ class HandSkin:
         c = mix(c, rgb('#c4705f'), 0.62 * np.clip(red * blotch, 0, 1))
         c = mix(c, rgb('#8a8f8c'), 0.20 * step(0.0, 0.5, n_up) * self.veins(p))
         fold = self.creases(p, n_up)
-        c = mix(c, rgb('#8d4d3c'), 0.55 * np.clip(fold, 0, 1))
+        c = mix(c, rgb('#8d4d3c'), 0.42 * np.clip(fold, 0, 1))
         speck = paint.noise(104, x * 420, y * 420, z * 420)
         c = mix(c, rgb('#9b6448'), 0.20 * step(0.55, 0.85, speck) * step(0.0, 0.5, n_up))
         for finger in FINGERS:

@@ -11,7 +11,7 @@ from hand_skin import HandSkin, pictures
 from mesh import Part, strongest_four, tangent_frame, unit
 
 TEXELS = 1024
-CELL = (0.0036, 0.0034, 0.0051)  # metres; fingers run along z
+CELL = (0.0036, 0.0034, 0.0052)  # metres; fingers run along z
 
 
 def weights(hand, p):
@@ -45,12 +45,12 @@ def weights(hand, p):
         chains.append(rows)
     distance = np.stack(distance, -1)
     near = distance - distance.min(1, keepdims=True)
-    share = np.exp(-near / 0.0035) * paint.step(0.012, 0.004, near)
+    share = np.exp(-near / 0.0027) * paint.step(0.012, 0.004, near)
     # beyond the webs a finger is alone
     for f, finger in enumerate(FINGERS[1:], 1):
         chain = hand.chain(finger)
         q = hand.local(hand.names[chain[1]], p)
-        alone = paint.step(0.012, 0.022, -q[:, 2]) * (distance.argmin(1) == f)
+        alone = paint.step(0.016, 0.025, -q[:, 2]) * (distance.argmin(1) == f)
         share = share * np.where(np.arange(5) == f, 1.0, 1 - alone[:, None])
     alone = paint.step(0.004, 0.014, -hand.local('thumb_proximal', p)[:, 2]) * (distance.argmin(1) == 0)
     share[:, 1:] *= 1 - alone[:, None]
@@ -66,7 +66,8 @@ def weights(hand, p):
 def right_part(skeleton):
     """The mesh and its three pictures."""
     field = hand_field(skeleton)
-    points, quads = surface.surface_nets(field, (-0.095, -0.045, -0.206), (0.066, 0.036, WRIST_END + 0.008), CELL)
+    # the grid starts where its points fall into the narrow gap between middle and ring finger
+    points, quads = surface.surface_nets(field, (-0.0937, -0.045, -0.206), (0.066, 0.036, WRIST_END + 0.008), CELL)
     points = surface.project(field, points, 2)
     points = surface.relax(field, points, quads)
     triangles = surface.split_quads(points, quads)
