@@ -1,0 +1,189 @@
+// The models that come with the game hold what the game asks of them by name.
+#include "engine/scene/LoadModel.h"
+#include "input/hands/HandPose.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shoal::scene {
+namespace {
+
+Model load(const std::string& name) {
+    auto model = loadModel(dataRoot() / "content" / "models" / (name + ".glb"));
+    EXPECT_TRUE(model.ok()) << (model ? "" : model.error().reason);
+    return model ? std::move(*model) : Model{};
+}
+
+size_t triangles(const Model& model) {
+    size_t count = 0;
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& part : mesh.primitives) count += part.indices.size() / 3;
+    return count;
+}
+
+struct AnimalCase {
+    const char* name;
+    float length_m;
+    size_t mostTriangles;
+    std::vector<std::string> clips;
+};
+
+class Animals : public testing::TestWithParam<AnimalCase> {};
+
+TEST_P(Animals, FaceForwardAtTheirRealSizeCentredOnTheBody) {
+    const AnimalCase& animal = GetParam();
+    const Model model = load(animal.name);
+    Pose pose;
+    restPose(model, pose);
+    updateGlobals(model, pose);
+    const Bounds bounds = posedBounds(model, pose);
+    // Tail fins are sampled at their meshes' columns, which may miss the longest ray: 2 %.
+    const float tolerance = 0.02f * animal.length_m;
+    EXPECT_NEAR(bounds.high.z, animal.length_m / 2, tolerance);
+    EXPECT_NEAR(bounds.low.z, -animal.length_m / 2, tolerance);
+    // Mirror images in x, but for the ripple of the fins in the middle, which stay inside the body's width.
+    EXPECT_NEAR(bounds.high.x, -bounds.low.x, 1e-4f * animal.length_m);
+    EXPECT_LE(triangles(model), animal.mostTriangles);
+}
+
+TEST_P(Animals, HoldTheClipsThatTheGamePlays) {
+    const AnimalCase& animal = GetParam();
+    const Model model = load(animal.name);
+    for (const std::string& clip : animal.clips) {
+        const int index = model.findAnimation(clip);
+        ASSERT_GE(index, 0) << clip;
+        const Animation& animation = model.animations[static_cast<size_t>(index)];
+        EXPECT_GE(animation.duration_s, 0.4f) << clip;
+        EXPECT_LE(animation.duration_s, 1.6f) << clip;
+    }
+}
+
+TEST_P(Animals, ClipsLoopWithoutAJerk) {
+    const AnimalCase& animal = GetParam();
+    const Model model = load(animal.name);
+    for (const Animation& clip : model.animations)
+        for (const Channel& channel : clip.channels) {
+            const size_t width = channel.target == Channel::Target::Rotation ? 4 : 3;
+            ASSERT_GE(channel.values.size(), 2 * width);
+            // First and last key are one phase of sines evaluated in double and rounded to float.
+            for (size_t i = 0; i < width; ++i)
+                EXPECT_NEAR(channel.values[i], channel.values[channel.values.size() - width + i], 1e-6f)
+                    << clip.name;
+        }
+}
+
+// The tail sweeps sideways, as a fish's does, and further than the head.
+TEST_P(Animals, SwimSideways) {
+    const AnimalCase& animal = GetParam();
+    const Model model = load(animal.name);
+    const int clip = model.findAnimation(animal.clips.front());
+    ASSERT_GE(clip, 0);
+    const int head = model.findNode("spine_0"), tail = model.findNode("spine_8");
+    ASSERT_GE(head, 0);
+    ASSERT_GE(tail, 0);
+    float headSway = 0, tailSway = 0, tailLift = 0;
+    Pose pose;
+    const float duration_s = model.animations[static_cast<size_t>(clip)].duration_s;
+    for (int i = 0; i < 32; ++i) {
+        restPose(model, pose);
+        animate(model, clip, duration_s * static_cast<float>(i) / 32, pose);
+        updateGlobals(model, pose);
+        const glm::vec4 h = pose.modelFromNode[static_cast<size_t>(head)][3];
+        const glm::vec4 t = pose.modelFromNode[static_cast<size_t>(tail)][3];
+        headSway = std::max(headSway, std::abs(h.x));
+        tailSway = std::max(tailSway, std::abs(t.x));
+        tailLift = std::max(tailLift, std::abs(t.y));
+    }
+    EXPECT_GT(tailSway, 0.02f * animal.length_m);
+    EXPECT_GT(tailSway, 1.5f * headSway);
+    EXPECT_GT(tailSway, tailLift);
+}
+
+INSTANTIATE_TEST_SUITE_P(Content, Animals,
+                         testing::Values(AnimalCase{"clownfish", 0.11f, 6000, {"swim", "dart", "struggle"}},
+                                         AnimalCase{"angelfish", 0.25f, 6000, {"swim", "dart", "struggle"}},
+                                         AnimalCase{"snapper", 0.32f, 6000, {"swim", "dart", "struggle"}},
+                                         AnimalCase{"sardine", 0.12f, 6000, {"swim", "dart", "struggle"}},
+                                         AnimalCase{"shark", 1.8f, 8000, {"cruise", "lunge", "bite"}}),
+                         [](const auto& spec) { return std::string(spec.param.name); });
+
+TEST(SharkModel, OpensItsJawToBite) {
+    const Model model = load("shark");
+    const int clip = model.findAnimation("bite"), jaw = model.findNode("jaw");
+    ASSERT_GE(clip, 0);
+    ASSERT_GE(jaw, 0);
+    Pose pose;
+    restPose(model, pose);
+    animate(model, clip, 0.47f * model.animations[static_cast<size_t>(clip)].duration_s, pose);
+    // The jaw points ahead of its hinge: turned about +X, its tip goes down.
+    EXPECT_GT(glm::angle(pose.local[static_cast<size_t>(jaw)].rotation), 0.5f);
+    EXPECT_GT(glm::axis(pose.local[static_cast<size_t>(jaw)].rotation).x, 0.9f);
+}
+
+class Hands : public testing::TestWithParam<const char*> {};
+
+TEST_P(Hands, HaveTheJointsOfOpenXrInOrder) {
+    const Model model = load(GetParam());
+    ASSERT_EQ(model.skins.size(), 1u);
+    ASSERT_EQ(model.skins[0].joints.size(), hands::kJointNames.size());
+    for (size_t i = 0; i < hands::kJointNames.size(); ++i) {
+        const Node& node = model.nodes[static_cast<size_t>(model.skins[0].joints[i])];
+        EXPECT_EQ(node.name, hands::kJointNames[i]);
+        const int parent = hands::kJointParent[i];
+        if (parent >= 0) {
+            EXPECT_EQ(node.parent, model.skins[0].joints[static_cast<size_t>(parent)]) << node.name;
+        }
+    }
+}
+
+// A joint set to its rest pose leaves the skin where it is: the game sets joints in the world, so the inverse
+// bind matrices must undo the rest pose.
+TEST_P(Hands, RestPoseUndoesTheBindMatrices) {
+    const Model model = load(GetParam());
+    Pose pose;
+    restPose(model, pose);
+    updateGlobals(model, pose);
+    std::vector<glm::mat4> matrices;
+    skinMatrices(model, 0, pose, matrices);
+    for (const glm::mat4& m : matrices)
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r)
+                // Five rotations in float along a finger: 5 * 4 roundings of 6e-8, and a margin of two.
+                EXPECT_NEAR(m[c][r], c == r ? 1.0f : 0.0f, 3e-6f);
+}
+
+TEST(HandModels, AreMirrorImages) {
+    const Model left = load("hand_left"), right = load("hand_right");
+    ASSERT_FALSE(left.meshes.empty());
+    ASSERT_FALSE(right.meshes.empty());
+    const Primitive &l = left.meshes[0].primitives[0], &r = right.meshes[0].primitives[0];
+    ASSERT_EQ(l.positions.size(), r.positions.size());
+    for (size_t i = 0; i < l.positions.size(); ++i) {
+        EXPECT_EQ(l.positions[i], r.positions[i] * glm::vec3(-1, 1, 1));
+        EXPECT_EQ(l.weights[i], r.weights[i]);
+    }
+    for (size_t i = 0; i < hands::kJointNames.size(); ++i) {
+        // The joint's axes, mirrored: x of a mirrored right-handed frame turns about.
+        Pose lp, rp;
+        restPose(left, lp);
+        updateGlobals(left, lp);
+        restPose(right, rp);
+        updateGlobals(right, rp);
+        const auto lm = lp.modelFromNode[static_cast<size_t>(left.skins[0].joints[i])];
+        const auto rm = rp.modelFromNode[static_cast<size_t>(right.skins[0].joints[i])];
+        for (int axis : {1, 2, 3})
+            EXPECT_LT(glm::length(glm::vec3(lm[axis]) - glm::vec3(rm[axis]) * glm::vec3(-1, 1, 1)), 1e-5f)
+                << hands::kJointNames[i];
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Content, Hands, testing::Values("hand_left", "hand_right"),
+                         [](const auto& spec) { return std::string(spec.param); });
+
+} // namespace
+} // namespace shoal::scene
