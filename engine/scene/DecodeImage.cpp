@@ -1,0 +1,85 @@
+#include "engine/scene/DecodeImage.h"
+
+#include "engine/scene/Loading.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+
+namespace {
+
+// The most that stb may take in one piece. A PNG's lengths and its compressed data can both ask for gigabytes
+// that its width and height do not account for. Per thread, set around each decoding: stb's hooks carry no
+// context.
+thread_local size_t largestPiece = 0;
+
+void* takePiece(size_t bytes) { return bytes <= largestPiece ? std::malloc(bytes) : nullptr; }
+void* growPiece(void* old, size_t bytes) {
+    return bytes <= largestPiece ? std::realloc(old, bytes) : nullptr;
+}
+
+} // namespace
+
+#define STBI_MALLOC(bytes) takePiece(bytes)
+#define STBI_REALLOC(old, bytes) growPiece(old, bytes)
+#define STBI_FREE(old) std::free(old)
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_MAX_DIMENSIONS 32768
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace shoal::scene {
+
+namespace {
+
+struct FreePixels {
+    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+// A progressive JPEG may be gone over in as many scans as its author likes, each the work of a whole
+// decoding. Encoders write about ten.
+constexpr int kMaxScans = 100;
+
+int countScans(std::span<const uint8_t> bytes) {
+    int scans = 0;
+    for (size_t i = 0; i + 1 < bytes.size(); ++i) scans += bytes[i] == 0xFF && bytes[i + 1] == 0xDA;
+    return scans;
+}
+
+} // namespace
+
+ImageRgba8 decodeImage(Loading& loading, std::span<const uint8_t> bytes, const std::string& who) {
+    if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) fault(who, " is too large");
+    const int size = static_cast<int>(bytes.size());
+    largestPiece = 1 << 20; // the JPEG reader's state is some 20 KiB
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) || width < 1 || height < 1)
+        fault(who, " is not a PNG or JPEG image that can be read");
+    const uint64_t pixels = static_cast<uint64_t>(width) * static_cast<uint64_t>(height);
+    Loading::spend(loading.pixels, pixels, loading.limits.maxImagePixels, who, "image pixels");
+    if (bytes[0] == 0xFF && countScans(bytes) > kMaxScans) fault(who, " has more than ", kMaxScans, " scans");
+
+    // Largest need: four channels of 16 bits, in a buffer grown by doubling; and the compressed data,
+    // likewise. A progressive JPEG's coefficients are 16 bits in blocks rounded up to its largest sampling
+    // factor, 4.
+    const uint64_t rounded = (static_cast<uint64_t>(width) + 32) * (static_cast<uint64_t>(height) + 32);
+    largestPiece = rounded * 16 + bytes.size() * 2 + 65536;
+    const std::unique_ptr<stbi_uc, FreePixels> data(
+        stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4));
+    if (!data || static_cast<uint64_t>(width) * static_cast<uint64_t>(height) != pixels)
+        fault(who, " is broken or cut short");
+    ImageRgba8 image(width, height);
+    std::memcpy(image.pixels.data(), data.get(), image.pixels.size());
+    return image;
+}
+
+} // namespace shoal::scene

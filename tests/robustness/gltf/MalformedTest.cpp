@@ -1,0 +1,113 @@
+// Every malformed glTF file among the reference data yields a value or an Error in one sentence. Each lies
+// beside the Khronos validator's verdict, FILE.report.json; how many of those with errors are refused is
+// printed.
+#include "engine/scene/LoadModel.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+namespace shoal::scene {
+namespace {
+
+Path malformedFolder() {
+    const char* set = std::getenv("SHOAL_SHARED");
+    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR).parent_path() / "shared") / "data/malformed";
+}
+
+std::vector<Path> malformedFiles() {
+    std::vector<Path> files;
+    std::error_code code;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(malformedFolder(), code)) {
+        const std::string extension = entry.path().extension().string();
+        if (entry.is_regular_file() && (extension == ".gltf" || extension == ".glb"))
+            files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+int validatorErrors(const Path& file, std::string& codes) {
+    std::ifstream stream(file.string() + ".report.json");
+    if (!stream) return 0;
+    const auto report = nlohmann::json::parse(stream, nullptr, false);
+    if (report.is_discarded() || !report.contains("issues")) return 0;
+    for (const auto& message : report["issues"].value("messages", nlohmann::json::array()))
+        if (message.value("severity", 1) == 0) codes += " " + message.value("code", "");
+    return report["issues"].value("numErrors", 0);
+}
+
+// What LoadModel.h promises of every model.
+void expectSound(const Model& model) {
+    const auto nodes = static_cast<int>(model.nodes.size());
+    for (const int node : model.order) ASSERT_TRUE(node >= 0 && node < nodes);
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& primitive : mesh.primitives) {
+            const size_t vertices = primitive.positions.size();
+            ASSERT_EQ(primitive.indices.size() % 3, 0u);
+            for (const uint32_t index : primitive.indices) ASSERT_LT(index, vertices);
+            ASSERT_EQ(primitive.normals.size(), vertices);
+            for (size_t v = 0; v < vertices; ++v)
+                for (int k = 0; k < 3; ++k)
+                    ASSERT_TRUE(std::isfinite(primitive.positions[v][k]) &&
+                                std::isfinite(primitive.normals[v][k]));
+            for (const size_t size :
+                 {primitive.tangents.size(), primitive.texCoords[0].size(), primitive.texCoords[1].size(),
+                  primitive.coloursLin.size(), primitive.joints.size(), primitive.weights.size()})
+                ASSERT_TRUE(size == 0 || size == vertices);
+            ASSERT_LT(primitive.material, static_cast<int>(model.materials.size()));
+        }
+    Pose pose;
+    restPose(model, pose);
+    std::vector<glm::mat4> matrices;
+    for (size_t skin = 0; skin < model.skins.size(); ++skin)
+        skinMatrices(model, static_cast<int>(skin), pose, matrices);
+    for (size_t animation = 0; animation < model.animations.size(); ++animation)
+        for (const float time_s : {-1.0f, 0.0f, 0.5f, 1e30f})
+            animate(model, static_cast<int>(animation), time_s, pose, 0.5f);
+    updateGlobals(model, pose);
+    posedBounds(model, pose);
+}
+
+TEST(MalformedModels, EachIsAModelOrAnError) {
+    const std::vector<Path> files = malformedFiles();
+    if (files.empty()) GTEST_SKIP() << "no reference data at " << malformedFolder();
+    int refused = 0, wrong = 0, wrongRefused = 0, rightRefused = 0;
+    const bool tell = std::getenv("SHOAL_VERBOSE") != nullptr;
+    for (const Path& file : files) {
+        SCOPED_TRACE(file.string());
+        const auto start = std::chrono::steady_clock::now();
+        const Result<Model> model = loadModel(file);
+        const std::chrono::duration<double, std::milli> took_ms = std::chrono::steady_clock::now() - start;
+        std::string codes;
+        const bool hasErrors = validatorErrors(file, codes) > 0;
+        wrong += hasErrors;
+        const std::string name = file.lexically_relative(malformedFolder()).string();
+        if (model) {
+            expectSound(*model);
+            if (tell && hasErrors) std::cout << "accepted: " << name << codes << '\n';
+        } else {
+            ++refused;
+            (hasErrors ? wrongRefused : rightRefused) += 1;
+            EXPECT_EQ(model.error().path, file.string());
+            EXPECT_FALSE(model.error().reason.empty());
+            EXPECT_EQ(model.error().reason.find('\n'), std::string::npos);
+            EXPECT_FALSE(model.error().reason.ends_with('.'));
+            if (tell)
+                std::cout << (hasErrors ? "refused: " : "REFUSED: ") << name << ": " << model.error().reason
+                          << " |" << codes << '\n';
+        }
+        if (tell && took_ms.count() > 100) std::cout << name << " took " << took_ms.count() << " ms\n";
+    }
+    std::cout << files.size() << " files, " << refused << " refused: " << wrongRefused << " of the " << wrong
+              << " in which the Khronos validator finds errors, and " << rightRefused << " others\n";
+}
+
+} // namespace
+} // namespace shoal::scene

@@ -1,0 +1,125 @@
+// Small glTF files made in a test, and the reference data.
+#pragma once
+
+#include "engine/scene/LoadModel.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace shoal::scene {
+
+using Json = nlohmann::json;
+
+inline Path sharedData() {
+    const char* set = std::getenv("SHOAL_SHARED");
+    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR).parent_path() / "shared") / "data";
+}
+
+// A folder that goes with the test.
+class Folder {
+  public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "shoal-scene-XXXXXX").string();
+        if (::mkdtemp(name.data()) != nullptr) path_ = name;
+    }
+    ~Folder() {
+        std::error_code code;
+        std::filesystem::remove_all(path_, code);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const Path& path() const { return path_; }
+
+    Path write(const std::string& name, const std::string& bytes) const {
+        const Path file = path_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary) << bytes;
+        return file;
+    }
+
+  private:
+    Path path_;
+};
+
+inline std::string base64(const std::vector<uint8_t>& bytes) {
+    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+        uint32_t bits = static_cast<uint32_t>(bytes[i]) << 16;
+        if (i + 1 < bytes.size()) bits |= static_cast<uint32_t>(bytes[i + 1]) << 8;
+        if (i + 2 < bytes.size()) bits |= bytes[i + 2];
+        for (int k = 0; k < 4; ++k)
+            text += i + static_cast<size_t>(k) <= bytes.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
+// A glTF document under construction; one accessor per add.
+struct Gltf {
+    Json root = {{"asset", {{"version", "2.0"}}}};
+    std::vector<uint8_t> bytes;
+
+    static constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
+                         kUnsignedInt = 5125, kFloat = 5126;
+
+    template <class T> int addView(const std::vector<T>& values) {
+        bytes.resize((bytes.size() + 3) / 4 * 4);
+        const size_t offset = bytes.size(), length = values.size() * sizeof(T);
+        bytes.resize(offset + length);
+        std::memcpy(bytes.data() + offset, values.data(), length);
+        root["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}});
+        return static_cast<int>(root["bufferViews"].size()) - 1;
+    }
+
+    template <class T>
+    int add(const std::vector<T>& values, const char* type, int componentType, bool normalized = false) {
+        const std::string name = type;
+        const size_t components = name == "SCALAR" ? 1
+                                  : name == "MAT4" ? 16
+                                                   : static_cast<size_t>(name[3] - '0');
+        const int view = addView(values);
+        root["accessors"].push_back({{"bufferView", view},
+                                     {"componentType", componentType},
+                                     {"count", values.size() / components},
+                                     {"type", type},
+                                     {"normalized", normalized}});
+        return static_cast<int>(root["accessors"].size()) - 1;
+    }
+    int addFloats(const std::vector<float>& values, const char* type) { return add(values, type, kFloat); }
+
+    // One triangle mesh shown by one node; returns the primitive for more.
+    Json& addTriangles(int positions) {
+        root["meshes"].push_back({{"primitives", {{{"attributes", {{"POSITION", positions}}}}}}});
+        root["nodes"].push_back({{"mesh", root["meshes"].size() - 1}});
+        return root["meshes"].back()["primitives"][0];
+    }
+
+    std::string text() const {
+        Json whole = root;
+        if (!bytes.empty() && !whole.contains("buffers"))
+            whole["buffers"] = {{{"byteLength", bytes.size()},
+                                 {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
+        return whole.dump();
+    }
+
+    Result<Model> load(const LoadLimits& limits = {}) const {
+        const Folder folder;
+        return loadModel(folder.write("model.gltf", text()), limits);
+    }
+};
+
+inline const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+// The reason for which the document is refused; "" if it is not.
+inline std::string refusal(const Result<Model>& model) { return model ? "" : model.error().reason; }
+
+} // namespace shoal::scene
