@@ -453,7 +453,7 @@ def thrash(strength=1.0):
     def lateral(s, phase):
         c = 0.75 * np.sin(2 * np.pi * 2 * phase) + 0.4 * np.sin(2 * np.pi * 3 * phase + 0.9)
         tail = np.sin(2 * np.pi * (s * 0.9 - 3 * phase))
-        return strength * (0.48 * c * ((s - 0.42) ** 2 - 0.06) + 0.06 * s * s * tail)
+        return strength * (0.70 * c * ((s - 0.42) ** 2 - 0.06) + 0.06 * s * s * tail)
     return lateral
 
 
