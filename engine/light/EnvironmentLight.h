@@ -18,8 +18,9 @@ struct RadiancePyramid {
 // the direction, with n = v = r (Karis 2013, "Real Shading in Unreal Engine 4", the split sum's first
 // factor).
 struct GlossyLevel {
-    float roughness = 0;   // 0 is the mirror
-    ImageRgbF radianceLin; // empty for the mirror, which is level 0 of the radiance pyramid
+    float roughness = 0; // the mirror's, level 0, is the little that its texels amount to
+    ImageRgbF
+        radianceLin; // empty where it is the radiance pyramid's level of the same index, as the mirror is
 };
 
 struct EnvironmentLight {

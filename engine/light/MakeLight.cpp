@@ -1,7 +1,6 @@
 #include "engine/light/MakeLight.h"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 
 namespace shoal::light {
@@ -54,17 +53,11 @@ LightReport LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLig
 
 void LightMaker::finish(EnvironmentLight& out, LightReport& report) {
     const int baseWidth = out.radiance.levels[0].width;
-    if (!glossy_ || glossy_->plans()[0].width != baseWidth) {
-        if (options_.quality == LightQuality::Video)
-            glossy_.emplace(videoLevels(baseWidth), GlossyPrefilter::Rules::Keep);
-        else
-            glossy_.emplace(stillLevels(baseWidth), GlossyPrefilter::Rules::MakeEachTime);
-    }
+    if (!glossy_ || glossy_->plans()[0].width != baseWidth)
+        glossy_.emplace(options_.quality == LightQuality::Video ? videoLevels(baseWidth)
+                                                                : stillLevels(baseWidth));
     Stopwatch watch;
-    const auto level = std::find_if(out.radiance.levels.begin(), out.radiance.levels.end(),
-                                    [](const ImageRgbF& image) { return image.width == kDiffuseWidth; });
-    assert(level != out.radiance.levels.end());
-    diffuse_.make(*level, out.diffuse);
+    diffuse_.make(out.radiance, out.diffuse);
     report.diffuse_ms = watch.lap();
     glossy_->make(out.radiance, out.glossy);
     report.glossy_ms = watch.lap();

@@ -13,8 +13,8 @@
 namespace shoal::light {
 
 enum class LightQuality {
-    Video, // some milliseconds a frame
-    Still, // a second or two
+    Video, // videoLevels(): a few milliseconds a frame
+    Still, // stillLevels()
 };
 
 struct LightOptions {
@@ -28,7 +28,7 @@ struct LightReport {
     float total_ms() const { return pyramid_ms + diffuse_ms + glossy_ms; }
 };
 
-// Keeps kernels and scratch. The first frame of a new size makes tables (up to half a second); after that
+// Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that
 // nothing is allocated while out keeps its buffers. One thread at a time; a maker for each thread.
 //
 // The light is finite and lies in 0 .. kMaxHalf whatever comes in, so half floats hold it; the rough levels

@@ -9,14 +9,15 @@ uniform int glossyLevels;
 
 vec3 diffuseRadiance(vec3 normal) { return textureLod(diffuseMap, latLongFromDirection(normal), 0.0).rgb; }
 
-// Level whose roughness this is; between two levels linearly in alpha = roughness^2 (as lodFromRoughness() does).
+// Level whose roughness this is; between two levels linearly in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in
+// engine/light/GlossyLevels.h, which says why.
 float glossyLod(float roughness) {
-    float alpha = roughness * roughness;
+    float alpha = max(roughness * roughness, 1e-6);
     float lod = 0.0;
     for (int k = 0; k + 1 < glossyLevels; ++k) {
-        float low = glossyRoughness[k] * glossyRoughness[k];
+        float low = max(glossyRoughness[k] * glossyRoughness[k], 1e-6);
         float high = glossyRoughness[k + 1] * glossyRoughness[k + 1];
-        lod += clamp((alpha - low) / (high - low), 0.0, 1.0);
+        lod += clamp((alpha - low) * high / (alpha * (high - low)), 0.0, 1.0);
     }
     return lod;
 }

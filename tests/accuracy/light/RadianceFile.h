@@ -1,5 +1,5 @@
-// A reader of Radiance RGBE files, no more than the reference surrounds need; the accuracy of the light is measured without
-// leaning on engine/media.
+// A reader of Radiance RGBE files, no more than the reference surrounds need; the accuracy of the light is
+// measured without leaning on engine/media.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -32,8 +32,10 @@ inline std::optional<ImageRgbF> readRadianceFile(const Path& file) {
             size_t count = static_cast<uint8_t>(bytes[at++]);
             const bool run = count > 128;
             if (run) count -= 128;
-            if (count == 0 || filled + count > row.size() || at + (run ? 1 : count) > bytes.size()) return std::nullopt;
-            for (size_t i = 0; i < count; ++i) row[filled++] = static_cast<uint8_t>(bytes[at + (run ? 0 : i)]);
+            if (count == 0 || filled + count > row.size() || at + (run ? 1 : count) > bytes.size())
+                return std::nullopt;
+            for (size_t i = 0; i < count; ++i)
+                row[filled++] = static_cast<uint8_t>(bytes[at + (run ? 0 : i)]);
             at += run ? 1 : count;
         }
         for (int x = 0; x < width; ++x) {

@@ -1,0 +1,26 @@
+// The fast Hartley transform of many sequences side by side.
+#pragma once
+
+#include <vector>
+
+namespace shoal::light {
+
+// H(k) = sum over n of x(n) (cos + sin)(2 pi k n / N). Real in, real out, and its own inverse but for a
+// factor N. A circular convolution with an even kernel is a product, as in a Fourier transform: H_out(k) =
+// K(k) H_in(k), with K(k) = K(N - k). Bracewell 1984, "The fast Hartley transform".
+class Hartley {
+  public:
+    explicit Hartley(int length); // N, a power of two >= 2
+
+    // In place: `lanes` sequences, element n of lane i at data[n * lanes + i]. lanes: a multiple of 16.
+    void transform(float* data, int lanes) const;
+
+    int length() const { return length_; }
+
+  private:
+    int length_;
+    std::vector<int> swaps_;             // pairs of elements to exchange: bit reversal
+    std::vector<float> cosines_, sines_; // of 2 pi k / N
+};
+
+} // namespace shoal::light

@@ -1,0 +1,205 @@
+#include "engine/light/MakeLight.h"
+#include "engine/light/InverseToneMap.h"
+#include "engine/light/Lookup.h"
+#include "engine/light/PhongRings.h"
+#include "tests/unit/light/Surrounds.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace shoal::light {
+namespace {
+
+EnvironmentLight lightOf(const ImageRgbF& surround, LightQuality quality = LightQuality::Video) {
+    EnvironmentLight light;
+    LightMaker maker({1024, quality});
+    maker.makeFromHdr(surround, light);
+    return light;
+}
+
+// Kernels are scaled to sum to 1 in double; floats of up to 3 through two transforms of nine stages each
+// round at 2e-7 a stage.
+TEST(MakeLight, WhiteFurnaceIsExact) {
+    const glm::dvec3 white(0.25, 1, 3);
+    for (const LightQuality quality : {LightQuality::Video, LightQuality::Still}) {
+        const EnvironmentLight light = lightOf(uniform(1024, white), quality);
+        EXPECT_LT(largestDifference(light.diffuse, white), 1e-5);
+        ASSERT_EQ(light.glossy.size(), 6u); // 1024 the mirror, 512, 256, 128, 64, 32
+        for (size_t k = 0; k < light.glossy.size(); ++k)
+            EXPECT_LT(largestDifference(glossyImage(light, k), white), 1e-5) << "glossy level " << k;
+        const glm::vec3 rings = phongRingsRadiance(light.radiance, glm::vec3(0.6f, 0, 0.8f), 0.4);
+        EXPECT_LT(glm::length(rings - glm::vec3(white)), 1e-5f);
+    }
+}
+
+// Widths halve down from the mirror's, roughness rises from a mirror's to 1.
+TEST(MakeLight, GlossyLevelsAreAMipChain) {
+    const EnvironmentLight light = lightOf(uniform(512, glm::dvec3(1)));
+    EXPECT_TRUE(light.glossy[0].radianceLin.empty());
+    for (size_t k = 0; k < light.glossy.size(); ++k) {
+        EXPECT_EQ(glossyImage(light, k).width, 512 >> k);
+        EXPECT_EQ(glossyImage(light, k).height, 256 >> k);
+        if (k) {
+            EXPECT_GT(light.glossy[k].roughness, light.glossy[k - 1].roughness);
+        }
+        EXPECT_FLOAT_EQ(lodFromRoughness(light.glossy, light.glossy[k].roughness), static_cast<float>(k));
+    }
+    EXPECT_EQ(light.glossy.back().roughness, 1.0f);
+    EXPECT_EQ(lodFromRoughness(light.glossy, 0.0f), 0.0f);
+}
+
+// The video's value v everywhere: a white matte ball drawn with the display's curve shows v. 1/255 is one
+// step.
+TEST(MakeLight, UniformVideoDrawsAMatteBallInItsOwnColour) {
+    LightMaker maker;
+    EnvironmentLight light;
+    for (const int value : {0, 1, 40, 128, 200, 255}) {
+        const std::vector<uint8_t> pixels(static_cast<size_t>(256 * 128 * 3), static_cast<uint8_t>(value));
+        maker.make(FrameView{pixels.data(), 256, 128, 256 * 3, true}, light);
+        for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(0, 0, -1), glm::vec3(-0.6f, -0.8f, 0)})
+            EXPECT_NEAR(displayFromRadiance(lookUp(light.diffuse, normal)).y * 255, static_cast<float>(value),
+                        0.01f);
+    }
+}
+
+// Half the sphere lit around `axis`: a matte surface leaning t from it shows exactly (1 + cos t) / 2.
+// Painting the edge by texel centres at 512 wide moves it by up to half a texel, pi / 512: 0.2 % of the
+// irradiance at most.
+TEST(MakeLight, HalfTheSphereLit) {
+    for (const glm::dvec3 axis : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0.6, 0.64, 0.48)}) {
+        const EnvironmentLight light = lightOf(paint(
+            512, 256, [&](const glm::dvec3& d) { return glm::dvec3(glm::dot(d, axis) > 0 ? 1.0 : 0.0); }));
+        double worst = 0;
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const glm::dvec3 n = directionFromLatLong(glm::dvec2((x + 0.5) / 64, (y + 0.5) / 32));
+                const double got = light.diffuse.at(x, y)[0];
+                worst = std::max(worst, std::abs(got - 0.5 - 0.5 * glm::dot(n, axis)));
+                // Roughness 1 is the same integral at half the resolution. Beyond its first row's centre, pi
+                // / 32 from the pole, a clamped map cannot follow a slope of 1 / 2.
+                EXPECT_NEAR(lookUp(light.glossy.back().radianceLin, glm::vec3(n)).x, got,
+                            0.5 * std::numbers::pi / 32);
+            }
+        EXPECT_LT(worst, 0.002);
+    }
+}
+
+// One texel of radiance R and solid angle w gives R w cos / pi; the pyramid spreads it over a texel of 128
+// around, and the map's texel is the mean of four points: together within half a texel of 64, pi / 64.
+TEST(MakeLight, OneBrightTexelGivesACosine) {
+    ImageRgbF dark(512, 256);
+    const int column = 300, row = 100;
+    dark.at(column, row)[1] = 1e4f;
+    const EnvironmentLight light = lightOf(dark);
+    const glm::dvec3 source = directionFromLatLong(glm::dvec2((column + 0.5) / 512, (row + 0.5) / 256));
+    const double peak = 1e4 * texelSolidAngle(row, 512, 256) / std::numbers::pi;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const glm::dvec3 n = directionFromLatLong(glm::dvec2((x + 0.5) / 64, (y + 0.5) / 32));
+            const double want = peak * std::max(0.0, glm::dot(n, source));
+            EXPECT_NEAR(light.diffuse.at(x, y)[1], want, peak * std::sin(std::numbers::pi / 64));
+            EXPECT_EQ(light.diffuse.at(x, y)[0], 0.0f);
+        }
+}
+
+// The sums are the same, rounded elsewhere.
+TEST(MakeLight, TurningTheSurroundTurnsTheLight) {
+    const ImageRgbF surround = noise(512, 256);
+    const EnvironmentLight still = lightOf(surround);
+    for (const int columns : {16, 48, 256}) {
+        const EnvironmentLight moved = lightOf(turned(surround, columns));
+        EXPECT_LT(largestDifference(turned(still.diffuse, columns / 8), moved.diffuse), 2e-6);
+        for (size_t k = 1; k < still.glossy.size(); ++k)
+            EXPECT_LT(largestDifference(turned(still.glossy[k].radianceLin, columns >> k),
+                                        moved.glossy[k].radianceLin),
+                      2e-6);
+    }
+}
+
+TEST(MakeLight, SeamAndPolesAreNoPlaces) {
+    // A sun across the seam, one over the pole; each mirrored by the same sun ahead.
+    const auto sun = [](const glm::dvec3& at) {
+        return paint(512, 256,
+                     [&](const glm::dvec3& d) { return glm::dvec3(glm::dot(d, at) > 0.95 ? 10.0 : 0.0); });
+    };
+    const EnvironmentLight ahead = lightOf(sun({0, 0, -1})), behind = lightOf(sun({0, 0, 1})),
+                           above = lightOf(sun({0, 1, 0}));
+    for (const float roughness : {0.3f, 0.5f, 0.8f, 1.0f}) {
+        const float want = lookUpGlossy(ahead, {0, 0, -1}, roughness).x;
+        EXPECT_NEAR(lookUpGlossy(behind, {0, 0, 1}, roughness).x, want, 1e-3f * want);
+        EXPECT_NEAR(lookUpGlossy(above, {0, 1, 0}, roughness).x, want, 0.03f * want)
+            << "roughness " << roughness;
+    }
+    EXPECT_NEAR(lookUp(above.diffuse, {0, 1, 0}).x, lookUp(ahead.diffuse, {0, 0, -1}).x, 0.02f);
+}
+
+TEST(MakeLight, BrokenHdrGivesFiniteBoundedLight) {
+    ImageRgbF broken = noise(256, 128);
+    for (size_t i = 0; i < broken.pixels.size(); i += 97)
+        broken.pixels[i] = std::numeric_limits<float>::quiet_NaN();
+    for (size_t i = 5; i < broken.pixels.size(); i += 101)
+        broken.pixels[i] = std::numeric_limits<float>::max();
+    for (size_t i = 7; i < broken.pixels.size(); i += 103)
+        broken.pixels[i] = -std::numeric_limits<float>::infinity();
+    EnvironmentLight light;
+    LightMaker maker;
+    EXPECT_GT(maker.makeFromHdr(broken, light).repairedTexels, 900u);
+    const auto bounded = [](const ImageRgbF& image) {
+        return std::all_of(image.pixels.begin(), image.pixels.end(),
+                           [](float value) { return value >= 0 && value <= kMaxHalf; });
+    };
+    EXPECT_TRUE(bounded(light.diffuse));
+    for (const ImageRgbF& level : light.radiance.levels) EXPECT_TRUE(bounded(level));
+    for (size_t k = 0; k < light.glossy.size(); ++k) EXPECT_TRUE(bounded(glossyImage(light, k)));
+}
+
+// Above the half-float limit the mirror is cut, the strength of the light is not.
+TEST(MakeLight, SunAboveHalfFloatsKeepsItsStrength) {
+    ImageRgbF sky(1024, 512);
+    sky.at(500, 100)[0] = 3e5f;
+    const EnvironmentLight strong = lightOf(sky);
+    sky.at(500, 100)[0] = 3e4f;
+    const EnvironmentLight weak = lightOf(sky);
+    EXPECT_EQ(strong.radiance.levels[0].at(500, 100)[0], kMaxHalf);
+    EXPECT_EQ(weak.radiance.levels[0].at(500, 100)[0], 3e4f);
+    const glm::vec3 sun = directionFromLatLong(glm::vec2(500.5f / 1024, 100.5f / 512));
+    EXPECT_NEAR(lookUp(strong.diffuse, sun).x / lookUp(weak.diffuse, sun).x, 10.0f, 1e-3f);
+}
+
+TEST(MakeLight, BuffersAreReused) {
+    LightMaker maker;
+    EnvironmentLight light;
+    maker.makeFromHdr(noise(512, 256, 1), light);
+    std::vector<const float*> before = {light.diffuse.pixels.data()};
+    for (const auto& level : light.radiance.levels) before.push_back(level.pixels.data());
+    for (const auto& level : light.glossy) before.push_back(level.radianceLin.pixels.data());
+    maker.makeFromHdr(noise(512, 256, 2), light);
+    std::vector<const float*> after = {light.diffuse.pixels.data()};
+    for (const auto& level : light.radiance.levels) after.push_back(level.pixels.data());
+    for (const auto& level : light.glossy) after.push_back(level.radianceLin.pixels.data());
+    EXPECT_EQ(before, after);
+}
+
+TEST(PhongRings, StandForTheWholeLobe) {
+    for (const double roughness : {0.05, 0.3, 0.6, 1.0}) {
+        const auto rings = phongRings(roughness);
+        double sum = 0, before = 0;
+        for (const PhongRing& ring : rings) {
+            EXPECT_GT(ring.angle, before);
+            EXPECT_LT(ring.angle, std::numbers::pi / 2);
+            before = ring.angle;
+            sum += ring.weight;
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-12);
+        // Half the peak lies between the third ring and the fourth.
+        const double exponent = 0.5 / std::pow(roughness, 4) + 0.5;
+        const double half = std::acos(std::exp2(-1 / exponent));
+        EXPECT_LT(rings[2].angle, half);
+        EXPECT_GT(rings[3].angle, half);
+    }
+}
+
+} // namespace
+} // namespace shoal::light

@@ -1,0 +1,144 @@
+#include "engine/light/Pyramid.h"
+#include "engine/light/InverseToneMap.h"
+#include "tests/unit/light/Surrounds.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace shoal::light {
+namespace {
+
+struct Bytes {
+    std::vector<uint8_t> data;
+    FrameView view;
+};
+
+// Noise in a rectangle inside a larger frame whose other bytes are white: a stride read wrongly shows.
+Bytes frame(int width, int height, bool bgr, int margin = 5) {
+    Bytes bytes;
+    const int stride = (width + margin) * 3;
+    bytes.data.assign(static_cast<size_t>(stride) * height, 255);
+    uint32_t seed = 7;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width * 3; ++x) {
+            seed = seed * 1664525u + 1013904223u;
+            bytes.data[static_cast<size_t>(y * stride + x)] = static_cast<uint8_t>(seed >> 24);
+        }
+    bytes.view = {bytes.data.data(), width, height, stride, bgr};
+    return bytes;
+}
+
+ImageRgbF radianceOf(const FrameView& view) {
+    ImageRgbF image(view.width, view.height);
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const uint8_t* p = view.pixels + y * view.rowStride + x * 3;
+            const glm::vec3 coded = view.bgr ? glm::vec3(p[2], p[1], p[0]) : glm::vec3(p[0], p[1], p[2]);
+            const glm::vec3 lin = radianceFromDisplay(coded / 255.0f);
+            for (int c = 0; c < 3; ++c) image.at(x, y)[c] = lin[c];
+        }
+    return image;
+}
+
+struct Size {
+    int width, height, asked, base;
+};
+
+class PyramidSizes : public testing::TestWithParam<Size> {};
+
+// Sums of floats, each rounded at 6e-8 of its size, over at most 1000 rows of random errors: 1e-5 with room.
+TEST_P(PyramidSizes, EveryLevelHasTheMeanOfTheSource) {
+    const auto [width, height, asked, base] = GetParam();
+    for (const bool bgr : {true, false}) {
+        const Bytes bytes = frame(width, height, bgr);
+        RadiancePyramid pyramid;
+        PyramidMaker maker;
+        maker.make(bytes.view, asked, pyramid);
+        EXPECT_EQ(pyramid.levels[0].width, base);
+        EXPECT_EQ(pyramid.levels.back().width, 2);
+        EXPECT_EQ(pyramid.levels.back().height, 1);
+        const glm::dvec3 mean = meanOf(radianceOf(bytes.view));
+        for (const ImageRgbF& level : pyramid.levels)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(meanOf(level)[c], mean[c], 1e-5 * mean[c]) << "level " << level.width << " wide";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PyramidSizes,
+                         testing::Values(Size{512, 256, 256, 256}, Size{512, 256, 512, 512},
+                                         Size{426, 214, 1024, 256}, Size{1920, 540, 1024, 1024},
+                                         Size{640, 320, 1024, 512}, Size{100, 60, 1024, 256},
+                                         Size{1, 1, 1024, 256}));
+
+TEST(Pyramid, HalvedFrameIsTheWeighedMeanOfFour) {
+    const Bytes bytes = frame(512, 256, true);
+    const ImageRgbF full = radianceOf(bytes.view);
+    RadiancePyramid pyramid;
+    PyramidMaker maker;
+    maker.make(bytes.view, 256, pyramid);
+    double worst = 0;
+    for (int y = 0; y < 128; ++y) {
+        const double top = texelSolidAngle(2 * y, 512, 256), bottom = texelSolidAngle(2 * y + 1, 512, 256);
+        for (int x = 0; x < 256; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const double want =
+                    (top * (full.at(2 * x, 2 * y)[c] + full.at(2 * x + 1, 2 * y)[c]) +
+                     bottom * (full.at(2 * x, 2 * y + 1)[c] + full.at(2 * x + 1, 2 * y + 1)[c])) /
+                    (2 * (top + bottom));
+                worst = std::max(worst, std::abs(want - static_cast<double>(pyramid.levels[0].at(x, y)[c])));
+            }
+    }
+    EXPECT_LT(worst, 1e-5); // floats up to 11.8
+}
+
+TEST(Pyramid, LinearSourceOfTheBasesSizeIsKept) {
+    const ImageRgbF source = noise(512, 256);
+    RadiancePyramid pyramid;
+    PyramidMaker maker;
+    EXPECT_EQ(maker.make(source, 512, pyramid), 0u);
+    EXPECT_LT(largestDifference(pyramid.levels[0], source), 1e-6);
+}
+
+// The trap of plain mips (the zenith counted three times): a bright cap keeps its share of the sphere.
+TEST(Pyramid, ZenithIsNotOverweighed) {
+    const ImageRgbF cap =
+        paint(512, 256, [](const glm::dvec3& d) { return glm::dvec3(d.y > 0.866 ? 1.0 : 0.0); });
+    RadiancePyramid pyramid;
+    PyramidMaker maker;
+    maker.make(cap, 512, pyramid);
+    const ImageRgbF& last = pyramid.levels.back();
+    EXPECT_NEAR((last.at(0, 0)[0] + last.at(1, 0)[0]) / 2, 0.067,
+                0.002); // 6.7 %, one row of 256 at 30 degrees is 0.3 %
+}
+
+TEST(Pyramid, SizesMayChangeBetweenFrames) {
+    PyramidMaker maker;
+    RadiancePyramid used, fresh;
+    maker.make(frame(640, 300, true).view, 512, used);
+    const Bytes bytes = frame(300, 640, false);
+    maker.make(bytes.view, 256, used);
+    PyramidMaker().make(bytes.view, 256, fresh);
+    for (size_t k = 0; k < fresh.levels.size(); ++k) EXPECT_EQ(used.levels[k].pixels, fresh.levels[k].pixels);
+}
+
+TEST(Pyramid, RepairsWhatIsNotLight) {
+    ImageRgbF broken = uniform(256, glm::dvec3(1));
+    broken.at(3, 50)[0] = std::numeric_limits<float>::quiet_NaN();
+    broken.at(4, 50)[1] = -5.0f;
+    broken.at(5, 50)[2] = std::numeric_limits<float>::infinity();
+    broken.at(6, 50)[0] = 1e30f;
+    broken.at(6, 50)[1] = -std::numeric_limits<float>::infinity();
+    broken.at(7, 50)[0] = 1e5f; // a real sun may be so bright
+    RadiancePyramid pyramid;
+    PyramidMaker maker;
+    EXPECT_EQ(maker.make(broken, 256, pyramid), 4u);
+    EXPECT_EQ(pyramid.levels[0].at(3, 50)[0], 0.0f);
+    EXPECT_EQ(pyramid.levels[0].at(4, 50)[1], 0.0f);
+    EXPECT_EQ(pyramid.levels[0].at(5, 50)[2], kMaxHalf);
+    EXPECT_EQ(pyramid.levels[0].at(6, 50)[0], kMaxRadianceIn);
+    EXPECT_EQ(pyramid.levels[0].at(7, 50)[0], 1e5f);
+}
+
+} // namespace
+} // namespace shoal::light
