@@ -34,14 +34,21 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
     }
 }
 
-// Pairs of columns to their mean, planes to interleaved.
-SHOAL_VECTORISE
-void narrowByTwo(const float* __restrict red, const float* __restrict green, const float* __restrict blue,
-                 int width, float* __restrict out) {
+// Every kFactor columns to their mean, planes to interleaved.
+template <int kFactor>
+SHOAL_VECTORISE void narrowBy(const float* __restrict red, const float* __restrict green,
+                              const float* __restrict blue, int width, float* __restrict out) {
+    constexpr float kShare = 1.0f / kFactor;
     for (int x = 0; x < width; ++x) {
-        out[3 * x] = 0.5f * (red[2 * x] + red[2 * x + 1]);
-        out[3 * x + 1] = 0.5f * (green[2 * x] + green[2 * x + 1]);
-        out[3 * x + 2] = 0.5f * (blue[2 * x] + blue[2 * x + 1]);
+        float r = 0, g = 0, b = 0;
+        for (int i = 0; i < kFactor; ++i) {
+            r += red[kFactor * x + i];
+            g += green[kFactor * x + i];
+            b += blue[kFactor * x + i];
+        }
+        out[3 * x] = kShare * r;
+        out[3 * x + 1] = kShare * g;
+        out[3 * x + 2] = kShare * b;
     }
 }
 
@@ -137,8 +144,13 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
 }
 
 void PyramidMaker::narrowRow() {
-    if (sourceWidth_ == 2 * baseWidth_) {
-        narrowByTwo(red_.data(), green_.data(), blue_.data(), baseWidth_, narrow_.data());
+    // The usual sizes have loops of their own; the spans below serve any.
+    const auto narrow = sourceWidth_ == baseWidth_       ? narrowBy<1>
+                        : sourceWidth_ == 2 * baseWidth_ ? narrowBy<2>
+                        : sourceWidth_ == 4 * baseWidth_ ? narrowBy<4>
+                                                         : nullptr;
+    if (narrow) {
+        narrow(red_.data(), green_.data(), blue_.data(), baseWidth_, narrow_.data());
         return;
     }
     float* out = narrow_.data();

@@ -67,9 +67,9 @@ TEST_P(PyramidSizes, EveryLevelHasTheMeanOfTheSource) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, PyramidSizes,
                          testing::Values(Size{512, 256, 256, 256}, Size{512, 256, 512, 512},
-                                         Size{426, 214, 1024, 256}, Size{1920, 540, 1024, 1024},
-                                         Size{640, 320, 1024, 512}, Size{100, 60, 1024, 256},
-                                         Size{1, 1, 1024, 256}));
+                                         Size{1024, 512, 256, 256}, Size{426, 214, 1024, 256},
+                                         Size{1920, 540, 1024, 1024}, Size{640, 320, 1024, 512},
+                                         Size{100, 60, 1024, 256}, Size{1, 1, 1024, 256}));
 
 TEST(Pyramid, HalvedFrameIsTheWeighedMeanOfFour) {
     const Bytes bytes = frame(512, 256, true);
