@@ -26,7 +26,7 @@ inline glm::vec3 radianceFromDisplay(const glm::vec3& colour) {
 //
 // Colour and radiance share their hue, so with y the radiance's luminance one number is unknown: y = 10 L^11
 // + 1.8 L. That function is convex and rising and the start lies at or above its root, so Newton falls onto
-// the root from above; after six steps the error is below 1e-6 for y up to 1000 (the start is worst near y
+// the root from above; after six steps rounding is what is left (the start is worst near y
 // = 3.3).
 inline glm::vec3 displayFromRadiance(const glm::vec3& radiance) {
     const float y = thesisLuminance(radiance);

@@ -21,7 +21,7 @@ namespace shoal::light {
 // uniform light stays exactly as it is.
 class ZonalFilter {
   public:
-    // width: of the map, a power of two >= 32. Takes 1 ms (64) to 0.5 s (512) and 0.1 to some 10 MB.
+    // width: of the map, a power of two >= 32. Takes 1 ms (64) to 0.3 s (512) and 0.1 to some 10 MB.
     ZonalFilter(int width, double alpha);
 
     // in, out: width x width / 2; out is made so. Linear radiance; nothing negative comes out. One thread at
