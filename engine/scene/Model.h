@@ -127,14 +127,14 @@ struct Pose {
     std::vector<std::vector<float>> morphWeights; // per node; empty without morph targets
 };
 
-// The model as its file stands, without any animation.
+// The model as its file stands, without any animation; modelFromNode included.
 void restPose(const Model&, Pose&);
 
 // Overwrites the animated transforms and weights of pose.local at this time (clamped to the animation's span;
 // the caller wraps loops). weight blends between what is there (0) and the animation (1).
 void animate(const Model&, int animation, float time_s, Pose&, float weight = 1);
 
-// Fills modelFromNode from local.
+// Fills modelFromNode from local, for the nodes in model.order; the others keep theirs.
 void updateGlobals(const Model&, Pose&);
 
 // modelFromMesh matrices of a skin's joints: modelFromNode * jointFromMesh. out is resized to the joint
