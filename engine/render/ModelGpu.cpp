@@ -13,7 +13,7 @@ namespace {
 struct FixedVertex { // what morphing leaves alone
     glm::vec4 tangent{1, 0, 0, 1};
     glm::vec2 uv0{0}, uv1{0};
-    glm::vec4 colourLin{1};
+    glm::vec4 colour{1}; // linear or coded, as the reflectance is
     glm::u16vec4 joints{0};
     glm::vec4 weights{1, 0, 0, 0};
 };
@@ -43,7 +43,12 @@ std::vector<MorphVertex> morphed(const scene::Primitive& primitive, std::span<co
     return vertices;
 }
 
-PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive) {
+// x to the power 1 / 2.2, near enough to sRGB's coding for reflectances, and a power in earnest.
+glm::vec4 coded(const glm::vec4& lin) {
+    return {glm::pow(glm::max(glm::vec3(lin), 0.0f), glm::vec3(1 / 2.2f)), lin.a};
+}
+
+PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance reflectance) {
     PrimitiveGpu gpu;
     gpu.material = primitive.material;
     gpu.skinned = !primitive.joints.empty();
@@ -64,7 +69,9 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive) {
         if (!primitive.tangents.empty()) fixed[v].tangent = primitive.tangents[v];
         if (!primitive.texCoords[0].empty()) fixed[v].uv0 = primitive.texCoords[0][v];
         if (!primitive.texCoords[1].empty()) fixed[v].uv1 = primitive.texCoords[1][v];
-        if (!primitive.coloursLin.empty()) fixed[v].colourLin = primitive.coloursLin[v];
+        if (!primitive.coloursLin.empty())
+            fixed[v].colour =
+                reflectance == Reflectance::Coded ? coded(primitive.coloursLin[v]) : primitive.coloursLin[v];
         if (gpu.skinned) {
             fixed[v].joints = primitive.joints[v];
             fixed[v].weights = primitive.weights[v];
@@ -78,7 +85,7 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive) {
     attribute(ATTRIBUTE_TANGENT, 4, GL_FLOAT, kStride, offsetof(FixedVertex, tangent));
     attribute(ATTRIBUTE_UV0, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv0));
     attribute(ATTRIBUTE_UV1, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv1));
-    attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colourLin));
+    attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colour));
     attribute(ATTRIBUTE_WEIGHTS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, weights));
     glEnableVertexAttribArray(ATTRIBUTE_JOINTS);
     glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
@@ -121,18 +128,22 @@ gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image
 
 } // namespace
 
-ModelGpu uploadModel(const scene::Model& model) {
+ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance) {
     ModelGpu gpu;
+    gpu.reflectance = reflectance;
     gpu.materials = model.materials;
     gpu.materials.emplace_back();
+    if (reflectance == Reflectance::Coded)
+        for (scene::Material& material : gpu.materials)
+            material.baseColourLin = coded(material.baseColourLin);
     for (const scene::Mesh& mesh : model.meshes) {
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
         for (const scene::Primitive& primitive : mesh.primitives)
-            meshGpu.primitives.push_back(uploadPrimitive(primitive));
+            meshGpu.primitives.push_back(uploadPrimitive(primitive, reflectance));
     }
     gpu.colourTextures.resize(model.textures.size());
     gpu.dataTextures.resize(model.textures.size());
-    const auto want = [&](const scene::TextureUse& use, bool srgb) {
+    const auto want = [&](const scene::TextureUse& use, bool srgb) { // srgb: the sampler decodes it
         if (use.texture < 0) return;
         const auto index = static_cast<size_t>(use.texture);
         gl::Texture& slot = (srgb ? gpu.colourTextures : gpu.dataTextures)[index];
@@ -141,7 +152,7 @@ ModelGpu uploadModel(const scene::Model& model) {
             slot = uploadTexture(model.textures[index], model.images[static_cast<size_t>(image)], srgb);
     };
     for (const scene::Material& material : model.materials) {
-        want(material.baseColour, true);
+        want(material.baseColour, reflectance == Reflectance::Linear);
         want(material.emissive, true);
         want(material.metallicRoughness, false);
         want(material.normal, false);

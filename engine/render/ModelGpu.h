@@ -24,6 +24,12 @@ struct MeshGpu {
     std::vector<PrimitiveGpu> primitives;
 };
 
+// In which space surfaces scale light. The thesis' inverse tone mapping scales a video's coded values as they
+// come, so its "radiance" is still gamma-coded, and since coding is nearly a power, code(a L) = code(a)
+// code(L): a surface of reflectance a must scale it by a's coded value. Light that was measured linear is
+// scaled by a itself.
+enum class Reflectance { Linear, Coded };
+
 struct ModelGpu {
     std::vector<MeshGpu> meshes;
     std::vector<gl::Texture>
@@ -36,7 +42,7 @@ struct ModelGpu {
     }
 };
 
-ModelGpu uploadModel(const scene::Model& model);
+ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance);
 
 // Rewrites the positions and normals of a mesh with morph targets for these weights.
 void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, MeshGpu& gpu);

@@ -220,7 +220,8 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item) const {
     program.set("alphaCutoff", material.alphaCutoff);
     const auto& colour = item.gpu->colourTextures;
     const auto& data = item.gpu->dataTextures;
-    bindMap(program, material.baseColour, colour, UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv");
+    bindMap(program, material.baseColour, item.gpu->reflectance == Reflectance::Linear ? colour : data,
+            UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv");
     bindMap(program, material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
             "metallicRoughnessUv");
     bindMap(program, material.normal, data, UNIT_NORMAL, "normalMap", "normalUv");

@@ -18,12 +18,12 @@ float clipTime(const scene::Animation& clip, float phase_s) {
 
 } // namespace
 
-Result<Cast::Actor> Cast::loadActor(const Path& file) {
+Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflectance) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     Actor actor;
     actor.model = std::move(*model);
-    actor.gpu = render::uploadModel(actor.model);
+    actor.gpu = render::uploadModel(actor.model, reflectance);
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
@@ -33,16 +33,17 @@ Result<Cast::Actor> Cast::loadActor(const Path& file) {
     return actor;
 }
 
-Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand) {
+Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
+                        render::Reflectance reflectance) {
     Cast cast;
     for (const Path& file : speciesModels) {
-        auto actor = loadActor(file);
+        auto actor = loadActor(file, reflectance);
         if (!actor) return actor.error();
         cast.species_.push_back(std::move(*actor));
     }
     const std::array files = {leftHand, rightHand};
     for (size_t side = 0; side < files.size(); ++side) {
-        auto actor = loadActor(files[side]);
+        auto actor = loadActor(files[side], reflectance);
         if (!actor) return actor.error();
         for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
             actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));

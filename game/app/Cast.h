@@ -31,7 +31,7 @@ class Cast {
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
-    static Result<Actor> loadActor(const Path& file);
+    static Result<Actor> loadActor(const Path& file, render::Reflectance reflectance);
 
     std::vector<Actor> species_;
     std::array<Actor, 2> hands_;

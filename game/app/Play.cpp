@@ -228,7 +228,8 @@ Status Player::open() {
     for (const game::Species& species : plan.species)
         models.push_back(dataRoot() / "content" / species.model);
     const Path folder = dataRoot() / "content" / "models";
-    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb");
+    auto cast =
+        Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", surround->reflectance());
     if (!cast) return cast.error();
     auto madeStage = Stage::make(std::move(*cast));
     if (!madeStage) return madeStage.error();

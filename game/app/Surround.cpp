@@ -205,6 +205,10 @@ render::ToneCurve Surround::naturalTone() const {
     return state_->hdr ? render::ToneCurve::Aces : render::ToneCurve::InverseOfVideo;
 }
 
+render::Reflectance Surround::reflectance() const {
+    return state_->hdr ? render::Reflectance::Linear : render::Reflectance::Coded;
+}
+
 float Surround::light_ms() const { return state_->light_ms; }
 float Surround::decode_ms() const { return state_->decode_ms; }
 float Surround::upload_ms() const { return state_->upload_ms; }

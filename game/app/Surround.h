@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 #include "game/app/Options.h"
@@ -39,7 +40,8 @@ class Surround {
 
     const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
     glm::mat3 envFromWorld() const;
-    render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
+    render::ToneCurve naturalTone() const;   // the curve that `--tone auto` means here
+    render::Reflectance reflectance() const; // the space that its light is in
 
     // Of the newest frame; 0 for stills after the first.
     float light_ms() const;

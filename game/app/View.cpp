@@ -125,8 +125,6 @@ Status Viewer::open() {
             return Error{"", "there is no display to open a window on; --out FILE.png writes a picture"};
         window_ = std::move(*opened);
     }
-    gpu_ = render::uploadModel(model_);
-    pose(clip_);
     auto surround = Surround::open({.options = options_.surround,
                                     .defaultVideo = dataRoot() / "content/video/reef.mp4",
                                     .still = true,
@@ -134,6 +132,8 @@ Status Viewer::open() {
     if (!surround) return surround.error();
     surround_ = std::move(*surround);
     surround_->update(static_cast<double>(options_.at_s), true);
+    gpu_ = render::uploadModel(model_, surround_->reflectance());
+    pose(clip_);
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
     backdrop_ = std::move(*backdrop);

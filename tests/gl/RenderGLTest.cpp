@@ -153,7 +153,7 @@ ImageRgba8 drawBall(const scene::Model& model, const render::SurroundGpu& surrou
                     float exposure_ev, int size) {
     auto pass = render::ObjectPass::make();
     EXPECT_TRUE(pass) << pass.error().sentence();
-    const render::ModelGpu gpu = render::uploadModel(model);
+    const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded);
     scene::Pose pose;
     scene::restPose(model, pose);
     scene::updateGlobals(model, pose);
