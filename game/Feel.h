@@ -1,0 +1,29 @@
+// From what happens to what the fingers feel. Pure: time comes in, nothing is kept but decaying pulses.
+#pragma once
+
+#include "game/Snapshot.h"
+#include "input/haptics/HapticFrame.h"
+
+#include <span>
+
+namespace shoal::game {
+
+class Feel {
+  public:
+    // events: since the last call; dt_s: time since then. strength: the player's setting, 0 to 1.
+    haptics::HapticFrame frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
+                               float strength);
+
+  private:
+    struct Pulse {
+        float amplitude = 0; // now
+        float frequency_Hz = 0;
+        float decay_s = 1; // to 1/e
+    };
+    void strike(int hand, int finger, const Pulse& pulse);
+
+    std::array<Pulse, haptics::kActuatorCount> pulses_{};
+    float purr_s_ = 0;
+};
+
+} // namespace shoal::game
