@@ -32,9 +32,10 @@ enum class Reflectance { Linear, Coded };
 
 struct ModelGpu {
     std::vector<MeshGpu> meshes;
-    std::vector<gl::Texture>
-        colourTextures; // per Model::textures, sRGB decoded by the sampler; empty if unused so
-    std::vector<gl::Texture> dataTextures;  // per Model::textures, linear
+    // Per Model::textures; empty where a texture is not used in that way.
+    std::vector<gl::Texture> colourTextures; // sRGB, decoded by the sampler
+    std::vector<gl::Texture> dataTextures;   // values as stored
+    Reflectance reflectance = Reflectance::Linear; // the space of base colours, in maps too
     std::vector<scene::Material> materials; // the last is glTF's default material
 
     const scene::Material& materialOf(const PrimitiveGpu& primitive) const {

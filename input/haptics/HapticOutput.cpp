@@ -62,16 +62,4 @@ HapticOutput::~HapticOutput() = default;
 void HapticOutput::submit(const HapticFrame& frame) { state_->mailbox.put(frame); }
 int HapticOutput::ready() const { return state_->ready; }
 
-std::vector<HapticDevice> listHapticDevices(const HidBus& bus) {
-    std::vector<HapticDevice> devices;
-    for (const HidInfo& info : bus.list()) {
-        const Controller* controller = findController(info.vendor, info.product);
-        if (!controller) continue;
-        auto handle = bus.open(info.path);
-        devices.push_back({controller->name, info.path, handle ? "" : handle.error().reason});
-        if (handle) bus.close(*handle);
-    }
-    return devices;
-}
-
 } // namespace shoal::haptics

@@ -6,8 +6,6 @@
 #include "input/haptics/HidBus.h"
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace shoal::haptics {
 
@@ -27,12 +25,5 @@ class HapticOutput {
     struct State;
     std::unique_ptr<State> state_;
 };
-
-struct HapticDevice {
-    std::string name, path;
-    std::string trouble; // empty: usable
-};
-// Those of ours that are plugged in now.
-std::vector<HapticDevice> listHapticDevices(const HidBus& bus);
 
 } // namespace shoal::haptics

@@ -33,7 +33,9 @@ TEST(Feel, ATouchIsFeltByTheFingerThatTouchedAndFades) {
     EXPECT_NEAR(amplitude(later, 1, 2), std::exp(-0.2f / 0.08f), 1e-3f); // 0.2 s at a decay of 0.08 s
     for (int hand = 0; hand < 2; ++hand)
         for (int finger = 0; finger < haptics::kActuatorsPerHand; ++finger)
-            if (hand != 1 || finger != 2) EXPECT_EQ(amplitude(later, hand, finger), 0);
+            if (hand != 1 || finger != 2) {
+                EXPECT_EQ(amplitude(later, hand, finger), 0);
+            }
 }
 
 TEST(Feel, FasterTouchesAreStrongerAndQuicker) {
