@@ -179,23 +179,28 @@ Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
     return objects_->draw(Part::Blended, surround_->gpu(0), view, turn, exposure, {}, glossy);
 }
 
-// Box-filtered by kSupersampling each way, alpha made straight again.
+// Half the size each way, by a filter two pixels wide that falls off towards its ends, as path tracers' pixel
+// filters do: less jagged than a box. Alpha is made straight again.
 ImageRgba8 reduced(const ImageRgba8& large) {
-    ImageRgba8 small(large.width / kSupersampling, large.height / kSupersampling);
-    constexpr float kArea = kSupersampling * kSupersampling;
+    static_assert(kSupersampling == 2);
+    constexpr std::array<float, 4> kWeights = {1 / 8.0f, 3 / 8.0f, 3 / 8.0f, 1 / 8.0f};
+    ImageRgba8 small(large.width / 2, large.height / 2);
     for (int y = 0; y < small.height; ++y)
         for (int x = 0; x < small.width; ++x) {
             std::array<float, 4> sum{};
-            for (int dy = 0; dy < kSupersampling; ++dy)
-                for (int dx = 0; dx < kSupersampling; ++dx)
-                    for (size_t c = 0; c < 4; ++c)
-                        sum[c] += large.at(x * kSupersampling + dx, y * kSupersampling + dy)[c];
-            const float alpha = sum[3] / kArea;
+            for (int dy = 0; dy < 4; ++dy)
+                for (int dx = 0; dx < 4; ++dx) {
+                    const uint8_t* from = large.at(std::clamp(2 * x + dx - 1, 0, large.width - 1),
+                                                   std::clamp(2 * y + dy - 1, 0, large.height - 1));
+                    const float weight =
+                        kWeights[static_cast<size_t>(dx)] * kWeights[static_cast<size_t>(dy)];
+                    for (size_t c = 0; c < 4; ++c) sum[c] += weight * from[c];
+                }
             for (size_t c = 0; c < 3; ++c) {
-                const float straight = alpha > 0 ? sum[c] / kArea * 255 / alpha : 0;
+                const float straight = sum[3] > 0 ? sum[c] * 255 / sum[3] : 0;
                 small.at(x, y)[c] = static_cast<uint8_t>(std::lround(std::min(straight, 255.0f)));
             }
-            small.at(x, y)[3] = static_cast<uint8_t>(std::lround(alpha));
+            small.at(x, y)[3] = static_cast<uint8_t>(std::lround(sum[3]));
         }
     return small;
 }
