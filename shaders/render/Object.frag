@@ -86,7 +86,10 @@ void main() {
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
 #endif
-    vec3 radiance = (single * mirrored + (multiple + matte) * around) * open * tint;
+    // What a cavity leaves of a lobe around the mirror direction: Lagarde and de Rousiers 2014, "Moving Frostbite to
+    // Physically Based Rendering", listing 26.
+    float openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
+    vec3 radiance = (single * mirrored * openMirrored + (multiple + matte) * around * open) * tint;
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
