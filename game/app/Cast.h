@@ -16,8 +16,8 @@ namespace shoal::app {
 class Cast {
   public:
     // One model file per species, in the species table's order; needs a current GL context.
-    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand,
-                             const Path& rightHand, render::Reflectance reflectance);
+    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
+                             render::Reflectance reflectance);
 
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
     void show(const game::Snapshot& snapshot, render::ObjectPass& pass);

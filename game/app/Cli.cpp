@@ -2,6 +2,7 @@
 
 #include "engine/core/Log.h"
 #include "game/app/Commands.h"
+#include "game/app/Settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -183,7 +184,14 @@ int run(int argc, char** argv) {
     bool verbose = false;
     app.add_flag("--verbose", verbose, "Say more on standard error");
 
+    // Before parsing, so that the command line has the last word.
+    log::setUp(false);
+    const Settings settings = loadSettings();
     PlayOptions playOptions;
+    playOptions.volume = settings.volume;
+    playOptions.hapticStrength = settings.hapticStrength;
+    playOptions.headphones = settings.headphones;
+    playOptions.captions = settings.captions;
     ViewOptions viewOptions;
     LightOptions lightOptions;
     CheckOptions checkOptions;
@@ -219,7 +227,7 @@ int run(int argc, char** argv) {
         std::fprintf(stderr, "shoal: %s (shoal --help lists what there is)\n", error.what());
         return 2;
     }
-    log::setUp(verbose);
+    if (verbose) log::setUp(true);
     if (*viewCommand) return view(viewOptions);
     if (*lightCommand) return light(lightOptions);
     if (*checkCommand) return check(checkOptions);

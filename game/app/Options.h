@@ -49,7 +49,6 @@ struct PlayOptions {
     float volume = 0.8f;
     float hapticStrength = 1;
     bool captions = true;
-    bool reducedMotion = false;
 };
 
 struct ViewOptions {

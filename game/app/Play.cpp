@@ -11,6 +11,7 @@
 #include "game/app/Hud.h"
 #include "game/app/Outputs.h"
 #include "game/app/Scores.h"
+#include "game/app/Settings.h"
 #include "game/app/Stage.h"
 #include "game/app/Statistics.h"
 #include "game/app/Surround.h"
@@ -464,6 +465,11 @@ int play(const PlayOptions& options) {
     Status verdict = Done{};
     if (options.timedemo) verdict = player.playThrough(false);
     if (verdict) verdict = player.playThrough(true);
+    if (!options.headless && player.volume != options.volume) {
+        Settings settings = loadSettings();
+        settings.volume = player.volume;
+        if (Status saved = saveSettings(settings); !saved) log::warn("{}", saved.error().sentence());
+    }
     // What was asked for is written even when an expectation failed: it helps to see why.
     if (!options.screenshot.empty() && !player.targets.empty())
         if (Status saved = player.saveScreenshot(); !saved) return failed(saved.error());
