@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace shoal::audio {
 
@@ -31,6 +33,28 @@ struct Context {
         if (context) alcDestroyContext(context);
         if (device) alcCloseDevice(device);
     }
+};
+
+// Sound libraries below OpenAL write pages about a missing sound card straight to standard error; the caller
+// says it in one sentence instead. Only while a device is opened, at the start of the program.
+class QuietStandardError {
+  public:
+    QuietStandardError() : kept_(::dup(STDERR_FILENO)) {
+        if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+            ::dup2(nowhere, STDERR_FILENO);
+            ::close(nowhere);
+        }
+    }
+    ~QuietStandardError() {
+        if (kept_ < 0) return;
+        ::dup2(kept_, STDERR_FILENO);
+        ::close(kept_);
+    }
+    QuietStandardError(const QuietStandardError&) = delete;
+    QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+  private:
+    int kept_;
 };
 
 template <class Function> Function extension(const char* name) {
@@ -125,6 +149,7 @@ Audio& Audio::operator=(Audio&&) noexcept = default;
 Audio::~Audio() = default;
 
 Result<Audio> Audio::open(const AudioOptions& options) {
+    const QuietStandardError quiet;
     auto state = std::make_unique<State>();
     const ALCint hrtf = options.headphones ? ALC_TRUE : ALC_FALSE;
     if (options.loopback) {

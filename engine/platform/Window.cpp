@@ -30,7 +30,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     if (!glfwInit())
         return Error{
             "",
-            "there is no display to open a window on; to see something without one: shoal play --headless "
+            "there is no display to open a window on; to see something without one, add --headless "
             "--at 5 --screenshot shoal.png"};
     auto state = std::make_unique<State>();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
