@@ -11,12 +11,12 @@ vec3 radianceFromDisplay(vec3 colour) {
 }
 
 // Solves y = 10 L^11 + 1.8 L for L. The function is convex and rising and the start lies at or above the root, so Newton
-// falls onto it from above; six steps leave less than 1e-4 (the start is worst near y = 3.3).
+// falls onto it from above; after four steps it is at most 0.002 / 255 off.
 vec3 displayFromRadiance(vec3 radiance) {
     float y = thesisLuminance(radiance);
     if (y <= 1e-6) return radiance / 1.8;
     float l = min(y / 1.8, pow(y * 0.1, 1.0 / 11.0));
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 4; ++i) {
         float l2 = l * l;
         float l4 = l2 * l2;
         float l10 = l4 * l4 * l2;

@@ -82,13 +82,13 @@ void main() {
     vec3 mirrored = glossyRadiance(r, rough);
 #endif
     vec3 around = diffuseRadiance(envFromWorld * n);
-    float open = 1.0;
+    float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
-#endif
     // What a cavity leaves of a lobe around the mirror direction: Lagarde and de Rousiers 2014, "Moving Frostbite to
     // Physically Based Rendering", listing 26.
-    float openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
+    openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
+#endif
     vec3 radiance = (single * mirrored * openMirrored + (multiple + matte) * around * open) * tint;
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
