@@ -6,10 +6,10 @@
 #include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
-#include "game/Playback.h"
-#include "game/app/HandSource.h"
 #include "game/app/Hud.h"
 #include "game/app/Outputs.h"
+#include "game/app/Plan.h"
+#include "game/app/Run.h"
 #include "game/app/Scores.h"
 #include "game/app/Settings.h"
 #include "game/app/Stage.h"
@@ -40,131 +40,6 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
 constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
 constexpr float kHintTime_s = 7;
 constexpr double kSlowestFrame_s = 0.5;
-
-// What the files and the command line say, before any device is opened.
-struct Plan {
-    game::SpeciesTable species;
-    game::DiveFile dive;
-    hands::HandRig rig;
-    uint64_t seed = 1;
-    std::optional<game::Script> script;
-    std::optional<sim::Recording> replay;
-};
-
-Result<Plan> makePlan(const PlayOptions& options) {
-    Plan plan;
-    plan.seed = options.seed;
-    std::string diveName = options.dive;
-    const auto after = [&](std::string_view prefix) -> std::optional<std::string> {
-        if (!options.hands.starts_with(prefix)) return std::nullopt;
-        return options.hands.substr(prefix.size());
-    };
-    if (const auto file = after("script:")) {
-        auto script = game::loadScript(*file);
-        if (!script) return script.error();
-        diveName = script->dive;
-        plan.seed = script->seed;
-        plan.script = std::move(*script);
-    } else if (const auto replayFile = after("replay:")) {
-        auto recording = sim::readRecording(*replayFile);
-        if (!recording) return recording.error();
-        if (recording->header().inputBytes != game::kTickInputBytes)
-            return Error{*replayFile, "holds inputs of another kind than this version of the game takes"};
-        diveName = recording->header().dive;
-        plan.seed = recording->header().seed;
-        plan.replay = std::move(*recording);
-    } else if (options.hands != "mouse") {
-        return Error{"--hands " + options.hands, "is not mouse, script:FILE or replay:FILE"};
-    }
-    auto files = game::loadDiveFiles(diveName);
-    if (!files) return files.error();
-    plan.species = std::move(files->species);
-    plan.dive = std::move(files->dive);
-    auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    if (!rig) return rig.error();
-    plan.rig = std::move(*rig);
-    return plan;
-}
-
-HandSource makeSource(const Plan& plan) {
-    if (plan.script) return game::ScriptRun(*plan.script, plan.rig, plan.species);
-    if (plan.replay) return ReplaySource{*plan.replay};
-    return MouseSource(plan.rig, plan.species);
-}
-
-// One run of the simulation and what feeds it.
-struct Run {
-    explicit Run(const Plan& plan)
-        : source(makeSource(plan)), dive(plan.species, plan.dive, plan.seed),
-          recording(game::headerFor(dive), 16384) {
-        events.reserve(256);
-        dive.snapshot(after);
-        before = after;
-        shown = after;
-    }
-
-    HandSource source;
-    game::Dive dive;
-    sim::FixedStep clock;
-    sim::Recording recording;
-    game::Snapshot before, after, shown;
-    std::vector<game::Event> events; // of this frame's ticks
-    std::vector<game::Event> tickEvents;
-    uint64_t ticks = 0;
-    bool paused = false, restart = false;
-    bool ended = false; // the source has no more to say
-    Status verdict = Done{};
-
-    void tick(bool keep) {
-        game::TickInput input;
-        if (auto* mouse = std::get_if<MouseSource>(&source)) {
-            mouse->next(input);
-            input.pause = paused;
-            input.restart = restart;
-            restart = false;
-        } else if (auto* script = std::get_if<game::ScriptRun>(&source)) {
-            script->next(after, input);
-        } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
-            if (replay->tick >= replay->recording.ticks()) {
-                ended = true;
-                return;
-            }
-            input = game::fromBytes(replay->recording.input(replay->tick).first<game::kTickInputBytes>());
-        }
-        tickEvents.clear();
-        dive.step(input, tickEvents);
-        std::swap(before, after);
-        dive.snapshot(after);
-        ++ticks;
-        events.insert(events.end(), tickEvents.begin(), tickEvents.end());
-        if (keep) {
-            std::array<uint8_t, game::kTickInputBytes> bytes;
-            game::toBytes(input, bytes);
-            recording.add(bytes, dive.stateHash());
-        }
-        if (auto* script = std::get_if<game::ScriptRun>(&source)) {
-            script->observe(tickEvents, after);
-            if (script->finished()) {
-                ended = true;
-                verdict = script->verdict();
-            }
-        } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
-            if (Status same = replay->recording.compare(replay->tick, dive.stateHash()); !same) {
-                ended = true;
-                verdict = same;
-            }
-            ++replay->tick;
-            ended |= replay->tick >= replay->recording.ticks();
-        }
-    }
-
-    void advance(double elapsed_s, bool keep) {
-        events.clear();
-        const int count = clock.advance(elapsed_s);
-        for (int i = 0; i < count && !ended; ++i) tick(keep);
-        game::interpolate(before, after, clock.alpha(), shown);
-    }
-};
 
 // The program while it plays.
 struct Player {

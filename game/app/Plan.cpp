@@ -1,0 +1,45 @@
+#include "game/app/Plan.h"
+
+#include "game/Playback.h"
+#include "game/TickInput.h"
+
+#include <string_view>
+
+namespace shoal::app {
+
+Result<Plan> makePlan(const PlayOptions& options) {
+    Plan plan;
+    plan.seed = options.seed;
+    std::string diveName = options.dive;
+    const auto after = [&](std::string_view prefix) -> std::optional<std::string> {
+        if (!options.hands.starts_with(prefix)) return std::nullopt;
+        return options.hands.substr(prefix.size());
+    };
+    if (const auto file = after("script:")) {
+        auto script = game::loadScript(*file);
+        if (!script) return script.error();
+        diveName = script->dive;
+        plan.seed = script->seed;
+        plan.script = std::move(*script);
+    } else if (const auto replayFile = after("replay:")) {
+        auto recording = sim::readRecording(*replayFile);
+        if (!recording) return recording.error();
+        if (recording->header().inputBytes != game::kTickInputBytes)
+            return Error{*replayFile, "holds inputs of another kind than this version of the game takes"};
+        diveName = recording->header().dive;
+        plan.seed = recording->header().seed;
+        plan.replay = std::move(*recording);
+    } else if (options.hands != "mouse") {
+        return Error{"--hands " + options.hands, "is not mouse, script:FILE or replay:FILE"};
+    }
+    auto files = game::loadDiveFiles(diveName);
+    if (!files) return files.error();
+    plan.species = std::move(files->species);
+    plan.dive = std::move(files->dive);
+    auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+    if (!rig) return rig.error();
+    plan.rig = std::move(*rig);
+    return plan;
+}
+
+} // namespace shoal::app

@@ -1,0 +1,36 @@
+// One run of the simulation, and what feeds it.
+#pragma once
+
+#include "engine/sim/FixedStep.h"
+#include "engine/sim/Recording.h"
+#include "game/Dive.h"
+#include "game/app/HandSource.h"
+#include "game/app/Plan.h"
+
+#include <vector>
+
+namespace shoal::app {
+
+struct Run {
+    explicit Run(const Plan& plan);
+
+    // Steps as many ticks as this much display time is worth. keep: into the recording.
+    void advance(double elapsed_s, bool keep);
+
+    HandSource source;
+    game::Dive dive;
+    sim::FixedStep clock;
+    sim::Recording recording;
+    game::Snapshot before, after, shown;
+    std::vector<game::Event> events; // of this frame's ticks
+    uint64_t ticks = 0;
+    bool paused = false, restart = false;
+    bool ended = false; // the source has no more to say
+    Status verdict = Done{};
+
+  private:
+    void tick(bool keep);
+    std::vector<game::Event> tickEvents_;
+};
+
+} // namespace shoal::app
