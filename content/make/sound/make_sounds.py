@@ -1,211 +1,304 @@
-#!/usr/bin/env python3
-"""Makes every sound of the game into content/sounds, 48 kHz FLAC, the same bytes each time.
+#!/usr/bin/python3
+"""Makes every sound of the game into content/sounds: 48 kHz, 16 bit, FLAC, the same bytes each time.
 
-Wants python3-numpy and ffmpeg. Each sound is a function below, named as its file. Positioned sounds are mono; beds loop.
-Loudness: beds at -30 dB RMS, other sounds peak at LEVELS dB below full scale.
+    make_sounds.py            rebuilds all (some seconds)
+    make_sounds.py --check    rebuilds into a temporary folder and compares; 1: something differs, 77: cannot tell
+    make_sounds.py --list     loudness and peak of each
+
+Wants python3-numpy and ffmpeg. Each sound is a function below, named as its file; LEVELS says how loud each leaves.
+Beds and `struggle` loop without a seam: whatever they are made of is periodic. Beds are stereo; every sound that has
+a place in the water is mono. synth.py holds what they are made of, master.py the loudness (BS.1770).
 """
+import filecmp
 import os
+import shutil
 import subprocess
+import sys
+import tempfile
 import wave
 
 import numpy as np
 
-RATE = 48000
+from master import loudness, master
+from synth import RATE, add, answer, band, bubbles_at, fade, noise, phrase, swish, time, unit
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 OUT = os.path.join(HERE, "..", "..", "sounds")
 
 
-def time(seconds):
-    return np.arange(int(seconds * RATE)) / RATE
+def empty(seconds):
+    return np.zeros(len(time(seconds)))
 
 
-def noise(seconds, seed):
-    return np.random.default_rng(seed).standard_normal(int(seconds * RATE))
-
-
-def band(x, low, high, slope=2.0):
-    """Band-pass in the frequency domain, periodic, so loops stay loops."""
-    f = np.fft.rfftfreq(len(x), 1 / RATE)
-    gain = 1 / (1 + (low / np.maximum(f, 1e-3)) ** (2 * slope)) / (1 + (f / high) ** (2 * slope))
-    return np.fft.irfft(np.fft.rfft(x) * gain, len(x))
-
-
-def fade(x, attack, release):
-    n = len(x)
-    t = np.arange(n) / RATE
-    return x * np.clip(t / attack, 0, 1) * np.clip((n / RATE - t) / release, 0, 1)
-
-
-def bubble(radius_mm, seconds, rise=0.25):
-    """A bubble rings at 3.26 / radius hertz and metres (Minnaert 1933), dies away and rises in pitch as it nears the surface."""
-    t = time(seconds)
-    f = 3.26 / (radius_mm * 1e-3) * (1 + rise * t / seconds)
-    decay = 0.13 / (3.26 / (radius_mm * 1e-3)) * 90
-    return np.sin(2 * np.pi * np.cumsum(f) / RATE) * np.exp(-t / decay) * np.clip(t / 0.002, 0, 1)
-
-
-def bubble_stream(seconds, count, seed, low_mm=1.5, high_mm=6.0, wrap=False):
+def swell(seconds, seed, depth):
+    """Slow, never the same twice within the loop, and whole turns in it."""
+    t = time(seconds) / seconds
     random = np.random.default_rng(seed)
-    out = np.zeros(int(seconds * RATE))
-    for _ in range(count):
-        b = bubble(random.uniform(low_mm, high_mm), 0.12) * random.uniform(0.2, 1)
-        at = random.integers(0, len(out) - (0 if wrap else len(b)))
-        index = np.arange(at, at + len(b))
-        out[index % len(out)] += b
-    return out
+    x = sum(np.sin(2 * np.pi * (turns * t + random.random())) / turns ** 0.5 for turns in (2, 3, 5, 7))
+    return np.exp(depth * x / 2)
 
 
-def bed(seconds, seed, low, high, bubbles):
-    swell = 1 + 0.35 * np.sin(2 * np.pi * 3 * time(seconds) / seconds) + 0.2 * np.sin(2 * np.pi * 5 * time(seconds) / seconds + 1)
-    x = band(noise(seconds, seed), low, high) * swell
-    x = x / np.std(x)
-    return x + bubble_stream(seconds, bubbles, seed + 1, wrap=True) * 0.7
+def both(make):
+    """Two channels that share `make`'s seed parts and differ in the rest."""
+    return [make(side) for side in (0, 1)]
 
 
 def bed_open():
-    """The sea: a soft rumble, far crackle of shrimps, a bubble now and then."""
-    random = np.random.default_rng(5)
-    x = bed(20, 1, 40, 420, 14)
-    crackle = np.zeros_like(x)
-    for at in random.integers(0, len(x), 420):
-        click = np.exp(-np.arange(160) / 18) * random.uniform(-0.5, 0.5)
-        crackle[(at + np.arange(160)) % len(x)] += click
-    return x + band(crackle, 1800, 6000) * 0.9
+    """The sea over a reef: deep rumble, surf far above, the crackle of snapping shrimps, a bubble now and then."""
+    seconds = 24
+
+    def side(which):
+        deep = unit(band(noise(seconds, 1), 35, 130)) * swell(seconds, 2, 0.35)  # too long a wave to differ at two ears
+        surf = unit(band(noise(seconds, 3 + which), 180, 620, 1.7)) * swell(seconds, 5 + which, 0.6)
+        x = deep + 0.38 * surf
+        random = np.random.default_rng(7)
+        crackle = np.zeros(len(x))
+        for _ in range(260):  # each shrimp somewhere: its side by level, its distance by a power law
+            at, pan = random.uniform(0, seconds), random.random()
+            level = random.uniform(0.1, 1) ** -1.5 * (1 if random.random() < 0.5 else -1)
+            click = np.exp(-np.arange(200) / 16) * np.sin(np.arange(200) * random.uniform(0.3, 0.6))
+            add(crackle, click * level * (np.cos if which == 0 else np.sin)(pan * np.pi / 2), at, wrap=True)
+        x += 0.06 * answer(band(crackle, 1500, 7000), 0.2, 900, 5000, 0.3, 8 + which, wrap=True)
+        times = np.random.default_rng(10).uniform(0, seconds, 22)
+        near = bubbles_at(np.zeros(len(x)), times[which::2], 11 + which, 0.002, 0.007, wrap=True)
+        return x + 0.45 * answer(near, 0.5, 200, 1800, 0.5, 13 + which, wrap=True)
+
+    return both(side)
 
 
 def bed_tunnel():
-    """Between walls: lower, closer, with a hollow note."""
-    x = bed(20, 11, 30, 190, 6)
-    hollow = band(noise(20, 13), 84, 96, 6)
-    return x + 0.5 * hollow / np.std(hollow)
+    """Between walls: lower, closer, a few notes of the hollow, bubbles that creep along the roof and echo."""
+    seconds = 24
 
+    def side(which):
+        x = unit(band(noise(seconds, 21), 28, 95)) * swell(seconds, 22, 0.3)
+        for i, note in enumerate((61, 92, 139, 171)):
+            mode = unit(band(noise(seconds, 30 + 2 * i + which), note * 0.985, note * 1.015, 5))
+            x += mode * 0.34 / (1 + 0.5 * i) * swell(seconds, 40 + i, 0.5)
+        x += 0.1 * unit(band(noise(seconds, 50 + which), 150, 420, 1.5)) * swell(seconds, 52 + which, 0.7)
+        creep = np.zeros(len(x))
+        for k, start in enumerate((1.8, 8.1, 13.4, 20.2)):
+            times = start + np.cumsum(np.random.default_rng(60 + k).exponential(0.11, 7))
+            bubbles_at(creep, times % seconds, 64 + k, 0.003, 0.009, wrap=True)
+        return x + 0.13 * answer(creep, 1.8, 120, 1100, 1.0, 70 + which, wrap=True)
 
-def swish(seconds, low, high, seed, peak):
-    x = band(noise(seconds, seed), low, high)
-    t = time(seconds)
-    return x * np.exp(-((t - peak) / (seconds * 0.22)) ** 2) * (1 + 0.4 * np.sin(2 * np.pi * 9 * t))
+    return both(side)
 
 
 def fish_pass_small():
-    return swish(0.7, 250, 1600, 21, 0.3)
+    x = swish(0.75, 0.3, ((140, 480, 0.14, 1), (450, 1500, 0.085, 0.6), (1400, 3200, 0.05, 0.22)), 101)
+    t = time(0.75)
+    return fade(x * (1 + 0.35 * np.sin(2 * np.pi * 11 * t)), 0.02, 0.15)  # eleven strokes of a small tail a second
 
 
 def fish_pass_large():
-    return swish(1.6, 40, 420, 22, 0.7)
+    x = swish(1.9, 0.75, ((28, 80, 0.42, 1.5), (70, 240, 0.34, 1), (220, 700, 0.2, 0.4)), 102)
+    t = time(1.9)
+    return fade(x * (1 + 0.3 * np.sin(2 * np.pi * 2.2 * t)), 0.1, 0.4)
 
 
 def touch():
-    t = time(0.18)
-    return np.sin(2 * np.pi * 190 * t * (1 - 0.8 * t)) * np.exp(-t / 0.035) + 0.25 * fade(band(noise(0.18, 23), 400, 2400), 0.002, 0.15)
-
-
-def bell(f, seconds):
-    """A soft struck bar: its first partials, the upper ones short."""
-    t = time(seconds)
-    return sum(a * np.sin(2 * np.pi * f * r * t) * np.exp(-t / d) for r, a, d in ((1, 1, 0.45), (3.93, 0.22, 0.12), (9.2, 0.07, 0.05)))
+    """Something smooth and firm brushes a finger: a soft thud and a slip."""
+    t = time(0.22)
+    thud = np.sin(2 * np.pi * (185 * t - 260 * t * t)) * np.exp(-t / 0.032)
+    slip = swish(0.22, 0.03, ((500, 1900, 0.035, 0.16), (180, 600, 0.05, 0.2)), 103)
+    return fade(thud + slip, 0.002, 0.06)
 
 
 def catch():
-    out = np.zeros(int(1.3 * RATE))
-    for at, f in ((0, 392.0), (0.09, 493.9), (0.18, 587.3), (0.30, 784.0)):
-        b = bell(f, 0.9)
-        n = int(at * RATE)
-        out[n:n + len(b)] += b
-    return fade(out + 0.5 * bubble_stream(1.3, 14, 24), 0.003, 0.4)
+    """G major up a marimba under water, and the bubbles of joy."""
+    seconds = 1.9
+    x = phrase(seconds, ((0, 196.0, 0.7), (0.0, 392.0, 0.8), (0.085, 493.9, 0.85), (0.17, 587.3, 0.9), (0.29, 784.0, 1)), 1.5)
+    x = answer(band(x, 60, 3800, 1.5), 1.2, 150, 2200, 0.35, 104)
+    times = 0.1 + np.cumsum(np.random.default_rng(105).exponential(0.045, 16))
+    return fade(x + 0.22 * bubbles_at(empty(seconds), times, 106, 0.0018, 0.0045, rise=0.25), 0.002, 0.5)
 
 
 def struggle():
-    """Loops: tail beats, six a second."""
-    t = time(1.0)
-    beat = np.maximum(np.sin(2 * np.pi * 6 * t), 0) ** 3
-    return band(noise(1.0, 25), 120, 1100) * beat
+    """Loops: a tail that beats six times a second, never quite evenly, and what it stirs up."""
+    seconds = 3.0
+    out = empty(seconds)
+    random = np.random.default_rng(107)
+    for k in range(18):
+        at = (k + random.uniform(-0.16, 0.16)) / 6
+        force = random.uniform(0.55, 1)
+        beat = swish(0.24, 0.07, ((130, 520, 0.045, 1), (500, 1700 + 900 * force, 0.03, 0.5 * force)), 110 + k)
+        t = time(0.24)
+        beat += 0.9 * np.sin(2 * np.pi * 78 * t) * np.exp(-((t - 0.07) / 0.035) ** 2)
+        add(out, fade(beat, 0.02, 0.06) * force, at % seconds, wrap=True)
+    return out + 0.35 * bubbles_at(empty(seconds), random.uniform(0, seconds, 16), 108, 0.0012, 0.003, wrap=True)
 
 
 def release():
-    return fade(swish(0.6, 200, 900, 26, 0.12) * 2 + bubble_stream(0.6, 7, 27), 0.005, 0.2)
+    """The hand opens; it swims away upwards."""
+    seconds = 1.0
+    x = 0.5 * swish(seconds, 0.16, ((150, 500, 0.12, 1), (450, 1400, 0.09, 0.5)), 130)
+    x += 0.5 * band(phrase(seconds, ((0.03, 392.0, 0.7), (0.14, 587.3, 0.8)), 0.8), 60, 2500)
+    times = 0.1 + np.cumsum(np.random.default_rng(131).exponential(0.06, 8))
+    return fade(x + 0.3 * bubbles_at(empty(seconds), times, 132, 0.002, 0.004, rise=0.2), 0.004, 0.3)
 
 
 def escape():
-    t = time(0.5)
-    return swish(0.5, 300, 2200, 28, 0.1) * 1.5 + 0.3 * np.sin(2 * np.pi * (330 - 260 * t) * t) * np.exp(-t / 0.12)
+    """Slips through the fingers: a flick, a glide downwards, bubbles in its wake."""
+    seconds = 0.8
+    t = time(seconds)
+    x = swish(seconds, 0.07, ((180, 700, 0.06, 1), (650, 2600, 0.04, 0.7)), 133) + swish(seconds, 0.2, ((150, 600, 0.07, 0.5),), 134)
+    x += 0.55 * np.sin(2 * np.pi * (290 * t - 210 * t * t)) * np.exp(-t / 0.16) * np.clip(t / 0.01, 0, 1)
+    times = 0.12 + np.cumsum(np.random.default_rng(135).exponential(0.04, 9))
+    return fade(x + 0.5 * bubbles_at(empty(seconds), times, 136, 0.0015, 0.004), 0.004, 0.25)
 
 
 def startle():
-    return swish(0.35, 500, 3200, 29, 0.06)
+    """Two strokes of a frightened tail."""
+    x = swish(0.45, 0.05, ((160, 700, 0.035, 1), (600, 2800, 0.022, 0.8)), 137)
+    return fade(x + 0.7 * swish(0.45, 0.15, ((200, 800, 0.045, 1), (700, 2400, 0.03, 0.5)), 138), 0.004, 0.15)
 
 
 def miss():
-    return swish(0.4, 150, 700, 30, 0.12)
+    """A hand closes on water."""
+    t = time(0.42)
+    x = swish(0.42, 0.1, ((90, 320, 0.075, 1), (300, 900, 0.05, 0.35)), 139)
+    return fade(x + 0.5 * np.sin(2 * np.pi * 95 * t) * np.exp(-((t - 0.13) / 0.04) ** 2), 0.01, 0.15)
 
 
 def shark_near():
-    """Felt more than heard: two notes that beat, swelling."""
-    t = time(3.2)
-    x = np.sin(2 * np.pi * 41 * t) + np.sin(2 * np.pi * 43.5 * t) + 0.5 * np.sin(2 * np.pi * 82 * t) + 0.25 * np.sin(2 * np.pi * 123 * t)
-    return fade(x * np.sin(np.pi * t / 3.2) ** 1.5, 0.2, 0.6)
+    """Felt more than heard: two deep notes that beat, swelling; their overtones, so that small speakers tell of it too."""
+    seconds = 3.6
+    t = time(seconds)
+    x = empty(seconds)
+    for f in (36.7, 38.9):
+        for overtone, gain in ((1, 1), (2, 0.55), (3, 0.3), (4, 0.16), (5, 0.08)):
+            x += gain * np.sin(2 * np.pi * f * overtone * t)
+    x += 0.8 * unit(band(noise(seconds, 140), 30, 90))
+    return fade(x * np.sin(np.pi * (t / seconds) ** 1.4) ** 1.6, 0.3, 0.6)
 
 
 def shark_bite():
-    t = time(0.6)
-    snap = band(noise(0.6, 31), 90, 2600) * np.exp(-t / 0.045)
-    return snap + 0.9 * np.sin(2 * np.pi * 62 * t) * np.exp(-t / 0.16)
+    """Jaws: teeth that meet within a twentieth of a second, the blow behind them, torn water."""
+    seconds = 1.0
+    t = time(seconds)
+    x = empty(seconds)
+    random = np.random.default_rng(141)
+    for _ in range(26):
+        n = np.arange(500)
+        tooth = np.exp(-n / random.uniform(25, 90)) * np.sin(n * 2 * np.pi * random.uniform(500, 2300) / RATE)
+        add(x, tooth * random.uniform(0.2, 0.7), 0.02 + abs(random.normal(0, 0.022)))
+    x += 1.5 * np.sin(2 * np.pi * (88 * t - 45 * t * t)) * np.exp(-t / 0.13) * np.clip(t / 0.01, 0, 1)
+    x += swish(seconds, 0.09, ((80, 350, 0.1, 0.9), (350, 1500, 0.06, 0.4)), 142)
+    times = 0.1 + np.cumsum(random.exponential(0.025, 18))
+    return fade(x + 0.5 * bubbles_at(empty(seconds), times, 143, 0.002, 0.006), 0.002, 0.3)
 
 
 def shark_bump():
-    t = time(0.7)
-    return np.sin(2 * np.pi * (70 - 30 * t) * t) * np.exp(-t / 0.15) + 0.3 * band(noise(0.7, 32), 60, 500) * np.exp(-t / 0.1)
+    """A heavy body against the hand: a blow that sinks, skin that drags."""
+    seconds = 0.9
+    t = time(seconds)
+    x = 1.3 * np.sin(2 * np.pi * (82 * t - 34 * t * t)) * np.exp(-t / 0.17) * np.clip(t / 0.006, 0, 1)
+    x += 0.45 * np.sin(2 * np.pi * 143 * t) * np.exp(-t / 0.06) * np.clip(t / 0.004, 0, 1)
+    rough = unit(band(noise(seconds, 144), 250, 1300)) * (1 + 0.6 * np.sin(2 * np.pi * 37 * t))
+    return fade(x + 0.16 * rough * np.exp(-((t - 0.16) / 0.12) ** 2), 0.003, 0.3)
 
 
 def bubbles():
-    return bubble_stream(1.2, 26, 33)
+    """A breath let out: a burst of large ones, then fewer and smaller, rising away."""
+    seconds = 2.2
+    random = np.random.default_rng(145)
+    times = 2.0 * random.random(70) ** 2.2
+    x = empty(seconds)
+    bubbles_at(x, times[:26] * 0.45, 146, 0.004, 0.011, rise=0.2)
+    bubbles_at(x, times[26:] + 0.05, 147, 0.0018, 0.005, rise=0.2)
+    return fade(band(x, 90, 2600, 1.5) + 0.3 * swish(seconds, 0.18, ((90, 380, 0.22, 1),), 148), 0.01, 0.6)
 
 
 def countdown():
-    return fade(bell(880, 0.35), 0.002, 0.1)
+    """A knock on wood under water."""
+    x = phrase(0.5, ((0, 440.0, 1), (0, 880.0, 0.3)), 0.45)
+    return fade(x * np.exp(-time(0.5) / 0.12), 0.002, 0.15)
 
 
 def dive_start():
-    return fade(bubble_stream(2.2, 90, 34, 1.2, 9) + 1.2 * swish(2.2, 80, 900, 35, 0.4), 0.02, 0.6)
+    """Through the surface: the splash's brightness drowns, a cloud of bubbles rises past."""
+    seconds = 2.8
+    t = time(seconds)
+    splash = empty(seconds)
+    for high, decay in ((8000, 0.06), (3500, 0.13), (1500, 0.26), (600, 0.5), (220, 0.85)):
+        splash += unit(band(noise(seconds, 149 + high), high / 4, high)) * np.exp(-t / decay)
+    x = 0.4 * splash * np.clip(t / 0.012, 0, 1) + 0.9 * np.sin(2 * np.pi * (64 * t - 9 * t * t)) * np.exp(-t / 0.3)
+    times = 2.5 * np.random.default_rng(150).random(170) ** 2.4 + 0.06
+    return fade(x + 0.42 * bubbles_at(empty(seconds), times, 151, 0.0013, 0.009, rise=0.15), 0.004, 0.7)
 
 
 def dive_over():
-    out = np.zeros(int(2.6 * RATE))
-    for at, f in ((0, 587.3), (0.25, 493.9), (0.5, 392.0), (0.85, 293.7)):
-        b = bell(f, 1.6)
-        n = int(at * RATE)
-        out[n:n + len(b)] += b
-    return fade(out, 0.003, 0.8)
+    """Home to G: down the bars, and a chord that stays."""
+    seconds = 3.2
+    notes = ((0, 784.0, 0.7), (0.2, 587.3, 0.8), (0.4, 493.9, 0.85), (0.65, 392.0, 1), (0.65, 196.0, 0.9), (0.68, 293.7, 0.6))
+    x = answer(band(phrase(seconds, notes, 2.4), 60, 3200, 1.5), 1.6, 120, 2000, 0.45, 152)
+    times = 0.7 + np.cumsum(np.random.default_rng(153).exponential(0.09, 14))
+    return fade(x + 0.18 * bubbles_at(empty(seconds), times, 154, 0.002, 0.006, rise=0.2), 0.003, 1.0)
 
 
-BEDS = [bed_open, bed_tunnel]
-LEVELS = {  # peak, dB below full scale
-    fish_pass_small: 12, fish_pass_large: 9, touch: 9, catch: 6, struggle: 12, release: 12, escape: 10, startle: 13, miss: 15,
-    shark_near: 4, shark_bite: 4, shark_bump: 5, bubbles: 12, countdown: 12, dive_start: 7, dive_over: 6,
+# LUFS: beds over all of it, other sounds their loudest 400 ms. What matters more to the player is louder.
+LEVELS = {
+    bed_open: -23, bed_tunnel: -23, struggle: -23,
+    catch: -17, dive_start: -18, dive_over: -18, shark_bite: -18, shark_bump: -20, shark_near: -20, fish_pass_large: -23,
+    escape: -22, release: -22, startle: -24, touch: -25, countdown: -24, bubbles: -24, fish_pass_small: -25, miss: -27,
 }
+LOOPS = {bed_open, bed_tunnel, struggle}
 
 
-def write(name, x):
-    data = np.round(np.clip(x, -1, 1) * 32767).astype("<i2")
-    temporary = os.path.join(OUT, f".{name}.wav")
+def made(make):
+    x = make()
+    return master(x if isinstance(x, list) else [x], LEVELS[make], make in LOOPS)
+
+
+def write(folder, make):
+    channels = made(make)
+    data = np.round(np.stack(channels, axis=1) * 32767).astype("<i2")
+    name = make.__name__
+    temporary = os.path.join(folder, f".{name}.wav")
     with wave.open(temporary, "wb") as out:
-        out.setnchannels(1)
+        out.setnchannels(len(channels))
         out.setsampwidth(2)
         out.setframerate(RATE)
         out.writeframes(data.tobytes())
     subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", temporary, "-bitexact", "-map_metadata", "-1", "-c:a", "flac",
-                    "-compression_level", "8", os.path.join(OUT, f"{name}.flac")], check=True)
+                    "-compression_level", "12", os.path.join(folder, f"{name}.flac")], check=True)
     os.remove(temporary)
 
 
-def main():
+def check():
+    if not shutil.which("ffmpeg"):
+        print("ffmpeg is missing")
+        return 77
+    differ = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for make in LEVELS:
+            write(folder, make)
+            name = f"{make.__name__}.flac"
+            stored = os.path.join(OUT, name)
+            if not os.path.exists(stored) or not filecmp.cmp(os.path.join(folder, name), stored, shallow=False):
+                print(f"{name} is not what this program makes")
+                differ = 1
+    return differ
+
+
+def main(arguments):
+    if arguments == ["--check"]:
+        return check()
+    if arguments == ["--list"]:
+        for make in LEVELS:
+            x = made(make)
+            peak = 20 * np.log10(max(np.max(np.abs(c)) for c in x))
+            print(f"{make.__name__:16} {len(x[0]) / RATE:5.2f} s {loudness(x, make in LOOPS):6.1f} LUFS  peak {peak:5.1f} dB")
+        return 0
+    if arguments:
+        print(__doc__)
+        return 2
     os.makedirs(OUT, exist_ok=True)
-    for make in BEDS:
-        x = make()
-        write(make.__name__, x / np.std(x) * 10 ** (-30 / 20))
-    for make, below in LEVELS.items():
-        x = make()
-        write(make.__name__, x / np.max(np.abs(x)) * 10 ** (-below / 20))
+    for make in LEVELS:
+        write(OUT, make)
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:]))
