@@ -1,5 +1,7 @@
 #include "game/Hear.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,102 +9,147 @@ namespace shoal::game {
 
 namespace {
 
-constexpr float kPass_m = 1.1f;    // from the head: nearer fish are heard
+constexpr float kPass_m = 1;       // from the head: what comes nearer is heard; of large ones twice that
 constexpr float kPass_mps = 0.45f; // slower ones are not
 constexpr float kPassQuiet_s = 4;  // between two passes of the same creature
 constexpr float kLarge_m = 1;      // of body: what passes sounds large
+// From the start of the clip to its loudest: it starts that much before the creature is nearest.
+constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
 constexpr float kCaptionStay_s = 2.2f;
 constexpr size_t kCaptions = 3;
 constexpr float kTouchQuiet_s = 0.12f; // one sound for all bones of a touch
 constexpr int kCountdown_s = 5;
-constexpr uint32_t kBedId = 1000000, kStruggleId = 1000001; // apart from creatures' ids
+constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
+constexpr float kCross_s = 2;          // from one bed to the other
+constexpr float kPausedBed = 0.5f;     // the sea goes on, softer
+constexpr uint32_t kBedId = 1u << 30;  // apart from the creatures' ids
+constexpr size_t kEventsReserved = 64; // a frame never has more sounds in ordinary play
 
 } // namespace
 
-void Hear::play(Sound sound, const glm::vec3& position, float gain, bool everywhere) {
-    const auto index = static_cast<size_t>(sound);
-    shots_.push_back({static_cast<int>(index), position, gain, 1, everywhere});
-    const std::string_view text = kSounds[index].caption;
+Hear::Hear() : breath_s_(kBreathShortest_s) {
+    shots_.reserve(kEventsReserved);
+    captions_.reserve(kCaptions + 1);
+}
+
+void Hear::caption(Sound sound, const glm::vec3& position) {
+    const std::string_view text = kSounds[static_cast<size_t>(sound)].caption;
     if (text.empty()) return;
     // The same caption again only becomes new.
-    std::erase_if(captions_, [&](const Caption& caption) { return caption.text == text; });
-    captions_.insert(captions_.begin(), {text, everywhere ? glm::vec3(0) : position, 0});
+    std::erase_if(captions_, [&](const Caption& shown) { return shown.text == text; });
+    captions_.insert(captions_.begin(), {text, position, 0});
     if (captions_.size() > kCaptions) captions_.pop_back();
+}
+
+void Hear::play(Sound sound, const glm::vec3& position, float gain, bool everywhere, float pitch,
+                const glm::vec3& velocity) {
+    const auto index = static_cast<size_t>(sound);
+    shots_.push_back(
+        {static_cast<int>(index), position, gain * kSounds[index].gain, pitch, everywhere, velocity});
+    caption(sound, everywhere ? glm::vec3(0) : position);
+}
+
+void Hear::beds(float dt_s, bool paused) {
+    const float wanted = std::clamp(shelterWanted_, 0.0f, 1.0f);
+    shelter_ += std::clamp(wanted - shelter_, -dt_s / kCross_s, dt_s / kCross_s);
+    const auto bed = [&](Sound sound, float share) {
+        if (share <= 0) return;
+        const auto index = static_cast<size_t>(sound);
+        // Root: the powers of two unrelated sounds add to the same.
+        const float gain = kSounds[index].gain * std::sqrt(share) * (paused ? kPausedBed : 1);
+        emitters_.push_back({.id = kBedId + static_cast<uint32_t>(index),
+                             .clip = static_cast<int>(index),
+                             .gain = gain,
+                             .everywhere = true});
+    };
+    bed(Sound::BedOpen, 1 - shelter_);
+    bed(Sound::BedTunnel, shelter_);
+}
+
+void Hear::struggling(const CreatureView& creature) {
+    const auto index = static_cast<size_t>(Sound::Struggle);
+    emitters_.push_back({.id = creature.id,
+                         .clip = static_cast<int>(index),
+                         .position = creature.position,
+                         .gain = kSounds[index].gain,
+                         .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f)}); // large ones beat slower
+    // It goes on, so its caption stays where it is among the others.
+    for (Caption& shown : captions_)
+        if (shown.text == kSounds[index].caption) {
+            shown = {shown.text, creature.position, 0};
+            return;
+        }
+    caption(Sound::Struggle, creature.position);
+}
+
+void Hear::passing(const CreatureView& creature, float& quiet_s) {
+    const bool large = creature.length > kLarge_m;
+    const float speed2 = glm::dot(creature.velocity, creature.velocity);
+    if (quiet_s > 0 || speed2 < kPass_mps * kPass_mps) return;
+    const float nearestIn_s = -glm::dot(creature.position, creature.velocity) / speed2;
+    if (nearestIn_s < 0 || nearestIn_s > (large ? kPassPeakLarge_s : kPassPeakSmall_s)) return;
+    const float nearest_m = glm::length(creature.position + creature.velocity * nearestIn_s);
+    if (nearest_m > kPass_m * (large ? 2.0f : 1.0f)) return;
+    quiet_s = kPassQuiet_s;
+    const float pitch =
+        large ? 1.0f
+              : std::clamp(std::sqrt(0.2f / creature.length), 0.8f, 1.3f) * random_.between(0.95f, 1.05f);
+    const float gain = std::min(1.0f, 0.4f + 0.4f * std::sqrt(speed2));
+    play(large ? Sound::FishPassLarge : Sound::FishPassSmall, creature.position, gain, false, pitch,
+         creature.velocity);
+}
+
+void Hear::happened(const Event& event) {
+    const Heard& heard = kHeard[static_cast<size_t>(event.kind)];
+    if (event.kind == Event::Kind::Touch) {
+        const bool again = touchQuiet_s_ > 0;
+        touchQuiet_s_ = kTouchQuiet_s;
+        if (again) return;
+    }
+    const float gain = std::clamp(heard.gain + heard.perStrength * event.strength, 0.0f, 1.0f);
+    // Music keeps its pitch; nothing else in the sea sounds twice the same.
+    const bool music = heard.everywhere || heard.sound == Sound::Catch;
+    const float pitch = music ? 1.0f : random_.between(0.94f, 1.06f);
+    play(heard.sound, heard.everywhere ? glm::vec3(0) : event.position, gain, heard.everywhere, pitch);
+}
+
+void Hear::breathe(const Snapshot& shown, float dt_s) {
+    if (shown.phase != Phase::Diving) return;
+    breath_s_ -= dt_s;
+    if (breath_s_ > 0) return;
+    breath_s_ = random_.between(kBreathShortest_s, kBreathLongest_s);
+    const glm::vec3 mouth = shown.worldFromView * glm::vec3(0, -0.1f, -0.12f);
+    play(Sound::Bubbles, mouth, 1, false, random_.between(0.9f, 1.1f), {0, 0.35f, 0}); // bubbles rise
+}
+
+void Hear::countDown(const Snapshot& shown) {
+    const int left = static_cast<int>(std::ceil(shown.timeLeft_s));
+    if (shown.phase == Phase::Diving && left >= 1 && left <= kCountdown_s && left != countedDown_)
+        play(Sound::Countdown, {}, 1, true, left == 1 ? 1.335f : 1.0f); // the last a fourth higher
+    countedDown_ = left;
 }
 
 void Hear::listen(const Snapshot& shown, std::span<const Event> events, float dt_s) {
     shots_.clear();
     emitters_.clear();
+    beds(dt_s, shown.paused);
     if (shown.paused) return;
     for (Caption& caption : captions_) caption.age_s += dt_s;
     std::erase_if(captions_, [](const Caption& caption) { return caption.age_s > kCaptionStay_s; });
-    quiet_s_.resize(shown.creatures.size() + 1, 0);
-    for (float& quiet : quiet_s_) quiet = std::max(0.0f, quiet - dt_s);
-    float& touchQuiet = quiet_s_.back();
-
-    emitters_.push_back({.id = kBedId, .clip = static_cast<int>(Sound::BedOpen), .everywhere = true});
-    for (const CreatureView& creature : shown.creatures) {
+    touchQuiet_s_ = std::max(0.0f, touchQuiet_s_ - dt_s);
+    quiet_s_.resize(shown.creatures.size(), 0);
+    emitters_.reserve(shown.creatures.size() + 2);
+    for (size_t i = 0; i < shown.creatures.size(); ++i) {
+        const CreatureView& creature = shown.creatures[i];
+        quiet_s_[i] = std::max(0.0f, quiet_s_[i] - dt_s);
         if (creature.heldBy >= 0)
-            emitters_.push_back({.id = kStruggleId + creature.id,
-                                 .clip = static_cast<int>(Sound::Struggle),
-                                 .position = creature.position,
-                                 .gain = 0.9f,
-                                 .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f)});
-        float& quiet = quiet_s_[std::min<size_t>(creature.id, shown.creatures.size() - 1)];
-        const bool large = creature.length > kLarge_m;
-        const float distance_m = glm::length(creature.position);
-        if (quiet > 0 || distance_m > kPass_m * (large ? 2.0f : 1.0f) || creature.heldBy >= 0 ||
-            glm::length(creature.velocity) < kPass_mps)
-            continue;
-        quiet = kPassQuiet_s;
-        play(large ? Sound::FishPassLarge : Sound::FishPassSmall, creature.position, large ? 1.0f : 0.6f);
+            struggling(creature);
+        else
+            passing(creature, quiet_s_[i]);
     }
-    for (const Event& event : events) {
-        const float gain = std::clamp(0.4f + event.strength * 0.4f, 0.0f, 1.0f);
-        switch (event.kind) {
-        case Event::Kind::Touch:
-            if (touchQuiet <= 0) play(Sound::Touch, event.position, gain);
-            touchQuiet = kTouchQuiet_s;
-            break;
-        case Event::Kind::Startle:
-            play(Sound::Startle, event.position, 0.7f);
-            break;
-        case Event::Kind::Grab:
-            play(Sound::Touch, event.position, 1);
-            break;
-        case Event::Kind::Catch:
-            play(Sound::Catch, event.position, 1);
-            break;
-        case Event::Kind::Release:
-            play(Sound::Release, event.position, 0.8f);
-            break;
-        case Event::Kind::Escape:
-            play(Sound::Escape, event.position, 0.9f);
-            break;
-        case Event::Kind::Miss:
-            play(Sound::Miss, event.position, 0.8f);
-            break;
-        case Event::Kind::SharkNear:
-            play(Sound::SharkNear, event.position, 1);
-            break;
-        case Event::Kind::SharkBump:
-            play(Sound::SharkBump, event.position, gain);
-            break;
-        case Event::Kind::SharkSteal:
-            play(Sound::SharkBite, event.position, 1);
-            break;
-        case Event::Kind::DiveStart:
-            play(Sound::DiveStart, {}, 0.8f, true);
-            break;
-        case Event::Kind::DiveOver:
-            play(Sound::DiveOver, {}, 1, true);
-            break;
-        }
-    }
-    const int left = static_cast<int>(std::ceil(shown.timeLeft_s));
-    if (shown.phase == Phase::Diving && left >= 1 && left <= kCountdown_s && left != countedDown_)
-        play(Sound::Countdown, {}, 0.7f, true);
-    countedDown_ = left;
+    for (const Event& event : events) happened(event);
+    breathe(shown, dt_s);
+    countDown(shown);
 }
 
 } // namespace shoal::game

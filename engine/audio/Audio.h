@@ -1,5 +1,5 @@
 // Sounds in their places, heard through water. OpenAL Soft does the mixing on its own thread; these calls
-// belong to one thread.
+// belong to one thread. World frame: metres, +Y up, -Z ahead.
 #pragma once
 
 #include "engine/audio/Clip.h"
@@ -25,13 +25,14 @@ struct Listener {
     glm::quat worldFromHead{1, 0, 0, 0}; // looks along -Z, +Y up
 };
 
-// A sound that goes on for as long as it is listed.
+// A sound that goes on, looping, for as long as it is listed.
 struct Emitter {
     uint32_t id = 0; // the same sound from one update to the next
     int clip = 0;
     glm::vec3 position{0};
-    float gain = 1, pitch = 1;
-    bool everywhere = false; // not placed: a bed
+    float gain = 1, pitch = 1; // 0 to 1; 0.25 to 4
+    bool everywhere = false;   // not placed: a bed. Stereo clips are always everywhere
+    glm::vec3 velocity{0};     // m/s, for the doppler effect
 };
 
 // A sound that starts now and ends by itself.
@@ -40,6 +41,7 @@ struct Shot {
     glm::vec3 position{0};
     float gain = 1, pitch = 1;
     bool everywhere = false;
+    glm::vec3 velocity{0}; // m/s; it moves on by itself while it sounds
 };
 
 class Audio {
@@ -50,16 +52,30 @@ class Audio {
     Audio& operator=(Audio&&) noexcept;
     ~Audio();
 
-    // Index for Emitter::clip and Shot::clip, counted from 0 in the order of the calls.
-    int add(const Clip& clip);
+    // Index for Emitter::clip and Shot::clip, counted from 0 in the order of the calls. The clip is kept, for
+    // a device that comes back.
+    int add(Clip clip);
 
-    // Starts, moves and ends sounds; more than kSources at once: the newest shots are left out.
+    // Starts, moves and ends sounds; call once a frame. No more than kSources sound at once: a new one takes
+    // the place of the one heard least, if that is heard less, else it is left out (an emitter until there is
+    // room). Emitters end with a short fade. A device that was pulled out is replaced when there is another;
+    // meanwhile all is silent. Takes no memory.
     void update(const Listener& listener, std::span<const Emitter> emitters, std::span<const Shot> shots);
     static constexpr int kSources = 32;
 
     void setVolume(float volume); // 0 to 1
 
-    // Loopback only: the next samples, stereo interleaved, 48 kHz, -1 to 1.
+    // While paused every sound stands still and update() starts none.
+    void setPaused(bool paused);
+
+    // Closes the device and opens the present default one; shots end, emitters start again. On failure all is
+    // silent and update() goes on trying every other second.
+    Status reopen();
+
+    bool headphones() const; // HRTF is on
+    int sounding() const;    // how many sounds there are now
+
+    // Loopback only: the next samples, stereo interleaved, 48 kHz. Nominally -1 to 1, but not clipped.
     void render(std::span<float> stereo);
 
   private:

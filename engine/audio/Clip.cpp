@@ -16,7 +16,7 @@ Result<Clip> readClip(const Path& file) {
     if (info.samplerate < 8000 || info.samplerate > 192000)
         return Error{file.string(), "has an unusable sample rate"};
     if (info.frames < 1 || info.frames > static_cast<sf_count_t>(info.samplerate) * kMaxClip_s)
-        return Error{file.string(), "is empty or longer than two minutes"};
+        return Error{file.string(), "is empty or longer than a minute"};
     Clip clip{info.samplerate, info.channels, {}};
     clip.samples.resize(static_cast<size_t>(info.frames) * static_cast<size_t>(info.channels));
     if (sf_readf_short(sound.get(), clip.samples.data(), info.frames) != info.frames)

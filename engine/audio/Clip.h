@@ -15,10 +15,10 @@ struct Clip {
     std::vector<int16_t> samples; // interleaved
 };
 
-constexpr int kMaxClip_s = 120;
+constexpr int kMaxClip_s = 60;
 
 // WAV, FLAC, Ogg Vorbis and what else libsndfile reads; at most kMaxClip_s long, 1 or 2 channels, 8 to 192
-// kHz.
+// kHz. What the file's head claims is checked before memory is taken.
 Result<Clip> readClip(const Path& file);
 
 } // namespace shoal::audio

@@ -1,0 +1,83 @@
+#include "engine/audio/Medium.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::audio {
+
+namespace {
+
+constexpr float kSpeed_mps = 1480; // of sound in water, 4.3 times that in air
+// True doppler of a fish at 3 m/s is 3.5 cents, which nobody hears; four times that is just felt.
+constexpr float kDopplerFactor = 4;
+constexpr float kReverbSend = 0.35f;
+
+template <class Function> bool load(Function& function, const char* name) {
+    function = reinterpret_cast<Function>(alGetProcAddress(name));
+    return function != nullptr;
+}
+
+} // namespace
+
+float highGain(float distance_m) { return kHighNear * std::exp(-distance_m / kHighFade_m); }
+
+float distanceGain(float distance_m) { return kReference_m / std::max(distance_m, kReference_m); }
+
+void Medium::setUp() {
+    alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
+    alSpeedOfSound(kSpeed_mps);
+    alDopplerFactor(kDopplerFactor);
+    LPALGENEFFECTS genEffects{};
+    LPALEFFECTI effecti{};
+    LPALEFFECTF effectf{};
+    LPALGENAUXILIARYEFFECTSLOTS genSlots{};
+    LPALAUXILIARYEFFECTSLOTI sloti{};
+    LPALAUXILIARYEFFECTSLOTF slotf{};
+    if (!load(filteri_, "alFilteri") || !load(filterf_, "alFilterf") ||
+        !load(deleteFilters_, "alDeleteFilters") || !load(genFilters_, "alGenFilters")) {
+        genFilters_ = nullptr;
+        return;
+    }
+    if (!load(genEffects, "alGenEffects") || !load(effecti, "alEffecti") || !load(effectf, "alEffectf") ||
+        !load(genSlots, "alGenAuxiliaryEffectSlots") || !load(sloti, "alAuxiliaryEffectSloti") ||
+        !load(slotf, "alAuxiliaryEffectSlotf"))
+        return;
+    genEffects(1, &reverb_);
+    effecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
+    effectf(reverb_, AL_REVERB_DECAY_TIME, 1.6f);
+    effectf(reverb_, AL_REVERB_DECAY_HFRATIO, 0.3f);
+    effectf(reverb_, AL_REVERB_GAINHF, 0.15f);
+    genSlots(1, &slot_);
+    sloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
+    slotf(slot_, AL_EFFECTSLOT_GAIN, kReverbSend);
+}
+
+ALuint Medium::makeFilter() const {
+    if (!genFilters_) return 0;
+    ALuint filter = 0;
+    genFilters_(1, &filter);
+    filteri_(filter, AL_FILTER_TYPE, AL_FILTER_LOWPASS);
+    return filter;
+}
+
+void Medium::place(ALuint source, ALuint filter, float distance_m, bool everywhere) const {
+    if (!filter) return;
+    filterf_(filter, AL_LOWPASS_GAINHF, everywhere ? 1.0f : highGain(distance_m));
+    alSourcei(source, AL_DIRECT_FILTER, static_cast<ALint>(filter));
+    const ALuint send = everywhere ? static_cast<ALuint>(AL_EFFECTSLOT_NULL) : slot_;
+    alSource3i(source, AL_AUXILIARY_SEND_FILTER, static_cast<ALint>(send), 0, AL_FILTER_NULL);
+}
+
+void Medium::removeFilter(ALuint filter) const {
+    if (filter) deleteFilters_(1, &filter);
+}
+
+void Medium::tearDown() {
+    LPALDELETEAUXILIARYEFFECTSLOTS deleteSlots{};
+    LPALDELETEEFFECTS deleteEffects{};
+    if (slot_ && load(deleteSlots, "alDeleteAuxiliaryEffectSlots")) deleteSlots(1, &slot_);
+    if (reverb_ && load(deleteEffects, "alDeleteEffects")) deleteEffects(1, &reverb_);
+    slot_ = reverb_ = 0;
+}
+
+} // namespace shoal::audio

@@ -1,0 +1,45 @@
+// The water between a sound and the ear, as OpenAL effects. Internal to this room. All calls want the
+// context current.
+#pragma once
+
+#include <AL/al.h>
+#include <AL/efx.h>
+
+namespace shoal::audio {
+
+// Set by ear: real sea water is clear to sound over any distance of this game, but would not sound like
+// water.
+constexpr float kReference_m = 0.7f; // within this a sound keeps its level; beyond, it falls as 1 / distance
+constexpr float kHighNear = 0.6f;    // what is left of the tones above 5 kHz at no distance
+constexpr float kHighFade_m = 4;     // and over which distance that falls to 1/e
+
+// Gain of the high tones at a distance, 0 to 1.
+float highGain(float distance_m);
+
+// Gain of a sound at a distance: OpenAL's AL_INVERSE_DISTANCE_CLAMPED with a roll-off of 1.
+float distanceGain(float distance_m);
+
+class Medium {
+  public:
+    // Speed of sound, distances, doppler, and one reverberation. Without OpenAL's effects extension it
+    // sounds like air, but it sounds.
+    void setUp();
+
+    // A filter for one source; 0 without effects.
+    ALuint makeFilter() const;
+
+    // A source at a distance; at ones everywhere (beds) the water is part of the recording.
+    void place(ALuint source, ALuint filter, float distance_m, bool everywhere) const;
+
+    void tearDown(); // after the sources are gone
+    void removeFilter(ALuint filter) const;
+
+  private:
+    LPALGENFILTERS genFilters_ = nullptr;
+    LPALFILTERI filteri_ = nullptr;
+    LPALFILTERF filterf_ = nullptr;
+    LPALDELETEFILTERS deleteFilters_ = nullptr;
+    ALuint reverb_ = 0, slot_ = 0;
+};
+
+} // namespace shoal::audio
