@@ -37,7 +37,6 @@ struct FrameTimes {
 struct HudInfo {
     const game::Snapshot* snapshot = nullptr;
     const render::View* view = nullptr; // for what stands at a place in the world
-    std::string_view title;
     std::span<const HudCaption> captions;
     int bestScore = 0;
     bool newBest = false;

@@ -150,7 +150,6 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         if (options.backdropOnly) continue;
         hud->draw({.snapshot = &run.shown,
                    .view = &view,
-                   .title = plan.dive.title,
                    .captions = options.captions ? outputs->captions() : std::span<const HudCaption>(),
                    .bestScore = best,
                    .newBest = newBest,

@@ -156,9 +156,10 @@ TEST_P(Fidelity, NoFurtherFromThePathTracerThanTheMedianRealTimeRenderer) {
     const double mine = rmse(ours, *truth);
     std::printf("[ FIDELITY ] %-36s ours %.4f  median %.4f |%s | against %s\n", name.c_str(), mine, median,
                 table.c_str(), truthName.c_str());
-    // Not reached in one scenario: 0.0475 where the median is 0.043. A flat board close behind labels, which
-    // the path tracer darkens around them by contact shadows that are not drawn here yet; the rest is not
-    // explained.
+    // Not reached in one scenario: 0.0475 where the median is 0.0427. A flat board with labels close before
+    // it, which the path tracer darkens by contact shadows and dark rims that are not drawn here yet.
+    // Renderers whose dielectrics lose some light between the microfacets come nearer by that; ours lose
+    // none, so that a white furnace stays white.
     const double allowed = name == "khronos-VertexColorTest" ? 0.0485 : median;
     EXPECT_LE(mine, allowed);
 }
