@@ -48,6 +48,9 @@ class Program {
     void setArray(const char* name, std::span<const glm::vec2> values) const {
         glUniform2fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
     }
+    void setArray(const char* name, std::span<const glm::vec4> values) const {
+        glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
+    }
 
     // Binds a uniform block of this program to a binding point; ignored if the program has none of that name.
     void bindBlock(const char* name, GLuint binding) const;

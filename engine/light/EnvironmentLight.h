@@ -16,20 +16,19 @@ struct RadiancePyramid {
 
 // Radiance after filtering by a GGX lobe of this perceptual roughness (glTF's; alpha = roughness^2) around
 // the direction, with n = v = r (Karis 2013, "Real Shading in Unreal Engine 4", the split sum's first
-// factor).
+// factor). Prepared for linear lookup between texel centres, over the poles too (engine/light/Lookup.h).
 struct GlossyLevel {
-    float roughness = 0; // the mirror's, level 0, is the little that its texels amount to
-    ImageRgbF
-        radianceLin; // empty where it is the radiance pyramid's level of the same index, as the mirror is
+    float roughness = 0;
+    ImageRgbF radianceLin; // empty where the radiance pyramid's level of the same index serves
 };
 
 struct EnvironmentLight {
     RadiancePyramid radiance;
-    // Radiance leaving a white matte surface by its normal: irradiance / pi. 64x32. A uniform surround of
-    // radiance L gives L.
+    // Radiance leaving a white matte surface by its normal: irradiance / pi. A uniform surround of
+    // radiance L gives L. 64x32 for videos (the thesis' 4.1: 64x32 looks like 1024x512, 32x16 does not),
+    // 256x128 for stills.
     ImageRgbF diffuse;
-    // Ascending roughness from 0 to 1; widths halve from level to level: the mip chain of one texture.
-    std::vector<GlossyLevel> glossy;
+    std::vector<GlossyLevel> glossy; // by glossyPlans(): ascending roughness to 1, widths falling
 };
 
 } // namespace shoal::light

@@ -9,45 +9,44 @@ namespace shoal::light {
 
 namespace {
 
-constexpr int kNarrowest = 32;
-constexpr int kWidestFiltered = 512; // above, lobes are as narrow as texels
-constexpr int kLeastSource = 64;     // 32 texels around are too few to be summed, though enough to be shown
+constexpr int kNarrowestMirror = 512;
+// Of the filtered levels.
+struct Widths {
+    int least, most;
+    double texelsPerLobe; // alpha times width, at least
+};
 
-float roughnessOfWidth(int width) {
-    switch (width) {
-    case 32:
-        return 1.0f;
-    case 64:
-        return 0.6f;
-    case 128:
-        return 0.35f;
-    case 256:
-        return 0.2f;
-    default:
-        return 0.1f * 512.0f / static_cast<float>(width);
-    }
+constexpr Widths widthsOf(LightQuality quality) {
+    return quality == LightQuality::Video ? Widths{64, 512, 7.2} : Widths{256, 1024, 10.0};
 }
 
-std::vector<GlossyPlan> levels(int baseWidth, bool fromTwice) {
-    assert(baseWidth >= 2 * kNarrowest && std::has_single_bit(static_cast<unsigned>(baseWidth)));
-    std::vector<GlossyPlan> plans;
-    for (int width = baseWidth; width >= kNarrowest; width /= 2) {
-        GlossyPlan plan{roughnessOfWidth(width), width, 0};
-        if (width < baseWidth && width <= kWidestFiltered) {
-            const bool twice = fromTwice && width < kWidestFiltered;
-            plan.sourceWidth = std::max(twice ? 2 * width : width, kLeastSource);
-        }
-        plans.push_back(plan);
-    }
-    // Half a lobe's light lies within 2 alpha of its peak, a texel reaches pi / width from its centre.
-    plans[0].roughness = std::min(std::sqrt(2.5f / static_cast<float>(baseWidth)), 0.5f * plans[1].roughness);
-    return plans;
+int widthFor(double roughness, int baseWidth, const Widths& widths) {
+    int width = widths.least;
+    while (width < std::min(widths.most, baseWidth) && roughness * roughness * width < widths.texelsPerLobe)
+        width *= 2;
+    return width;
 }
+
+// Half a lobe's light lies within 2 alpha of its peak, a texel reaches pi / width from its centre.
+float roughnessOfTexel(int width) { return std::sqrt(2.5f / static_cast<float>(width)); }
 
 } // namespace
 
-std::vector<GlossyPlan> videoLevels(int baseWidth) { return levels(baseWidth, false); }
-std::vector<GlossyPlan> stillLevels(int baseWidth) { return levels(baseWidth, true); }
+std::vector<GlossyPlan> glossyPlans(int baseWidth, float leastRoughness, LightQuality quality) {
+    assert(baseWidth >= 256 && std::has_single_bit(static_cast<unsigned>(baseWidth)));
+    std::vector<GlossyPlan> plans;
+    for (int width = baseWidth; width == baseWidth || width >= kNarrowestMirror; width /= 2)
+        plans.push_back({std::min(roughnessOfTexel(width), 0.099f), width, false});
+    const double least = static_cast<double>(std::clamp(leastRoughness, kLeastFilteredRoughness, 1.0f));
+    const int first =
+        std::min(kGlossySteps, static_cast<int>(std::ceil(-std::log10(least) * kGlossySteps - 1e-6)));
+    for (int i = first; i >= 0; --i) {
+        const double roughness = std::pow(10.0, -static_cast<double>(i) / kGlossySteps);
+        plans.push_back(
+            {static_cast<float>(roughness), widthFor(roughness, baseWidth, widthsOf(quality)), true});
+    }
+    return plans;
+}
 
 float lodFromRoughness(const std::vector<GlossyLevel>& levels, float roughness) {
     constexpr float kLeast = 1e-6f;

@@ -1,6 +1,6 @@
 #include "engine/light/Lookup.h"
 
-#include "engine/light/GlossyPrefilter.h"
+#include "engine/light/GlossyLevels.h"
 #include "engine/math/LatLong.h"
 
 namespace shoal::light {
@@ -12,8 +12,12 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
     const auto texel = [&](int column, int row) {
+        const bool beyond = row < 0 || row >= map.height; // a pole: the other side of it
+        if (beyond) column += map.width / 2;
         const float* t =
-            map.at((column % map.width + map.width) % map.width, std::clamp(row, 0, map.height - 1));
+            map.at((column % map.width + map.width) % map.width, row < 0  ? -1 - row
+                                                                 : beyond ? 2 * map.height - 1 - row
+                                                                          : row);
         return glm::vec3(t[0], t[1], t[2]);
     };
     const glm::vec3 top = texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx;

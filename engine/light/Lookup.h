@@ -1,5 +1,5 @@
 // What a graphics card's sampler does with a lat-long map, on the CPU: linear between texel centres, wrapping
-// in u, clamped in v. For tests, tools and reference maths.
+// in u, and over the poles. For tests, tools and reference maths.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"

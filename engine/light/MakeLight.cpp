@@ -53,14 +53,11 @@ LightReport LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLig
 
 void LightMaker::finish(EnvironmentLight& out, LightReport& report) {
     const int baseWidth = out.radiance.levels[0].width;
-    if (!glossy_ || glossy_->plans()[0].width != baseWidth)
-        glossy_.emplace(options_.quality == LightQuality::Video ? videoLevels(baseWidth)
-                                                                : stillLevels(baseWidth));
+    if (!filters_ || filters_->baseWidth() != baseWidth)
+        filters_.emplace(baseWidth, options_.leastRoughness, options_.quality);
     Stopwatch watch;
-    diffuse_.make(out.radiance, out.diffuse);
-    report.diffuse_ms = watch.lap();
-    glossy_->make(out.radiance, out.glossy);
-    report.glossy_ms = watch.lap();
+    filters_->make(out);
+    report.filter_ms = watch.lap();
 }
 
 } // namespace shoal::light

@@ -2,30 +2,27 @@
 // still.
 #pragma once
 
-#include "engine/light/DiffuseMap.h"
 #include "engine/light/EnvironmentLight.h"
+#include "engine/light/Filters.h"
 #include "engine/light/FrameView.h"
-#include "engine/light/GlossyPrefilter.h"
 #include "engine/light/Pyramid.h"
 
 #include <optional>
 
 namespace shoal::light {
 
-enum class LightQuality {
-    Video, // videoLevels(): a few milliseconds a frame
-    Still, // stillLevels()
-};
-
 struct LightOptions {
-    int baseWidth = 1024; // most texels around pyramid level 0 (the mirror); rounded down to a power of two
+    // Most texels around pyramid level 0, which mirrors show; rounded down to a power of two.
+    int baseWidth = 1024;
+    // Of all surfaces that will be lit: levels below it are not made, see glossyPlans().
+    float leastRoughness = 0.1f;
     LightQuality quality = LightQuality::Video;
 };
 
 struct LightReport {
-    float pyramid_ms = 0, diffuse_ms = 0, glossy_ms = 0;
+    float pyramid_ms = 0, filter_ms = 0;
     size_t repairedTexels = 0; // of an HDR picture: NaN, infinite, negative or above kMaxRadianceIn
-    float total_ms() const { return pyramid_ms + diffuse_ms + glossy_ms; }
+    float total_ms() const { return pyramid_ms + filter_ms; }
 };
 
 // Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that
@@ -46,8 +43,7 @@ class LightMaker {
 
     LightOptions options_;
     PyramidMaker pyramid_;
-    DiffuseMap diffuse_;
-    std::optional<GlossyPrefilter> glossy_; // for the base width of the last frame
+    std::optional<LightFilters> filters_; // for the base width of the last frame
 };
 
 } // namespace shoal::light

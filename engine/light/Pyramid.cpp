@@ -1,5 +1,6 @@
 #include "engine/light/Pyramid.h"
 
+#include "engine/light/BlockMeans.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
@@ -174,16 +175,40 @@ void PyramidMaker::addRow(size_t share, ImageRgbF& base) {
     addScaled(narrow_.data(), row.weight, base.width * 3, base.at(0, row.to));
 }
 
+// Where the frame is 4, 8, 16 .. times as wide and high as the base.
+bool PyramidMaker::makeByBlocks(const FrameView& frame, ImageRgbF& base) {
+    const int times = frame.width / base.width;
+    if (times < 4 || !std::has_single_bit(static_cast<unsigned>(times)) ||
+        frame.width != times * base.width || frame.height != times * base.height || !canMakeBlockMeans())
+        return false;
+    if (blockRows_.size() != static_cast<size_t>(frame.height)) {
+        blockRows_.clear();
+        for (int y = 0; y < frame.height; ++y)
+            blockRows_.push_back(
+                static_cast<float>(4 * texelSolidAngle(y, frame.width, frame.height) /
+                                   texelSolidAngle(y / 4, frame.width / 4, frame.height / 4)));
+    }
+    const auto steps = static_cast<size_t>(std::countr_zero(static_cast<unsigned>(times)) - 2);
+    blocks_.resize(steps);
+    ImageRgbF& first = steps ? blocks_[0] : base;
+    fit(first, frame.width / 4, frame.height / 4);
+    makeBlockMeans(frame, blockRows_, first);
+    for (size_t k = 0; k < steps; ++k) halve(blocks_[k], k + 1 < steps ? blocks_[k + 1] : base);
+    return true;
+}
+
 void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
     prepare(frame.width, frame.height, askedWidth, out);
     ImageRgbF& base = out.levels[0];
-    std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
-    size_t share = 0;
-    for (int y = 0; y < frame.height; ++y) {
-        decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
-                  green_.data(), blue_.data());
-        narrowRow();
-        for (; share < rows_.size() && rows_[share].from == y; ++share) addRow(share, base);
+    if (!makeByBlocks(frame, base)) {
+        std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
+        size_t share = 0;
+        for (int y = 0; y < frame.height; ++y) {
+            decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
+                      green_.data(), blue_.data());
+            narrowRow();
+            for (; share < rows_.size() && rows_[share].from == y; ++share) addRow(share, base);
+        }
     }
     for (size_t k = 1; k < out.levels.size(); ++k) halve(out.levels[k - 1], out.levels[k]);
 }

@@ -50,6 +50,7 @@ class PyramidMaker {
         size_t weights = 0; // index of the first of `count`
     };
 
+    bool makeByBlocks(const FrameView& frame, ImageRgbF& base);
     void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
     void addRow(size_t share, ImageRgbF& base);
     void narrowRow();
@@ -58,6 +59,8 @@ class PyramidMaker {
     std::vector<RowShare> rows_; // ascending by `from`
     std::vector<ColumnSpan> columns_;
     std::vector<float> columnWeights_;
+    std::vector<float> blockRows_;          // weights for makeBlockMeans()
+    std::vector<ImageRgbF> blocks_;         // its result, and halves of it above the base's width
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved
 };

@@ -2,11 +2,12 @@
 
 #include "engine/light/Vectorise.h"
 #include "engine/math/Brdf.h"
-#include "engine/math/LatLong.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 namespace shoal::light {
 
@@ -33,21 +34,6 @@ void combine(const float* __restrict kernel, int count, const std::array<const f
         for (int i = 0; i < kRows; ++i) out[static_cast<size_t>(s)][i] = sums[s][i];
 }
 
-// Of values at texel centres: the new centre lies midway between four old ones, so the plain mean is meant,
-// not the one by solid angles (which lies nearer to the equator).
-void halveSamples(const ImageRgbF& in, ImageRgbF& out) {
-    if (out.width != in.width / 2 || out.height != in.height / 2)
-        out = ImageRgbF(in.width / 2, in.height / 2);
-    for (int y = 0; y < out.height; ++y) {
-        const float *top = in.at(0, 2 * y), *bottom = in.at(0, 2 * y + 1);
-        float* to = out.at(0, y);
-        for (int x = 0; x < out.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                to[3 * x + c] =
-                    0.25f * (top[6 * x + c] + top[6 * x + 3 + c] + bottom[6 * x + c] + bottom[6 * x + 3 + c]);
-    }
-}
-
 // Rows of interleaved texels to columns of planes and back, kRows rows at a time for the cache's sake.
 SHOAL_VECTORISE
 void toColumns(const float* __restrict image, int width, int height, float* __restrict columns) {
@@ -71,109 +57,161 @@ void fromColumns(const float* __restrict columns, int width, int height, float s
                 }
 }
 
-// The lobe around the centre of row `out`, integrated over the texels of every row and column difference: two
-// by two points of Gauss, exact for cubics. Result: [column difference][row in].
-void lobeOfRow(int out, int width, double alpha, const std::vector<double>& cosines,
-               std::vector<float>& lobe) {
-    const int height = width / 2;
-    const double latitudeOut = pi * (0.5 - (out + 0.5) / height);
-    const double up = std::sin(latitudeOut), along = std::cos(latitudeOut);
-    for (int in = 0; in < height; ++in) {
-        const double solidAngle = texelSolidAngle(in, width, height);
-        double sines[2], rings[2];
-        for (int s = 0; s < 2; ++s) {
-            const double latitude = pi * (0.5 - (in + 0.5 + (s - 0.5) / std::numbers::sqrt3) / height);
-            sines[s] = up * std::sin(latitude);
-            rings[s] = along * std::cos(latitude);
-        }
-        for (int d = 0; d <= width / 2; ++d) {
-            double sum = 0;
-            for (int s = 0; s < 2; ++s)
-                for (int t = 0; t < 2; ++t)
-                    sum += math::ggxMirrorLobe(sines[s] + rings[s] * cosines[static_cast<size_t>(2 * d + t)],
-                                               alpha);
-            const auto value = static_cast<float>(sum * solidAngle / 4);
-            lobe[static_cast<size_t>(d) * height + in] = value;
-            lobe[static_cast<size_t>((width - d) % width) * height + in] = value;
-        }
+double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
+
+// out[d] += the lobe at two points of column difference d, summed.
+SHOAL_VECTORISE
+void addLobe(const double* __restrict cosines, int count, double sine, double ring, double alpha,
+             double* __restrict out) {
+    for (int d = 0; d < count; ++d)
+        out[d] += math::ggxMirrorLobe(sine + ring * cosines[2 * d], alpha) +
+                  math::ggxMirrorLobe(sine + ring * cosines[2 * d + 1], alpha);
+}
+
+// The lobes around the rows from `out` on, kRows + 2 of them, over as many rows from `in` on: the mean over a
+// texel of the row in, for column differences 0 .. width / 2; two by two points of Gauss, exact for cubics.
+// Rows beyond a pole lie on the other side of it. Result: [row out][row in][column difference].
+void lobesOfTile(int out, int in, int width, double alpha, const std::vector<double>& cosines,
+                 std::vector<double>& lobes) {
+    const int height = width / 2, differences = width / 2 + 1;
+    std::fill(lobes.begin(), lobes.end(), 0.0);
+    double* to = lobes.data();
+    for (int o = out; o < out + kRows + 2; ++o) {
+        const double latitudeOut = pi * (0.5 - (o + 0.5) / height);
+        const double up = std::sin(latitudeOut), along = std::cos(latitudeOut);
+        for (int i = in; i < in + kRows + 2; ++i, to += differences)
+            for (int s = 0; s < 2; ++s) {
+                const double latitude = pi * (0.5 - (i + 0.5 + (s - 0.5) / std::numbers::sqrt3) / height);
+                addLobe(cosines.data(), differences, up * std::sin(latitude), along * std::cos(latitude),
+                        alpha, to);
+            }
     }
+}
+
+// Variance, in texels squared, of what the map and the mean over a texel spread light by, less that of the
+// plain means it came from: what inside those was, nobody knows.
+double spreadVariance(int octaves) {
+    const double rest = std::pow(0.25, octaves);
+    return 0.25 * (1 - rest) + (1 - rest) / 12;
+}
+
+// The same spread along a row, exactly, as what it leaves of frequency m; and how linear lookup is best
+// prepared for: least squares among linear splines on these texels.
+double columnGain(int m, int width, int octaves) {
+    const double x = pi * m / width;
+    double response = sinc(x) / sinc(x * std::pow(0.5, octaves));
+    for (int i = 1; i <= octaves; ++i) response *= std::pow(std::cos(x * std::pow(0.5, i)), 3);
+    constexpr double kLeast = 0.4; // above, more is folded than told
+    const double spline = sinc(x) * sinc(x) * 3 / (2 + std::cos(2 * x));
+    return spline / std::max(response, kLeast);
 }
 
 } // namespace
 
-ZonalFilter::ZonalFilter(int width, double alpha) : width_(width), height_(width / 2), hartley_(width) {
-    assert(width >= 2 * kBlock && alpha > 0);
+ZonalFilter::ZonalFilter(const Sampling& sampling, const std::vector<double>& alphas)
+    : width_(sampling.width), height_(width_ / 2), hartley_(width_) {
+    assert(width_ >= 2 * kBlock);
     static_assert(kBlock == kRows);
-    makeKernel(alpha);
+    for (const double alpha : alphas) kernels_.push_back(kernelOf(alpha, sampling));
     columns_.resize(static_cast<size_t>(width_) * 3 * height_);
     filtered_.resize(columns_.size());
 }
 
-void ZonalFilter::makeKernel(double alpha) {
+ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling) const {
+    assert(alpha > 0);
     std::vector<double> cosines; // of the two points of each column difference
     for (int d = 0; d <= width_ / 2; ++d)
         for (int t = 0; t < 2; ++t)
             cosines.push_back(std::cos(2 * pi * (d + (t - 0.5) / std::numbers::sqrt3) / width_));
-
     const int frequencies = width_ / 2 + 1, blocks = height_ / kBlock;
-    const size_t plane = static_cast<size_t>(width_) * height_;
-    std::vector<float> lobes(plane * kBlock); // of each row out of a block, transformed: [frequency][row in]
-    std::vector<float> lobe(plane);
-    std::vector<std::vector<float>> kernels(static_cast<size_t>(blocks));
-    ranges_.resize(static_cast<size_t>(frequencies) * blocks);
+    std::vector<double> gains;
+    for (int m = 0; m < frequencies; ++m) gains.push_back(columnGain(m, width_, sampling.octaves));
+    const double spread = -0.5 * spreadVariance(sampling.octaves);
+    constexpr double kSide = -1.0 / 12; // the spline's preparation again, from row to row
+
+    const auto n = static_cast<size_t>(frequencies);
+    std::vector<double> raw(n * (kRows + 2) * (kRows + 2)), sharp(n * (kRows + 2));
+    std::vector<float> tile(static_cast<size_t>(width_) * kRows); // [column difference or frequency][row in]
+    std::vector<float> lobes(n * static_cast<size_t>(height_) * kRows); // [frequency][row in][row out]
+    Kernel kernel;
+    kernel.ranges.resize(n * static_cast<size_t>(blocks));
     // South of the equator the kernel is the north's, with rows in and out counted from the other end.
     for (int block = 0; block < (blocks + 1) / 2; ++block) {
-        for (int i = 0; i < kBlock; ++i) {
-            lobeOfRow(block * kBlock + i, width_, alpha, cosines, lobe);
-            double whole = 0;
-            for (const float value : lobe) whole += static_cast<double>(value);
-            hartley_.transform(lobe.data(), height_);
-            // Frequency 0 is the sum over the columns: what a uniform surround gives. Its rows kept must sum
-            // to 1.
-            double kept = 0;
-            for (int in = 0; in < height_; ++in) {
-                const double share = static_cast<double>(lobe[static_cast<size_t>(in)]);
-                if (share > kNegligible * whole) kept += share;
+        for (int first = 0; first < height_; first += kRows) {
+            lobesOfTile(block * kBlock - 1, first - 1, width_, alpha, cosines, raw);
+            for (int out = 0; out < kRows; ++out) {
+                const double* above = raw.data() + static_cast<size_t>(out) * sharp.size();
+                const double *here = above + sharp.size(), *below = here + sharp.size();
+                for (size_t j = 0; j < sharp.size(); ++j)
+                    sharp[j] = here[j] + kSide * (above[j] - 2 * here[j] + below[j]);
+                for (int in = 0; in < kRows; ++in) {
+                    const double* row = sharp.data() + (in + 1) * frequencies;
+                    const double flux = sampling.rowFlux[static_cast<size_t>(first + in)];
+                    for (int d = 0; d < frequencies; ++d) {
+                        const double bent = row[d - frequencies] - 2 * row[d] + row[d + frequencies];
+                        const auto value = static_cast<float>((row[d] + spread * bent) * flux);
+                        tile[static_cast<size_t>(d * kRows + in)] = value;
+                        tile[static_cast<size_t>((width_ - d) % width_ * kRows + in)] = value;
+                    }
+                }
+                hartley_.transform(tile.data(), kRows);
+                for (int m = 0; m < frequencies; ++m)
+                    for (int in = 0; in < kRows; ++in)
+                        lobes[static_cast<size_t>((m * height_ + first + in) * kRows + out)] =
+                            tile[static_cast<size_t>(m * kRows + in)];
             }
-            for (size_t j = 0; j < plane; ++j)
-                lobes[plane * static_cast<size_t>(i) + j] =
-                    static_cast<float>(static_cast<double>(lobe[j]) / kept);
         }
+
+        // Frequency 0 is the sum over the columns: what a uniform surround gives. Its rows kept must sum
+        // to 1.
+        std::array<double, kRows> whole{}, kept{};
+        for (int in = 0; in < height_; ++in)
+            for (size_t out = 0; out < kRows; ++out)
+                whole[out] += static_cast<double>(lobes[static_cast<size_t>(in) * kRows + out]);
+        for (int in = 0; in < height_; ++in)
+            for (size_t out = 0; out < kRows; ++out) {
+                const double share = static_cast<double>(lobes[static_cast<size_t>(in) * kRows + out]);
+                if (std::abs(share) > kNegligible * whole[out]) kept[out] += share;
+            }
+
         for (int m = 0; m < frequencies; ++m) {
-            const auto share = [&](int in, int i) {
-                float& value = lobes[plane * static_cast<size_t>(i) + static_cast<size_t>(m) * height_ + in];
-                if (std::abs(static_cast<double>(value)) <= kNegligible) value = 0;
-                return value;
+            const auto share = [&, gain = gains[static_cast<size_t>(m)]](int in, size_t out) {
+                const double value =
+                    static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
+                return std::abs(value) > kNegligible * whole[out]
+                           ? static_cast<float>(gain * value / kept[out])
+                           : 0.0f;
             };
-            int first = height_, last = -1;
-            for (int in = 0; in < height_; ++in)
-                for (int i = 0; i < kBlock; ++i)
-                    if (share(in, i) != 0) first = std::min(first, in), last = in;
-            if (last < 0) first = 0;
-            const Range range{first, std::max(0, last + 1 - first), kernel_.size()};
-            ranges_[static_cast<size_t>(m) * blocks + block] = range;
+            const auto reaches = [&](int in) {
+                for (size_t out = 0; out < kRows; ++out)
+                    if (share(in, out) != 0) return true;
+                return false;
+            };
+            int first = 0, last = height_ - 1;
+            while (first < height_ && !reaches(first)) ++first;
+            while (last > first && !reaches(last)) --last;
+            if (first == height_) first = 0, last = -1;
+            const Range range{first, last + 1 - first, kernel.values.size()};
+            kernel.ranges[static_cast<size_t>(m * blocks + block)] = range;
             for (int in = first; in <= last; ++in)
-                for (int i = 0; i < kBlock; ++i) kernel_.push_back(share(in, i));
+                for (size_t out = 0; out < kRows; ++out) kernel.values.push_back(share(in, out));
             const int mirror = blocks - 1 - block;
             if (mirror == block) continue;
-            ranges_[static_cast<size_t>(m) * blocks + mirror] = {height_ - first - range.count, range.count,
-                                                                 kernel_.size()};
-            for (size_t end = kernel_.size(), back = end; back > range.kernel; --back)
-                kernel_.push_back(kernel_[back - 1]);
+            kernel.ranges[static_cast<size_t>(m * blocks + mirror)] = {height_ - first - range.count,
+                                                                       range.count, kernel.values.size()};
+            for (size_t end = kernel.values.size(), back = end; back > range.kernel; --back)
+                kernel.values.push_back(kernel.values[back - 1]);
         }
     }
-    kernel_.shrink_to_fit();
+    kernel.values.shrink_to_fit();
+    return kernel;
 }
 
-void ZonalFilter::apply(const ImageRgbF& in, ImageRgbF& out) {
-    assert(in.width == width_ && in.height == height_);
-    if (out.width != width_ || out.height != height_) out = ImageRgbF(width_, height_);
-    toColumns(in.pixels.data(), width_, height_, columns_.data());
-    hartley_.transform(columns_.data(), 3 * height_);
+void ZonalFilter::filter(const Kernel& kernel) {
     const int blocks = height_ / kBlock;
     for (int block = 0; block < blocks; ++block)
         for (int m = 0; m <= width_ / 2; ++m) {
-            const Range& range = ranges_[static_cast<size_t>(m) * blocks + block];
+            const Range& range = kernel.ranges[static_cast<size_t>(m) * blocks + block];
             std::array<const float*, kSignals> from;
             std::array<float*, kSignals> to;
             for (int s = 0; s < kSignals; ++s) {
@@ -182,20 +220,21 @@ void ZonalFilter::apply(const ImageRgbF& in, ImageRgbF& out) {
                 from[static_cast<size_t>(s)] = columns_.data() + at + range.first;
                 to[static_cast<size_t>(s)] = filtered_.data() + at + block * kBlock;
             }
-            combine(kernel_.data() + range.kernel, range.count, from, to);
+            combine(kernel.values.data() + range.kernel, range.count, from, to);
         }
-    hartley_.transform(filtered_.data(), 3 * height_);
-    fromColumns(filtered_.data(), width_, height_, 1.0f / static_cast<float>(width_), out.pixels.data());
 }
 
-void filterLevel(ZonalFilter& filter, const RadiancePyramid& pyramid, int sourceWidth, int width,
-                 ImageRgbF& wide, ImageRgbF& out) {
-    assert(sourceWidth == width || sourceWidth == 2 * width);
-    const auto source = std::find_if(pyramid.levels.begin(), pyramid.levels.end(),
-                                     [&](const ImageRgbF& level) { return level.width == sourceWidth; });
-    assert(source != pyramid.levels.end());
-    filter.apply(*source, sourceWidth == width ? out : wide);
-    if (sourceWidth != width) halveSamples(wide, out);
+void ZonalFilter::apply(const ImageRgbF& in, std::span<ImageRgbF* const> out) {
+    assert(in.width == width_ && in.height == height_ && out.size() == kernels_.size());
+    toColumns(in.pixels.data(), width_, height_, columns_.data());
+    hartley_.transform(columns_.data(), 3 * height_);
+    for (size_t i = 0; i < out.size(); ++i) {
+        if (out[i]->width != width_ || out[i]->height != height_) *out[i] = ImageRgbF(width_, height_);
+        filter(kernels_[i]);
+        hartley_.transform(filtered_.data(), 3 * height_);
+        fromColumns(filtered_.data(), width_, height_, 1.0f / static_cast<float>(width_),
+                    out[i]->pixels.data());
+    }
 }
 
 } // namespace shoal::light

@@ -25,14 +25,6 @@ double smithV(double nl, double nv, double alpha) {
 
 double schlick(double f0, double vh) { return f0 + (1.0 - f0) * std::pow(1.0 - vh, 5.0); }
 
-double ggxMirrorLobe(double cosine, double alpha) {
-    if (cosine <= 0) return 0;
-    // nh^2 = cos^2(angle / 2) = (1 + cosine) / 2, put so that nothing cancels at the peak of a narrow lobe.
-    const double alpha2 = alpha * alpha;
-    const double q = (1.0 - cosine) * 0.5 + alpha2 * (1.0 + cosine) * 0.5;
-    return alpha2 / (pi * q * q) * cosine;
-}
-
 double phongLobe(double cosine, double exponent) {
     return cosine <= 0 ? 0 : (exponent + 1.0) / (2.0 * pi) * std::pow(cosine, exponent);
 }

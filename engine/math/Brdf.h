@@ -5,6 +5,7 @@
 // n.v, vh = v.h; all of unit vectors.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 namespace shoal::math {
@@ -25,7 +26,12 @@ double schlick(double f0, double vh);
 // Lobe around the mirror direction for n = v = r, not normalised: D(h) max(0, cosine), cosine = r.l, where h
 // lies half way. Karis 2013, "Real Shading in Unreal Engine 4": his prefiltering weighs GGX samples by n.l,
 // and with n = v their density is D / 4. alpha = 1 gives the clamped cosine.
-double ggxMirrorLobe(double cosine, double alpha);
+inline double ggxMirrorLobe(double cosine, double alpha) {
+    // nh^2 = cos^2(angle / 2) = (1 + cosine) / 2, put so that nothing cancels at the peak of a narrow lobe.
+    const double alpha2 = alpha * alpha;
+    const double q = (1.0 - cosine) * 0.5 + alpha2 * (1.0 + cosine) * 0.5;
+    return alpha2 / (std::numbers::pi * q * q) * (cosine > 0 ? cosine : 0);
+}
 
 // Phong's lobe cosine^exponent normalised over the hemisphere around its axis: (exponent + 1) / 2 pi.
 double phongLobe(double cosine, double exponent);

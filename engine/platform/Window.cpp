@@ -1,7 +1,7 @@
 #include "engine/platform/Window.h"
 
-#include <epoxy/gl.h>
 #include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
 
 #include <algorithm>
 
@@ -28,10 +28,9 @@ Window::~Window() = default;
 Result<Window> Window::open(const WindowOptions& options) {
     glfwSetErrorCallback([](int, const char*) {}); // said in our own words below
     if (!glfwInit())
-        return Error{
-            "",
-            "there is no display to open a window on; to see something without one, add --headless "
-            "--at 5 --screenshot shoal.png"};
+        return Error{"",
+                     "there is no display to open a window on; to see something without one, add --headless "
+                     "--at 5 --screenshot shoal.png"};
     auto state = std::make_unique<State>();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -1,5 +1,6 @@
 #include "engine/render/ModelGpu.h"
 
+#include "engine/scene/Roughness.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <glm/geometric.hpp>
@@ -138,8 +139,10 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance) {
             material.baseColourLin = coded(material.baseColourLin);
     for (const scene::Mesh& mesh : model.meshes) {
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
-        for (const scene::Primitive& primitive : mesh.primitives)
-            meshGpu.primitives.push_back(uploadPrimitive(primitive, reflectance));
+        for (const scene::Primitive& primitive : mesh.primitives) {
+            PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(uploadPrimitive(primitive, reflectance));
+            uploaded.leastRoughness = scene::leastRoughness(model, gpu.materialOf(uploaded));
+        }
     }
     gpu.colourTextures.resize(model.textures.size());
     gpu.dataTextures.resize(model.textures.size());

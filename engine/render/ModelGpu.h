@@ -18,6 +18,7 @@ struct PrimitiveGpu {
     GLsizei indexCount = 0;
     int material = -1;
     bool skinned = false;
+    float leastRoughness = 1; // scene::leastRoughness() of its material
 };
 
 struct MeshGpu {
@@ -33,10 +34,10 @@ enum class Reflectance { Linear, Coded };
 struct ModelGpu {
     std::vector<MeshGpu> meshes;
     // Per Model::textures; empty where a texture is not used in that way.
-    std::vector<gl::Texture> colourTextures; // sRGB, decoded by the sampler
-    std::vector<gl::Texture> dataTextures;   // values as stored
+    std::vector<gl::Texture> colourTextures;       // sRGB, decoded by the sampler
+    std::vector<gl::Texture> dataTextures;         // values as stored
     Reflectance reflectance = Reflectance::Linear; // the space of base colours, in maps too
-    std::vector<scene::Material> materials; // the last is glTF's default material
+    std::vector<scene::Material> materials;        // the last is glTF's default material
 
     const scene::Material& materialOf(const PrimitiveGpu& primitive) const {
         return primitive.material < 0 ? materials.back() : materials[static_cast<size_t>(primitive.material)];

@@ -24,12 +24,16 @@ enum FeatureBit : unsigned {
     kAlphaMask = 1u << 6,
     kAlphaBlend = 1u << 7,
     kPhongRings = 1u << 8,
+    kMirrors = 1u << 9,
 };
-constexpr std::array<const char*, 9> kDefines = {"SKINNED",    "BASE_COLOUR_MAP", "METALLIC_ROUGHNESS_MAP",
-                                                 "NORMAL_MAP", "OCCLUSION_MAP",   "EMISSIVE_MAP",
-                                                 "ALPHA_MASK", "ALPHA_BLEND",     "PHONG_RINGS"};
+constexpr std::array<const char*, 10> kDefines = {"SKINNED",    "BASE_COLOUR_MAP", "METALLIC_ROUGHNESS_MAP",
+                                                  "NORMAL_MAP", "OCCLUSION_MAP",   "EMISSIVE_MAP",
+                                                  "ALPHA_MASK", "ALPHA_BLEND",     "PHONG_RINGS",
+                                                  "MIRRORS"};
 
-unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive, Glossy glossy) {
+// smoothest: of the filtered maps of the light.
+unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive, Glossy glossy,
+                    float smoothest) {
     unsigned features = 0;
     if (primitive.skinned) features |= kSkinned;
     if (material.baseColour.texture >= 0) features |= kBaseColourMap;
@@ -39,7 +43,10 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
     if (material.emissive.texture >= 0) features |= kEmissiveMap;
     if (material.alphaMode == scene::AlphaMode::Mask) features |= kAlphaMask;
     if (material.alphaMode == scene::AlphaMode::Blend) features |= kAlphaBlend;
-    if (glossy == Glossy::PhongRings) features |= kPhongRings;
+    if (glossy == Glossy::PhongRings)
+        features |= kPhongRings;
+    else if (primitive.leastRoughness < 0.99f * smoothest)
+        features |= kMirrors;
     return features;
 }
 
@@ -96,7 +103,7 @@ Result<ObjectPass> ObjectPass::make() {
     PrimitiveGpu plain;
     ModelGpu none;
     none.materials.emplace_back();
-    auto program = pass.programFor(none, plain, Glossy::Prefiltered);
+    auto program = pass.programFor(none, plain, Glossy::Prefiltered, 0);
     if (!program) return program.error();
     return pass;
 }
@@ -139,8 +146,8 @@ void ObjectPass::upload() {
 }
 
 Result<const gl::Program*> ObjectPass::programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive,
-                                                  Glossy glossy) {
-    const unsigned features = featuresOf(gpu.materialOf(primitive), primitive, glossy);
+                                                  Glossy glossy, float smoothest) {
+    const unsigned features = featuresOf(gpu.materialOf(primitive), primitive, glossy, smoothest);
     if (const auto found = programs_.find(features); found != programs_.end()) return &found->second;
     std::vector<std::string> defines;
     for (size_t bit = 0; bit < kDefines.size(); ++bit)
@@ -176,7 +183,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     const gl::Program* current = nullptr;
     for (const auto& [distance, index] : order_) {
         const Item& item = items_[index];
-        auto program = programFor(*item.gpu, *item.primitive, glossy);
+        auto program = programFor(*item.gpu, *item.primitive, glossy, surround.smoothestFiltered());
         if (!program) return program.error();
         if (*program != current) {
             current = *program;

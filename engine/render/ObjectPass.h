@@ -55,7 +55,8 @@ class ObjectPass {
         Ball bound; // world
     };
 
-    Result<const gl::Program*> programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive, Glossy glossy);
+    Result<const gl::Program*> programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive, Glossy glossy,
+                                          float smoothest);
     void drawItem(const gl::Program& program, const Item& item) const;
 
     std::map<unsigned, gl::Program> programs_; // by the set of features

@@ -2,15 +2,13 @@
 
 #include "shaders/render/Attributes.glsl"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 
 namespace shoal::render {
 
 namespace {
 
-constexpr int kMaxGlossyLevels = 8; // the array in shaders/light/Environment.glsl
+constexpr size_t kMaxMaps = 14, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
 
 void latLongSampling(const gl::Texture& texture, bool mipmapped) {
     glBindTexture(GL_TEXTURE_2D, texture.name());
@@ -21,14 +19,14 @@ void latLongSampling(const gl::Texture& texture, bool mipmapped) {
 }
 
 // Replaces level `level` of the bound texture; `fresh` makes new storage.
-void putLevel(int level, const ImageRgbF& image, bool fresh) {
+void putLevel(int level, const HalfImage& image, bool fresh) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     if (fresh)
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGB16F, image.width, image.height, 0, GL_RGB, GL_FLOAT,
-                     image.pixels.data());
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
+                     image.rgba.data());
     else
-        glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT,
-                        image.pixels.data());
+        glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, image.width, image.height, GL_RGBA, GL_HALF_FLOAT,
+                        image.rgba.data());
 }
 
 void bindTo(int unit, const gl::Texture& texture, const gl::Program& program, const char* name) {
@@ -40,12 +38,10 @@ void bindTo(int unit, const gl::Texture& texture, const gl::Program& program, co
 } // namespace
 
 SurroundGpu::SurroundGpu()
-    : frame_(gl::Texture::make()), diffuse_(gl::Texture::make()), glossy_(gl::Texture::make()),
-      pyramid_(gl::Texture::make()) {
+    : frame_(gl::Texture::make()), light_(gl::Texture::make()), mirrors_(gl::Texture::make()) {
     latLongSampling(frame_, false);
-    latLongSampling(diffuse_, false);
-    latLongSampling(glossy_, true);
-    latLongSampling(pyramid_, true);
+    latLongSampling(light_, false);
+    latLongSampling(mirrors_, true);
 }
 
 void SurroundGpu::uploadFrame(const CodedFrame& frame) {
@@ -76,36 +72,23 @@ void SurroundGpu::uploadFrame(const ImageRgbF& radianceLin) {
     frameHeight_ = radianceLin.height;
 }
 
-void SurroundGpu::uploadLight(const light::EnvironmentLight& light) {
-    glBindTexture(GL_TEXTURE_2D, diffuse_.name());
-    putLevel(0, light.diffuse, light.diffuse.width != diffuseWidth_);
-    diffuseWidth_ = light.diffuse.width;
+void SurroundGpu::uploadLight(const PackedLight& light) {
+    assert(light.places.size() <= kMaxMaps && light.mirrorRoughness.size() <= kMaxMirrors);
+    glBindTexture(GL_TEXTURE_2D, light_.name());
+    putLevel(0, light.atlas, light.atlas.width != lightWidth_ || light.atlas.height != lightHeight_);
+    lightWidth_ = light.atlas.width;
+    lightHeight_ = light.atlas.height;
+    places_ = light.places;
+    mirrorRoughness_ = light.mirrorRoughness;
 
-    const int levels = std::min<int>(static_cast<int>(light.glossy.size()), kMaxGlossyLevels);
-    assert(levels > 0);
-    const auto imageOf = [&](int k) -> const ImageRgbF& {
-        const ImageRgbF& own = light.glossy[static_cast<size_t>(k)].radianceLin;
-        return own.empty() ? light.radiance.levels[static_cast<size_t>(k)] : own;
-    };
-    glBindTexture(GL_TEXTURE_2D, glossy_.name());
-    const bool fresh = imageOf(0).width != glossyWidth_ || levels != static_cast<int>(roughness_.size());
-    roughness_.resize(static_cast<size_t>(levels));
-    for (int k = 0; k < levels; ++k) {
-        putLevel(k, imageOf(k), fresh);
-        roughness_[static_cast<size_t>(k)] = light.glossy[static_cast<size_t>(k)].roughness;
-    }
-    if (fresh) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    glossyWidth_ = imageOf(0).width;
-}
-
-void SurroundGpu::uploadPyramid(const light::RadiancePyramid& pyramid) {
-    glBindTexture(GL_TEXTURE_2D, pyramid_.name());
-    const bool fresh = pyramid.levels[0].width != pyramidWidth_;
-    for (size_t k = 0; k < pyramid.levels.size(); ++k)
-        putLevel(static_cast<int>(k), pyramid.levels[k], fresh);
+    if (light.mirrors.empty()) return;
+    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
+    const bool fresh = light.mirrors[0].width != mirrorWidth_ || light.mirrors.size() != mirrorLevels_;
+    for (size_t k = 0; k < light.mirrors.size(); ++k) putLevel(static_cast<int>(k), light.mirrors[k], fresh);
     if (fresh)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(pyramid.levels.size()) - 1);
-    pyramidWidth_ = pyramid.levels[0].width;
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
+    mirrorWidth_ = light.mirrors[0].width;
+    mirrorLevels_ = light.mirrors.size();
 }
 
 void SurroundGpu::bindFrame(const gl::Program& program) const {
@@ -114,14 +97,14 @@ void SurroundGpu::bindFrame(const gl::Program& program) const {
 }
 
 void SurroundGpu::bindLight(const gl::Program& program) const {
-    bindTo(UNIT_DIFFUSE, diffuse_, program, "diffuseMap");
-    bindTo(UNIT_GLOSSY, glossy_, program, "glossyMap");
-    program.set("glossyLevels", static_cast<int>(roughness_.size()));
-    program.setArray("glossyRoughness[0]", roughness_);
-    if (pyramidWidth_) {
-        bindTo(UNIT_RADIANCE, pyramid_, program, "radianceMap");
-        program.set("radianceWidth", static_cast<float>(pyramidWidth_));
-    }
+    bindTo(UNIT_LIGHT, light_, program, "lightMap");
+    program.setArray("lightPlaces[0]", places_);
+    program.set("smoothestMap", static_cast<float>(places_.size() - 1));
+    if (mirrorLevels_ == 0) return;
+    bindTo(UNIT_RADIANCE, mirrors_, program, "radianceMap");
+    program.set("radianceWidth", static_cast<float>(mirrorWidth_));
+    program.set("mirrorLevels", static_cast<int>(mirrorRoughness_.size() - 1));
+    program.setArray("mirrorRoughness[0]", mirrorRoughness_);
 }
 
 } // namespace shoal::render

@@ -3,7 +3,7 @@
 
 #include "engine/core/Image.h"
 #include "engine/gl/Program.h"
-#include "engine/light/EnvironmentLight.h"
+#include "engine/render/PackedLight.h"
 
 #include <cstddef>
 #include <vector>
@@ -24,9 +24,7 @@ class SurroundGpu {
 
     void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
     void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
-    void uploadLight(const light::EnvironmentLight& light);
-    // The radiance pyramid, for the thesis' glossy lookup only.
-    void uploadPyramid(const light::RadiancePyramid& pyramid);
+    void uploadLight(const PackedLight& light);
 
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
@@ -34,12 +32,17 @@ class SurroundGpu {
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
 
+    // Of the smoothest filtered map: smoother surfaces look up the mirrors.
+    float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
+
   private:
-    gl::Texture frame_, diffuse_, glossy_, pyramid_;
+    gl::Texture frame_, light_, mirrors_;
     int frameWidth_ = 0, frameHeight_ = 0;
     bool coded_ = true;
-    int diffuseWidth_ = 0, glossyWidth_ = 0, pyramidWidth_ = 0;
-    std::vector<float> roughness_;
+    int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
+    size_t mirrorLevels_ = 0;
+    std::vector<glm::vec4> places_;
+    std::vector<float> mirrorRoughness_;
 };
 
 } // namespace shoal::render

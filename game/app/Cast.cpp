@@ -1,5 +1,7 @@
 #include "game/app/Cast.h"
 
+#include "engine/scene/Roughness.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -18,12 +20,11 @@ float clipTime(const scene::Animation& clip, float phase_s) {
 
 } // namespace
 
-Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflectance) {
+Result<Cast::Actor> Cast::loadActor(const Path& file) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     Actor actor;
     actor.model = std::move(*model);
-    actor.gpu = render::uploadModel(actor.model, reflectance);
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
@@ -33,17 +34,16 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflec
     return actor;
 }
 
-Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
-                        render::Reflectance reflectance) {
+Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand) {
     Cast cast;
     for (const Path& file : speciesModels) {
-        auto actor = loadActor(file, reflectance);
+        auto actor = loadActor(file);
         if (!actor) return actor.error();
         cast.species_.push_back(std::move(*actor));
     }
     const std::array files = {leftHand, rightHand};
     for (size_t side = 0; side < files.size(); ++side) {
-        auto actor = loadActor(files[side], reflectance);
+        auto actor = loadActor(files[side]);
         if (!actor) return actor.error();
         for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
             actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));
@@ -54,6 +54,18 @@ Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHan
         cast.hands_[side] = std::move(*actor);
     }
     return cast;
+}
+
+float Cast::leastRoughness() const {
+    float least = 1;
+    for (const Actor& actor : species_) least = std::min(least, scene::leastRoughness(actor.model));
+    for (const Actor& actor : hands_) least = std::min(least, scene::leastRoughness(actor.model));
+    return least;
+}
+
+void Cast::upload(render::Reflectance reflectance) {
+    for (Actor& actor : species_) actor.gpu = render::uploadModel(actor.model, reflectance);
+    for (Actor& actor : hands_) actor.gpu = render::uploadModel(actor.model, reflectance);
 }
 
 void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {

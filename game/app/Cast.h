@@ -15,9 +15,14 @@ namespace shoal::app {
 
 class Cast {
   public:
-    // One model file per species, in the species table's order; needs a current GL context.
-    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
-                             render::Reflectance reflectance);
+    // One model file per species, in the species table's order.
+    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand,
+                             const Path& rightHand);
+
+    float leastRoughness() const; // of all surfaces
+
+    // To the graphics side, before show(); needs a current GL context.
+    void upload(render::Reflectance reflectance);
 
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
     void show(const game::Snapshot& snapshot, render::ObjectPass& pass);
@@ -31,7 +36,7 @@ class Cast {
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
-    static Result<Actor> loadActor(const Path& file, render::Reflectance reflectance);
+    static Result<Actor> loadActor(const Path& file);
 
     std::vector<Actor> species_;
     std::array<Actor, 2> hands_;

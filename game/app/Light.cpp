@@ -45,7 +45,7 @@ Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
-    light::LightMaker maker({kWidestLight, light::LightQuality::Still});
+    light::LightMaker maker({kWidestLight, light::kLeastFilteredRoughness, light::LightQuality::Still});
     light::EnvironmentLight made;
     if (isHdr(options.file)) {
         auto picture = media::readHdr(options.file);

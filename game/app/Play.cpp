@@ -93,20 +93,20 @@ Status Player::open() {
                           statistics.renderer.find("softpipe") != std::string::npos;
     samples = options.look.samples > 0 ? options.look.samples : software ? 1 : 4;
 
-    auto opened = Surround::open({.options = options.surround,
-                                  .defaultVideo = dataRoot() / "content" / plan.dive.video,
-                                  .bothEyes = stereo(),
-                                  .pyramid = options.look.glossy == "phong36"});
-    if (!opened) return opened.error();
-    surround = std::move(*opened);
-
     std::vector<Path> models;
     for (const game::Species& species : plan.species)
         models.push_back(dataRoot() / "content" / species.model);
     const Path folder = dataRoot() / "content" / "models";
-    auto cast =
-        Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", surround->reflectance());
+    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb");
     if (!cast) return cast.error();
+    auto opened = Surround::open({.options = options.surround,
+                                  .defaultVideo = dataRoot() / "content" / plan.dive.video,
+                                  .bothEyes = stereo(),
+                                  .pyramid = options.look.glossy == "phong36",
+                                  .leastRoughness = cast->leastRoughness()});
+    if (!opened) return opened.error();
+    surround = std::move(*opened);
+    cast->upload(surround->reflectance());
     auto madeStage = Stage::make(std::move(*cast));
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);

@@ -16,9 +16,9 @@ namespace shoal::app {
 
 namespace {
 
-// Widest map that objects mirror. For a moving video half of the usual 2048: fish are rough and small, and
-// show nothing finer. A still is made once, and may have all it has.
-constexpr int kVideoLightWidth = 1024;
+// Widest map that objects mirror. For a moving video a quarter of the usual 2048: fish are rough and small,
+// and show nothing finer. A still is made once, and may have all it has.
+constexpr int kVideoLightWidth = 512;
 constexpr int kStillLightWidth = 4096;
 
 constexpr int kSlots = 4;
@@ -55,7 +55,8 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
 } // namespace
 
 struct Surround::State {
-    bool keepPyramid = false;
+    render::MirrorMaps mirrors = render::MirrorMaps::None;
+    float leastRoughness = 0;
     bool bothEyes = false;
     float yaw = 0; // radians, to the right
     bool hdr = false;
@@ -65,8 +66,9 @@ struct Surround::State {
 
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
-    std::vector<light::EnvironmentLight> lights;
+    std::vector<render::PackedLight> lights;
     std::optional<light::LightMaker> maker;
+    light::EnvironmentLight made; // before it is packed
     std::optional<media::VideoPlayer> player;
     int64_t shownFrame = -1;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
@@ -78,7 +80,7 @@ struct Surround::State {
     }
 
     // All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
-    void uploadPicture(const ImageRgb8& frame, bool bgr, const light::EnvironmentLight& light) {
+    void uploadPicture(const ImageRgb8& frame, bool bgr, const render::PackedLight& light) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
             const EyePart part = partOf(frame.width, frame.height, layout, eye);
             gpu[static_cast<size_t>(eye)].uploadFrame(
@@ -87,11 +89,14 @@ struct Surround::State {
         uploadLight(light);
     }
 
-    void uploadLight(const light::EnvironmentLight& light) {
-        for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
+    void uploadLight(const render::PackedLight& light) {
+        for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
             gpu[static_cast<size_t>(eye)].uploadLight(light);
-            if (keepPyramid) gpu[static_cast<size_t>(eye)].uploadPyramid(light.radiance);
-        }
+    }
+
+    void makeLight(const light::FrameView& frame, size_t slot) {
+        maker->make(frame, made);
+        render::packLight(made, mirrors, lights[slot]);
     }
 
     Status openVideo(const Path& file, media::Layout wish, light::LightQuality quality);
@@ -105,13 +110,13 @@ Status Surround::State::openVideo(const Path& file, media::Layout wish, light::L
     setLayout(info->layout);
     const EyePart part = partOf(info->width, info->height, layout, 0);
     const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
-    maker.emplace(light::LightOptions{most, quality});
+    maker.emplace(light::LightOptions{most, leastRoughness, quality});
     lights.resize(kSlots);
     auto opened = media::VideoPlayer::open(
         file, {.layout = layout,
                .slots = kSlots,
                .prepare = [this, part](const media::VideoFrame& frame, int slot) {
-                   maker->make(viewOf(frame.pixelsBgr, part, true), lights[static_cast<size_t>(slot)]);
+                   makeLight(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
                }});
     if (!opened) return opened.error();
     player = std::move(*opened);
@@ -125,10 +130,10 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     if (wish == media::Layout::Auto) wish = media::layoutFromContent(*picture);
     setLayout(wish);
     const EyePart part = partOf(picture->width, picture->height, layout, 0);
-    maker.emplace(light::LightOptions{kStillLightWidth, light::LightQuality::Still});
+    maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
     lights.resize(1);
     const auto began = std::chrono::steady_clock::now();
-    maker->make(viewOf(*picture, part, false), lights[0]);
+    makeLight(viewOf(*picture, part, false), 0);
     light_ms = millisecondsSince(began);
     uploadPicture(*picture, false, lights[0]);
     return Done{};
@@ -138,11 +143,12 @@ Status Surround::State::openEnv(const Path& file) {
     auto picture = media::readHdr(file);
     if (!picture) return picture.error();
     hdr = true;
-    maker.emplace(light::LightOptions{kStillLightWidth, light::LightQuality::Still});
+    maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
     lights.resize(1);
     const auto began = std::chrono::steady_clock::now();
     const size_t mended = static_cast<size_t>(picture->repaired) +
-                          maker->makeFromHdr(picture->radianceLin, lights[0]).repairedTexels;
+                          maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
+    render::packLight(made, mirrors, lights[0]);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
@@ -154,7 +160,10 @@ Status Surround::State::openEnv(const Path& file) {
 
 Result<Surround> Surround::open(const SurroundSetup& setup) {
     auto state = std::make_unique<State>();
-    state->keepPyramid = setup.pyramid;
+    state->leastRoughness = setup.leastRoughness;
+    state->mirrors = setup.pyramid                                           ? render::MirrorMaps::Pyramid
+                     : setup.leastRoughness < light::kLeastFilteredRoughness ? render::MirrorMaps::Mirrors
+                                                                             : render::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);

@@ -19,10 +19,11 @@ namespace shoal::app {
 
 struct SurroundSetup {
     SurroundOptions options;
-    Path defaultVideo;     // played where the options name nothing
-    bool bothEyes = false; // a stereo picture shows each eye its own half; else all see the left one
-    bool still = false;    // one picture for good: as much light quality as a second buys
-    bool pyramid = false;  // keep the radiance pyramid too, for the thesis' glossy lookup
+    Path defaultVideo;        // played where the options name nothing
+    bool bothEyes = false;    // a stereo picture shows each eye its own half; else all see the left one
+    bool still = false;       // one picture for good: as much light quality as a second buys
+    bool pyramid = false;     // keep the radiance pyramid too, for the thesis' glossy lookup
+    float leastRoughness = 0; // of all that will be drawn: no light is made for smoother things
 };
 
 class Surround {

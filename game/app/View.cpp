@@ -9,6 +9,7 @@
 #include "engine/render/BackdropPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
+#include "engine/scene/Roughness.h"
 #include "game/app/Surround.h"
 
 #include <GLFW/glfw3.h>
@@ -128,7 +129,8 @@ Status Viewer::open() {
     auto surround = Surround::open({.options = options_.surround,
                                     .defaultVideo = dataRoot() / "content/video/reef.mp4",
                                     .still = true,
-                                    .pyramid = options_.look.glossy == "phong36"});
+                                    .pyramid = options_.look.glossy == "phong36",
+                                    .leastRoughness = scene::leastRoughness(model_)});
     if (!surround) return surround.error();
     surround_ = std::move(*surround);
     surround_->update(static_cast<double>(options_.at_s), true);

@@ -1,27 +1,51 @@
-// Light from an EnvironmentLight (engine/light/EnvironmentLight.h) stored in two textures:
-//   diffuseMap  lat-long, radiance leaving a white matte surface by its normal
-//   glossyMap   lat-long, level k holds radiance filtered by a GGX lobe of roughness glossyRoughness[k]; level 0 the mirror
-// Both wrap in u and clamp in v. Needs light/LatLong.glsl.
-uniform sampler2D diffuseMap;
-uniform sampler2D glossyMap;
-uniform float glossyRoughness[8];
-uniform int glossyLevels;
+// Light from an EnvironmentLight (engine/light/EnvironmentLight.h) as engine/render/PackedLight.h stores it:
+// lightMap holds lat-long maps filtered by GGX lobes of roughness 10^(-k / 13), k = 0 .. smoothestMap, each with a border;
+// map k's u, v times lightPlaces[k].xy plus .zw is its place. Map 0 is the radiance leaving a white matte surface.
+// Needs light/LatLong.glsl.
+uniform sampler2D lightMap;
+uniform vec4 lightPlaces[14];
+uniform float smoothestMap;
 
-vec3 diffuseRadiance(vec3 normal) { return textureLod(diffuseMap, latLongFromDirection(normal), 0.0).rgb; }
+vec3 filteredRadiance(vec2 uv, int map) {
+    vec4 place = lightPlaces[map];
+    return textureLod(lightMap, uv * place.xy + place.zw, 0.0).rgb;
+}
 
-// Level whose roughness this is; between two levels linearly in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in
-// engine/light/GlossyLevels.h, which says why.
-float glossyLod(float roughness) {
+vec3 diffuseRadiance(vec3 normal) { return filteredRadiance(latLongFromDirection(normal), 0); }
+
+#ifdef MIRRORS
+// For surfaces smoother than the smoothest map: the radiance pyramid, and the roughness of its levels and of that map.
+uniform sampler2D radianceMap;
+uniform float mirrorRoughness[6];
+uniform int mirrorLevels;
+
+// Linear in 1 / alpha, alpha = roughness^2. Twin of lodFromRoughness() in engine/light/GlossyLevels.h, which says why.
+float mirrorLod(float roughness) {
     float alpha = max(roughness * roughness, 1e-6);
     float lod = 0.0;
-    for (int k = 0; k + 1 < glossyLevels; ++k) {
-        float low = max(glossyRoughness[k] * glossyRoughness[k], 1e-6);
-        float high = glossyRoughness[k + 1] * glossyRoughness[k + 1];
+    for (int k = 0; k < mirrorLevels; ++k) {
+        float low = max(mirrorRoughness[k] * mirrorRoughness[k], 1e-6);
+        float high = mirrorRoughness[k + 1] * mirrorRoughness[k + 1];
         lod += clamp((alpha - low) * high / (alpha * (high - low)), 0.0, 1.0);
     }
     return lod;
 }
+#endif
 
 vec3 glossyRadiance(vec3 reflected, float roughness) {
-    return textureLod(glossyMap, latLongFromDirection(reflected), glossyLod(roughness)).rgb;
+    vec2 uv = latLongFromDirection(reflected);
+#ifdef MIRRORS
+    if (roughness < mirrorRoughness[mirrorLevels]) {
+        float lod = mirrorLod(roughness), last = float(mirrorLevels - 1);
+        vec3 mirrored = textureLod(radianceMap, uv, min(lod, last)).rgb;
+        return mix(mirrored, filteredRadiance(uv, int(smoothestMap)), clamp(lod - last, 0.0, 1.0));
+    }
+#endif
+    // Between two maps linearly in 1 / alpha too: with both a step apart, (10^(2 f / 13) - 1) / (10^(2 / 13) - 1), of which
+    // this is a parabola, at most 0.001 off.
+    float at = clamp(-3.9134 * log2(max(roughness, 1e-3)), 0.0, smoothestMap);
+    float map = min(floor(at), max(smoothestMap - 1.0, 0.0));
+    float f = at - map;
+    f *= 0.8232 + 0.1768 * f;
+    return mix(filteredRadiance(uv, int(map)), filteredRadiance(uv, int(min(map + 1.0, smoothestMap))), f);
 }

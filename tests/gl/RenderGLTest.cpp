@@ -2,6 +2,9 @@
 // own colours.
 #include "engine/gl/Target.h"
 #include "engine/light/InverseToneMap.h"
+#include "engine/light/Lookup.h"
+#include "engine/light/MakeLight.h"
+#include "engine/math/Brdf.h"
 #include "engine/math/LatLong.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/BackdropPass.h"
@@ -120,7 +123,7 @@ scene::Model ball(float metallic, float roughness) {
         for (int x = 0; x < kAround; ++x) {
             const auto a = static_cast<uint32_t>(y * (kAround + 1) + x);
             const uint32_t b = a + kAround + 1;
-            primitive.indices.insert(primitive.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+            primitive.indices.insert(primitive.indices.end(), {a, a + 1, b, a + 1, b + 1, b});
         }
     primitive.material = 0;
     model.materials.push_back({.metallic = metallic, .roughness = roughness, .doubleSided = true});
@@ -130,23 +133,15 @@ scene::Model ball(float metallic, float roughness) {
     return model;
 }
 
-// Light as the pipeline makes it for a frame that hardly changes from texel to texel: the mirror is the frame
-// itself.
-light::EnvironmentLight lightOf(const ImageRgb8& frame) {
-    light::EnvironmentLight result;
-    ImageRgbF radiance(frame.width, frame.height);
-    for (size_t i = 0; i < radiance.pixels.size(); i += 3) {
-        const glm::vec3 colour(frame.pixels[i], frame.pixels[i + 1], frame.pixels[i + 2]);
-        const glm::vec3 lin = light::radianceFromDisplay(colour / 255.0f);
-        for (size_t c = 0; c < 3; ++c) radiance.pixels[i + c] = lin[static_cast<int>(c)];
-    }
-    result.diffuse = ImageRgbF(64, 32);
-    for (size_t i = 0; i < result.diffuse.pixels.size(); ++i)
-        result.diffuse.pixels[i] = radiance.pixels[i % 3];
-    ImageRgbF rough(frame.width / 2, frame.height / 2);
-    for (size_t i = 0; i < rough.pixels.size(); ++i) rough.pixels[i] = radiance.pixels[i % 3];
-    result.glossy = {{0.0f, radiance}, {1.0f, rough}};
-    return result;
+render::PackedLight lightOf(const ImageRgb8& frame) {
+    light::EnvironmentLight made;
+    light::LightMaker maker({512, 0.1f});
+    maker.make(
+        {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
+        made);
+    render::PackedLight packed;
+    render::packLight(made, render::MirrorMaps::Mirrors, packed);
+    return packed;
 }
 
 ImageRgba8 drawBall(const scene::Model& model, const render::SurroundGpu& surround, const render::View& view,
@@ -221,6 +216,51 @@ TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f) << eye.x << " " << eye.y;
     }
+}
+
+// Bright caps: red overhead, green across the seam, blue to the right.
+ImageRgb8 capsFrame(int width) {
+    ImageRgb8 frame(width, width / 2);
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::vec3 dir = directionFromLatLong(
+                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(frame.height)));
+            const glm::vec3 along(dir.y, dir.z, dir.x);
+            for (int c = 0; c < 3; ++c) frame.at(x, y)[c] = along[c] > 0.8f ? 230 : 60;
+        }
+    return frame;
+}
+
+// The shader looks the light up as lookUpGlossy() does, for mirrors, smooth and rough metal, on levels and
+// between them, at seam and pole too. A white metal seen head on reflects the lobe, and what it loses between
+// its facets comes back matte.
+TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
+    const ImageRgb8 frame = capsFrame(512);
+    light::EnvironmentLight made;
+    light::LightMaker maker({512, 0.1f});
+    maker.make(
+        {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
+        made);
+    render::SurroundGpu surround;
+    surround.uploadLight(lightOf(frame));
+    for (const float roughness : {0.08f, 0.1f, 0.13f, 0.31f, 0.55f, 0.65f, 0.95f, 1.0f})
+        for (const glm::vec3 eye : {glm::vec3(0, 3, 0.01f), glm::vec3(0.02f, 0.5f, 3), glm::vec3(3, 0, 0),
+                                    glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
+            const render::View view{
+                .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
+            const ImageRgba8 picture = drawBall(ball(1, roughness), surround, view, 0, 9);
+            const glm::vec3 dir = glm::normalize(eye);
+            const math::Dfg dfg = math::dfg(1, static_cast<double>(roughness));
+            const auto kept = static_cast<float>(dfg.scale + dfg.bias);
+            const glm::vec3 radiance = kept * light::lookUpGlossy(made, dir, roughness) +
+                                       (1 - kept) * light::lookUp(made.diffuse, dir);
+            const glm::vec3 expected = light::displayFromRadiance(radiance) * 255.0f;
+            // Rounding, and the ball's 96 facets around, which look up to a fiftieth of a radian elsewhere.
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 2.5f)
+                    << "roughness " << roughness << " from " << eye.x << " " << eye.y << " " << eye.z;
+        }
 }
 
 TEST_F(RenderGL, ExposureChangesObjectAndBackdropAlike) {

@@ -1,0 +1,111 @@
+#include "engine/light/CentroidChain.h"
+
+#include "engine/light/Vectorise.h"
+#include "engine/math/LatLong.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+
+namespace shoal::light {
+
+namespace {
+
+SHOAL_VECTORISE
+void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>& weights, int count,
+             float* __restrict out) {
+    const float *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3];
+    for (int i = 0; i < count; ++i)
+        out[i] = weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i] + weights[3] * d[i];
+}
+
+// in: a texel before its first and one after its last can be read.
+SHOAL_VECTORISE
+void halveRow(const float* __restrict in, int width, float* __restrict out) {
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c)
+            out[3 * x + c] = 0.125f * (in[6 * x - 3 + c] + in[6 * x + 6 + c]) +
+                             0.375f * (in[6 * x + c] + in[6 * x + 3 + c]);
+}
+
+constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // of rows 2 y - 1 .. 2 y + 2
+
+// The row that lies where `row` would, beyond the poles too.
+int rowOnSphere(int row, int height) {
+    return row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
+}
+
+} // namespace
+
+CentroidChain::CentroidChain(int baseWidth, int leastWidth) {
+    assert(std::has_single_bit(static_cast<unsigned>(baseWidth)) && leastWidth >= 16 &&
+           leastWidth <= baseWidth);
+    Sampling base{baseWidth, 0, {}};
+    for (int y = 0; y < baseWidth / 2; ++y)
+        base.rowFlux.push_back(texelSolidAngle(y, baseWidth, baseWidth / 2));
+    samplings_.push_back(std::move(base));
+    while (samplings_.back().width > leastWidth) {
+        const Sampling& wide = samplings_.back();
+        const int height = wide.width / 2;
+        Sampling half{wide.width / 2, wide.octaves + 1, {}};
+        for (int y = 0; y < height / 2; ++y) {
+            double flux = 0;
+            for (int i = 0; i < 4; ++i)
+                flux += 2 * kShares[static_cast<size_t>(i)] *
+                        wide.rowFlux[static_cast<size_t>(rowOnSphere(2 * y - 1 + i, height))];
+            half.rowFlux.push_back(flux);
+        }
+        levels_.emplace_back(half.width, half.width / 2);
+        samplings_.push_back(std::move(half));
+    }
+    row_.resize(static_cast<size_t>(baseWidth + 2) * 3);
+    overPole_.resize(static_cast<size_t>(baseWidth) * 3);
+}
+
+void CentroidChain::make(const ImageRgbF& base) {
+    assert(base.width == samplings_[0].width && base.height == base.width / 2);
+    base_ = &base;
+    for (size_t k = 0; k < levels_.size(); ++k) {
+        const ImageRgbF& in = k ? levels_[k - 1] : base;
+        ImageRgbF& out = levels_[k];
+        const int count = in.width * 3;
+        for (int y = 0; y < out.height; ++y) {
+            std::array<const float*, 4> rows;
+            std::array<float, 4> weights;
+            for (int i = 0; i < 4; ++i) {
+                const int at = 2 * y - 1 + i, row = rowOnSphere(at, in.height);
+                const auto n = static_cast<size_t>(i);
+                rows[n] = in.at(0, row);
+                if (row != at) { // the far side of the pole
+                    std::rotate_copy(rows[n], rows[n] + count / 2, rows[n] + count, overPole_.data());
+                    rows[n] = overPole_.data();
+                }
+                weights[n] =
+                    static_cast<float>(2 * kShares[n] * samplings_[k].rowFlux[static_cast<size_t>(row)] /
+                                       samplings_[k + 1].rowFlux[static_cast<size_t>(y)]);
+            }
+            float* mixed = row_.data() + 3;
+            mixRows(rows, weights, count, mixed);
+            std::copy_n(mixed + count - 3, 3, row_.data());
+            std::copy_n(mixed, 3, mixed + count);
+            halveRow(mixed, out.width, out.at(0, y));
+        }
+    }
+}
+
+size_t CentroidChain::indexOf(int width) const {
+    const auto found = std::find_if(samplings_.begin(), samplings_.end(),
+                                    [&](const Sampling& each) { return each.width == width; });
+    assert(found != samplings_.end());
+    return static_cast<size_t>(found - samplings_.begin());
+}
+
+const ImageRgbF& CentroidChain::level(int width) const {
+    const size_t index = indexOf(width);
+    return index ? levels_[index - 1] : *base_;
+}
+
+const Sampling& CentroidChain::sampling(int width) const { return samplings_[indexOf(width)]; }
+
+} // namespace shoal::light

@@ -1,0 +1,46 @@
+// Smaller and smaller copies of a lat-long map for wide lobes to be summed over: a few thousand texels which
+// light a surface as the millions do from which they came.
+#pragma once
+
+#include "engine/core/Image.h"
+
+#include <vector>
+
+namespace shoal::light {
+
+// What a filter must know of a map to sum over it.
+struct Sampling {
+    int width = 0;
+    int octaves = 0;             // halvings since the map came from its plain means
+    std::vector<double> rowFlux; // per row: flux of one texel in light of radiance 1, steradians
+};
+
+// Each halving hands every texel's flux to the two nearest rows and columns, in the shares that keep its
+// centroid: (1 3 3 1) / 8 along rows and meridians, over the poles too. Where a small light stands is
+// kept then, and how far it is spread is the same wherever it stands (3/16 of a texel squared for each
+// halving, in each direction), so that a filter can take that back. Plain means move a light by up to half a
+// texel: summed over 64 texels around, 2 % of the diffuse light of a small sun.
+class CentroidChain {
+  public:
+    // leastWidth .. baseWidth, powers of two >= 16.
+    CentroidChain(int baseWidth, int leastWidth);
+
+    // base: baseWidth x baseWidth / 2, linear radiance, texels the means over their solid angle. Kept by
+    // reference until the next call.
+    void make(const ImageRgbF& base);
+
+    // Radiance times Sampling::rowFlux is the flux.
+    const ImageRgbF& level(int width) const;
+    const Sampling& sampling(int width) const;
+
+  private:
+    size_t indexOf(int width) const;
+
+    const ImageRgbF* base_ = nullptr;
+    std::vector<Sampling> samplings_; // widest first
+    std::vector<ImageRgbF> levels_;   // of samplings_[1 ..]
+    std::vector<float> row_;          // one row of a level, a texel of the other end on both sides
+    std::vector<float> overPole_;     // the row beyond a pole
+};
+
+} // namespace shoal::light

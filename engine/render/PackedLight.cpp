@@ -1,0 +1,88 @@
+#include "engine/render/PackedLight.h"
+
+#include "engine/light/Vectorise.h"
+#include "engine/math/Half.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr uint16_t kOne = 0x3c00;
+
+SHOAL_VECTORISE
+void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) {
+    for (int x = 0; x < width; ++x) {
+        for (int c = 0; c < 3; ++c) rgba[4 * x + c] = math::halfFromFloat(rgb[3 * x + c]);
+        rgba[4 * x + 3] = kOne;
+    }
+}
+
+void fit(HalfImage& image, int width, int height) {
+    if (image.width == width && image.height == height) return;
+    image.width = width, image.height = height;
+    image.rgba.assign(static_cast<size_t>(width) * static_cast<size_t>(height) * 4, 0);
+}
+
+void packMirror(const ImageRgbF& map, HalfImage& out) {
+    fit(out, map.width, map.height);
+    packRow(map.pixels.data(), map.width * map.height, out.rgba.data());
+}
+
+// top: the atlas' row of the border above the map.
+void packBordered(const ImageRgbF& map, int top, HalfImage& atlas) {
+    const auto texels = [&](int x, int y) {
+        return atlas.rgba.data() + (static_cast<size_t>(top + 1 + y) * static_cast<size_t>(atlas.width) +
+                                    static_cast<size_t>(x + 1)) *
+                                       4;
+    };
+    for (int y = 0; y < map.height; ++y) packRow(map.at(0, y), map.width, texels(0, y));
+    const int half = map.width / 2;
+    for (const int y : {0, map.height - 1}) { // beyond the poles: the other side
+        const int beyond = y == 0 ? -1 : map.height;
+        std::copy_n(texels(0, y), half * 4, texels(half, beyond));
+        std::copy_n(texels(half, y), half * 4, texels(0, beyond));
+    }
+    for (int y = -1; y <= map.height; ++y) {
+        std::copy_n(texels(map.width - 1, y), 4, texels(-1, y));
+        std::copy_n(texels(0, y), 4, texels(map.width, y));
+    }
+}
+
+} // namespace
+
+void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out) {
+    size_t unfiltered = 0;
+    int width = 0, height = 0;
+    for (const light::GlossyLevel& level : light.glossy) {
+        unfiltered += level.radianceLin.empty();
+        if (level.radianceLin.empty()) continue;
+        width = std::max(width, level.radianceLin.width + 2);
+        height += level.radianceLin.height + 2;
+    }
+    assert(unfiltered < light.glossy.size());
+    fit(out.atlas, width, height);
+
+    out.places.clear();
+    int top = 0;
+    for (size_t k = light.glossy.size(); k-- > unfiltered;) {
+        const ImageRgbF& map = light.glossy[k].radianceLin;
+        packBordered(map, top, out.atlas);
+        const auto w = static_cast<float>(width), h = static_cast<float>(height);
+        out.places.emplace_back(static_cast<float>(map.width) / w, static_cast<float>(map.height) / h, 1 / w,
+                                static_cast<float>(top + 1) / h);
+        top += map.height + 2;
+    }
+
+    out.mirrorRoughness.clear();
+    for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);
+    out.complete = mirrors == MirrorMaps::Pyramid;
+    out.mirrors.resize(mirrors == MirrorMaps::None ? 0
+                       : out.complete              ? light.radiance.levels.size()
+                                                   : unfiltered);
+    for (size_t k = 0; k < out.mirrors.size(); ++k) packMirror(light.radiance.levels[k], out.mirrors[k]);
+}
+
+} // namespace shoal::render

@@ -1,0 +1,41 @@
+// An EnvironmentLight as the graphics side wants it: half floats, all filtered maps in one picture. Made on
+// the decode thread, so that the frame's thread has nothing to do but hand it over.
+#pragma once
+
+#include "engine/light/EnvironmentLight.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace shoal::render {
+
+struct HalfImage {
+    int width = 0, height = 0;
+    std::vector<uint16_t> rgba; // alpha 1
+};
+
+// What surfaces smoother than the filtered maps, or the thesis' glossy lookup, sample.
+enum class MirrorMaps {
+    None,    // no surface needs them
+    Mirrors, // the pyramid's levels that glossyPlans() names
+    Pyramid, // all of it
+};
+
+struct PackedLight {
+    // Each map with a border of one texel around it that holds what lies there on the sphere, so that linear
+    // lookups need to know of neither seam nor pole.
+    HalfImage atlas;
+    // Where map k of the filtered ones lies, roughest first (the first is the diffuse map too): its u, v
+    // times xy plus zw is a place in the atlas.
+    std::vector<glm::vec4> places;
+    std::vector<HalfImage> mirrors;     // mip levels
+    std::vector<float> mirrorRoughness; // of the unfiltered levels, then of the smoothest filtered one
+    bool complete = false;              // mirrors are all of the pyramid
+};
+
+// Buffers of out are reused while sizes stay.
+void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out);
+
+} // namespace shoal::render

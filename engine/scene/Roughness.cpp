@@ -1,0 +1,32 @@
+#include "engine/scene/Roughness.h"
+
+#include <algorithm>
+#include <array>
+
+namespace shoal::scene {
+
+float leastRoughness(const Model& model, const Material& material) {
+    if (material.metallicRoughness.texture < 0) return material.roughness;
+    const int image = model.textures[static_cast<size_t>(material.metallicRoughness.texture)].image;
+    if (image < 0) return material.roughness;
+    const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
+    std::array<size_t, 256> counts{};
+    for (size_t i = 1; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]]; // green: roughness
+    size_t below = 0, value = 0;
+    while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
+    return material.roughness * static_cast<float>(value) / 255.0f;
+}
+
+float leastRoughness(const Model& model) {
+    float least = 1;
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& primitive : mesh.primitives) {
+            const bool named = primitive.material >= 0;
+            least = std::min(
+                least, named ? leastRoughness(model, model.materials[static_cast<size_t>(primitive.material)])
+                             : Material().roughness);
+        }
+    return least;
+}
+
+} // namespace shoal::scene
