@@ -26,7 +26,7 @@ struct EnvironmentLight {
     RadiancePyramid radiance;
     // Radiance leaving a white matte surface by its normal: irradiance / pi. A uniform surround of
     // radiance L gives L. 64x32 for videos (the thesis' 4.1: 64x32 looks like 1024x512, 32x16 does not),
-    // 256x128 for stills.
+    // 512x256 for stills.
     ImageRgbF diffuse;
     std::vector<GlossyLevel> glossy; // by glossyPlans(): ascending roughness to 1, widths falling
 };

@@ -5,7 +5,7 @@
 namespace shoal::light {
 
 LightFilters::LightFilters(int baseWidth, float leastRoughness, LightQuality quality)
-    : plans_(glossyPlans(baseWidth, leastRoughness, quality)), chain_(baseWidth, plans_.back().width) {
+    : plans_(glossyPlans(baseWidth, leastRoughness, quality)), chain_(baseWidth, 64) {
     std::vector<double> alphas;
     for (size_t k = 0; k < plans_.size(); ++k) {
         if (!plans_[k].filtered) continue;

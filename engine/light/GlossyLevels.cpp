@@ -13,14 +13,16 @@ constexpr int kNarrowestMirror = 512;
 // Of the filtered levels.
 struct Widths {
     int least, most;
+    int matte;            // roughness 1: the clamped cosine has a kink, which a strong sun makes visible
     double texelsPerLobe; // alpha times width, at least
 };
 
 constexpr Widths widthsOf(LightQuality quality) {
-    return quality == LightQuality::Video ? Widths{64, 512, 7.2} : Widths{256, 1024, 10.0};
+    return quality == LightQuality::Video ? Widths{64, 512, 64, 7.2} : Widths{256, 1024, 512, 10.0};
 }
 
 int widthFor(double roughness, int baseWidth, const Widths& widths) {
+    if (roughness == 1) return std::min(widths.matte, baseWidth);
     int width = widths.least;
     while (width < std::min(widths.most, baseWidth) && roughness * roughness * width < widths.texelsPerLobe)
         width *= 2;

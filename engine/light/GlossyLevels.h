@@ -7,9 +7,9 @@
 
 namespace shoal::light {
 
-// Roughness of the filtered levels: 10^(-i / kGlossySteps), i = 0 .. kGlossySteps. A step of 1.19: mixing two
-// neighbours misses the lobe between them by 2 %.
-constexpr int kGlossySteps = 13;
+// Roughness of the filtered levels: 10^(-i / kGlossySteps), i = 0 .. kGlossySteps. A step of 1.15: mixing two
+// neighbours misses the lobe between them by a hundredth.
+constexpr int kGlossySteps = 16;
 
 constexpr float kLeastFilteredRoughness = 0.1f;
 

@@ -8,7 +8,7 @@ namespace shoal::render {
 
 namespace {
 
-constexpr size_t kMaxMaps = 14, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
+constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
 
 void latLongSampling(const gl::Texture& texture, bool mipmapped) {
     glBindTexture(GL_TEXTURE_2D, texture.name());

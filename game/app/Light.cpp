@@ -3,7 +3,9 @@
 
 #include "engine/core/Log.h"
 #include "engine/light/GlossyLevels.h"
+#include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
+#include "engine/math/LatLong.h"
 #include "engine/math/SphericalHarmonics.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
@@ -81,12 +83,24 @@ std::string harmonics(const light::EnvironmentLight& made) {
     return json.dump(2) + "\n";
 }
 
+// 64x32, as the thesis has it: what engines take. Values at texel centres.
+ImageRgbF smallDiffuse(const light::EnvironmentLight& made) {
+    ImageRgbF small(64, 32);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            const glm::dvec2 uv((x + 0.5) / small.width, (y + 0.5) / small.height);
+            const glm::vec3 value = light::lookUp(made.diffuse, directionFromLatLong(uv));
+            for (int c = 0; c < 3; ++c) small.at(x, y)[c] = value[c];
+        }
+    return small;
+}
+
 Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
     const Path folder = options.out;
     const auto put = [&](const std::string& name, const ImageRgbF& image) {
         return media::writeHdr(folder / (name + "." + options.format), image);
     };
-    if (Status s = put("diffuse", made.diffuse); !s) return s;
+    if (Status s = put("diffuse", smallDiffuse(made)); !s) return s;
     for (size_t k = 0; k < made.glossy.size(); ++k) {
         char name[32];
         std::snprintf(name, sizeof name, "glossy_%.2f", static_cast<double>(made.glossy[k].roughness));

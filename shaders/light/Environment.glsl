@@ -1,9 +1,9 @@
 // Light from an EnvironmentLight (engine/light/EnvironmentLight.h) as engine/render/PackedLight.h stores it:
-// lightMap holds lat-long maps filtered by GGX lobes of roughness 10^(-k / 13), k = 0 .. smoothestMap, each with a border;
+// lightMap holds lat-long maps filtered by GGX lobes of roughness 10^(-k / 16), k = 0 .. smoothestMap, each with a border;
 // map k's u, v times lightPlaces[k].xy plus .zw is its place. Map 0 is the radiance leaving a white matte surface.
 // Needs light/LatLong.glsl.
 uniform sampler2D lightMap;
-uniform vec4 lightPlaces[14];
+uniform vec4 lightPlaces[17];
 uniform float smoothestMap;
 
 vec3 filteredRadiance(vec2 uv, int map) {
@@ -41,11 +41,11 @@ vec3 glossyRadiance(vec3 reflected, float roughness) {
         return mix(mirrored, filteredRadiance(uv, int(smoothestMap)), clamp(lod - last, 0.0, 1.0));
     }
 #endif
-    // Between two maps linearly in 1 / alpha too: with both a step apart, (10^(2 f / 13) - 1) / (10^(2 / 13) - 1), of which
+    // Between two maps linearly in 1 / alpha too: with both a step apart, (10^(f / 8) - 1) / (10^(1 / 8) - 1), of which
     // this is a parabola, at most 0.001 off.
-    float at = clamp(-3.9134 * log2(max(roughness, 1e-3)), 0.0, smoothestMap);
+    float at = clamp(-4.8165 * log2(max(roughness, 1e-3)), 0.0, smoothestMap);
     float map = min(floor(at), max(smoothestMap - 1.0, 0.0));
     float f = at - map;
-    f *= 0.8232 + 0.1768 * f;
+    f *= 0.8564 + 0.1436 * f;
     return mix(filteredRadiance(uv, int(map)), filteredRadiance(uv, int(min(map + 1.0, smoothestMap))), f);
 }

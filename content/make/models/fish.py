@@ -531,7 +531,7 @@ class Animal:
                                     double=not self.thick_fins)
         s, h, r, iris, ring = self.eye
         look = eye_picture(iris, ring) if self.eye_picture is None else self.eye_picture
-        eye_material = glb.material('eyes', glb.texture(paint.jpeg(look, 95)), rough=0.1, metal=0.0)
+        eye_material = glb.material('eyes', glb.texture(paint.jpeg(look, 95)), rough=0.25, metal=0.0)
 
         skin = rig.bind(body.part(self.rings, self.around))
         centre, outward = body.on_side(s, h)

@@ -26,7 +26,7 @@ TEST(MakeLight, WhiteFurnaceIsExact) {
     for (const LightQuality quality : {LightQuality::Video, LightQuality::Still}) {
         const EnvironmentLight light = lightOf(uniform(1024, white), quality);
         EXPECT_LT(largestDifference(light.diffuse, white), 1e-5);
-        ASSERT_EQ(light.glossy.size(), 16u); // mirrors at 1024 and 512, 14 filtered
+        ASSERT_EQ(light.glossy.size(), 19u); // mirrors at 1024 and 512, 17 filtered
         for (size_t k = 0; k < light.glossy.size(); ++k)
             EXPECT_LT(largestDifference(glossyImage(light, k), white), 1e-5) << "glossy level " << k;
         const glm::vec3 rings = phongRingsRadiance(light.radiance, glm::vec3(0.6f, 0, 0.8f), 0.4);
@@ -48,7 +48,7 @@ TEST(GlossyPlans, RunFromTheMirrorToTheMatteSurface) {
                     if (plans[k].filtered) smoothest = std::min(smoothest, plans[k].roughness);
                     if (k == 0) continue;
                     EXPECT_GT(plans[k].roughness, plans[k - 1].roughness);
-                    if (plans[k].filtered == plans[k - 1].filtered) {
+                    if (plans[k].filtered == plans[k - 1].filtered && plans[k].roughness < 1) {
                         EXPECT_LE(plans[k].width, plans[k - 1].width);
                     }
                     EXPECT_GE(plans[k].filtered, plans[k - 1].filtered);
