@@ -1,0 +1,148 @@
+#include "tests/bench/light/Picture.h"
+
+#include "tests/bench/light/Tables.h"
+
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+namespace shoal::bench {
+
+using light::rivals::Role;
+
+namespace {
+
+struct Point {
+    const Measured* method = nullptr;
+    double cost_us = 0, error_percent = 0;
+    glm::dvec2 at{0}, name{0}; // pixels within the panel, from its lower left
+};
+
+// A logarithmic axis.
+struct Axis {
+    double least = 0, most = 0, pixels = 0;
+
+    double toPixel(double value) const { return pixels * std::log(value / least) / std::log(most / least); }
+    double fromPixel(double pixel) const { return least * std::pow(most / least, pixel / pixels); }
+};
+
+struct Box {
+    glm::dvec2 centre{0}, half{0};
+
+    double overlap(const Box& other) const {
+        const glm::dvec2 apart = glm::abs(centre - other.centre);
+        const glm::dvec2 both = half + other.half - apart;
+        return both.x > 0 && both.y > 0 ? both.x * both.y : 0;
+    }
+};
+
+Axis axisAround(const std::vector<double>& values, double pixels, double margin) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return {*least / margin, *most * margin, pixels};
+}
+
+// Names go where they cover least, the nearest such place first; each in turn, the default's before all.
+void placeNames(std::vector<Point>& points) {
+    constexpr double kLetter = 6.6, kLine = 12, kMark = 6; // pixels
+    std::vector<Box> taken;
+    for (const Point& point : points) taken.push_back({point.at, glm::dvec2(kMark)});
+    for (Point& point : points) {
+        const glm::dvec2 half(0.5 * kLetter * static_cast<double>(point.method->label.brief.size()),
+                              kLine / 2);
+        double least = 1e30;
+        for (const double reach : {5.0, 14.0, 24.0, 36.0, 50.0})
+            for (int step = 0; step < 16; ++step) {
+                const double turn = step * glm::radians(22.5);
+                const glm::dvec2 to(std::cos(turn), std::sin(turn));
+                const Box box{point.at + to * (reach + kMark) + to * half, half};
+                double cost = reach * 2;
+                for (const Box& other : taken) cost += 10 * box.overlap(other);
+                const glm::dvec2 low = box.centre - half, high = box.centre + half;
+                if (low.x < 2 || low.y < 2 || high.x > kPanelWidth - 2 || high.y > kPanelHeight - 2)
+                    cost += 1e6;
+                if (cost < least) least = cost, point.name = box.centre;
+            }
+        taken.push_back({point.name, half});
+    }
+}
+
+[[gnu::format(printf, 2, 3)]] void append(std::string& out, const char* format, ...) {
+    char buffer[512];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(buffer, sizeof buffer, format, arguments);
+    va_end(arguments);
+    out += buffer;
+}
+
+// The file that chart.gp reads for a panel: variables and data blocks, one for each family.
+std::string panel(const char* name, std::vector<Point> points, double margin) {
+    std::vector<double> costs, errors;
+    for (const Point& each : points) costs.push_back(each.cost_us), errors.push_back(each.error_percent);
+    const Axis x = axisAround(costs, kPanelWidth, margin), y = axisAround(errors, kPanelHeight, margin);
+    for (Point& each : points) each.at = {x.toPixel(each.cost_us), y.toPixel(each.error_percent)};
+    placeNames(points);
+
+    std::vector<std::string> families;
+    for (const Point& each : points)
+        if (std::find(families.begin(), families.end(), each.method->label.family) == families.end())
+            families.push_back(each.method->label.family);
+
+    std::string out, names;
+    append(out, "%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.least, name, x.most, name,
+           y.least, name, y.most);
+    const auto block = [&](const std::string& title, auto&& include) {
+        append(out, "$%s_%s << END\n", name, title.c_str());
+        for (const Point& each : points)
+            if (include(each))
+                append(out, "%.8g %.8g %.8g %.8g \"%s\"\n", each.cost_us, each.error_percent,
+                       x.fromPixel(each.name.x), y.fromPixel(each.name.y), each.method->label.brief.c_str());
+        append(out, "END\n");
+    };
+    for (size_t i = 0; i < families.size(); ++i) {
+        block("family" + std::to_string(i + 1),
+              [&](const Point& each) { return each.method->label.family == families[i]; });
+        append(names, "\"%s\" ", families[i].c_str());
+    }
+    append(out, "%s_families = '%s'\n", name, names.c_str());
+    block("all", [](const Point&) { return true; });
+    block("thesis", [](const Point& each) { return each.method->label.role == Role::Thesis; });
+    // Names that stand apart from their points get a line.
+    block("led", [](const Point& each) {
+        const double half = 3.3 * static_cast<double>(each.method->label.brief.size());
+        const glm::dvec2 apart = glm::abs(each.name - each.at);
+        return apart.x > half + 16 || apart.y > 6 + 16;
+    });
+    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.cost_us < b.cost_us; });
+    double best = 1e30;
+    append(out, "$%s_front << END\n", name);
+    for (const Point& each : points)
+        if (each.error_percent < best) {
+            if (best == 1e30) append(out, "%.8g %.8g\n", each.cost_us, y.most);
+            best = each.error_percent;
+            append(out, "%.8g %.8g\n", each.cost_us, best);
+        }
+    append(out, "%.8g %.8g\nEND\n", x.most, best);
+    return out;
+}
+
+} // namespace
+
+Status writePicture(const Chart& chart, const Path& folder) {
+    std::vector<Point> diffuse, glossy;
+    for (const Measured& each : chart.diffuse)
+        diffuse.push_back({&each, each.cost.update_us, 100 * pooled(chart, each, Suns::With, 0, 1).rms()});
+    for (const Measured& each : chart.glossy)
+        glossy.push_back({&each, frame_us(each.cost, kGlossyPixels),
+                          100 * pooled(chart, each, Suns::Without, 0, std::size(kRoughnesses)).rms()});
+    std::string out;
+    append(out, "read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us);
+    return writeFileWhole(folder / "chart.data.gp",
+                          out + panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4));
+}
+
+} // namespace shoal::bench

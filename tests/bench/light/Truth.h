@@ -1,0 +1,26 @@
+// The truth of a surround, kept on disk because it takes seconds.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace shoal::bench {
+
+constexpr float kRoughnesses[] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f, 1.0f};
+constexpr size_t kLobes = 1 + std::size(kRoughnesses); // the diffuse one first
+
+// Spread evenly over the sphere (Fibonacci lattice), then the six axes: both poles, the seam, ahead, left and
+// right.
+std::vector<glm::dvec3> chartDirections(int spread);
+
+// [direction][lobe]: light::referenceRadiance() over every texel. On as many threads as there are cores.
+// folder: of files named by a hash of all that goes in.
+using Truth = std::vector<std::vector<glm::dvec3>>;
+Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder);
+
+} // namespace shoal::bench
