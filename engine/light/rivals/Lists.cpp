@@ -7,14 +7,30 @@ std::vector<DiffuseMethod> diffuseMethods() {
     for (const int width : {128, 64, 32, 16}) methods.push_back(bruteForce(width));
     for (const bool windowed : {false, true})
         for (const int bands : {2, 3, 4, 6, 8}) methods.push_back(harmonicDiffuse(bands, windowed));
+    methods.push_back(zonalHarmonicsDiffuse());
+    for (const int lobes : {12, 24, 48}) methods.push_back(sphericalGaussians(lobes));
     return methods;
 }
 
 std::vector<GlossyMethod> glossyMethods() {
     std::vector<GlossyMethod> methods = {shoalGlossy(), thesisRings()};
     for (const int samples : {8, 16, 32, 64}) methods.push_back(filteredImportanceSampling(samples));
+    for (const int narrowest : {8, 32}) {
+        methods.push_back(importancePrefilter(64, narrowest));
+        methods.push_back(fittedPrefilter(narrowest));
+    }
     methods.push_back(harmonicGlossy(8));
     return methods;
+}
+
+std::vector<PyramidMethod> pyramidMethods() {
+    return {pyramidFrom(Source::Whole, true), pyramidFrom(Source::Whole, false),
+            pyramidFrom(Source::HalfDropped, true), pyramidFrom(Source::HalfDropped, false),
+            pyramidFrom(Source::HalfMean, true)};
+}
+
+std::vector<InverseToneMapMethod> inverseToneMapMethods() {
+    return {thesisInverse(false), thesisInverse(true), plainLinear(), akyuz(1), akyuz(2.2f), landis()};
 }
 
 } // namespace shoal::light::rivals

@@ -43,15 +43,43 @@ GlossyMethod thesisRings();
 GlossyMethod filteredImportanceSampling(int samples);
 
 // Maps of fixed roughness filled for each frame by the same samples, then one lookup for each pixel. Karis
-// 2013, "Real Shading in Unreal Engine 4", with filtered samples.
-GlossyMethod importancePrefilter(int samples);
+// 2013, "Real Shading in Unreal Engine 4", with filtered samples. Six maps, 256 texels around for the mirror,
+// half as many for each step of 0.2 in roughness but never fewer than `narrowest`.
+GlossyMethod importancePrefilter(int samples, int narrowest);
 
 // The same maps filled by few samples whose places and weights were fitted to the lobe beforehand. After
 // Manson and Sloan 2016, "Fast Filtering of Reflection Probes"; the fit is our own, see FittedTaps.h.
-GlossyMethod fittedPrefilter();
+GlossyMethod fittedPrefilter(int narrowest);
 
 // Harmonics of the radiance times those of the lobe. Fit for wide lobes only.
 GlossyMethod harmonicGlossy(int bands);
+
+// --- From frame to pyramid -------------------------------------------------------------------------------
+
+enum class Source {
+    Whole,
+    HalfDropped, // every second texel of every second row
+    HalfMean,    // means of 2 x 2 coded bytes, as a decoder that scales would give
+};
+
+// weighted: levels are means weighed by solid angle (PyramidMaker); else plain means, as the thesis has them.
+PyramidMethod pyramidFrom(Source source, bool weighted);
+
+// --- From display to light -------------------------------------------------------------------------------
+
+// Thesis eq. 4.1 to 4.3. linearised: of sRGB-decoded values instead of coded ones.
+InverseToneMapMethod thesisInverse(bool linearised);
+
+// Decoded sRGB and nothing more.
+InverseToneMapMethod plainLinear();
+
+// Luminance by thesis eq. 2.3, ((L - least) / (most - least))^gamma, of decoded values. Akyuz, Fleming,
+// Riecke, Reinhard and Buelthoff 2007, "Do HDR Displays Support LDR Content?", found gamma 1 to serve.
+InverseToneMapMethod akyuz(float gamma);
+
+// Decoded values stay below 0.5 of luminance; above they are blended towards ten times themselves with the
+// square of how far above. Landis 2002, "Production-Ready Global Illumination".
+InverseToneMapMethod landis();
 
 // --- All of them, in the order of the chart --------------------------------------------------------------
 

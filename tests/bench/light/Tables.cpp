@@ -88,6 +88,50 @@ std::string roughnessTable(const Chart& chart) {
     return out;
 }
 
+std::string pyramidTable(const Chart& chart) {
+    std::string out =
+        "| pyramid | us | times a plain read | error of the diffuse light, % | worst direction |\n"
+        "|---|--:|--:|--:|--:|\n";
+    for (const Measured& each : chart.pyramids) {
+        Pool pool;
+        for (const auto& errors : each.errors)
+            for (const SurroundError& error : errors) pool.add(error);
+        out += text("| %s | %.0f | %.1f | %s | %s |\n", nameOf(each).c_str(), each.cost.update_us,
+                    each.cost.update_us / chart.read_us, percent(pool.rms()).c_str(),
+                    percent(pool.worst()).c_str());
+    }
+    return out;
+}
+
+std::string toneMapTable(const Chart& chart) {
+    std::string out = "| operator | diffuse, % | glossy 0.5, % |", rule = "|---|--:|--:|";
+    for (const std::string& name : chart.toneMapSurrounds) {
+        out += " " + name.substr(name.find(' ') + 1) + " |";
+        rule += "--:|";
+    }
+    out += " source |\n" + rule + "---|\n";
+    for (const Measured& each : chart.toneMaps) {
+        Pool diffuse, glossy;
+        for (const auto& errors : each.errors) diffuse.add(errors[0]), glossy.add(errors[1]);
+        out += "| " + nameOf(each) + " | " + percent(diffuse.rms()) + " | " + percent(glossy.rms()) + " |";
+        for (const auto& errors : each.errors)
+            out += " " + percent(errors[0].rms) + " and " + percent(errors[1].rms) + " |";
+        out += " " + each.label.source + " |\n";
+    }
+    return out;
+}
+
+std::string plainCsv(const std::vector<Measured>& methods, const std::vector<std::string>& surrounds) {
+    std::string out = "method,role,us,surround,lobe,rms,worst\n";
+    for (const Measured& each : methods)
+        for (size_t s = 0; s < each.errors.size(); ++s)
+            for (size_t k = 0; k < each.errors[s].size(); ++k)
+                out += text("\"%s\",%s,%.1f,\"%s\",%s,%.6g,%.6g\n", each.label.name.c_str(), roleOf(each),
+                            each.cost.update_us, surrounds[s].c_str(), k ? "glossy 0.5" : "diffuse",
+                            each.errors[s][k].rms, each.errors[s][k].worst);
+    return out;
+}
+
 std::string csv(const Chart& chart, const std::vector<Measured>& methods, size_t lobes, double pixels) {
     std::string out = "method,family,role,update_us,shade_ns,frame_us,plain_reads,rms,worst,rms_without_suns,"
                       "worst_without_suns,rms_only_suns,worst_only_suns\n";
@@ -157,12 +201,26 @@ Status writeTables(const Chart& chart, const Path& folder) {
                kGlossyPixels);
     md += glossyTable(chart) + "\nError in % by roughness, surrounds without point suns:\n\n" +
           roughnessTable(chart);
+    md += "\n## The radiance pyramid\n\nOf the 8-bit surrounds: the diffuse light integrated over the "
+          "pyramid's level "
+          "of 128x64, against the truth.\n\n" +
+          pyramidTable(chart);
+    md += "\n## Inverse tone mapping\n\nThe HDR pictures exposed so that a tenth of their pixels lies above "
+          "0.8, "
+          "clipped at 1, kept as sRGB in 8 bits, then expanded. Light against that of the original, each "
+          "after the one "
+          "factor that brings it nearest; for each picture diffuse and glossy 0.5.\n\n" +
+          toneMapTable(chart);
     md += "\n## Surrounds\n\n" + surroundList(chart);
 
+    std::vector<std::string> names;
+    for (const SurroundFact& each : chart.surrounds) names.push_back(each.name);
     const std::pair<const char*, std::string> files[] = {
         {"chart.md", md},
         {"diffuse.csv", csv(chart, chart.diffuse, 1, 0)},
         {"glossy.csv", csv(chart, chart.glossy, kGlossyLobes, kGlossyPixels)},
+        {"pyramids.csv", plainCsv(chart.pyramids, names)},
+        {"tonemaps.csv", plainCsv(chart.toneMaps, chart.toneMapSurrounds)},
         {"surrounds.csv", surroundCsv(chart)},
     };
     for (const auto& [name, content] : files)

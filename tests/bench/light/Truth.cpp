@@ -45,6 +45,20 @@ Path fileOf(const ImageRgbF& image, std::span<const glm::dvec3> dirs, const Path
 
 } // namespace
 
+Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
+                std::span<const light::Lobe> lobes) {
+    Truth truth(dirs.size());
+    std::atomic<size_t> next{0};
+    std::vector<std::thread> threads;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+        threads.emplace_back([&] {
+            for (size_t k; (k = next++) < dirs.size();)
+                truth[k] = light::referenceRadiance(radianceLin, dirs[k], lobes);
+        });
+    for (std::thread& thread : threads) thread.join();
+    return truth;
+}
+
 Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder) {
     Truth truth(dirs.size(), std::vector<glm::dvec3>(kLobes));
     const size_t rowBytes = kLobes * sizeof(glm::dvec3);
@@ -58,15 +72,7 @@ Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, co
     std::vector<light::Lobe> lobes = {light::diffuseLobe()};
     for (const float roughness : kRoughnesses)
         lobes.push_back(light::glossyLobe(static_cast<double>(roughness)));
-    std::atomic<size_t> next{0};
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back([&] {
-            for (size_t k; (k = next++) < dirs.size();)
-                truth[k] = light::referenceRadiance(radianceLin, dirs[k], lobes);
-        });
-    for (std::thread& thread : threads) thread.join();
-
+    truth = integrals(radianceLin, dirs, lobes);
     std::string bytes;
     for (const auto& row : truth) bytes.append(reinterpret_cast<const char*>(row.data()), rowBytes);
     if (const auto written = writeFileWhole(file, bytes); !written)

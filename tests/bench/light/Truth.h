@@ -3,6 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
+#include "engine/light/Reference.h"
 
 #include <glm/vec3.hpp>
 
@@ -18,9 +19,14 @@ constexpr size_t kLobes = 1 + std::size(kRoughnesses); // the diffuse one first
 // right.
 std::vector<glm::dvec3> chartDirections(int spread);
 
-// [direction][lobe]: light::referenceRadiance() over every texel. On as many threads as there are cores.
-// folder: of files named by a hash of all that goes in.
+// [direction][lobe]
 using Truth = std::vector<std::vector<glm::dvec3>>;
+
+// light::referenceRadiance() over every texel, on as many threads as there are cores.
+Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
+                std::span<const light::Lobe> lobes);
+
+// The diffuse lobe and then kRoughnesses. folder: of files named by a hash of all that goes in.
 Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder);
 
 } // namespace shoal::bench
