@@ -14,18 +14,32 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr size_t kRings = 4;
-constexpr std::array<int, kRings> kCounts = {1, 6, 6, 8};
-static_assert(kCounts[0] + kCounts[1] + kCounts[2] + kCounts[3] == kFittedTaps);
+constexpr size_t kRings = 5;
+constexpr std::array<int, kRings> kCounts = {1, 5, 8, 10, 12};
+static_assert(kCounts[0] + kCounts[1] + kCounts[2] + kCounts[3] + kCounts[4] == kFittedTaps);
+
+// Levels below 16x8 are too coarse for the model: near the poles their texels are slivers.
+constexpr double kWidestTexel = 0.4; // radians
+constexpr double kHole = 0.5;        // least texel, as a part of what lies between a ring's taps
 
 struct Rings {
     std::array<double, kRings> angle{}; // radians; the first stays 0
-    std::array<int, kRings> lod{};
     std::array<double, kRings> weight{};
     double misfit = 1e30;
 };
 
 double texelOf(int lod, int baseWidth) { return 2 * pi / (baseWidth >> lod); }
+
+// The finest level on which a ring's taps leave no holes between them; on a coarser one the result would
+// depend on where the texels lie. The centre goes with the first ring, whose taps are about as far from each
+// other as from it.
+int lodOf(const Rings& rings, size_t ring, int baseWidth) {
+    const size_t of = std::max<size_t>(ring, 1);
+    const double spacing = 2 * pi * std::sin(rings.angle[of]) / kCounts[of];
+    int lod = 0;
+    while (texelOf(lod, baseWidth) < kHole * spacing) ++lod;
+    return lod;
+}
 
 class Fit {
   public:
@@ -35,84 +49,94 @@ class Fit {
                              std::clamp(static_cast<int>(6 / alpha), 16, 300))) {}
 
     Rings best() const {
-        Rings rings;
-        // Angles where the lobe has left 70, 35 and 10 % of a GGX distribution's energy outside.
-        const double outside[] = {1, 0.7, 0.35, 0.1};
-        for (size_t k = 1; k < kRings; ++k) {
-            rings.angle[k] = std::min(1.2, 2 * std::atan(alpha_ * std::sqrt((1 - outside[k]) / outside[k])));
-            rings.lod[k] = leastLod(k, rings.angle[k]);
+        Rings best;
+        for (const double scale : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4}) {
+            const Rings rings = descend(scale);
+            if (rings.misfit < best.misfit) best = rings;
         }
-        rings.lod[0] = rings.lod[1];
+        return best;
+    }
+
+  private:
+    // From rings where 80, 50, 25 and 8 % of a GGX distribution's energy are left outside, times scale.
+    Rings descend(double scale) const {
+        Rings rings;
+        const double outside[] = {1, 0.8, 0.5, 0.25, 0.08};
+        for (size_t k = 1; k < kRings; ++k)
+            rings.angle[k] =
+                scale * std::min(1.4, 2 * std::atan(alpha_ * std::sqrt((1 - outside[k]) / outside[k])));
         weigh(rings);
         for (bool better = true; better;) {
             better = false;
-            for (size_t k = 0; k < kRings; ++k)
-                for (const double stretch : {0.8, 0.9, 0.97, 1.0, 1.03, 1.1, 1.25})
-                    for (int step = -2; step <= 2; ++step) {
-                        Rings other = rings;
-                        other.angle[k] = std::min(other.angle[k] * stretch, 1.5);
-                        other.lod[k] += step;
-                        weigh(other);
-                        if (other.misfit < rings.misfit * (1 - 1e-9)) rings = other, better = true;
-                    }
+            for (size_t k = 1; k < kRings; ++k)
+                for (const double stretch : {0.8, 0.9, 0.97, 1.03, 1.1, 1.25}) {
+                    Rings other = rings;
+                    other.angle[k] = std::min(other.angle[k] * stretch, 1.5);
+                    weigh(other);
+                    if (other.misfit < rings.misfit * (1 - 1e-9)) rings = other, better = true;
+                }
         }
         return rings;
     }
 
-  private:
-    // The level on which a ring's taps leave no holes between them.
-    int leastLod(size_t ring, double angle) const {
-        if (ring == 0) return 0;
-        const double spacing = 2 * pi * std::sin(angle) / kCounts[ring];
-        int lod = 0;
-        while (texelOf(lod, baseWidth_) < 0.7 * spacing) ++lod;
-        return lod;
-    }
-
-    // Weights and misfit for given angles and levels.
+    // Weights and misfit for given angles.
     void weigh(Rings& rings) const {
         rings.misfit = 1e30;
-        for (size_t k = 0; k < kRings; ++k)
-            if (rings.lod[k] < leastLod(k, rings.angle[k]) || texelOf(rings.lod[k], baseWidth_) > 1.6) return;
-        std::vector<double> a(kRings * kRings), b(kRings);
-        std::array<double, kRings> before{}, now, answers;
-        now.fill(1);
-        double squares = 0;
-        const auto bands = static_cast<int>(lobe_.size());
-        std::vector<std::array<double, kRings>> rows;
-        for (int l = 0; l < bands; ++l) {
-            for (size_t k = 0; k < kRings; ++k) {
-                const double texel = texelOf(rings.lod[k], baseWidth_);
-                answers[k] = now[k] * std::exp(-l * (l + 1.0) * texel * texel / 8);
-                const double next =
-                    ((2 * l + 1) * std::cos(rings.angle[k]) * now[k] - l * before[k]) / (l + 1);
-                before[k] = now[k], now[k] = next;
-            }
-            rows.push_back(answers);
-            for (size_t i = 0; i < kRings; ++i) {
-                for (size_t j = 0; j < kRings; ++j)
-                    a[i * kRings + j] += importance(l) * answers[i] * answers[j];
-                b[i] += importance(l) * answers[i] * lobe_[static_cast<size_t>(l)];
-            }
-        }
-        for (size_t i = 0; i < kRings; ++i) a[i * kRings + i] *= 1 + 1e-9;
-        solve(a, b, kRings);
-        double sum = 0;
+        const size_t bands = lobe_.size();
+        std::vector<std::array<double, kRings>> answers(bands); // [l][k]: of a ring to band l
         for (size_t k = 0; k < kRings; ++k) {
-            if (b[k] < 0) return;
-            sum += b[k];
+            const double texel = texelOf(lodOf(rings, k, baseWidth_), baseWidth_);
+            if (texel > kWidestTexel) return;
+            double before = 0, now = 1;
+            for (size_t l = 0; l < bands; ++l) {
+                const auto band = static_cast<double>(l);
+                answers[l][k] = now * std::exp(-band * (band + 1) * texel * texel / 8);
+                const double next =
+                    ((2 * band + 1) * std::cos(rings.angle[k]) * now - band * before) / (band + 1);
+                before = now, now = next;
+            }
         }
-        for (size_t k = 0; k < kRings; ++k) rings.weight[k] = b[k] / sum;
-        for (int l = 0; l < bands; ++l) {
-            double off = -lobe_[static_cast<size_t>(l)];
-            for (size_t k = 0; k < kRings; ++k) off += rings.weight[k] * rows[static_cast<size_t>(l)][k];
-            squares += importance(l) * off * off;
+
+        // Rings that would weigh less than nothing are left out, the worst first.
+        std::vector<size_t> used = {0, 1, 2, 3, 4};
+        std::vector<double> weights;
+        for (bool sound = false; !sound;) {
+            weights = weightsOf(used, answers);
+            const auto worst = std::min_element(weights.begin(), weights.end());
+            sound = *worst >= 0;
+            if (!sound) used.erase(used.begin() + (worst - weights.begin()));
+            if (used.empty()) return;
         }
-        rings.misfit = squares;
+        double sum = 0;
+        rings.weight.fill(0);
+        for (size_t i = 0; i < used.size(); ++i) sum += rings.weight[used[i]] = weights[i];
+        for (double& weight : rings.weight) weight /= sum;
+
+        rings.misfit = 0;
+        for (size_t l = 0; l < bands; ++l) {
+            double off = -lobe_[l];
+            for (size_t k = 0; k < kRings; ++k) off += rings.weight[k] * answers[l][k];
+            rings.misfit += importance(l) * off * off;
+        }
+    }
+
+    std::vector<double> weightsOf(const std::vector<size_t>& used,
+                                  const std::vector<std::array<double, kRings>>& answers) const {
+        const size_t count = used.size();
+        std::vector<double> a(count * count), b(count);
+        for (size_t l = 0; l < answers.size(); ++l)
+            for (size_t i = 0; i < count; ++i) {
+                const double weighed = importance(l) * answers[l][used[i]];
+                for (size_t j = 0; j < count; ++j) a[i * count + j] += weighed * answers[l][used[j]];
+                b[i] += weighed * lobe_[l];
+            }
+        for (size_t i = 0; i < count; ++i) a[i * count + i] *= 1 + 1e-12; // two rings may be alike
+        solve(a, b, count);
+        return b;
     }
 
     // Pictures have less power the finer they are: all of a band together about as 1 / l. The mean is kept.
-    static double importance(int l) { return l ? 1.0 / l : 1e6; }
+    static double importance(size_t l) { return l ? 1.0 / static_cast<double>(l) : 1e3; }
 
     int baseWidth_;
     double alpha_;
@@ -124,14 +148,16 @@ class Fit {
 std::vector<Tap> fittedTaps(float roughness, int baseWidth) {
     const Rings rings = Fit(math::alphaFromRoughness(static_cast<double>(roughness)), baseWidth).best();
     std::vector<Tap> taps;
-    for (size_t k = 0; k < kRings; ++k)
+    for (size_t k = 0; k < kRings; ++k) {
+        if (rings.weight[k] <= 0) continue;
+        const double cosine = std::cos(rings.angle[k]), sine = std::sin(rings.angle[k]);
         for (int i = 0; i < kCounts[k]; ++i) {
             const double turn = (i + (k % 2 ? 0.5 : 0.0)) * (2 * pi / kCounts[k]);
-            const double sine = std::sin(rings.angle[k]);
-            taps.push_back({glm::vec3(sine * std::cos(turn), sine * std::sin(turn), std::cos(rings.angle[k])),
-                            static_cast<float>(rings.lod[k]),
+            taps.push_back({glm::vec3(sine * std::cos(turn), sine * std::sin(turn), cosine),
+                            static_cast<float>(lodOf(rings, k, baseWidth)),
                             static_cast<float>(rings.weight[k] / kCounts[k])});
         }
+    }
     return taps;
 }
 

@@ -17,8 +17,8 @@ namespace {
 constexpr int kWidth = 64; // of the level projected; lobes are ten times as wide as its texels
 constexpr int kTable = 256;
 
-// G(d) = exp(sharpness (axis.d - 1)). Neighbours, sqrt(4 pi / lobes) apart, meet at 0.75 of the peak.
-double sharpnessOf(int lobes) { return std::log(0.75) / (std::cos(0.5 * std::sqrt(4 * pi / lobes)) - 1); }
+// G(d) = exp(sharpness (axis.d - 1)). Neighbours, sqrt(4 pi / lobes) apart, meet at 0.85 of the peak.
+double sharpnessOf(int lobes) { return std::log(0.85) / (std::cos(0.5 * std::sqrt(4 * pi / lobes)) - 1); }
 
 SHOAL_VECTORISE
 void addScaled(const float* __restrict in, float r, float g, float b, size_t count, float* __restrict outR,

@@ -45,8 +45,35 @@ Axis axisAround(const std::vector<double>& values, double pixels, double margin)
     return {*least / margin, *most * margin, pixels};
 }
 
+// Number of a colour and a shape in chart.gp, the same in both panels.
+int styleOf(const std::string& family) {
+    const std::pair<const char*, int> styles[] = {{"Shoal", 1},
+                                                  {"brute force", 2},
+                                                  {"per pixel, Phong rings", 2},
+                                                  {"spherical harmonics", 3},
+                                                  {"spherical harmonics, windowed", 4},
+                                                  {"prefiltered, few fitted taps", 4},
+                                                  {"ZH3", 5},
+                                                  {"per pixel, importance sampling", 5},
+                                                  {"spherical Gaussians", 6},
+                                                  {"prefiltered, importance sampling", 6}};
+    for (const auto& [name, style] : styles)
+        if (family == name) return style;
+    return 7;
+}
+
+// Those that no other beats in both cost and error, by cost.
+std::vector<glm::dvec2> frontOf(std::vector<Point> points) {
+    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.cost_us < b.cost_us; });
+    std::vector<glm::dvec2> front;
+    for (const Point& each : points)
+        if (front.empty() || each.error_percent < front.back().y)
+            front.emplace_back(each.cost_us, each.error_percent);
+    return front;
+}
+
 // Names go where they cover least, the nearest such place first; each in turn, the default's before all.
-void placeNames(std::vector<Point>& points) {
+void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
     constexpr double kLetter = 6.6, kLine = 12, kMark = 6; // pixels
     std::vector<Box> taken;
     for (const Point& point : points) taken.push_back({point.at, glm::dvec2(kMark)});
@@ -61,6 +88,7 @@ void placeNames(std::vector<Point>& points) {
                 const Box box{point.at + to * (reach + kMark) + to * half, half};
                 double cost = reach * 2;
                 for (const Box& other : taken) cost += 10 * box.overlap(other);
+                for (const Box& line : lines) cost += box.overlap(line);
                 const glm::dvec2 low = box.centre - half, high = box.centre + half;
                 if (low.x < 2 || low.y < 2 || high.x > kPanelWidth - 2 || high.y > kPanelHeight - 2)
                     cost += 1e6;
@@ -85,14 +113,24 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
     for (const Point& each : points) costs.push_back(each.cost_us), errors.push_back(each.error_percent);
     const Axis x = axisAround(costs, kPanelWidth, margin), y = axisAround(errors, kPanelHeight, margin);
     for (Point& each : points) each.at = {x.toPixel(each.cost_us), y.toPixel(each.error_percent)};
-    placeNames(points);
+    auto front = frontOf(points);
+    front.insert(front.begin(), {front[0].x, y.most});
+    front.emplace_back(x.most, front.back().y);
+    std::vector<Box> lines; // a step goes right first, then down
+    for (size_t i = 1; i < front.size(); ++i) {
+        const glm::dvec2 from(x.toPixel(front[i - 1].x), y.toPixel(front[i - 1].y));
+        const glm::dvec2 to(x.toPixel(front[i].x), y.toPixel(front[i].y));
+        lines.push_back({{(from.x + to.x) / 2, from.y}, {(to.x - from.x) / 2 + 1, 1.5}});
+        lines.push_back({{to.x, (from.y + to.y) / 2}, {1.5, (from.y - to.y) / 2 + 1}});
+    }
+    placeNames(points, lines);
 
     std::vector<std::string> families;
     for (const Point& each : points)
         if (std::find(families.begin(), families.end(), each.method->label.family) == families.end())
             families.push_back(each.method->label.family);
 
-    std::string out, names;
+    std::string out, names, styles;
     append(out, "%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.least, name, x.most, name,
            y.least, name, y.most);
     const auto block = [&](const std::string& title, auto&& include) {
@@ -107,26 +145,22 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
         block("family" + std::to_string(i + 1),
               [&](const Point& each) { return each.method->label.family == families[i]; });
         append(names, "\"%s\" ", families[i].c_str());
+        append(styles, "%d ", styleOf(families[i]));
     }
-    append(out, "%s_families = '%s'\n", name, names.c_str());
+    append(out, "%s_families = '%s'; %s_styles = '%s'\n", name, names.c_str(), name, styles.c_str());
     block("all", [](const Point&) { return true; });
     block("thesis", [](const Point& each) { return each.method->label.role == Role::Thesis; });
     // Names that stand apart from their points get a line.
-    block("led", [](const Point& each) {
+    const auto apart = [](const Point& each) {
         const double half = 3.3 * static_cast<double>(each.method->label.brief.size());
-        const glm::dvec2 apart = glm::abs(each.name - each.at);
-        return apart.x > half + 16 || apart.y > 6 + 16;
-    });
-    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.cost_us < b.cost_us; });
-    double best = 1e30;
+        const glm::dvec2 between = glm::abs(each.name - each.at);
+        return between.x > half + 16 || between.y > 6 + 16;
+    };
+    append(out, "%s_led_count = %td\n", name, std::count_if(points.begin(), points.end(), apart));
+    block("led", apart);
     append(out, "$%s_front << END\n", name);
-    for (const Point& each : points)
-        if (each.error_percent < best) {
-            if (best == 1e30) append(out, "%.8g %.8g\n", each.cost_us, y.most);
-            best = each.error_percent;
-            append(out, "%.8g %.8g\n", each.cost_us, best);
-        }
-    append(out, "%.8g %.8g\nEND\n", x.most, best);
+    for (const glm::dvec2& each : front) append(out, "%.8g %.8g\n", each.x, each.y);
+    append(out, "END\n");
     return out;
 }
 
