@@ -45,19 +45,30 @@ void Harmonics::evaluate(const glm::vec3& dir, std::array<float, kMaxHarmonics>&
 HarmonicProjection::HarmonicProjection(int width, int bands) : width_(width), bands_(bands) {
     const Harmonics harmonics(bands);
     std::array<float, kMaxHarmonics> values{};
+    // Integrals over whole texels, not values at their centres: else uniform light would leak into higher
+    // bands.
     for (int column = 0; column < width; ++column) {
         const double longitude = ((column + 0.5) / width - 0.5) * 2 * pi;
-        for (int m = 0; m < kMaxBands; ++m) turns_.push_back(static_cast<float>(std::cos(m * longitude)));
-        for (int m = 0; m < kMaxBands; ++m) turns_.push_back(static_cast<float>(std::sin(m * longitude)));
+        const auto mean = [&](int m) { return m ? std::sin(m * pi / width) / (m * pi / width) : 1.0; };
+        for (int m = 0; m < kMaxBands; ++m)
+            turns_.push_back(static_cast<float>(mean(m) * std::cos(m * longitude)));
+        for (int m = 0; m < kMaxBands; ++m)
+            turns_.push_back(static_cast<float>(mean(m) * std::sin(m * longitude)));
     }
+    constexpr int kParts = 16;
+    const int height = width / 2 * kParts;
     for (int row = 0; row < width / 2; ++row) {
-        harmonics.evaluate(glm::vec3(directionFromLatLong(glm::dvec2(0.5, (row + 0.5) / (width / 2)))),
-                           values);
-        const auto solidAngle = static_cast<float>(texelSolidAngle(row, width, width / 2));
-        for (int l = 0; l < kMaxBands; ++l)
-            for (int m = 0; m < kMaxBands; ++m)
-                rows_.push_back(
-                    l < bands && m <= l ? solidAngle * values[static_cast<size_t>(l * (l + 1) + m)] : 0.0f);
+        std::array<double, kMaxHarmonics> sums{}; // [l * kMaxBands + m]
+        for (int part = row * kParts; part < (row + 1) * kParts; ++part) {
+            harmonics.evaluate(glm::vec3(directionFromLatLong(glm::dvec2(0.5, (part + 0.5) / height))),
+                               values);
+            for (int l = 0; l < bands; ++l)
+                for (int m = 0; m <= l; ++m)
+                    sums[static_cast<size_t>(l * kMaxBands + m)] +=
+                        texelSolidAngle(part, width, height) *
+                        static_cast<double>(values[static_cast<size_t>(l * (l + 1) + m)]);
+        }
+        for (const double sum : sums) rows_.push_back(static_cast<float>(sum));
     }
 }
 

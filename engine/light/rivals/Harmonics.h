@@ -47,7 +47,7 @@ class HarmonicProjection {
 
     int width_, bands_;
     std::vector<float> turns_; // [column][lane]
-    std::vector<float> rows_;  // [row][l * kMaxBands + m]: Y_lm at longitude 0 times the solid angle
+    std::vector<float> rows_;  // [row][l * kMaxBands + m]: integral of Y_lm, but for its longitude
 };
 
 // What convolution with a lobe whose integral is 1 does to each band: integral of lobe P_l over that of the
