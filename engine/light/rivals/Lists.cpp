@@ -24,9 +24,9 @@ std::vector<GlossyMethod> glossyMethods() {
 }
 
 std::vector<PyramidMethod> pyramidMethods() {
-    return {pyramidFrom(Source::Whole, true), pyramidFrom(Source::Whole, false),
-            pyramidFrom(Source::HalfDropped, true), pyramidFrom(Source::HalfDropped, false),
-            pyramidFrom(Source::HalfMean, true)};
+    return {pyramidFrom(PyramidSource::Whole, true), pyramidFrom(PyramidSource::Whole, false),
+            pyramidFrom(PyramidSource::HalfDropped, true), pyramidFrom(PyramidSource::HalfDropped, false),
+            pyramidFrom(PyramidSource::HalfMean, true)};
 }
 
 std::vector<InverseToneMapMethod> inverseToneMapMethods() {

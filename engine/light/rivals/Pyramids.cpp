@@ -85,19 +85,20 @@ struct State {
 
 } // namespace
 
-PyramidMethod pyramidFrom(Source source, bool weighted) {
+PyramidMethod pyramidFrom(PyramidSource source, bool weighted) {
     auto state = std::make_shared<State>();
-    const std::string from = source == Source::Whole         ? "the whole frame"
-                             : source == Source::HalfDropped ? "every second texel"
-                                                             : "a frame of half the size";
+    const std::string from = source == PyramidSource::Whole         ? "the whole frame"
+                             : source == PyramidSource::HalfDropped ? "every second texel"
+                                                                    : "a frame of half the size";
     return {{(weighted ? "solid-angle weighted, from " : "plain means, from ") + from, "", "",
              weighted ? "engine/light" : "thesis, section 4.1",
-             source != Source::Whole ? Role::Rival
-             : weighted              ? Role::Default
-                                     : Role::Thesis},
+             source != PyramidSource::Whole ? Role::Rival
+             : weighted                     ? Role::Default
+                                            : Role::Thesis},
             [=](const FrameView& frame, RadiancePyramid& out) {
-                const FrameView view =
-                    source == Source::Whole ? frame : state->halved(frame, source == Source::HalfMean);
+                const FrameView view = source == PyramidSource::Whole
+                                           ? frame
+                                           : state->halved(frame, source == PyramidSource::HalfMean);
                 if (weighted)
                     state->maker.make(view, kAskedWidth, out);
                 else

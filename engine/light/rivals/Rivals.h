@@ -56,14 +56,14 @@ GlossyMethod harmonicGlossy(int bands);
 
 // --- From frame to pyramid -------------------------------------------------------------------------------
 
-enum class Source {
+enum class PyramidSource {
     Whole,
     HalfDropped, // every second texel of every second row
     HalfMean,    // means of 2 x 2 coded bytes, as a decoder that scales would give
 };
 
 // weighted: levels are means weighed by solid angle (PyramidMaker); else plain means, as the thesis has them.
-PyramidMethod pyramidFrom(Source source, bool weighted);
+PyramidMethod pyramidFrom(PyramidSource source, bool weighted);
 
 // --- From display to light -------------------------------------------------------------------------------
 

@@ -1,6 +1,7 @@
 #include "engine/light/rivals/Taps.h"
 
 #include "engine/light/Lookup.h"
+#include "engine/light/Vectorise.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/LatLong.h"
 
@@ -88,28 +89,56 @@ TapFilter::TapFilter(const std::vector<Tap>& taps, int width, int baseWidth)
     }
 }
 
-void TapFilter::apply(const RadiancePyramid& pyramid, ImageRgbF& out) const {
+namespace {
+
+// out = a x + b y; one texel more than there are, so that the last has a right neighbour.
+SHOAL_VECTORISE
+void blendRows(const float* __restrict x, float a, const float* __restrict y, float b, int width,
+               float* __restrict out) {
+    for (int i = 0; i < 3 * width; ++i) out[i] = a * x[i] + b * y[i];
+    for (int c = 0; c < 3; ++c) out[3 * width + c] = out[c];
+}
+
+// sum += in, moved by `left` texels and a part of one. As wide as each other.
+SHOAL_VECTORISE
+void addMoved(const float* __restrict in, int left, float part, int width, float* __restrict sum) {
+    const int before = 3 * (width - left), all = 3 * width, by = 3 * left;
+    for (int i = 0; i < before; ++i) sum[i] += (1 - part) * in[i + by] + part * in[i + by + 3];
+    for (int i = before; i < all; ++i) sum[i] += (1 - part) * in[i - before] + part * in[i - before + 3];
+}
+
+// sum += in, read at column, column + step ... in is a power of two wide.
+void addSampled(const float* in, float column, float step, int inWidth, int width, float* sum) {
+    for (int x = 0; x < width; ++x, sum += 3) {
+        const float at = column + step * static_cast<float>(x);
+        const auto left = static_cast<int>(at);
+        const float part = at - static_cast<float>(left);
+        const float* texel = in + 3 * (left & (inWidth - 1));
+        for (int c = 0; c < 3; ++c) sum[c] += texel[c] * (1 - part) + texel[c + 3] * part;
+    }
+}
+
+} // namespace
+
+void TapFilter::apply(const RadiancePyramid& pyramid, ImageRgbF& out) {
     if (out.width != width_) out = ImageRgbF(width_, width_ / 2);
     std::fill(out.pixels.begin(), out.pixels.end(), 0.0f);
+    blended_.resize(static_cast<size_t>(pyramid.levels[0].width + 1) * 3);
     for (int row = 0; row < out.height; ++row)
         for (size_t i = 0; i < placesPerRow_; ++i) {
             const Place& place = places_[static_cast<size_t>(row) * placesPerRow_ + i];
             if (place.topWeight + place.bottomWeight == 0) continue;
             const ImageRgbF& level = pyramid.levels[static_cast<size_t>(place.level)];
-            const float* top = level.at(0, place.top);
-            const float* bottom = level.at(0, place.bottom);
-            const float step = static_cast<float>(level.width) / static_cast<float>(width_);
-            const int mask = level.width - 1; // widths are powers of two
-            float* sum = out.at(0, row);
-            for (int x = 0; x < width_; ++x, sum += 3) {
-                const float at = place.column + step * static_cast<float>(x);
-                const auto left = static_cast<int>(at);
-                const float f = at - static_cast<float>(left);
-                const int a = 3 * (left & mask), b = 3 * ((left + 1) & mask);
-                for (int c = 0; c < 3; ++c)
-                    sum[c] += place.topWeight * (top[a + c] * (1 - f) + top[b + c] * f) +
-                              place.bottomWeight * (bottom[a + c] * (1 - f) + bottom[b + c] * f);
-            }
+            blendRows(level.at(0, place.top), place.topWeight, level.at(0, place.bottom), place.bottomWeight,
+                      level.width, blended_.data());
+            const auto left = static_cast<int>(place.column);
+            if (level.width == width_)
+                addMoved(blended_.data(), left & (width_ - 1), place.column - static_cast<float>(left),
+                         width_, out.at(0, row));
+            else
+                addSampled(blended_.data(), place.column,
+                           static_cast<float>(level.width) / static_cast<float>(width_), level.width, width_,
+                           out.at(0, row));
         }
 }
 

@@ -30,7 +30,8 @@ class TapFilter {
   public:
     TapFilter(const std::vector<Tap>& taps, int width, int baseWidth);
 
-    void apply(const RadiancePyramid& pyramid, ImageRgbF& out) const;
+    // One thread at a time.
+    void apply(const RadiancePyramid& pyramid, ImageRgbF& out);
 
   private:
     struct Place {
@@ -41,7 +42,8 @@ class TapFilter {
     };
     int width_;
     size_t placesPerRow_ = 0;
-    std::vector<Place> places_; // [row][places; those that weigh nothing fill up]
+    std::vector<float> blended_; // two rows of a level
+    std::vector<Place> places_;  // [row][places; those that weigh nothing fill up]
 };
 
 } // namespace shoal::light::rivals

@@ -3,6 +3,7 @@
 #include "tests/bench/light/Tables.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -88,7 +89,10 @@ void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
                 const Box box{point.at + to * (reach + kMark) + to * half, half};
                 double cost = reach * 2;
                 for (const Box& other : taken) cost += 10 * box.overlap(other);
-                for (const Box& line : lines) cost += box.overlap(line);
+                for (const Box& line : lines) cost += 0.2 * box.overlap(line);
+                // Nearer to another point it would be taken for that one's.
+                for (const Point& other : points)
+                    if (glm::distance(other.at, box.centre) < glm::distance(point.at, box.centre)) cost += 40;
                 const glm::dvec2 low = box.centre - half, high = box.centre + half;
                 if (low.x < 2 || low.y < 2 || high.x > kPanelWidth - 2 || high.y > kPanelHeight - 2)
                     cost += 1e6;

@@ -3,8 +3,8 @@
 folder = ARG1
 load folder . "/chart.data.gp"
 
-width = 900.0; height = 1200.0
-plot_left = 70.0; plot_width = 810.0; plot_height = 430.0 # Picture.h has the same
+width = 900.0; height = 1230.0
+plot_left = 78.0; plot_width = 810.0; plot_height = 430.0 # Picture.h has the same
 colours = "#D55E00 #0072B2 #009E73 #56B4E9 #CC79A7 #E69F00 #000000"
 shapes = "5 7 5 4 9 13 11"
 
@@ -33,16 +33,16 @@ do for [kind in "svg png"] {
             set ytics add (sprintf("%g %%%%", tic) tic)
         }
     }
-    set grid xtics ytics linecolor rgb "#dddddd" linewidth 0.5
+    set grid xtics ytics linecolor rgb "#d0d0d0" linewidth 0.7
     set tics scale 0.6
     set border linecolor rgb "#606060"
     set lmargin at screen plot_left / width; set rmargin at screen (plot_left + plot_width) / width
-    set ylabel "error (relative root mean square)" offset 1
+    set ylabel "error (relative root mean square)" offset 0.5
 
     do for [panel in "diffuse glossy"] {
-        top = panel eq "diffuse" ? 95.0 : 695.0
+        top = panel eq "diffuse" ? 112.0 : 728.0
         set tmargin at screen 1 - top / height; set bmargin at screen 1 - (top + plot_height) / height
-        set key at screen 0.53,1 - (top - 30) / height center center horizontal maxrows 2 samplen 1 width 0 font ",11"
+        set key at screen 0.53,1 - (top - 42) / height center center horizontal maxrows 2 samplen 1 width 0 font ",11"
         unset arrow; unset label
         if (panel eq "diffuse") {
             title = "Diffuse light"
@@ -53,11 +53,11 @@ do for [kind in "svg png"] {
             title = "Glossy light, roughness 0.1 to 1, surrounds without point suns"
             axis = "microseconds for a 2048x1024 video frame and 100 000 shaded pixels on one core"
         }
-        set label title at screen 0.53,1 - (top - 75) / height center font ",15"
+        set label title at screen 0.53,1 - (top - 96) / height center font ",15"
         set xlabel axis
         eval sprintf("set xrange [%s_left:%s_right]; set yrange [%s_low:%s_high]; families = %s_families; styles = %s_styles", panel, panel, panel, panel, panel, panel)
         draw = "plot $P_front using 1:2 with steps linecolor rgb '#909090' linewidth 1.6 title 'nothing is faster and better', "
-        if (value(panel . "_led_count") > 0) { draw = draw . "$P_led using 1:2:($3-$1):($4-$2) with vectors nohead linecolor rgb '#a0a0a0' linewidth 0.7 notitle, " }
+        if (value(panel . "_led_count") > 0) { draw = draw . "$P_led using 1:2:($3-$1):($4-$2) with vectors nohead linecolor rgb '#808080' linewidth 0.7 notitle, " }
         do for [i = 1:words(families)] { draw = draw . points(i, int(word(styles, i)), word(families, i)) }
         draw = draw . "$P_thesis using 1:2 with points pointtype 6 pointsize 2.2 linewidth 1.4 linecolor rgb '#000000' title 'the choice of the thesis', "
         draw = draw . "$P_all using 3:4:5 with labels center font ',10' notitle"
