@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
                                                .cache = folder / "truth",
                                                .spread = quick ? 16 : 64,
                                                .quick = quick});
-    for (const auto write : {bench::writeTables, bench::writePicture})
+    for (const auto write : {bench::writeMarkdown, bench::writeCsv, bench::writePicture})
         if (const Status written = write(chart, folder); !written) {
             std::fprintf(stderr, "chart: %s\n", written.error().sentence().c_str());
             return 1;

@@ -45,7 +45,15 @@ struct Plan {
     bool quick = false;
 };
 
-// Speaks of its progress on standard error.
+// The costs of all methods in the chart, which has their labels in the same order.
+void timeMethods(Chart& chart, std::vector<light::rivals::DiffuseMethod>& diffuse,
+                 std::vector<light::rivals::GlossyMethod>& glossy,
+                 std::vector<light::rivals::PyramidMethod>& pyramids, bool quick);
+
+// Fills toneMaps and toneMapSurrounds.
+void measureToneMaps(Chart& chart, const Plan& plan, std::span<const glm::dvec3> dirs);
+
+// All of it. Speaks of its progress on standard error.
 Chart measure(const Plan& plan);
 
 } // namespace shoal::bench

@@ -1,6 +1,7 @@
 #include "tests/bench/light/Picture.h"
 
-#include "tests/bench/light/Tables.h"
+#include "tests/bench/light/Pooled.h"
+#include "tests/bench/light/Text.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -8,8 +9,6 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 
 namespace shoal::bench {
 
@@ -102,15 +101,6 @@ void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
     }
 }
 
-[[gnu::format(printf, 2, 3)]] void append(std::string& out, const char* format, ...) {
-    char buffer[512];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(buffer, sizeof buffer, format, arguments);
-    va_end(arguments);
-    out += buffer;
-}
-
 // The file that chart.gp reads for a panel: variables and data blocks, one for each family.
 std::string panel(const char* name, std::vector<Point> points, double margin) {
     std::vector<double> costs, errors;
@@ -135,23 +125,24 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
             families.push_back(each.method->label.family);
 
     std::string out, names, styles;
-    append(out, "%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.least, name, x.most, name,
-           y.least, name, y.most);
+    out += text("%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.least, name, x.most, name,
+                y.least, name, y.most);
     const auto block = [&](const std::string& title, auto&& include) {
-        append(out, "$%s_%s << END\n", name, title.c_str());
+        out += text("$%s_%s << END\n", name, title.c_str());
         for (const Point& each : points)
             if (include(each))
-                append(out, "%.8g %.8g %.8g %.8g \"%s\"\n", each.cost_us, each.error_percent,
-                       x.fromPixel(each.name.x), y.fromPixel(each.name.y), each.method->label.brief.c_str());
-        append(out, "END\n");
+                out += text("%.8g %.8g %.8g %.8g \"%s\"\n", each.cost_us, each.error_percent,
+                            x.fromPixel(each.name.x), y.fromPixel(each.name.y),
+                            each.method->label.brief.c_str());
+        out += text("END\n");
     };
     for (size_t i = 0; i < families.size(); ++i) {
         block("family" + std::to_string(i + 1),
               [&](const Point& each) { return each.method->label.family == families[i]; });
-        append(names, "\"%s\" ", families[i].c_str());
-        append(styles, "%d ", styleOf(families[i]));
+        names += text("\"%s\" ", families[i].c_str());
+        styles += text("%d ", styleOf(families[i]));
     }
-    append(out, "%s_families = '%s'; %s_styles = '%s'\n", name, names.c_str(), name, styles.c_str());
+    out += text("%s_families = '%s'; %s_styles = '%s'\n", name, names.c_str(), name, styles.c_str());
     block("all", [](const Point&) { return true; });
     block("thesis", [](const Point& each) { return each.method->label.role == Role::Thesis; });
     // Names that stand apart from their points get a line.
@@ -160,11 +151,11 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
         const glm::dvec2 between = glm::abs(each.name - each.at);
         return between.x > half + 16 || between.y > 6 + 16;
     };
-    append(out, "%s_led_count = %td\n", name, std::count_if(points.begin(), points.end(), apart));
+    out += text("%s_led_count = %td\n", name, std::count_if(points.begin(), points.end(), apart));
     block("led", apart);
-    append(out, "$%s_front << END\n", name);
-    for (const glm::dvec2& each : front) append(out, "%.8g %.8g\n", each.x, each.y);
-    append(out, "END\n");
+    out += text("$%s_front << END\n", name);
+    for (const glm::dvec2& each : front) out += text("%.8g %.8g\n", each.x, each.y);
+    out += text("END\n");
     return out;
 }
 
@@ -178,7 +169,7 @@ Status writePicture(const Chart& chart, const Path& folder) {
         glossy.push_back({&each, frame_us(each.cost, kGlossyPixels),
                           100 * pooled(chart, each, Suns::Without, 0, std::size(kRoughnesses)).rms()});
     std::string out;
-    append(out, "read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us);
+    out += text("read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us);
     return writeFileWhole(folder / "chart.data.gp",
                           out + panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4));
 }

@@ -22,6 +22,12 @@ std::vector<glm::dvec3> chartDirections(int spread);
 // [direction][lobe]
 using Truth = std::vector<std::vector<glm::dvec3>>;
 
+inline std::vector<glm::dvec3> column(const Truth& truth, size_t lobe) {
+    std::vector<glm::dvec3> values;
+    for (const auto& row : truth) values.push_back(row[lobe]);
+    return values;
+}
+
 // light::referenceRadiance() over every texel, on as many threads as there are cores.
 Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
                 std::span<const light::Lobe> lobes);
