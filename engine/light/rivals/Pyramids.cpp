@@ -1,10 +1,11 @@
 #include "engine/light/rivals/Rivals.h"
 
-#include "engine/light/InverseToneMap.h"
 #include "engine/light/Pyramid.h"
 #include "engine/light/Vectorise.h"
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace shoal::light::rivals {
 
@@ -12,45 +13,65 @@ namespace {
 
 constexpr int kAskedWidth = 1024;
 
-// Coded bytes, red first, to radiance.
+// One row of coded bytes to radiance; scales: as many floats as there are pixels.
 SHOAL_VECTORISE
-void expandRow(const uint8_t* __restrict coded, int width, float* __restrict out) {
-    for (int x = 0; x < width; ++x) {
-        const float r = static_cast<float>(coded[3 * x]) / 255,
-                    g = static_cast<float>(coded[3 * x + 1]) / 255,
-                    b = static_cast<float>(coded[3 * x + 2]) / 255;
-        const glm::vec3 radiance = radianceFromDisplay({r, g, b});
-        out[3 * x] = radiance.x;
-        out[3 * x + 1] = radiance.y;
-        out[3 * x + 2] = radiance.z;
+void expandRow(const uint8_t* __restrict coded, int width, bool bgr, float* __restrict scales,
+               float* __restrict out) {
+    for (int i = 0; i < 3 * width; ++i) out[i] = static_cast<float>(coded[i]) * (1.0f / 255);
+    const float first = bgr ? 0.11f : 0.30f, last = bgr ? 0.30f : 0.11f;
+    for (int x = 0; x < width; ++x) { // radianceFromDisplay()
+        const float l = first * out[3 * x] + 0.59f * out[3 * x + 1] + last * out[3 * x + 2];
+        const float l2 = l * l, l4 = l2 * l2;
+        scales[x] = 10.0f * l4 * l4 * l2 + 1.8f;
+    }
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c) out[3 * x + c] *= scales[x];
+}
+
+// sum += means of kFactor texels side by side.
+template <int kFactor>
+SHOAL_VECTORISE void addNarrowed(const float* __restrict in, int width, float share, float* __restrict sum) {
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c)
+            for (int i = 0; i < kFactor; ++i) sum[3 * x + c] += share * in[3 * (kFactor * x + i) + c];
+}
+
+// The same where widths do not divide: means of the texels that begin within, one at least.
+void addAnyNarrowed(const float* in, int inWidth, int width, float share, float* sum) {
+    for (int x = 0; x < width; ++x, sum += 3) {
+        const int left = x * inWidth / width, right = std::max(left + 1, (x + 1) * inWidth / width);
+        const float part = share / static_cast<float>(right - left);
+        for (int i = left; i < right; ++i)
+            for (int c = 0; c < 3; ++c) sum[c] += part * in[3 * i + c];
     }
 }
 
-// Plain means of width x height source texels each; where sizes do not divide, of those that begin within
-// (one at least).
-void shrink(const ImageRgbF& in, ImageRgbF& out) {
+void addRow(const float* in, int inWidth, int width, float share, float* sum) {
+    if (inWidth == width)
+        addNarrowed<1>(in, width, share, sum);
+    else if (inWidth == 2 * width)
+        addNarrowed<2>(in, width, share / 2, sum);
+    else if (inWidth == 4 * width)
+        addNarrowed<4>(in, width, share / 4, sum);
+    else
+        addAnyNarrowed(in, inWidth, width, share, sum);
+}
+
+// Plain means. rowOf(y): row y of what is inWidth x inHeight.
+template <class RowOf> void shrink(int inWidth, int inHeight, RowOf&& rowOf, ImageRgbF& out) {
+    std::fill(out.pixels.begin(), out.pixels.end(), 0.0f);
     for (int y = 0; y < out.height; ++y) {
-        const int top = y * in.height / out.height;
-        const int bottom = std::max(top + 1, (y + 1) * in.height / out.height);
-        for (int x = 0; x < out.width; ++x) {
-            const int left = x * in.width / out.width;
-            const int right = std::max(left + 1, (x + 1) * in.width / out.width);
-            float sum[3] = {};
-            for (int row = top; row < bottom; ++row) {
-                const float* texel = in.at(left, row);
-                for (int column = left; column < right; ++column, texel += 3)
-                    for (int c = 0; c < 3; ++c) sum[c] += texel[c];
-            }
-            const float share = 1.0f / static_cast<float>((right - left) * (bottom - top));
-            for (int c = 0; c < 3; ++c) out.at(x, y)[c] = sum[c] * share;
-        }
+        const int top = y * inHeight / out.height,
+                  bottom = std::max(top + 1, (y + 1) * inHeight / out.height);
+        for (int row = top; row < bottom; ++row)
+            addRow(rowOf(row), inWidth, out.width, 1.0f / static_cast<float>(bottom - top), out.at(0, y));
     }
 }
 
 struct State {
     PyramidMaker maker;
     ImageRgb8 half;
-    ImageRgbF whole;
+    std::vector<float> row, scales;
 
     FrameView halved(const FrameView& frame, bool mean) {
         if (half.width != frame.width / 2 || half.height != frame.height / 2)
@@ -69,15 +90,26 @@ struct State {
     }
 
     void plain(const FrameView& frame, RadiancePyramid& out) {
-        if (whole.width != frame.width || whole.height != frame.height)
-            whole = ImageRgbF(frame.width, frame.height);
-        for (int y = 0; y < frame.height; ++y)
-            expandRow(frame.pixels + y * frame.rowStride, frame.width, whole.at(0, y));
+        row.resize(static_cast<size_t>(frame.width) * 3);
+        scales.resize(static_cast<size_t>(frame.width));
+        const auto expanded = [&](int y) {
+            expandRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr, scales.data(), row.data());
+            return row.data();
+        };
         size_t k = 0;
         for (int width = baseWidthFor(frame.width, kAskedWidth); width >= 2; width /= 2, ++k) {
             if (out.levels.size() <= k) out.levels.emplace_back();
             if (out.levels[k].width != width) out.levels[k] = ImageRgbF(width, width / 2);
-            shrink(k ? out.levels[k - 1] : whole, out.levels[k]);
+            if (k == 0) {
+                shrink(frame.width, frame.height, expanded, out.levels[0]);
+                if (frame.bgr) // the blue ahead of the red
+                    for (size_t i = 0; i < out.levels[0].pixels.size(); i += 3)
+                        std::swap(out.levels[0].pixels[i], out.levels[0].pixels[i + 2]);
+            } else {
+                const ImageRgbF& before = out.levels[k - 1];
+                shrink(
+                    before.width, before.height, [&](int y) { return before.at(0, y); }, out.levels[k]);
+            }
         }
         out.levels.resize(k);
     }

@@ -138,7 +138,8 @@ columns of figures.
 
 )",
                kGlossyPixels);
-    md += glossyTable(chart) + "\nError in %, by roughness, surrounds without point suns:\n\n" +
+    md += glossyTable(chart) +
+          "\n![With point suns](suns.png)\n\nError in %, by roughness, surrounds without point suns:\n\n" +
           roughnessTable(chart);
     md += R"(
 ## The radiance pyramid

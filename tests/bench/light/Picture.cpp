@@ -162,16 +162,20 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
 } // namespace
 
 Status writePicture(const Chart& chart, const Path& folder) {
-    std::vector<Point> diffuse, glossy;
+    std::vector<Point> diffuse, glossy, suns;
     for (const Measured& each : chart.diffuse)
         diffuse.push_back({&each, each.cost.update_us, 100 * pooled(chart, each, Suns::With, 0, 1).rms()});
-    for (const Measured& each : chart.glossy)
-        glossy.push_back({&each, frame_us(each.cost, kGlossyPixels),
-                          100 * pooled(chart, each, Suns::Without, 0, std::size(kRoughnesses)).rms()});
-    std::string out;
-    out += text("read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us);
+    for (const Measured& each : chart.glossy) {
+        const auto error = [&](Suns which) {
+            return 100 * pooled(chart, each, which, 0, kGlossyLobes).rms();
+        };
+        glossy.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Without)});
+        suns.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Only)});
+    }
     return writeFileWhole(folder / "chart.data.gp",
-                          out + panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4));
+                          text("read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us) +
+                              panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4) +
+                              panel("suns", suns, 1.4));
 }
 
 } // namespace shoal::bench

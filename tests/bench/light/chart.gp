@@ -3,8 +3,8 @@
 folder = ARG1
 load folder . "/chart.data.gp"
 
-width = 900.0; height = 1230.0
-plot_left = 78.0; plot_width = 810.0; plot_height = 430.0 # Picture.h has the same
+width = 900.0; panel_height = 615.0
+plot_left = 84.0; plot_width = 810.0; plot_height = 430.0 # Picture.h has the same
 colours = "#D55E00 #0072B2 #009E73 #56B4E9 #CC79A7 #E69F00 #000000"
 shapes = "5 7 5 4 9 13 11"
 
@@ -14,14 +14,16 @@ points(family, style, name) = style == 1 \
     : sprintf("$P_family%d using 1:2 with points pointtype %s pointsize 1.1 linecolor rgb '%s' title '%s', ", family, word(shapes, style), word(colours, style), name)
 replaced(text, at, what) = text[1:at - 1] . what . text[at + 1:*]
 
-do for [kind in "svg png"] {
+do for [picture in "chart suns"] { do for [kind in "svg png"] {
+    panels = picture eq "chart" ? "diffuse glossy" : "suns"
+    height = panel_height * words(panels)
     if (kind eq "svg") {
         set terminal svg size width,height font "DejaVu Sans,12" background "white"
     } else {
         # Twice the size: sharp where 900 pixels show it.
         set terminal pngcairo size 2 * width,2 * height font "DejaVu Sans,12" fontscale 2 linewidth 2 pointscale 2 background "white"
     }
-    set output folder . "/chart." . kind
+    set output folder . "/" . picture . "." . kind
     set multiplot
     set logscale xy
     set xtics () font ",11"
@@ -39,8 +41,9 @@ do for [kind in "svg png"] {
     set lmargin at screen plot_left / width; set rmargin at screen (plot_left + plot_width) / width
     set ylabel "error (relative root mean square)" offset 0.5
 
-    do for [panel in "diffuse glossy"] {
-        top = panel eq "diffuse" ? 112.0 : 728.0
+    do for [n = 1:words(panels)] {
+        panel = word(panels, n)
+        top = panel_height * (n - 1) + 112
         set tmargin at screen 1 - top / height; set bmargin at screen 1 - (top + plot_height) / height
         set key at screen 0.53,1 - (top - 42) / height center center horizontal maxrows 2 samplen 1 width 0 font ",11"
         unset arrow; unset label
@@ -48,9 +51,9 @@ do for [kind in "svg png"] {
             title = "Diffuse light"
             axis = sprintf("microseconds for a 2048x1024 video frame on one core (a plain read of its bytes: %.0f)", read_us)
             set arrow from pyramid_us,graph 0 to pyramid_us,graph 1 nohead dashtype 3 linecolor rgb "#909090"
-            set label "the radiance pyramid alone" at pyramid_us,graph 0.03 offset 0.8,0 rotate by 90 left font ",9" textcolor rgb "#707070"
+            set label "pyramid alone" at pyramid_us,graph 0.03 offset 0.8,0 rotate by 90 left font ",9" textcolor rgb "#707070"
         } else {
-            title = "Glossy light, roughness 0.1 to 1, surrounds without point suns"
+            title = "Glossy light, roughness 0.1 to 1, surrounds with" . (panel eq "suns" ? " a point sun" : "out point suns")
             axis = "microseconds for a 2048x1024 video frame and 100 000 shaded pixels on one core"
         }
         set label title at screen 0.53,1 - (top - 96) / height center font ",15"
@@ -67,4 +70,4 @@ do for [kind in "svg png"] {
     }
     unset multiplot
     unset output
-}
+} }

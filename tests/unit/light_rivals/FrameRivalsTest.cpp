@@ -7,8 +7,8 @@
 namespace shoal::light::rivals {
 namespace {
 
-FrameView viewOf(const ImageRgb8& frame) {
-    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false};
+FrameView viewOf(const ImageRgb8& frame, bool bgr = false) {
+    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
 }
 
 ImageRgb8 filled(int width, int height, uint8_t red, uint8_t green, uint8_t blue) {
@@ -20,11 +20,13 @@ ImageRgb8 filled(int width, int height, uint8_t red, uint8_t green, uint8_t blue
 
 TEST(PyramidRivals, UniformFrameStaysInEveryLevel) {
     const glm::vec3 want = radianceFromDisplay(glm::vec3(200, 120, 40) / 255.0f);
-    for (const auto& [width, height] : {std::pair(2048, 1024), {600, 300}}) {
-        const ImageRgb8 frame = filled(width, height, 200, 120, 40);
+    for (const auto& [width, height, bgr] :
+         {std::tuple(2048, 1024, false), {2048, 1024, true}, {600, 300, true}}) {
+        const ImageRgb8 frame =
+            bgr ? filled(width, height, 40, 120, 200) : filled(width, height, 200, 120, 40);
         for (const PyramidMethod& method : pyramidMethods()) {
             RadiancePyramid pyramid;
-            method.make(viewOf(frame), pyramid);
+            method.make(viewOf(frame, bgr), pyramid);
             ASSERT_EQ(pyramid.levels.back().width, 2) << method.label.name;
             for (const ImageRgbF& level : pyramid.levels)
                 for (size_t i = 0; i < level.pixels.size(); ++i)
