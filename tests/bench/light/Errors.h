@@ -39,8 +39,9 @@ class Pool {
         worst_ = std::max(worst_, error.worst);
         ++count_;
     }
-    double rms() const { return count_ ? std::sqrt(squares_ / count_) : 0; }
-    double worst() const { return worst_; }
+    // Not a number where nothing was measured.
+    double rms() const { return std::sqrt(squares_ / count_); }
+    double worst() const { return count_ ? worst_ : std::nan(""); }
 
   private:
     double squares_ = 0, worst_ = 0;

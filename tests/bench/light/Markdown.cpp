@@ -17,7 +17,10 @@ std::string nameOf(const Measured& method) {
     return method.label.name + mark;
 }
 
-std::string percent(double value) { return text(value < 0.0995 ? "%.2f" : "%.1f", 100 * value); }
+std::string percent(double value) {
+    if (std::isnan(value)) return "not measured";
+    return text(value < 0.0995 ? "%.2f" : "%.1f", 100 * value);
+}
 
 std::string diffuseTable(const Chart& chart) {
     std::string out =
