@@ -1,0 +1,21 @@
+#include "engine/light/rivals/Rivals.h"
+
+#include "engine/light/PhongRings.h"
+
+#include <memory>
+
+namespace shoal::light::rivals {
+
+GlossyMethod thesisRings() {
+    auto pyramid = std::make_shared<const RadiancePyramid*>(nullptr);
+    return {{"36 samples on Phong rings", "36 rings", "per pixel, Phong rings", "thesis, section 4.1",
+             Role::Thesis},
+            true,
+            [pyramid](const Input& input) { return *pyramid = input.pyramid, 0.0; },
+            [pyramid](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
+                for (size_t i = 0; i < dirs.size(); ++i)
+                    out[i] = phongRingsRadiance(**pyramid, dirs[i], static_cast<double>(roughness));
+            }};
+}
+
+} // namespace shoal::light::rivals

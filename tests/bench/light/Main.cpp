@@ -1,0 +1,28 @@
+// bench_chart FOLDER [--quick]: measures, writes tables and what the picture is drawn from. tests/bench/chart
+// builds it, starts it and draws.
+#include "tests/bench/light/Picture.h"
+#include "tests/bench/light/Tables.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+int main(int argc, char** argv) {
+    using namespace shoal;
+    if (argc < 2 || argc > 3 || (argc == 3 && std::strcmp(argv[2], "--quick") != 0)) {
+        std::fprintf(stderr, "usage: bench_chart FOLDER [--quick]\n");
+        return 2;
+    }
+    const Path folder = argv[1];
+    const char* shared = std::getenv("SHOAL_SHARED");
+    const bool quick = argc == 3;
+    const bench::Chart chart = bench::measure({.shared = shared ? shared : "",
+                                               .cache = folder / "truth",
+                                               .spread = quick ? 16 : 64,
+                                               .quick = quick});
+    for (const auto write : {bench::writeMarkdown, bench::writeCsv, bench::writePicture})
+        if (const Status written = write(chart, folder); !written) {
+            std::fprintf(stderr, "chart: %s\n", written.error().sentence().c_str());
+            return 1;
+        }
+}

@@ -1,0 +1,166 @@
+#include "tests/bench/light/Pooled.h"
+#include "tests/bench/light/Tables.h"
+#include "tests/bench/light/Text.h"
+
+namespace shoal::bench {
+
+using light::rivals::Role;
+
+namespace {
+
+constexpr size_t kNarrowLobes = 4; // roughness 0.1 to 0.4
+
+std::string nameOf(const Measured& method) {
+    const char* mark = method.label.role == Role::Default  ? " **(default)**"
+                       : method.label.role == Role::Thesis ? " *(thesis)*"
+                                                           : "";
+    return method.label.name + mark;
+}
+
+std::string percent(double value) {
+    if (std::isnan(value)) return "not measured";
+    return text(value < 0.0995 ? "%.2f" : "%.1f", 100 * value);
+}
+
+std::string diffuseTable(const Chart& chart) {
+    std::string out =
+        "| method | update, us | times a plain read | ns a pixel | error, % | without suns | worst direction "
+        "| source |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
+    for (const Measured& each : chart.diffuse) {
+        const Pool all = pooled(chart, each, Suns::With, 0, 1);
+        out +=
+            text("| %s | %.0f | %.1f | %.0f | %s | %s | %s | %s |\n", nameOf(each).c_str(),
+                 each.cost.update_us, each.cost.update_us / chart.read_us, each.cost.shade_ns,
+                 percent(all.rms()).c_str(), percent(pooled(chart, each, Suns::Without, 0, 1).rms()).c_str(),
+                 percent(all.worst()).c_str(), each.label.source.c_str());
+    }
+    return out;
+}
+
+std::string glossyTable(const Chart& chart) {
+    std::string out = "| method | update, us | ns a pixel | both, us | times a plain read | error, % | "
+                      "roughness 0.1 to 0.4 "
+                      "| 0.5 to 1 | worst direction | with suns: error, % | worst | source |\n"
+                      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|\n";
+    for (const Measured& each : chart.glossy) {
+        const Pool all = pooled(chart, each, Suns::Without, 0, kGlossyLobes);
+        const Pool suns = pooled(chart, each, Suns::Only, 0, kGlossyLobes);
+        const double both = frame_us(each.cost, kGlossyPixels);
+        out += text(
+            "| %s | %.0f | %.0f | %.0f | %.1f | %s | %s | %s | %s | %s | %s | %s |\n", nameOf(each).c_str(),
+            each.cost.update_us, each.cost.shade_ns, both, both / chart.read_us, percent(all.rms()).c_str(),
+            percent(pooled(chart, each, Suns::Without, 0, kNarrowLobes).rms()).c_str(),
+            percent(pooled(chart, each, Suns::Without, kNarrowLobes, kGlossyLobes - kNarrowLobes).rms())
+                .c_str(),
+            percent(all.worst()).c_str(), percent(suns.rms()).c_str(), percent(suns.worst()).c_str(),
+            each.label.source.c_str());
+    }
+    return out;
+}
+
+std::string roughnessTable(const Chart& chart) {
+    std::string out = "| method |", rule = "|---|";
+    for (const float roughness : kRoughnesses) {
+        out += text(" %.1f |", static_cast<double>(roughness));
+        rule += "--:|";
+    }
+    out += "\n" + rule + "\n";
+    for (const Measured& each : chart.glossy) {
+        out += "| " + nameOf(each) + " |";
+        for (size_t k = 0; k < kGlossyLobes; ++k)
+            out += " " + percent(pooled(chart, each, Suns::Without, k, 1).rms()) + " |";
+        out += "\n";
+    }
+    return out;
+}
+
+std::string pyramidTable(const Chart& chart) {
+    std::string out =
+        "| pyramid | us | times a plain read | error of the diffuse light, % | worst direction |\n"
+        "|---|--:|--:|--:|--:|\n";
+    for (const Measured& each : chart.pyramids) {
+        Pool pool;
+        for (const auto& errors : each.errors)
+            for (const SurroundError& error : errors) pool.add(error);
+        out += text("| %s | %.0f | %.1f | %s | %s |\n", nameOf(each).c_str(), each.cost.update_us,
+                    each.cost.update_us / chart.read_us, percent(pool.rms()).c_str(),
+                    percent(pool.worst()).c_str());
+    }
+    return out;
+}
+
+std::string toneMapTable(const Chart& chart) {
+    std::string out = "| operator | diffuse, % | glossy 0.5, % |", rule = "|---|--:|--:|";
+    for (const std::string& name : chart.toneMapSurrounds) {
+        out += " " + name.substr(name.find(' ') + 1) + " |";
+        rule += "--:|";
+    }
+    out += " source |\n" + rule + "---|\n";
+    for (const Measured& each : chart.toneMaps) {
+        Pool diffuse, glossy;
+        for (const auto& errors : each.errors) diffuse.add(errors[0]), glossy.add(errors[1]);
+        out += "| " + nameOf(each) + " | " + percent(diffuse.rms()) + " | " + percent(glossy.rms()) + " |";
+        for (const auto& errors : each.errors)
+            out += " " + percent(errors[0].rms) + " and " + percent(errors[1].rms) + " |";
+        out += " " + each.label.source + " |\n";
+    }
+    return out;
+}
+
+std::string surroundList(const Chart& chart) {
+    std::string out;
+    for (const SurroundFact& each : chart.surrounds)
+        out += "- " + each.name + (each.coded ? ", 8 bits" : ", linear") +
+               (each.pointSun ? ", **point sun**" : "") + "\n";
+    return out;
+}
+
+} // namespace
+
+Status writeMarkdown(const Chart& chart, const Path& folder) {
+    std::string md = "# Speed against accuracy\n\n![The chart](chart.png)\n\n";
+    md += text(
+        R"(Time: one core, warm, the shortest of many runs, for a 2048x1024 frame of the game's video. A plain read of that
+frame's bytes takes %.0f us, its radiance pyramid %.0f us; a method that reads the pyramid is charged with it. "ns a pixel" is
+the processor's time to shade one pixel of a ball, by the lookups of engine/light/Lookup.h where there are any.
+
+Error: against the integral over every texel at full resolution in double precision, relative root mean square over
+directions spread evenly and the six axes; surrounds and roughnesses weigh the same however bright they are. "Worst
+direction": the largest relative difference in any one direction of any surround, where it is darker than a tenth of the
+root mean square relative to that. A surround has a point sun where a ten-thousandth of the sphere gives more than a
+twentieth of the light.
+
+)",
+        chart.read_us, chart.pyramid_us);
+    md += "## Diffuse\n\n" + diffuseTable(chart);
+    md += text(R"(
+## Glossy
+
+"both" is one update and %.0f shaded pixels. Errors are those of surrounds without point suns, but for the last two
+columns of figures.
+
+)",
+               kGlossyPixels);
+    md += glossyTable(chart) +
+          "\n![With point suns](suns.png)\n\nError in %, by roughness, surrounds without point suns:\n\n" +
+          roughnessTable(chart);
+    md += R"(
+## The radiance pyramid
+
+Of the 8-bit surrounds: the diffuse light integrated over the pyramid's level of 128x64, against the truth.
+
+)";
+    md += pyramidTable(chart);
+    md += R"(
+## Inverse tone mapping
+
+The HDR pictures exposed so that a tenth of their pixels lies above 0.8, clipped at 1, kept as sRGB in 8 bits, then
+expanded. Light against that of the original, each after the one factor that brings it nearest: how bright the frame was
+exposed is not the operator's to know. For each picture diffuse and glossy 0.5.
+
+)";
+    md += toneMapTable(chart) + "\n## Surrounds\n\n" + surroundList(chart);
+    return writeFileWhole(folder / "chart.md", md);
+}
+
+} // namespace shoal::bench

@@ -1,0 +1,90 @@
+#include "tests/bench/light/Measure.h"
+
+#include "engine/light/Pyramid.h"
+#include "engine/light/rivals/Levels.h"
+#include "tests/bench/light/Input.h"
+
+#include <cstdio>
+
+namespace shoal::bench {
+
+using namespace light::rivals;
+
+namespace {
+
+light::RadiancePyramid pyramidOf(const Surround& surround) {
+    light::RadiancePyramid pyramid;
+    light::PyramidMaker maker;
+    if (surround.coded())
+        maker.make(surround.view(), kBaseWidth, pyramid);
+    else
+        maker.make(surround.radianceLin, kBaseWidth, pyramid);
+    return pyramid;
+}
+
+SurroundError errorOfLobe(const std::vector<glm::vec3>& got, const Truth& truth, size_t lobe) {
+    return errorOf(std::vector<glm::dvec3>(got.begin(), got.end()), column(truth, lobe));
+}
+
+// The diffuse light that a pyramid's level of 128 texels gives, all of it integrated.
+SurroundError pyramidError(const PyramidMethod& method, const Surround& surround,
+                           std::span<const glm::dvec3> dirs, const Truth& truth) {
+    light::RadiancePyramid pyramid;
+    method.make(surround.view(), pyramid);
+    const light::Lobe lobe[] = {light::diffuseLobe()};
+    return errorOf(column(integrals(levelOfWidth(pyramid, 128), dirs, lobe), 0), column(truth, 0));
+}
+
+} // namespace
+
+Chart measure(const Plan& plan) {
+    Chart chart;
+    auto diffuse = diffuseMethods();
+    auto glossy = glossyMethods();
+    auto pyramids = pyramidMethods();
+    for (const auto& each : diffuse) chart.diffuse.push_back({each.label, {}, {}});
+    for (const auto& each : glossy) chart.glossy.push_back({each.label, {}, {}});
+    for (const auto& each : pyramids) chart.pyramids.push_back({each.label, {}, {}});
+    timeMethods(chart, diffuse, glossy, pyramids, plan.quick);
+
+    const auto dirs = chartDirections(plan.spread);
+    const std::vector<glm::vec3> floatDirs(dirs.begin(), dirs.end());
+    std::vector<glm::vec3> out(dirs.size());
+    for (const SurroundSource& source : surroundSources(plan.shared, plan.quick)) {
+        const auto surround = source.load();
+        if (!surround) {
+            std::fprintf(stderr, "chart: left out, not at hand: %s\n", source.name.c_str());
+            continue;
+        }
+        std::fprintf(stderr, "chart: %s, %dx%d: truth", source.name.c_str(), surround->radianceLin.width,
+                     surround->radianceLin.height);
+        chart.surrounds.push_back({source.name, surround->coded(), hasPointSun(surround->radianceLin)});
+        const Truth truth = truthOf(surround->radianceLin, dirs, plan.cache);
+        std::fprintf(stderr, ", methods");
+        const auto pyramid = pyramidOf(*surround);
+        const Input input = inputOf(*surround, pyramid);
+        for (size_t i = 0; i < diffuse.size(); ++i) {
+            diffuse[i].update(input);
+            diffuse[i].shade(floatDirs, out);
+            chart.diffuse[i].errors.push_back({errorOfLobe(out, truth, 0)});
+        }
+        for (size_t i = 0; i < glossy.size(); ++i) {
+            glossy[i].update(input);
+            chart.glossy[i].errors.emplace_back();
+            for (size_t k = 0; k < std::size(kRoughnesses); ++k) {
+                glossy[i].shade(floatDirs, kRoughnesses[k], out);
+                chart.glossy[i].errors.back().push_back(errorOfLobe(out, truth, k + 1));
+            }
+        }
+        for (size_t i = 0; i < pyramids.size(); ++i) {
+            chart.pyramids[i].errors.emplace_back();
+            if (surround->coded())
+                chart.pyramids[i].errors.back().push_back(pyramidError(pyramids[i], *surround, dirs, truth));
+        }
+        std::fprintf(stderr, ".\n");
+    }
+    measureToneMaps(chart, plan, dirs);
+    return chart;
+}
+
+} // namespace shoal::bench

@@ -1,0 +1,59 @@
+// Every method over every surround.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/light/rivals/Rivals.h"
+#include "tests/bench/light/Errors.h"
+#include "tests/bench/light/Surrounds.h"
+#include "tests/bench/light/Truth.h"
+
+#include <string>
+#include <vector>
+
+namespace shoal::bench {
+
+// One core, warm, shortest of many, for a 2048x1024 frame.
+struct Cost {
+    double update_us = 0; // a frame, the pyramid included where the method reads it
+    double shade_ns = 0;  // a pixel
+};
+
+struct Measured {
+    light::rivals::Label label;
+    Cost cost;
+    std::vector<std::vector<SurroundError>> errors; // [surround][lobe]; a diffuse method has one lobe
+};
+
+struct SurroundFact {
+    std::string name;
+    bool coded = false, pointSun = false;
+};
+
+struct Chart {
+    double read_us = 0;    // one plain read of the frame's bytes
+    double pyramid_us = 0; // what those are charged with that read it
+    std::vector<SurroundFact> surrounds;
+    std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
+    std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded surrounds count
+    std::vector<Measured> toneMaps;        // two lobes: diffuse, roughness 0.5; over hdrSources()
+    std::vector<std::string> toneMapSurrounds;
+};
+
+struct Plan {
+    Path shared, cache;
+    int spread = 64; // directions besides the six axes
+    bool quick = false;
+};
+
+// The costs of all methods in the chart, which has their labels in the same order.
+void timeMethods(Chart& chart, std::vector<light::rivals::DiffuseMethod>& diffuse,
+                 std::vector<light::rivals::GlossyMethod>& glossy,
+                 std::vector<light::rivals::PyramidMethod>& pyramids, bool quick);
+
+// Fills toneMaps and toneMapSurrounds.
+void measureToneMaps(Chart& chart, const Plan& plan, std::span<const glm::dvec3> dirs);
+
+// All of it. Speaks of its progress on standard error.
+Chart measure(const Plan& plan);
+
+} // namespace shoal::bench

@@ -1,0 +1,181 @@
+#include "tests/bench/light/Picture.h"
+
+#include "tests/bench/light/Pooled.h"
+#include "tests/bench/light/Text.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+
+namespace shoal::bench {
+
+using light::rivals::Role;
+
+namespace {
+
+struct Point {
+    const Measured* method = nullptr;
+    double cost_us = 0, error_percent = 0;
+    glm::dvec2 at{0}, name{0}; // pixels within the panel, from its lower left
+};
+
+// A logarithmic axis.
+struct Axis {
+    double least = 0, most = 0, pixels = 0;
+
+    double toPixel(double value) const { return pixels * std::log(value / least) / std::log(most / least); }
+    double fromPixel(double pixel) const { return least * std::pow(most / least, pixel / pixels); }
+};
+
+struct Box {
+    glm::dvec2 centre{0}, half{0};
+
+    double overlap(const Box& other) const {
+        const glm::dvec2 apart = glm::abs(centre - other.centre);
+        const glm::dvec2 both = half + other.half - apart;
+        return both.x > 0 && both.y > 0 ? both.x * both.y : 0;
+    }
+};
+
+Axis axisAround(const std::vector<double>& values, double pixels, double margin) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return {*least / margin, *most * margin, pixels};
+}
+
+// Number of a colour and a shape in chart.gp, the same in both panels.
+int styleOf(const std::string& family) {
+    const std::pair<const char*, int> styles[] = {{"Shoal", 1},
+                                                  {"brute force", 2},
+                                                  {"per pixel, Phong rings", 2},
+                                                  {"spherical harmonics", 3},
+                                                  {"spherical harmonics, windowed", 4},
+                                                  {"prefiltered, few fitted taps", 4},
+                                                  {"ZH3", 5},
+                                                  {"per pixel, importance sampling", 5},
+                                                  {"spherical Gaussians", 6},
+                                                  {"prefiltered, importance sampling", 6}};
+    for (const auto& [name, style] : styles)
+        if (family == name) return style;
+    return 7;
+}
+
+// Those that no other beats in both cost and error, by cost.
+std::vector<glm::dvec2> frontOf(std::vector<Point> points) {
+    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.cost_us < b.cost_us; });
+    std::vector<glm::dvec2> front;
+    for (const Point& each : points)
+        if (front.empty() || each.error_percent < front.back().y)
+            front.emplace_back(each.cost_us, each.error_percent);
+    return front;
+}
+
+// Names go where they cover least, the nearest such place first; each in turn, the default's before all.
+void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
+    constexpr double kLetter = 6.6, kLine = 12, kMark = 6; // pixels
+    std::vector<Box> taken;
+    for (const Point& point : points) taken.push_back({point.at, glm::dvec2(kMark)});
+    for (Point& point : points) {
+        const glm::dvec2 half(0.5 * kLetter * static_cast<double>(point.method->label.brief.size()),
+                              kLine / 2);
+        double least = 1e30;
+        for (const double reach : {5.0, 14.0, 24.0, 36.0, 50.0})
+            for (int step = 0; step < 16; ++step) {
+                const double turn = step * glm::radians(22.5);
+                const glm::dvec2 to(std::cos(turn), std::sin(turn));
+                const Box box{point.at + to * (reach + kMark) + to * half, half};
+                double cost = reach * 2;
+                for (const Box& other : taken) cost += 10 * box.overlap(other);
+                for (const Box& line : lines) cost += 0.2 * box.overlap(line);
+                // Nearer to another point it would be taken for that one's.
+                for (const Point& other : points)
+                    if (glm::distance(other.at, box.centre) < glm::distance(point.at, box.centre)) cost += 40;
+                const glm::dvec2 low = box.centre - half, high = box.centre + half;
+                if (low.x < 2 || low.y < 2 || high.x > kPanelWidth - 2 || high.y > kPanelHeight - 2)
+                    cost += 1e6;
+                if (cost < least) least = cost, point.name = box.centre;
+            }
+        taken.push_back({point.name, half});
+    }
+}
+
+// The file that chart.gp reads for a panel: variables and data blocks, one for each family.
+std::string panel(const char* name, std::vector<Point> points, double margin) {
+    std::vector<double> costs, errors;
+    for (const Point& each : points) costs.push_back(each.cost_us), errors.push_back(each.error_percent);
+    const Axis x = axisAround(costs, kPanelWidth, margin), y = axisAround(errors, kPanelHeight, margin);
+    for (Point& each : points) each.at = {x.toPixel(each.cost_us), y.toPixel(each.error_percent)};
+    auto front = frontOf(points);
+    front.insert(front.begin(), {front[0].x, y.most});
+    front.emplace_back(x.most, front.back().y);
+    std::vector<Box> lines; // a step goes right first, then down
+    for (size_t i = 1; i < front.size(); ++i) {
+        const glm::dvec2 from(x.toPixel(front[i - 1].x), y.toPixel(front[i - 1].y));
+        const glm::dvec2 to(x.toPixel(front[i].x), y.toPixel(front[i].y));
+        lines.push_back({{(from.x + to.x) / 2, from.y}, {(to.x - from.x) / 2 + 1, 1.5}});
+        lines.push_back({{to.x, (from.y + to.y) / 2}, {1.5, (from.y - to.y) / 2 + 1}});
+    }
+    placeNames(points, lines);
+
+    std::vector<std::string> families;
+    for (const Point& each : points)
+        if (std::find(families.begin(), families.end(), each.method->label.family) == families.end())
+            families.push_back(each.method->label.family);
+
+    std::string out, names, styles;
+    out += text("%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.least, name, x.most, name,
+                y.least, name, y.most);
+    const auto block = [&](const std::string& title, auto&& include) {
+        out += text("$%s_%s << END\n", name, title.c_str());
+        for (const Point& each : points)
+            if (include(each))
+                out += text("%.8g %.8g %.8g %.8g \"%s\"\n", each.cost_us, each.error_percent,
+                            x.fromPixel(each.name.x), y.fromPixel(each.name.y),
+                            each.method->label.brief.c_str());
+        out += text("END\n");
+    };
+    for (size_t i = 0; i < families.size(); ++i) {
+        block("family" + std::to_string(i + 1),
+              [&](const Point& each) { return each.method->label.family == families[i]; });
+        names += text("\"%s\" ", families[i].c_str());
+        styles += text("%d ", styleOf(families[i]));
+    }
+    out += text("%s_families = '%s'; %s_styles = '%s'\n", name, names.c_str(), name, styles.c_str());
+    block("all", [](const Point&) { return true; });
+    block("thesis", [](const Point& each) { return each.method->label.role == Role::Thesis; });
+    // Names that stand apart from their points get a line.
+    const auto apart = [](const Point& each) {
+        const double half = 3.3 * static_cast<double>(each.method->label.brief.size());
+        const glm::dvec2 between = glm::abs(each.name - each.at);
+        return between.x > half + 16 || between.y > 6 + 16;
+    };
+    out += text("%s_led_count = %td\n", name, std::count_if(points.begin(), points.end(), apart));
+    block("led", apart);
+    out += text("$%s_front << END\n", name);
+    for (const glm::dvec2& each : front) out += text("%.8g %.8g\n", each.x, each.y);
+    out += text("END\n");
+    return out;
+}
+
+} // namespace
+
+Status writePicture(const Chart& chart, const Path& folder) {
+    std::vector<Point> diffuse, glossy, suns;
+    for (const Measured& each : chart.diffuse)
+        diffuse.push_back({&each, each.cost.update_us, 100 * pooled(chart, each, Suns::With, 0, 1).rms()});
+    for (const Measured& each : chart.glossy) {
+        const auto error = [&](Suns which) {
+            return 100 * pooled(chart, each, which, 0, kGlossyLobes).rms();
+        };
+        glossy.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Without)});
+        suns.push_back({&each, frame_us(each.cost, kGlossyPixels), error(Suns::Only)});
+    }
+    return writeFileWhole(folder / "chart.data.gp",
+                          text("read_us = %g; pyramid_us = %g\n", chart.read_us, chart.pyramid_us) +
+                              panel("diffuse", diffuse, 1.25) + panel("glossy", glossy, 1.4) +
+                              panel("suns", suns, 1.4));
+}
+
+} // namespace shoal::bench

@@ -1,0 +1,14 @@
+// What chart.gp draws: points, their names where they hide no other, and the front that nothing beats.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "tests/bench/light/Measure.h"
+
+namespace shoal::bench {
+
+// The size of one panel's plot in a picture 900 pixels wide; chart.gp places it so.
+constexpr double kPanelWidth = 810, kPanelHeight = 430;
+
+Status writePicture(const Chart& chart, const Path& folder);
+
+} // namespace shoal::bench

@@ -1,0 +1,18 @@
+// Single figures from what was measured.
+#pragma once
+
+#include "tests/bench/light/Measure.h"
+
+namespace shoal::bench {
+
+constexpr size_t kGlossyLobes = std::size(kRoughnesses);
+constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of a glossy method's cost
+
+// Which of the surrounds.
+enum class Suns { With, Without, Only };
+Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
+
+// Microseconds a frame with so many pixels shaded.
+double frame_us(const Cost& cost, double pixels);
+
+} // namespace shoal::bench

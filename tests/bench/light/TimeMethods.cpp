@@ -1,0 +1,98 @@
+#include "tests/bench/light/Measure.h"
+
+#include "engine/light/Pyramid.h"
+#include "tests/bench/light/Input.h"
+#include "tests/bench/light/Timing.h"
+
+#include <cstdio>
+#include <cstring>
+
+namespace shoal::bench {
+
+using namespace light::rivals;
+
+namespace {
+
+// As the pixels of a ball come, row by row; those who go by looking up find neighbours in the cache.
+std::vector<glm::vec3> ballNormals() {
+    constexpr int kSize = 80;
+    std::vector<glm::vec3> normals;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const float nx = (static_cast<float>(x) + 0.5f) * 2 / kSize - 1;
+            const float ny = 1 - (static_cast<float>(y) + 0.5f) * 2 / kSize;
+            const float square = 1 - nx * nx - ny * ny;
+            if (square > 0) normals.emplace_back(nx, ny, std::sqrt(square));
+        }
+    return normals;
+}
+
+double readBytes_us(const ImageRgb8& frame) {
+    volatile uint64_t kept = 0; // so that the sum is needed
+    return shortest_us(100, [&] {
+        uint64_t sum = 0;
+        for (size_t i = 0; i + 8 <= frame.pixels.size(); i += 8) {
+            uint64_t word;
+            std::memcpy(&word, frame.pixels.data() + i, 8);
+            sum += word;
+        }
+        kept = sum;
+        return 0.0;
+    });
+}
+
+} // namespace
+
+void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<GlossyMethod>& glossy,
+                 std::vector<PyramidMethod>& pyramids, bool quick) {
+    const Surround timed{"timed", timedFrame(), {}};
+    const auto normals = ballNormals();
+    std::vector<glm::vec3> out(normals.size());
+    light::PyramidMaker maker;
+    light::RadiancePyramid pyramid, made;
+    maker.make(timed.view(), kBaseWidth, pyramid);
+    const Input input = inputOf(timed, pyramid);
+
+    const int rounds = quick ? 1 : 4;
+    const double budget_ms = quick ? 30 : 80;
+    const auto keepLess = [](double& kept, double now) { kept = kept == 0 ? now : std::min(kept, now); };
+    const auto update = [&](Cost& cost, auto& method) {
+        keepLess(cost.update_us, shortest_us(budget_ms, [&] { return method.update(input); }));
+    };
+    const auto shade = [&](auto&& run) {
+        return 1e3 / static_cast<double>(normals.size()) *
+               shortest_us(budget_ms / 8, [&] { return run(), 0.0; });
+    };
+    // Everything once in each round: a neighbour who takes the machine for a second does not strike one
+    // method alone.
+    for (int round = 0; round < rounds; ++round) {
+        std::fprintf(stderr, "chart: timing, round %d of %d\n", round + 1, rounds);
+        keepLess(chart.read_us, readBytes_us(timed.frame));
+        keepLess(chart.pyramid_us, shortest_us(budget_ms, [&] {
+                     maker.make(timed.view(), kBaseWidth, pyramid);
+                     return 0.0;
+                 }));
+        for (size_t i = 0; i < diffuse.size(); ++i) {
+            Cost& cost = chart.diffuse[i].cost;
+            update(cost, diffuse[i]);
+            keepLess(cost.shade_ns, shade([&] { diffuse[i].shade(normals, out); }));
+        }
+        for (size_t i = 0; i < glossy.size(); ++i) {
+            Cost& cost = chart.glossy[i].cost;
+            update(cost, glossy[i]);
+            double sum = 0;
+            for (const float roughness : kRoughnesses)
+                sum += shade([&] { glossy[i].shade(normals, roughness, out); });
+            keepLess(cost.shade_ns, sum / std::size(kRoughnesses));
+        }
+        for (size_t i = 0; i < pyramids.size(); ++i)
+            keepLess(chart.pyramids[i].cost.update_us,
+                     shortest_us(budget_ms, [&] { return pyramids[i].make(timed.view(), made), 0.0; }));
+    }
+    for (size_t i = 0; i < diffuse.size(); ++i)
+        if (diffuse[i].readsPyramid) chart.diffuse[i].cost.update_us += chart.pyramid_us;
+    for (size_t i = 0; i < glossy.size(); ++i)
+        if (glossy[i].readsPyramid) chart.glossy[i].cost.update_us += chart.pyramid_us;
+}
+
+} // namespace shoal::bench

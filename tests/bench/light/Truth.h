@@ -1,0 +1,38 @@
+// The truth of a surround, kept on disk because it takes seconds.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
+#include "engine/light/Reference.h"
+
+#include <glm/vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace shoal::bench {
+
+constexpr float kRoughnesses[] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f, 1.0f};
+constexpr size_t kLobes = 1 + std::size(kRoughnesses); // the diffuse one first
+
+// Spread evenly over the sphere (Fibonacci lattice), then the six axes: both poles, the seam, ahead, left and
+// right.
+std::vector<glm::dvec3> chartDirections(int spread);
+
+// [direction][lobe]
+using Truth = std::vector<std::vector<glm::dvec3>>;
+
+inline std::vector<glm::dvec3> column(const Truth& truth, size_t lobe) {
+    std::vector<glm::dvec3> values;
+    for (const auto& row : truth) values.push_back(row[lobe]);
+    return values;
+}
+
+// light::referenceRadiance() over every texel, on as many threads as there are cores.
+Truth integrals(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs,
+                std::span<const light::Lobe> lobes);
+
+// The diffuse lobe and then kRoughnesses. folder: of files named by a hash of all that goes in.
+Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, const Path& folder);
+
+} // namespace shoal::bench
