@@ -31,6 +31,7 @@ class Program {
     // The program must be in use. A name that the compiler has removed is ignored.
     void set(const char* name, int value) const { glUniform1i(location(name), value); }
     void set(const char* name, float value) const { glUniform1f(location(name), value); }
+    void set(const char* name, const glm::ivec2& v) const { glUniform2iv(location(name), 1, &v.x); }
     void set(const char* name, const glm::vec2& v) const { glUniform2fv(location(name), 1, &v.x); }
     void set(const char* name, const glm::vec3& v) const { glUniform3fv(location(name), 1, &v.x); }
     void set(const char* name, const glm::vec4& v) const { glUniform4fv(location(name), 1, &v.x); }

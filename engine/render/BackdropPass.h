@@ -1,10 +1,11 @@
-// Draws the surround behind what is already there (depth at the far plane). Pairs with
-// shaders/render/Backdrop.
+// Draws the surround behind everything. Pairs with shaders/render/Backdrop.
 #pragma once
 
-#include "engine/gl/Program.h"
+#include "engine/gl/Variants.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
+
+#include <vector>
 
 namespace shoal::render {
 
@@ -12,13 +13,25 @@ class BackdropPass {
   public:
     static Result<BackdropPass> make();
 
-    // envFromWorld: how the surround is turned against the world.
-    void draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
-              const Exposure& exposure) const;
+    // At the far plane, wherever nothing nearer has been drawn. The program for a curve that is new is
+    // compiled first.
+    Status draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+                const Exposure& exposure);
 
   private:
-    gl::Program program_;
-    gl::VertexArray nothing_; // a core context wants one, even for vertices without attributes
+    struct Corner {
+        glm::vec2 place, uv;
+    };
+
+    // Fills corners_ with four for each cell, polar cells last; returns how many are not polar.
+    size_t makeCells(const View& view, const glm::mat3& envFromRay);
+
+    gl::Variants programs_;
+    gl::VertexArray vertexArray_;
+    gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
+    size_t indexedCells_ = 0;
+    std::vector<glm::vec2> uvs_; // scratch: of the grid's corners
+    std::vector<Corner> corners_;
 };
 
 } // namespace shoal::render

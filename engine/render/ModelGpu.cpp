@@ -1,11 +1,13 @@
 #include "engine/render/ModelGpu.h"
 
+#include "engine/scene/Lod.h"
 #include "engine/scene/Roughness.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <glm/geometric.hpp>
 
 #include <cstddef>
+#include <numeric>
 
 namespace shoal::render {
 
@@ -49,15 +51,17 @@ glm::vec4 coded(const glm::vec4& lin) {
     return {glm::pow(glm::max(glm::vec3(lin), 0.0f), glm::vec3(1 / 2.2f)), lin.a};
 }
 
-PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance reflectance) {
-    PrimitiveGpu gpu;
-    gpu.material = primitive.material;
-    gpu.skinned = !primitive.joints.empty();
-    gpu.indexCount = static_cast<GLsizei>(primitive.indices.size());
+// vertices: which of the primitive's, in this order.
+DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectance,
+                       std::span<const uint32_t> vertices, std::span<const uint32_t> indices) {
+    DetailGpu gpu;
+    gpu.indexCount = static_cast<GLsizei>(indices.size());
     gpu.vertexArray = gl::VertexArray::make();
     glBindVertexArray(gpu.vertexArray.name());
 
-    const std::vector<MorphVertex> moving = morphed(primitive, {});
+    const std::vector<MorphVertex> all = morphed(primitive, {});
+    std::vector<MorphVertex> moving;
+    for (const uint32_t v : vertices) moving.push_back(all[v]);
     gpu.morphable = gl::Buffer::make();
     glBindBuffer(GL_ARRAY_BUFFER, gpu.morphable.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(moving.size() * sizeof(MorphVertex)), moving.data(),
@@ -65,17 +69,18 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
     attribute(ATTRIBUTE_POSITION, 3, GL_FLOAT, sizeof(MorphVertex), offsetof(MorphVertex, position));
     attribute(ATTRIBUTE_NORMAL, 3, GL_FLOAT, sizeof(MorphVertex), offsetof(MorphVertex, normal));
 
-    std::vector<FixedVertex> fixed(primitive.positions.size());
-    for (size_t v = 0; v < fixed.size(); ++v) {
-        if (!primitive.tangents.empty()) fixed[v].tangent = primitive.tangents[v];
-        if (!primitive.texCoords[0].empty()) fixed[v].uv0 = primitive.texCoords[0][v];
-        if (!primitive.texCoords[1].empty()) fixed[v].uv1 = primitive.texCoords[1][v];
+    std::vector<FixedVertex> fixed(vertices.size());
+    for (size_t i = 0; i < fixed.size(); ++i) {
+        const uint32_t v = vertices[i];
+        if (!primitive.tangents.empty()) fixed[i].tangent = primitive.tangents[v];
+        if (!primitive.texCoords[0].empty()) fixed[i].uv0 = primitive.texCoords[0][v];
+        if (!primitive.texCoords[1].empty()) fixed[i].uv1 = primitive.texCoords[1][v];
         if (!primitive.coloursLin.empty())
-            fixed[v].colour =
+            fixed[i].colour =
                 reflectance == Reflectance::Coded ? coded(primitive.coloursLin[v]) : primitive.coloursLin[v];
-        if (gpu.skinned) {
-            fixed[v].joints = primitive.joints[v];
-            fixed[v].weights = primitive.weights[v];
+        if (!primitive.joints.empty()) {
+            fixed[i].joints = primitive.joints[v];
+            fixed[i].weights = primitive.weights[v];
         }
     }
     gpu.vertices = gl::Buffer::make();
@@ -94,10 +99,23 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
 
     gpu.indices = gl::Buffer::make();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.name());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(primitive.indices.size() * sizeof(uint32_t)),
-                 primitive.indices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
+                 GL_STATIC_DRAW);
     glBindVertexArray(0);
+    return gpu;
+}
+
+PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance reflectance) {
+    PrimitiveGpu gpu;
+    gpu.material = primitive.material;
+    gpu.skinned = !primitive.joints.empty();
+    std::vector<uint32_t> every(primitive.positions.size());
+    std::iota(every.begin(), every.end(), 0u);
+    gpu.details.push_back(uploadDetail(primitive, reflectance, every, primitive.indices));
+    for (const scene::Lod& lod : scene::makeLods(primitive)) {
+        gpu.details.push_back(uploadDetail(primitive, reflectance, lod.vertices, lod.indices));
+        gpu.details.back().error = lod.error;
+    }
     return gpu;
 }
 
@@ -113,7 +131,7 @@ GLint wrapMode(scene::Texture::Wrap wrap) {
     return GL_REPEAT;
 }
 
-gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image, bool srgb) {
+gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image, bool srgb, Detail detail) {
     gl::Texture gpu = gl::Texture::make();
     glBindTexture(GL_TEXTURE_2D, gpu.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -123,13 +141,20 @@ gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapMode(texture.wrapS));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapMode(texture.wrapT));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, texture.nearest ? GL_NEAREST : GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    detail == Detail::Lean ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     return gpu;
 }
 
 } // namespace
 
-ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance) {
+const DetailGpu& PrimitiveGpu::detail(float tolerance) const {
+    size_t k = details.size() - 1;
+    while (k > 0 && details[k].error > tolerance) --k;
+    return details[k];
+}
+
+ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail) {
     ModelGpu gpu;
     gpu.reflectance = reflectance;
     gpu.materials = model.materials;
@@ -152,7 +177,8 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance) {
         gl::Texture& slot = (srgb ? gpu.colourTextures : gpu.dataTextures)[index];
         const int image = model.textures[index].image;
         if (!slot && image >= 0)
-            slot = uploadTexture(model.textures[index], model.images[static_cast<size_t>(image)], srgb);
+            slot =
+                uploadTexture(model.textures[index], model.images[static_cast<size_t>(image)], srgb, detail);
     };
     for (const scene::Material& material : model.materials) {
         want(material.baseColour, reflectance == Reflectance::Linear);
@@ -168,7 +194,7 @@ void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, Mesh
     for (size_t p = 0; p < mesh.primitives.size(); ++p) {
         if (mesh.primitives[p].morphTargets.empty()) continue;
         const std::vector<MorphVertex> vertices = morphed(mesh.primitives[p], weights);
-        glBindBuffer(GL_ARRAY_BUFFER, gpu.primitives[p].morphable.name());
+        glBindBuffer(GL_ARRAY_BUFFER, gpu.primitives[p].details[0].morphable.name());
         glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(vertices.size() * sizeof(MorphVertex)),
                         vertices.data());
     }

@@ -11,14 +11,23 @@
 
 namespace shoal::render {
 
-struct PrimitiveGpu {
+// One level of detail: the same surface, drawn with fewer triangles.
+struct DetailGpu {
     gl::VertexArray vertexArray;
     gl::Buffer vertices, indices,
         morphable; // morphable: position and normal, rewritten as the weights change
     GLsizei indexCount = 0;
+    float error = 0; // how far the surface lies off at most, in the mesh's units
+};
+
+struct PrimitiveGpu {
+    std::vector<DetailGpu> details; // finest first; at least one
     int material = -1;
     bool skinned = false;
     float leastRoughness = 1; // scene::leastRoughness() of its material
+
+    // The coarsest that is off by no more than this, in the mesh's units.
+    const DetailGpu& detail(float tolerance) const;
 };
 
 struct MeshGpu {
@@ -44,7 +53,11 @@ struct ModelGpu {
     }
 };
 
-ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance);
+// Lean: what a software renderer gains most by and nobody sees in a moving picture: textures from the nearest
+// mip level (linear within it), the nearest of the glossy maps instead of a mixture of two.
+enum class Detail { Full, Lean };
+
+ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail = Detail::Full);
 
 // Rewrites the positions and normals of a mesh with morph targets for these weights.
 void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, MeshGpu& gpu);

@@ -25,15 +25,27 @@ enum FeatureBit : unsigned {
     kAlphaBlend = 1u << 7,
     kPhongRings = 1u << 8,
     kMirrors = 1u << 9,
+    kWater = 1u << 10,
+    kToneAces = 1u << 11,
+    kToneLinear = 1u << 12,
+    kLean = 1u << 13,
 };
-constexpr std::array<const char*, 10> kDefines = {"SKINNED",    "BASE_COLOUR_MAP", "METALLIC_ROUGHNESS_MAP",
-                                                  "NORMAL_MAP", "OCCLUSION_MAP",   "EMISSIVE_MAP",
-                                                  "ALPHA_MASK", "ALPHA_BLEND",     "PHONG_RINGS",
-                                                  "MIRRORS"};
+constexpr std::array<const char*, 14> kDefines = {"SKINNED",
+                                                  "BASE_COLOUR_MAP",
+                                                  "METALLIC_ROUGHNESS_MAP",
+                                                  "NORMAL_MAP",
+                                                  "OCCLUSION_MAP",
+                                                  "EMISSIVE_MAP",
+                                                  "ALPHA_MASK",
+                                                  "ALPHA_BLEND",
+                                                  "PHONG_RINGS",
+                                                  "MIRRORS",
+                                                  "WATER",
+                                                  "TONE_ACES",
+                                                  "TONE_LINEAR",
+                                                  "LEAN"};
 
-// smoothest: of the filtered maps of the light.
-unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive, Glossy glossy,
-                    float smoothest) {
+unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
     if (primitive.skinned) features |= kSkinned;
     if (material.baseColour.texture >= 0) features |= kBaseColourMap;
@@ -43,10 +55,16 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
     if (material.emissive.texture >= 0) features |= kEmissiveMap;
     if (material.alphaMode == scene::AlphaMode::Mask) features |= kAlphaMask;
     if (material.alphaMode == scene::AlphaMode::Blend) features |= kAlphaBlend;
-    if (glossy == Glossy::PhongRings)
-        features |= kPhongRings;
-    else if (primitive.leastRoughness < 0.99f * smoothest)
-        features |= kMirrors;
+    return features;
+}
+
+// Of a whole draw.
+unsigned featuresOf(const Exposure& exposure, const Water& water, Glossy glossy) {
+    unsigned features = 0;
+    if (glossy == Glossy::PhongRings) features |= kPhongRings;
+    if (water.clarity_m > 0) features |= kWater;
+    if (exposure.curve == ToneCurve::Aces) features |= kToneAces;
+    if (exposure.curve == ToneCurve::Linear) features |= kToneLinear;
     return features;
 }
 
@@ -65,6 +83,15 @@ bool sees(const View& view, const Ball& ball) {
     };
     return !(beyond(inEye.x, half.x + view.shift.x) || beyond(-inEye.x, half.x - view.shift.x) ||
              beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
+}
+
+// World metres that no one sees at the ball's nearest point.
+float toleranceFor(const Ball& ball, const View& view) {
+    if (view.heightPixels <= 0) return 0;
+    constexpr float kUnseen_px = 0.5f;
+    const float distance = glm::distance(ball.centre, view.eyeWorld) - ball.radius;
+    return std::max(distance, view.near_m) * 2 * view.halfExtent().y / static_cast<float>(view.heightPixels) *
+           kUnseen_px;
 }
 
 gl::Texture makeDfgTable() {
@@ -92,18 +119,17 @@ void bindMap(const gl::Program& program, const scene::TextureUse& use,
 
 } // namespace
 
-Result<ObjectPass> ObjectPass::make() {
+Result<ObjectPass> ObjectPass::make(Detail detail) {
     ObjectPass pass;
+    pass.detail_ = detail;
     pass.dfg_ = makeDfgTable();
     pass.matrixBuffer_ = gl::Buffer::make();
     GLint alignment = 256;
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
     pass.matrixAlignment_ = static_cast<size_t>(std::max(alignment, 16));
     // Compiled now, so that a broken shader is known at the start and not when the first object appears.
-    PrimitiveGpu plain;
-    ModelGpu none;
-    none.materials.emplace_back();
-    auto program = pass.programFor(none, plain, Glossy::Prefiltered, 0);
+    pass.programs_ = gl::Variants("render/Object", kDefines);
+    auto program = pass.programFor(0);
     if (!program) return program.error();
     return pass;
 }
@@ -111,7 +137,7 @@ Result<ObjectPass> ObjectPass::make() {
 void ObjectPass::begin() {
     items_.clear();
     matrices_.clear();
-    drawCount_ = 0;
+    drawCount_ = triangleCount_ = 0;
 }
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
@@ -132,8 +158,9 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
             skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
         matrices_.resize(offset + bytes);
         std::memcpy(matrices_.data() + offset, skinned ? &joints_[0] : &worldFromNode, bytes);
+        const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, offset, bytes, bound});
+            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale});
     }
 }
 
@@ -145,17 +172,10 @@ void ObjectPass::upload() {
                  GL_STREAM_DRAW);
 }
 
-Result<const gl::Program*> ObjectPass::programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive,
-                                                  Glossy glossy, float smoothest) {
-    const unsigned features = featuresOf(gpu.materialOf(primitive), primitive, glossy, smoothest);
-    if (const auto found = programs_.find(features); found != programs_.end()) return &found->second;
-    std::vector<std::string> defines;
-    for (size_t bit = 0; bit < kDefines.size(); ++bit)
-        if (features & (1u << bit)) defines.emplace_back(kDefines[bit]);
-    auto program = gl::Program::load("render/Object", defines);
-    if (!program) return program.error();
-    program->bindBlock("JointBlock", BLOCK_JOINTS);
-    return &programs_.emplace(features, std::move(*program)).first->second;
+Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
+    auto program = programs_.get(features);
+    if (program) (*program)->bindBlock("JointBlock", BLOCK_JOINTS);
+    return program;
 }
 
 Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view,
@@ -180,10 +200,15 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
         glDisable(GL_BLEND);
     }
     const glm::mat4 clipFromWorld = view.clipFromWorld();
+    const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? kLean : 0u);
     const gl::Program* current = nullptr;
     for (const auto& [distance, index] : order_) {
         const Item& item = items_[index];
-        auto program = programFor(*item.gpu, *item.primitive, glossy, surround.smoothestFiltered());
+        unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
+        if (glossy == Glossy::Prefiltered &&
+            item.primitive->leastRoughness < 0.99f * surround.smoothestFiltered())
+            features |= kMirrors;
+        auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) {
             current = *program;
@@ -195,7 +220,6 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             current->set("clipFromWorld", clipFromWorld);
             current->set("eyeWorld", view.eyeWorld);
             current->set("envFromWorld", envFromWorld);
-            current->set("toneCurve", static_cast<int>(exposure.curve));
             current->set("exposureScale", exposure.scale());
             current->set("tint", water.tint);
             current->set("clarity_m", water.clarity_m);
@@ -207,7 +231,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
                 packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
             current->setArray("phongRings_angleWeight[0]", packed);
         }
-        drawItem(*current, item);
+        drawItem(*current, item, view);
         ++drawCount_;
     }
     glDepthMask(GL_TRUE);
@@ -216,7 +240,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     return Done{};
 }
 
-void ObjectPass::drawItem(const gl::Program& program, const Item& item) const {
+void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);
@@ -242,8 +266,10 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item) const {
     }
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
-    glBindVertexArray(item.primitive->vertexArray.name());
-    glDrawElements(GL_TRIANGLES, item.primitive->indexCount, GL_UNSIGNED_INT, nullptr);
+    const DetailGpu& detail = item.primitive->detail(toleranceFor(item.bound, view) / item.scale);
+    glBindVertexArray(detail.vertexArray.name());
+    triangleCount_ += detail.indexCount / 3;
+    glDrawElements(GL_TRIANGLES, detail.indexCount, GL_UNSIGNED_INT, nullptr);
 }
 
 } // namespace shoal::render

@@ -4,13 +4,12 @@
 // have grown.
 #pragma once
 
-#include "engine/gl/Program.h"
+#include "engine/gl/Variants.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 
 #include <array>
-#include <map>
 #include <vector>
 
 namespace shoal::render {
@@ -29,7 +28,7 @@ struct Water {
 
 class ObjectPass {
   public:
-    static Result<ObjectPass> make();
+    static Result<ObjectPass> make(Detail detail = Detail::Full);
 
     void begin();
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
@@ -45,6 +44,7 @@ class ObjectPass {
                 const Exposure& exposure, const Water& water, Glossy glossy);
 
     int drawCount() const { return drawCount_; } // since begin()
+    int triangleCount() const { return triangleCount_; }
 
   private:
     struct Item {
@@ -52,14 +52,15 @@ class ObjectPass {
         const PrimitiveGpu* primitive;
         size_t matrixOffset; // bytes into the buffer of matrices
         size_t matrixBytes;
-        Ball bound; // world
+        Ball bound;  // world
+        float scale; // world metres for one of the mesh's units
     };
 
-    Result<const gl::Program*> programFor(const ModelGpu& gpu, const PrimitiveGpu& primitive, Glossy glossy,
-                                          float smoothest);
-    void drawItem(const gl::Program& program, const Item& item) const;
+    Result<const gl::Program*> programFor(unsigned features);
+    void drawItem(const gl::Program& program, const Item& item, const View& view);
 
-    std::map<unsigned, gl::Program> programs_; // by the set of features
+    gl::Variants programs_;
+    Detail detail_ = Detail::Full;
     gl::Texture dfg_;
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
@@ -67,7 +68,7 @@ class ObjectPass {
     std::vector<std::pair<float, size_t>> order_;
     std::vector<uint8_t> matrices_;
     std::vector<glm::mat4> joints_;
-    int drawCount_ = 0;
+    int drawCount_ = 0, triangleCount_ = 0;
 };
 
 } // namespace shoal::render

@@ -93,7 +93,6 @@ void SurroundGpu::uploadLight(const PackedLight& light) {
 
 void SurroundGpu::bindFrame(const gl::Program& program) const {
     bindTo(UNIT_FRAME, frame_, program, "frame");
-    program.set("frameIsCoded", coded_ ? 1 : 0);
 }
 
 void SurroundGpu::bindLight(const gl::Program& program) const {

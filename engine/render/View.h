@@ -18,6 +18,8 @@ struct View {
     // Centre of the image plane at distance 1, for frusta off axis (headsets); right and up positive.
     glm::vec2 shift{0};
 
+    int heightPixels = 0; // of the picture: what is smaller than these is not drawn; 0: all there is
+
     glm::vec2 halfExtent() const {
         const float y = std::tan(verticalFov / 2);
         return {y * aspect, y};

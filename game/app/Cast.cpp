@@ -63,9 +63,9 @@ float Cast::leastRoughness() const {
     return least;
 }
 
-void Cast::upload(render::Reflectance reflectance) {
-    for (Actor& actor : species_) actor.gpu = render::uploadModel(actor.model, reflectance);
-    for (Actor& actor : hands_) actor.gpu = render::uploadModel(actor.model, reflectance);
+void Cast::upload(render::Reflectance reflectance, render::Detail detail) {
+    for (Actor& actor : species_) actor.gpu = render::uploadModel(actor.model, reflectance, detail);
+    for (Actor& actor : hands_) actor.gpu = render::uploadModel(actor.model, reflectance, detail);
 }
 
 void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {

@@ -22,7 +22,7 @@ class Cast {
     float leastRoughness() const; // of all surfaces
 
     // To the graphics side, before show(); needs a current GL context.
-    void upload(render::Reflectance reflectance);
+    void upload(render::Reflectance reflectance, render::Detail detail);
 
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
     void show(const game::Snapshot& snapshot, render::ObjectPass& pass);

@@ -178,7 +178,7 @@ void drawTimes(const HudInfo& info) {
                 static_cast<double>(times.decode_ms));
     ImGui::Text("upload %.2f ms, simulation %.2f ms", static_cast<double>(times.upload_ms),
                 static_cast<double>(times.sim_ms));
-    ImGui::Text("draws %d", times.draws);
+    ImGui::Text("draws %d, triangles %d", times.draws, times.triangles);
     ImGui::Text("light: %.*s", static_cast<int>(info.lightName.size()), info.lightName.data());
     ImGui::End();
 }

@@ -26,7 +26,7 @@ struct FrameTimes {
     std::array<float, 120> frame_ms{};
     int next = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0, sim_ms = 0;
-    int draws = 0;
+    int draws = 0, triangles = 0;
 
     void add(float ms) {
         frame_ms[static_cast<size_t>(next)] = ms;

@@ -2,6 +2,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Log.h"
+#include "engine/gl/Renderer.h"
 #include "engine/gl/Target.h"
 #include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
@@ -89,8 +90,8 @@ Status Player::open() {
         window = std::move(*opened);
     }
     statistics.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    const bool software = statistics.renderer.find("llvmpipe") != std::string::npos ||
-                          statistics.renderer.find("softpipe") != std::string::npos;
+    const bool software = gl::rendersInSoftware();
+    const render::Detail detail = software ? render::Detail::Lean : render::Detail::Full;
     samples = options.look.samples > 0 ? options.look.samples : software ? 1 : 4;
 
     std::vector<Path> models;
@@ -106,8 +107,8 @@ Status Player::open() {
                                   .leastRoughness = cast->leastRoughness()});
     if (!opened) return opened.error();
     surround = std::move(*opened);
-    cast->upload(surround->reflectance());
-    auto madeStage = Stage::make(std::move(*cast));
+    cast->upload(surround->reflectance(), detail);
+    auto madeStage = Stage::make(std::move(*cast), detail);
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();
@@ -144,6 +145,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         view.eyeWorld = view.worldFromEye * glm::vec3(side, 0, 0);
         view.verticalFov = glm::radians(options.fov_deg);
         view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
+        view.heightPixels = eyeSize.y;
         const gl::Target& target = targets[static_cast<size_t>(eye)];
         target.bind();
         if (Status drawn = stage->draw(*surround, eye, view, exposure, kWater, glossy); !drawn) return drawn;
@@ -165,6 +167,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
                   eyeSize);
     }
     times.draws = stage->drawCount();
+    times.triangles = stage->triangleCount();
     return Done{};
 }
 
@@ -318,6 +321,7 @@ Status Player::playThrough(bool measured) {
             break;
     }
     statistics.draws = times.draws;
+    statistics.triangles = times.triangles;
     statistics.caught = run.after.caught;
     statistics.score = run.after.score;
     statistics.stateHash = run.dive.stateHash();

@@ -2,10 +2,10 @@
 
 namespace shoal::app {
 
-Result<Stage> Stage::make(Cast cast) {
+Result<Stage> Stage::make(Cast cast, render::Detail detail) {
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
-    auto objects = render::ObjectPass::make();
+    auto objects = render::ObjectPass::make(detail);
     if (!objects) return objects.error();
     return Stage(std::move(cast), std::move(*backdrop), std::move(*objects));
 }
@@ -25,7 +25,7 @@ Status Stage::draw(const Surround& surround, int eye, const render::View& view,
     const glm::mat3 turn = surround.envFromWorld();
     using Part = render::ObjectPass::Part;
     if (Status s = objects_.draw(Part::Opaque, gpu, view, turn, exposure, water, glossy); !s) return s;
-    backdrop_.draw(gpu, view, turn, exposure);
+    if (Status s = backdrop_.draw(gpu, view, turn, exposure); !s) return s;
     return objects_.draw(Part::Blended, gpu, view, turn, exposure, water, glossy);
 }
 

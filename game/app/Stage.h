@@ -10,7 +10,7 @@ namespace shoal::app {
 
 class Stage {
   public:
-    static Result<Stage> make(Cast cast);
+    static Result<Stage> make(Cast cast, render::Detail detail);
 
     // Once a frame, before draw().
     void set(const game::Snapshot& snapshot, bool backdropOnly);
@@ -20,6 +20,7 @@ class Stage {
                 const render::Water& water, render::Glossy glossy);
 
     int drawCount() const { return objects_.drawCount() + 1; }
+    int triangleCount() const { return objects_.triangleCount(); }
 
   private:
     Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects)

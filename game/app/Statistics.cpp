@@ -38,6 +38,7 @@ Status writeStatistics(const Path& file, const Statistics& s) {
         {"decode_ms", summary(s.decode_ms)},
         {"upload_ms", summary(s.upload_ms)},
         {"draws", s.draws},
+        {"triangles", s.triangles},
         {"caught", s.caught},
         {"score", s.score},
         {"state_hash", hash},

@@ -44,6 +44,9 @@ vec3 glossyRadiance(vec3 reflected, float roughness) {
     // Between two maps linearly in 1 / alpha too: with both a step apart, (10^(f / 8) - 1) / (10^(1 / 8) - 1), of which
     // this is a parabola, at most 0.001 off.
     float at = clamp(-4.8165 * log2(max(roughness, 1e-3)), 0.0, smoothestMap);
+#ifdef LEAN
+    return filteredRadiance(uv, int(at + 0.5));
+#endif
     float map = min(floor(at), max(smoothestMap - 1.0, 0.0));
     float f = at - map;
     f *= 0.8564 + 0.1436 * f;

@@ -1,16 +1,28 @@
 // The surround itself. The level is explicit: one texel size over the whole view, so no wrong mip along the seam.
+// AS_IS: coded values under the curve that undoes their decoding, at exposure 0: the video's own, untouched.
 #include "light/LatLong.glsl"
+#ifndef AS_IS
 #include "render/Output.glsl"
+#endif
 
 uniform sampler2D frame;
-uniform bool frameIsCoded; // the video's own display values; else linear radiance
-uniform float lod;
+in vec2 mapUv;
 in vec3 ray;
 out vec4 colour;
 
 void main() {
-    vec3 texel = textureLod(frame, latLongFromDirection(normalize(ray)), lod).rgb;
-    // At exposure 0 the curve and its inverse cancel: the video's own values, untouched.
-    if (frameIsCoded && toneCurve == 0 && exposureScale == 1.0) colour = vec4(texel, 1.0);
-    else colour = vec4(displayValue(frameIsCoded ? radianceFromDisplay(texel) : texel), 1.0);
+#ifdef POLAR
+    vec2 uv = latLongFromDirection(normalize(ray));
+#else
+    vec2 uv = mapUv;
+#endif
+    vec3 texel = textureLod(frame, uv, 0.0).rgb;
+#ifdef AS_IS
+    colour = vec4(texel, 1.0);
+#else
+#ifdef FRAME_IS_CODED
+    texel = radianceFromDisplay(texel);
+#endif
+    colour = vec4(displayValue(texel), 1.0);
+#endif
 }

@@ -1,11 +1,18 @@
-// One triangle over the whole picture, at the far plane.
-uniform mat3 worldFromRay; // rotates and scales a ray (x, y, -1) of the image plane into the env frame
-uniform vec2 rayScale;     // half the image plane's extent at distance 1
-uniform vec2 rayShift;     // its centre, for eyes whose frustum is off axis
+// The surround behind everything, at the far plane, in cells of a grid over the picture. Away from the poles the map's
+// coordinates are as good as linear within a cell, so that no pixel needs trigonometry; cells near a pole are drawn by
+// a second program (POLAR), which computes them for each pixel.
+#include "render/Attributes.glsl"
+
+layout(location = ATTRIBUTE_POSITION) in vec2 place; // on the picture, -1 to 1
+layout(location = ATTRIBUTE_UV0) in vec2 uv;
+uniform mat3 envFromRay; // rotates a ray (x, y, -1) of the image plane into the env frame
+uniform vec2 rayScale;   // half the image plane's extent at distance 1
+uniform vec2 rayShift;   // its centre, for eyes whose frustum is off axis
+out vec2 mapUv;
 out vec3 ray;
 
 void main() {
-    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2)) * 2.0 - 1.0;
-    ray = worldFromRay * vec3(corner * rayScale + rayShift, -1.0);
-    gl_Position = vec4(corner, 1.0, 1.0);
+    mapUv = uv;
+    ray = envFromRay * vec3(place * rayScale + rayShift, -1.0);
+    gl_Position = vec4(place, 1.0, 1.0);
 }

@@ -17,7 +17,6 @@ uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
 uniform vec3 tint;            // what the water between has left of the light, 1 in air
-uniform float clarity_m;      // distance at which 1/e of an object shows through the water; 0: air
 uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Karis 2013), z: their sum's white albedo
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
@@ -27,6 +26,10 @@ in vec3 worldNormal;
 in vec4 worldTangent;
 in vec4 vertexUv;
 in vec4 vertexColourLin;
+#ifdef WATER
+in vec3 waterLin;
+in float shown;
+#endif
 out vec4 colour;
 
 vec2 uvOf(int set) { return set == 0 ? vertexUv.xy : vertexUv.zw; }
@@ -54,16 +57,13 @@ void main() {
     vec3 bump = texture(normalMap, uvOf(normalUv)).xyz * 2.0 - 1.0;
     bump.xy *= normalScale;
     vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
-    if (dot(t, t) > 1e-12) {
-        t = normalize(t);
-        n = normalize(bump.x * t + bump.y * (worldTangent.w * cross(n, t)) + bump.z * n);
-    }
+    t *= inversesqrt(max(dot(t, t), 1e-12));
+    n = normalize(bump.x * t + bump.y * (worldTangent.w * cross(n, t)) + bump.z * n);
 #endif
     n *= facing;
 
     vec3 toEye = eyeWorld - worldPosition;
-    float distance_m = length(toEye);
-    vec3 v = toEye / distance_m;
+    vec3 v = normalize(toEye);
     float nv = clamp(dot(n, v), 1e-3, 1.0);
     vec3 r = envFromWorld * reflect(-v, n);
 
@@ -95,12 +95,9 @@ void main() {
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
     radiance += emitted;
-    if (clarity_m > 0.0) {
-        // Water between eye and object: what it takes away it replaces by its own glow, which is what the surround
-        // shows there, blurred.
-        vec3 water = glossyRadiance(envFromWorld * -v, 0.6);
-        radiance = mix(water, radiance, exp(-distance_m / clarity_m));
-    }
+#ifdef WATER
+    radiance = mix(waterLin, radiance, shown);
+#endif
     vec3 display = displayValue(radiance);
 #ifdef ALPHA_BLEND
     colour = vec4(display * base.a, base.a);

@@ -12,6 +12,19 @@ layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
+#ifdef WATER
+// Water between eye and object: what it takes away it replaces by its own glow, which is what the surround shows there,
+// blurred. Both change so slowly that a vertex will do.
+#include "light/LatLong.glsl"
+#include "light/Environment.glsl"
+uniform vec3 eyeWorld;
+uniform mat3 envFromWorld;
+uniform float clarity_m; // distance at which 1/e of an object shows
+out vec3 waterLin;
+out float shown;
+const int kWaterMap = 4; // roughness 0.56
+#endif
+
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec4 worldTangent;
@@ -34,5 +47,11 @@ void main() {
     worldTangent = vec4(m * tangent.xyz, tangent.w);
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
+#ifdef WATER
+    vec3 fromEye = world.xyz - eyeWorld;
+    float distance_m = length(fromEye);
+    shown = exp(-distance_m / clarity_m);
+    waterLin = filteredRadiance(latLongFromDirection(envFromWorld * fromEye / distance_m), min(kWaterMap, int(smoothestMap)));
+#endif
     gl_Position = clipFromWorld * world;
 }

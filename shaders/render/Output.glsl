@@ -1,8 +1,9 @@
 // The last step of every draw: linear radiance to display values, so that no pass over the whole picture is needed.
 #include "light/ToneCurve.glsl"
 
-uniform int toneCurve;        // 0 inverse of the video's inverse tone mapping, 1 ACES filmic, 2 clip; 1 and 2 with sRGB coding
-uniform float exposureScale;  // 2^EV, on objects and backdrop alike
+// The curve is compiled in, one program for each: a software renderer runs all branches of a choice. TONE_ACES, TONE_LINEAR
+// (clip; both with sRGB coding), else the inverse of the video's inverse tone mapping.
+uniform float exposureScale; // 2^EV, on objects and backdrop alike
 
 vec3 srgbFromLinear(vec3 lin) {
     lin = clamp(lin, 0.0, 1.0);
@@ -20,7 +21,11 @@ vec3 acesFilmic(vec3 lin) {
 
 vec3 displayValue(vec3 radiance) {
     radiance *= exposureScale;
-    if (toneCurve == 0) return clamp(displayFromRadiance(radiance), 0.0, 1.0);
-    if (toneCurve == 1) return srgbFromLinear(acesFilmic(radiance));
+#if defined(TONE_ACES)
+    return srgbFromLinear(acesFilmic(radiance));
+#elif defined(TONE_LINEAR)
     return srgbFromLinear(radiance);
+#else
+    return clamp(displayFromRadiance(radiance), 0.0, 1.0);
+#endif
 }

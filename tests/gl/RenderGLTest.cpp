@@ -72,7 +72,7 @@ TEST_F(RenderGL, BackdropShowsTheMapWhereItLies) {
         view.aspect = 1.5f;
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        pass->draw(surround, view, glm::mat3(1), {});
+        ASSERT_TRUE(pass->draw(surround, view, glm::mat3(1), {}));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
@@ -101,7 +101,8 @@ TEST_F(RenderGL, YawOfTheSurroundTurnsItToTheRight) {
     // The column that looks along -Z appears 90 degrees to the right of -Z, so ahead lies what looks along
     // -X.
     const glm::mat3 envFromWorld(glm::mat3_cast(glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0))));
-    pass->draw(surround, {.verticalFov = 0.2f, .aspect = 1}, envFromWorld, {});
+    const Status drawn = pass->draw(surround, {.verticalFov = 0.2f, .aspect = 1}, envFromWorld, {});
+    ASSERT_TRUE(drawn);
     const ImageRgba8 picture = target.read();
     const glm::vec3 expected = smoothColour({-1, 0, 0}) * 255.0f;
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f);
@@ -276,7 +277,7 @@ TEST_F(RenderGL, ExposureChangesObjectAndBackdropAlike) {
         const gl::Target target(9, 9, 1);
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        backdrop->draw(surround, view, glm::mat3(1), {.exposure_ev = ev});
+        ASSERT_TRUE(backdrop->draw(surround, view, glm::mat3(1), {.exposure_ev = ev}));
         const ImageRgba8 behind = target.read();
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(object.at(4, 4)[c], behind.at(4, 4)[c], 1) << ev;
     }

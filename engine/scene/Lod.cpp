@@ -1,0 +1,68 @@
+#include "engine/scene/Lod.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+
+namespace shoal::scene {
+
+namespace {
+
+constexpr size_t kFewestTriangles = 24;
+constexpr float kLargestError = 0.1f; // of the primitive's extent
+
+Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
+    Lod lod;
+    lod.indices.resize(indices.size());
+    lod.error = error;
+    std::vector<uint32_t> place(vertexCount, ~0u);
+    for (size_t i = 0; i < indices.size(); ++i) {
+        uint32_t& at = place[indices[i]];
+        if (at == ~0u) {
+            at = static_cast<uint32_t>(lod.vertices.size());
+            lod.vertices.push_back(indices[i]);
+        }
+        lod.indices[i] = at;
+    }
+    return lod;
+}
+
+} // namespace
+
+std::vector<Lod> makeLods(const Primitive& primitive) {
+    std::vector<Lod> lods;
+    if (!primitive.morphTargets.empty() || primitive.positions.empty()) return lods;
+    const size_t vertexCount = primitive.positions.size();
+    const float* positions = &primitive.positions[0].x;
+    const float extent = meshopt_simplifyScale(positions, vertexCount, sizeof(glm::vec3));
+    std::vector<uint32_t> coarser(primitive.indices.size());
+    const auto keep = [&](float relativeError) {
+        meshopt_optimizeVertexCache(coarser.data(), coarser.data(), coarser.size(), vertexCount);
+        lods.push_back(compact(coarser, vertexCount, relativeError * extent));
+    };
+    // Each from the original, so that errors do not add up.
+    size_t triangles = primitive.indices.size() / 3;
+    while (triangles >= 2 * kFewestTriangles) {
+        float error = 0;
+        coarser.resize(primitive.indices.size());
+        coarser.resize(meshopt_simplify(coarser.data(), primitive.indices.data(), primitive.indices.size(),
+                                        positions, vertexCount, sizeof(glm::vec3), triangles / 2 * 3,
+                                        kLargestError, 0, &error));
+        if (coarser.empty() || coarser.size() / 3 * 4 > triangles * 3) break; // no more to be had
+        triangles = coarser.size() / 3;
+        keep(error);
+    }
+    // Many small separate parts keep their topology to the end; from afar nobody asks for it.
+    if (triangles >= 3 * kFewestTriangles) {
+        float error = 0;
+        coarser.resize(primitive.indices.size());
+        coarser.resize(meshopt_simplifySloppy(coarser.data(), primitive.indices.data(),
+                                              primitive.indices.size(), positions, vertexCount,
+                                              sizeof(glm::vec3), triangles / 3 * 3, 1.0f, &error));
+        const float before = lods.empty() ? 0 : lods.back().error / extent;
+        if (!coarser.empty() && coarser.size() / 3 * 2 < triangles) keep(std::max(error, before * 1.01f));
+    }
+    return lods;
+}
+
+} // namespace shoal::scene
