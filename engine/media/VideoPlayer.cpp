@@ -1,5 +1,6 @@
 #include "engine/media/VideoPlayer.h"
 
+#include "engine/core/Threads.h"
 #include "engine/media/DescribeVideo.h"
 #include "engine/media/VideoSource.h"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstdio>
+#include <future>
 #include <limits>
 #include <mutex>
 #include <thread>
@@ -107,6 +109,7 @@ struct VideoPlayer::Impl {
     }
 
     void run() {
+        stepBack();
         std::unique_lock lock(mutex);
         while (!stop) {
             const int slotIndex = freeSlot();
@@ -240,7 +243,11 @@ struct VideoPlayer::Impl {
 
 Result<VideoPlayer> VideoPlayer::open(const Path& file, VideoOptions options) {
     assert(options.slots >= 3);
-    auto source = VideoSource::open(file);
+    // On a thread that has stepped back, because the decoder's own threads inherit that.
+    auto source = std::async(std::launch::async, [&] {
+                      stepBack();
+                      return VideoSource::open(file);
+                  }).get();
     if (!source) return source.error();
     VideoInfo info;
     const Error undecodable{file.string(), "its first frame cannot be decoded"};

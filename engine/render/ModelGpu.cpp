@@ -13,6 +13,8 @@ namespace shoal::render {
 
 namespace {
 
+constexpr int kFineRelief = 1024; // texels across of a normal map that is halved where detail is lean
+
 struct FixedVertex { // what morphing leaves alone
     glm::vec4 tangent{1, 0, 0, 1};
     glm::vec2 uv0{0}, uv1{0};
@@ -131,6 +133,18 @@ GLint wrapMode(scene::Texture::Wrap wrap) {
     return GL_REPEAT;
 }
 
+ImageRgba8 halved(const ImageRgba8& image) {
+    ImageRgba8 half(image.width / 2, image.height / 2);
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+            for (int c = 0; c < 4; ++c)
+                half.at(x, y)[c] = static_cast<uint8_t>(
+                    (image.at(2 * x, 2 * y)[c] + image.at(2 * x + 1, 2 * y)[c] +
+                     image.at(2 * x, 2 * y + 1)[c] + image.at(2 * x + 1, 2 * y + 1)[c] + 2) /
+                    4);
+    return half;
+}
+
 gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image, bool srgb, Detail detail) {
     gl::Texture gpu = gl::Texture::make();
     glBindTexture(GL_TEXTURE_2D, gpu.name());
@@ -154,7 +168,38 @@ const DetailGpu& PrimitiveGpu::detail(float tolerance) const {
     return details[k];
 }
 
-ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail) {
+namespace {
+
+std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Reflectance reflectance,
+                                                  Detail detail) {
+    TexturesGpu gpu;
+    gpu.colour.resize(model.textures.size());
+    gpu.data.resize(model.textures.size());
+    // srgb: the sampler decodes it. relief: no pixel of a lean picture is as small as its finest texels.
+    const auto want = [&](const scene::TextureUse& use, bool srgb, bool relief = false) {
+        if (use.texture < 0) return;
+        const auto index = static_cast<size_t>(use.texture);
+        gl::Texture& slot = (srgb ? gpu.colour : gpu.data)[index];
+        const int image = model.textures[index].image;
+        if (slot || image < 0) return;
+        const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
+        const bool smaller = relief && detail == Detail::Lean && texels.width >= kFineRelief;
+        slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
+    };
+    for (const scene::Material& material : model.materials) {
+        want(material.baseColour, reflectance == Reflectance::Linear);
+        want(material.emissive, true);
+        want(material.metallicRoughness, false);
+        want(material.normal, false, true);
+        want(material.occlusion, false);
+    }
+    return std::make_shared<const TexturesGpu>(std::move(gpu));
+}
+
+} // namespace
+
+ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail,
+                     std::shared_ptr<const TexturesGpu> textures) {
     ModelGpu gpu;
     gpu.reflectance = reflectance;
     gpu.materials = model.materials;
@@ -169,24 +214,7 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
             uploaded.leastRoughness = scene::leastRoughness(model, gpu.materialOf(uploaded));
         }
     }
-    gpu.colourTextures.resize(model.textures.size());
-    gpu.dataTextures.resize(model.textures.size());
-    const auto want = [&](const scene::TextureUse& use, bool srgb) { // srgb: the sampler decodes it
-        if (use.texture < 0) return;
-        const auto index = static_cast<size_t>(use.texture);
-        gl::Texture& slot = (srgb ? gpu.colourTextures : gpu.dataTextures)[index];
-        const int image = model.textures[index].image;
-        if (!slot && image >= 0)
-            slot =
-                uploadTexture(model.textures[index], model.images[static_cast<size_t>(image)], srgb, detail);
-    };
-    for (const scene::Material& material : model.materials) {
-        want(material.baseColour, reflectance == Reflectance::Linear);
-        want(material.emissive, true);
-        want(material.metallicRoughness, false);
-        want(material.normal, false);
-        want(material.occlusion, false);
-    }
+    gpu.textures = textures ? std::move(textures) : uploadTextures(model, reflectance, detail);
     return gpu;
 }
 

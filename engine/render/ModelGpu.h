@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -40,11 +41,15 @@ struct MeshGpu {
 // scaled by a itself.
 enum class Reflectance { Linear, Coded };
 
+// Per Model::textures; empty where a texture is not used in that way.
+struct TexturesGpu {
+    std::vector<gl::Texture> colour; // sRGB, decoded by the sampler
+    std::vector<gl::Texture> data;   // values as stored
+};
+
 struct ModelGpu {
     std::vector<MeshGpu> meshes;
-    // Per Model::textures; empty where a texture is not used in that way.
-    std::vector<gl::Texture> colourTextures;       // sRGB, decoded by the sampler
-    std::vector<gl::Texture> dataTextures;         // values as stored
+    std::shared_ptr<const TexturesGpu> textures;
     Reflectance reflectance = Reflectance::Linear; // the space of base colours, in maps too
     std::vector<scene::Material> materials;        // the last is glTF's default material
 
@@ -53,11 +58,14 @@ struct ModelGpu {
     }
 };
 
-// Lean: what a software renderer gains most by and nobody sees in a moving picture: textures from the nearest
-// mip level (linear within it), the nearest of the glossy maps instead of a mixture of two.
+// Lean: what a software renderer gains most by and nobody sees in a moving picture. Textures come from the
+// nearest mip level (linear within it), large normal maps have half the texels, and the nearest of the glossy
+// maps stands for a mixture of two.
 enum class Detail { Full, Lean };
 
-ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail = Detail::Full);
+// textures: of another model with the same pictures and materials, to be shared; else they are made.
+ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail = Detail::Full,
+                     std::shared_ptr<const TexturesGpu> textures = nullptr);
 
 // Rewrites the positions and normals of a mesh with morph targets for these weights.
 void uploadMorphed(const scene::Mesh& mesh, std::span<const float> weights, MeshGpu& gpu);

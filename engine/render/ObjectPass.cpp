@@ -249,8 +249,8 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     program.set("normalScale", material.normalScale);
     program.set("occlusionStrength", material.occlusionStrength);
     program.set("alphaCutoff", material.alphaCutoff);
-    const auto& colour = item.gpu->colourTextures;
-    const auto& data = item.gpu->dataTextures;
+    const auto& colour = item.gpu->textures->colour;
+    const auto& data = item.gpu->textures->data;
     bindMap(program, material.baseColour, item.gpu->reflectance == Reflectance::Linear ? colour : data,
             UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv");
     bindMap(program, material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",

@@ -20,30 +20,41 @@ float clipTime(const scene::Animation& clip, float phase_s) {
 
 } // namespace
 
-Result<Cast::Actor> Cast::loadActor(const Path& file) {
+Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflectance,
+                                    render::Detail detail) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     Actor actor;
     actor.model = std::move(*model);
+    leastRoughness_ = std::min(leastRoughness_, scene::leastRoughness(actor.model));
+    // Two hands wear one skin.
+    const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
+    const bool shared = std::ranges::equal(actor.model.images, lastImages_, same);
+    actor.gpu = render::uploadModel(actor.model, reflectance, detail, shared ? lastTextures_ : nullptr);
+    lastImages_ = std::move(actor.model.images); // on the graphics side from now on
+    lastTextures_ = actor.gpu.textures;
+    actor.model.images.clear();
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
         actor.animations[motion] = actor.model.findAnimation(game::kMotionNames[motion]);
     return actor;
 }
 
-Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand) {
+Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
+                        render::Reflectance reflectance, render::Detail detail) {
     Cast cast;
     for (const Path& file : speciesModels) {
-        auto actor = loadActor(file);
+        auto actor = cast.loadActor(file, reflectance, detail);
         if (!actor) return actor.error();
         cast.species_.push_back(std::move(*actor));
     }
     const std::array files = {leftHand, rightHand};
     for (size_t side = 0; side < files.size(); ++side) {
-        auto actor = loadActor(files[side]);
+        auto actor = cast.loadActor(files[side], reflectance, detail);
         if (!actor) return actor.error();
         for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
             actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));
@@ -53,19 +64,8 @@ Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHan
         }
         cast.hands_[side] = std::move(*actor);
     }
+    cast.lastImages_ = {};
     return cast;
-}
-
-float Cast::leastRoughness() const {
-    float least = 1;
-    for (const Actor& actor : species_) least = std::min(least, scene::leastRoughness(actor.model));
-    for (const Actor& actor : hands_) least = std::min(least, scene::leastRoughness(actor.model));
-    return least;
-}
-
-void Cast::upload(render::Reflectance reflectance, render::Detail detail) {
-    for (Actor& actor : species_) actor.gpu = render::uploadModel(actor.model, reflectance, detail);
-    for (Actor& actor : hands_) actor.gpu = render::uploadModel(actor.model, reflectance, detail);
 }
 
 void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {

@@ -15,14 +15,11 @@ namespace shoal::app {
 
 class Cast {
   public:
-    // One model file per species, in the species table's order.
-    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand,
-                             const Path& rightHand);
+    // One model file per species, in the species table's order; needs a current GL context.
+    static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
+                             render::Reflectance reflectance, render::Detail detail);
 
-    float leastRoughness() const; // of all surfaces
-
-    // To the graphics side, before show(); needs a current GL context.
-    void upload(render::Reflectance reflectance, render::Detail detail);
+    float leastRoughness() const { return leastRoughness_; } // of all surfaces
 
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
     void show(const game::Snapshot& snapshot, render::ObjectPass& pass);
@@ -36,8 +33,11 @@ class Cast {
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
-    static Result<Actor> loadActor(const Path& file);
+    Result<Actor> loadActor(const Path& file, render::Reflectance reflectance, render::Detail detail);
 
+    float leastRoughness_ = 1;
+    std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading
+    std::shared_ptr<const render::TexturesGpu> lastTextures_;
     std::vector<Actor> species_;
     std::array<Actor, 2> hands_;
 };

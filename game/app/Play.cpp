@@ -98,7 +98,8 @@ Status Player::open() {
     for (const game::Species& species : plan.species)
         models.push_back(dataRoot() / "content" / species.model);
     const Path folder = dataRoot() / "content" / "models";
-    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb");
+    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb",
+                           reflectanceIn(options.surround), detail);
     if (!cast) return cast.error();
     auto opened = Surround::open({.options = options.surround,
                                   .defaultVideo = dataRoot() / "content" / plan.dive.video,
@@ -107,7 +108,6 @@ Status Player::open() {
                                   .leastRoughness = cast->leastRoughness()});
     if (!opened) return opened.error();
     surround = std::move(*opened);
-    cast->upload(surround->reflectance(), detail);
     auto madeStage = Stage::make(std::move(*cast), detail);
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);

@@ -21,7 +21,7 @@ namespace {
 constexpr int kVideoLightWidth = 512;
 constexpr int kStillLightWidth = 4096;
 
-constexpr int kSlots = 4;
+constexpr int kSlots = 3;
 
 media::Layout layoutNamed(const std::string& name) {
     if (name == "mono") return media::Layout::Mono;
@@ -158,6 +158,11 @@ Status Surround::State::openEnv(const Path& file) {
     return Done{};
 }
 
+render::Reflectance reflectanceIn(const SurroundOptions& options) {
+    const bool hdr = options.photo.empty() && !options.env.empty();
+    return hdr ? render::Reflectance::Linear : render::Reflectance::Coded;
+}
+
 Result<Surround> Surround::open(const SurroundSetup& setup) {
     auto state = std::make_unique<State>();
     state->leastRoughness = setup.leastRoughness;
@@ -212,10 +217,6 @@ glm::mat3 Surround::envFromWorld() const {
 
 render::ToneCurve Surround::naturalTone() const {
     return state_->hdr ? render::ToneCurve::Aces : render::ToneCurve::InverseOfVideo;
-}
-
-render::Reflectance Surround::reflectance() const {
-    return state_->hdr ? render::Reflectance::Linear : render::Reflectance::Coded;
 }
 
 float Surround::light_ms() const { return state_->light_ms; }

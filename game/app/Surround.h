@@ -26,6 +26,9 @@ struct SurroundSetup {
     float leastRoughness = 0; // of all that will be drawn: no light is made for smoother things
 };
 
+// The space that the light is in, known before anything is opened.
+render::Reflectance reflectanceIn(const SurroundOptions& options);
+
 class Surround {
   public:
     // Needs a current GL context. The first picture is there on return.
@@ -41,8 +44,7 @@ class Surround {
 
     const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
     glm::mat3 envFromWorld() const;
-    render::ToneCurve naturalTone() const;   // the curve that `--tone auto` means here
-    render::Reflectance reflectance() const; // the space that its light is in
+    render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
 
     // Of the newest frame; 0 for stills after the first.
     float light_ms() const;

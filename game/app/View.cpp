@@ -134,7 +134,7 @@ Status Viewer::open() {
     if (!surround) return surround.error();
     surround_ = std::move(*surround);
     surround_->update(static_cast<double>(options_.at_s), true);
-    gpu_ = render::uploadModel(model_, surround_->reflectance());
+    gpu_ = render::uploadModel(model_, reflectanceIn(options_.surround));
     pose(clip_);
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();

@@ -78,10 +78,7 @@ DiffuseMethod bruteForce(int width) {
     return {{"brute force " + size, size, "brute force", "thesis, eq. 2.2",
              width == 64 ? Role::Thesis : Role::Rival},
             true,
-            [state, width](const Input& input) {
-                state->make(levelOfWidth(*input.pyramid, width));
-                return 0.0;
-            },
+            [state, width](const Input& input) { state->make(levelOfWidth(*input.pyramid, width)); },
             [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < normals.size(); ++i) out[i] = lookUp(state->map, normals[i]);
             }};

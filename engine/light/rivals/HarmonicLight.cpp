@@ -20,10 +20,7 @@ struct State {
 
     explicit State(int bands) : harmonics(bands), projection(kWidth, bands) {}
 
-    double update(const Input& input) {
-        projection.project(levelOfWidth(*input.pyramid, kWidth), radiance);
-        return 0.0;
-    }
+    void update(const Input& input) { projection.project(levelOfWidth(*input.pyramid, kWidth), radiance); }
 
     // The light after convolution with a lobe of these factors.
     void shade(const std::vector<double>& factors, std::span<const glm::vec3> dirs,
@@ -57,7 +54,7 @@ DiffuseMethod harmonicDiffuse(int bands, bool windowed) {
              windowed ? "spherical harmonics, windowed" : "spherical harmonics",
              windowed ? "Sloan 2008" : "Ramamoorthi and Hanrahan 2001"},
             true,
-            [state](const Input& input) { return state->update(input); },
+            [state](const Input& input) { state->update(input); },
             [state, factors](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 state->shade(factors, normals, out);
             }};
@@ -75,7 +72,7 @@ GlossyMethod harmonicGlossy(int bands) {
          "spherical harmonics",
          "Ramamoorthi and Hanrahan 2002, \"Frequency Space Environment Map Rendering\""},
         true,
-        [state](const Input& input) { return state->update(input); },
+        [state](const Input& input) { state->update(input); },
         [state, known, bands](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
             const Known* found = nullptr;
             for (const Known& each : *known)

@@ -12,7 +12,7 @@ GlossyMethod filteredImportanceSampling(int samples) {
     return {{"importance sampling, " + count + " a pixel", "FIS " + count, "per pixel, importance sampling",
              "Krivanek and Colbert 2008"},
             true,
-            [pyramid](const Input& input) { return *pyramid = input.pyramid, 0.0; },
+            [pyramid](const Input& input) { *pyramid = input.pyramid; },
             [pyramid, samples](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 const auto taps = ggxTaps(roughness, samples, (*pyramid)->levels[0].width);
                 for (size_t i = 0; i < dirs.size(); ++i) out[i] = gather(**pyramid, taps, dirs[i]);

@@ -3,7 +3,7 @@
 namespace shoal::light::rivals {
 
 std::vector<DiffuseMethod> diffuseMethods() {
-    std::vector<DiffuseMethod> methods = {shoalDiffuse()};
+    std::vector<DiffuseMethod> methods = {shoalDiffuse(false), shoalDiffuse(true)};
     for (const int width : {128, 64, 32, 16}) methods.push_back(bruteForce(width));
     for (const bool windowed : {false, true})
         for (const int bands : {2, 3, 4, 6, 8}) methods.push_back(harmonicDiffuse(bands, windowed));
@@ -13,7 +13,7 @@ std::vector<DiffuseMethod> diffuseMethods() {
 }
 
 std::vector<GlossyMethod> glossyMethods() {
-    std::vector<GlossyMethod> methods = {shoalGlossy(), thesisRings()};
+    std::vector<GlossyMethod> methods = {shoalGlossy(false), shoalGlossy(true), thesisRings()};
     for (const int samples : {8, 16, 32, 64}) methods.push_back(filteredImportanceSampling(samples));
     for (const int narrowest : {8, 32}) {
         methods.push_back(importancePrefilter(64, narrowest));

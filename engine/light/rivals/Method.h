@@ -29,15 +29,13 @@ struct Label {
 
 // One frame of a surround. Just one of coded and radianceLin is there; the pyramid always is.
 struct Input {
-    const RadiancePyramid* pyramid = nullptr; // solid-angle weighted, 1024 texels around level 0
+    const RadiancePyramid* pyramid = nullptr; // solid-angle weighted, 512 or 1024 texels around level 0
     FrameView coded;                          // pixels is null where the surround is an HDR picture
     const ImageRgbF* radianceLin = nullptr;   // null where the surround is a coded frame
 };
 
-// Called for each frame. Returns the microseconds of it that went into things which the method does not
-// need, to be left out of its account; 0 for all methods but the one that makes diffuse and glossy light at
-// once. Keeps its buffers.
-using Update = std::function<double(const Input&)>;
+// Called for each frame. Keeps its buffers.
+using Update = std::function<void(const Input&)>;
 
 // Radiance leaving a white matte surface by its normal: irradiance / pi.
 struct DiffuseMethod {

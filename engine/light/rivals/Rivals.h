@@ -10,7 +10,7 @@ namespace shoal::light::rivals {
 // --- Diffuse ---------------------------------------------------------------------------------------------
 
 // What the game uses: LightMaker and lookUp().
-DiffuseMethod shoalDiffuse();
+DiffuseMethod shoalDiffuse(bool videoOnly);
 
 // Thesis eq. 2.2: every texel of a width x width / 2 map gathers every texel of the pyramid's level of that
 // width. The thesis uses 64.
@@ -33,7 +33,7 @@ DiffuseMethod sphericalGaussians(int lobes);
 // --- Glossy ----------------------------------------------------------------------------------------------
 
 // What the game uses: LightMaker and lookUpGlossy().
-GlossyMethod shoalGlossy();
+GlossyMethod shoalGlossy(bool videoOnly);
 
 // The thesis' 36 samples for each pixel: engine/light/PhongRings.h.
 GlossyMethod thesisRings();

@@ -9,33 +9,42 @@ namespace shoal::light::rivals {
 
 namespace {
 
+// As the game makes it: for coded frames in the quality of a video, for HDR pictures, which stand still, in
+// that of a still; or all in the quality of a video.
 struct State {
-    LightMaker maker;
+    State(float leastRoughness, bool videoOnly)
+        : video({512, leastRoughness, LightQuality::Video}),
+          still({1024, leastRoughness, LightQuality::Still}), forHdr(videoOnly ? &video : &still) {}
+    LightMaker video, still;
+    LightMaker* forHdr;
     EnvironmentLight light;
 
-    LightReport make(const Input& input) {
-        return input.radianceLin ? maker.makeFromHdr(*input.radianceLin, light)
-                                 : maker.make(input.coded, light);
+    void make(const Input& input) {
+        if (input.radianceLin)
+            forHdr->makeFromHdr(*input.radianceLin, light);
+        else
+            video.make(input.coded, light);
     }
 };
 
-Label label() { return {"Shoal", "Shoal", "Shoal", "engine/light", Role::Default}; }
+Label label(bool videoOnly) {
+    if (videoOnly) return {"Shoal, video maps for all", "video", "Shoal", "engine/light", Role::Rival};
+    return {"Shoal", "Shoal", "Shoal", "engine/light", Role::Default};
+}
 
 } // namespace
 
-DiffuseMethod shoalDiffuse() {
-    auto state = std::make_shared<State>();
-    return {label(), false,
-            [state](const Input& input) { return 1e3 * static_cast<double>(state->make(input).glossy_ms); },
+DiffuseMethod shoalDiffuse(bool videoOnly) {
+    auto state = std::make_shared<State>(1.0f, videoOnly);
+    return {label(videoOnly), false, [state](const Input& input) { state->make(input); },
             [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < normals.size(); ++i) out[i] = lookUp(state->light.diffuse, normals[i]);
             }};
 }
 
-GlossyMethod shoalGlossy() {
-    auto state = std::make_shared<State>();
-    return {label(), false,
-            [state](const Input& input) { return 1e3 * static_cast<double>(state->make(input).diffuse_ms); },
+GlossyMethod shoalGlossy(bool videoOnly) {
+    auto state = std::make_shared<State>(kLeastFilteredRoughness, videoOnly);
+    return {label(videoOnly), false, [state](const Input& input) { state->make(input); },
             [state](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < dirs.size(); ++i)
                     out[i] = lookUpGlossy(state->light, dirs[i], roughness);

@@ -11,7 +11,7 @@ GlossyMethod thesisRings() {
     return {{"36 samples on Phong rings", "36 rings", "per pixel, Phong rings", "thesis, section 4.1",
              Role::Thesis},
             true,
-            [pyramid](const Input& input) { return *pyramid = input.pyramid, 0.0; },
+            [pyramid](const Input& input) { *pyramid = input.pyramid; },
             [pyramid](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < dirs.size(); ++i)
                     out[i] = phongRingsRadiance(**pyramid, dirs[i], static_cast<double>(roughness));

@@ -60,7 +60,7 @@ DiffuseMethod zonalHarmonicsDiffuse() {
     auto state = std::make_shared<State>();
     return {{"ZH3: two bands and a zonal third", "ZH3", "ZH3", "Roughton et al. 2024"},
             true,
-            [state](const Input& input) { return state->make(levelOfWidth(*input.pyramid, kWidth)), 0.0; },
+            [state](const Input& input) { state->make(levelOfWidth(*input.pyramid, kWidth)); },
             [state](std::span<const glm::vec3> normals, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < normals.size(); ++i) out[i] = state->shade(normals[i]);
             }};

@@ -6,8 +6,6 @@
 
 namespace shoal::bench {
 
-constexpr int kBaseWidth = 1024; // of the pyramid, as the game asks for
-
 inline light::rivals::Input inputOf(const Surround& surround, const light::RadiancePyramid& pyramid) {
     light::rivals::Input input{&pyramid, {}, nullptr};
     if (surround.coded())

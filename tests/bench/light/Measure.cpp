@@ -16,9 +16,9 @@ light::RadiancePyramid pyramidOf(const Surround& surround) {
     light::RadiancePyramid pyramid;
     light::PyramidMaker maker;
     if (surround.coded())
-        maker.make(surround.view(), kBaseWidth, pyramid);
+        maker.make(surround.view(), surround.baseWidth(), pyramid);
     else
-        maker.make(surround.radianceLin, kBaseWidth, pyramid);
+        maker.make(surround.radianceLin, surround.baseWidth(), pyramid);
     return pyramid;
 }
 

@@ -29,8 +29,11 @@ struct SurroundFact {
     bool coded = false, pointSun = false;
 };
 
+constexpr float kReefRoughness = 0.25f; // of the smoothest surface in the game's dive
+
 struct Chart {
     double read_us = 0;    // one plain read of the frame's bytes
+    double reef_us = 0;    // all light of a frame for the game's own surfaces
     double pyramid_us = 0; // what those are charged with that read it
     std::vector<SurroundFact> surrounds;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses

@@ -39,7 +39,7 @@ do for [picture in "chart suns"] { do for [kind in "svg png"] {
     set tics scale 0.6
     set border linecolor rgb "#606060"
     set lmargin at screen plot_left / width; set rmargin at screen (plot_left + plot_width) / width
-    set ylabel "error (relative root mean square)" offset 0.5
+    set ylabel "error (relative root mean square)" offset 1.6
 
     do for [n = 1:words(panels)] {
         panel = word(panels, n)

