@@ -16,6 +16,7 @@ class Target {
     int height() const { return height_; }
 
     void bind() const; // and sets the viewport
+    GLuint framebuffer() const { return drawn_.name(); }
 
     // Resolves (if multisampled) into `destination` (0: the window) at column x, scaled with a linear filter
     // if sizes differ; leaves the destination bound.

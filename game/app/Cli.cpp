@@ -99,6 +99,15 @@ void addPlay(CLI::App& app, PlayOptions& options) {
         ->capture_default_str();
     app.add_flag("--fullscreen", options.fullscreen, "Fill the screen (F11 in the game)");
     app.add_flag("!--no-vsync", options.vsync, "Do not wait for the display");
+    app.add_option("--quality", options.quality,
+                   "auto draws fewer pixels, then makes light less often, while frames take longer than the "
+                   "display allows; fixed never does (nor does --headless)")
+        ->check(CLI::IsMember({"auto", "fixed"}))
+        ->capture_default_str();
+    app.add_option("--load", options.load_ms,
+                   "Keeps the processor busy for that many milliseconds a frame, to see what --quality auto "
+                   "does about it; also with --headless --timedemo, for 60 frames a second")
+        ->check(CLI::Range(0.0f, 1000.0f));
     app.add_flag("--headless", options.headless,
                  "No window, no sound device, no display server; the same pictures");
     app.add_option("--fps", options.fps, "Headless: pictures drawn for each second of the dive")

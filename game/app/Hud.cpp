@@ -179,6 +179,8 @@ void drawTimes(const HudInfo& info) {
     ImGui::Text("upload %.2f ms, simulation %.2f ms", static_cast<double>(times.upload_ms),
                 static_cast<double>(times.sim_ms));
     ImGui::Text("draws %d, triangles %d", times.draws, times.triangles);
+    ImGui::Text("drawn at %.0f %% of the size, light every %d of the video's frames",
+                static_cast<double>(100 * times.quality.scale), times.quality.lightEvery);
     ImGui::Text("light: %.*s", static_cast<int>(info.lightName.size()), info.lightName.data());
     ImGui::End();
 }

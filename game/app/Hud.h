@@ -5,6 +5,7 @@
 #include "engine/core/Result.h"
 #include "engine/render/View.h"
 #include "game/Snapshot.h"
+#include "game/app/Governor.h"
 
 #include <glm/vec2.hpp>
 
@@ -27,6 +28,7 @@ struct FrameTimes {
     int next = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0, sim_ms = 0;
     int draws = 0, triangles = 0;
+    Quality quality;
 
     void add(float ms) {
         frame_ms[static_cast<size_t>(next)] = ms;

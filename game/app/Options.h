@@ -37,6 +37,8 @@ struct PlayOptions {
     float eyeDistance_mm = 64;
     bool fullscreen = false;
     bool vsync = true;
+    std::string quality = "auto"; // auto, fixed
+    float load_ms = 0;            // artificial, for each frame
     bool headless = false;
     float fps = 60; // headless: frames a second of dive time
     std::string screenshot;

@@ -7,6 +7,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
+#include "game/app/Governor.h"
 #include "game/app/Hud.h"
 #include "game/app/Outputs.h"
 #include "game/app/Plan.h"
@@ -52,7 +53,9 @@ struct Player {
     std::optional<Stage> stage;
     std::optional<Hud> hud;
     std::optional<Outputs> outputs;
-    std::vector<gl::Target> targets; // one an eye
+    std::vector<gl::Target> targets;  // one an eye
+    std::vector<gl::Target> coarse;   // what the targets are enlarged from while the governor saves pixels
+    std::optional<Governor> governor; // while somebody looks, and the quality is not fixed
     Statistics statistics;
     FrameTimes times;
     float volume = 0.8f;
@@ -70,6 +73,7 @@ struct Player {
     Status playThrough(bool measured);
     Status drawFrame(const Run& run, glm::ivec2 size);
     const platform::WindowInput& readKeys(Run& run, double now_s);
+    void govern(Clock::time_point frameBegan);
     Status saveScreenshot();
     void keepScore(const Run& run);
     bool stereo() const { return options.stereo == "sbs"; }
@@ -119,6 +123,8 @@ Status Player::open() {
                              .headphones = options.headphones,
                              .volume = options.volume,
                              .hapticStrength = options.hapticStrength});
+    if (options.quality == "auto" && ((window && !options.timedemo) || options.load_ms > 0))
+        governor.emplace(window ? 1000 / window->refreshRate_Hz() : 1000.0 / 60);
     best = bestScore(plan.dive.name);
     return Done{};
 }
@@ -130,6 +136,15 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         targets[0].height() != eyeSize.y) {
         targets.clear();
         for (int eye = 0; eye < eyes; ++eye) targets.emplace_back(eyeSize.x, eyeSize.y, samples);
+    }
+    const Quality quality = governor ? governor->quality() : Quality();
+    const glm::ivec2 drawnSize(glm::max(glm::vec2(eyeSize) * quality.scale + 0.5f, 1.0f));
+    if (quality.scale == 1) {
+        coarse.clear();
+    } else if (coarse.size() != targets.size() || coarse[0].width() != drawnSize.x ||
+               coarse[0].height() != drawnSize.y) {
+        coarse.clear();
+        for (int eye = 0; eye < eyes; ++eye) coarse.emplace_back(drawnSize.x, drawnSize.y, samples);
     }
     stage->set(run.shown, options.backdropOnly);
     const render::Exposure exposure{options.look.tone == "aces"     ? render::ToneCurve::Aces
@@ -145,10 +160,15 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         view.eyeWorld = view.worldFromEye * glm::vec3(side, 0, 0);
         view.verticalFov = glm::radians(options.fov_deg);
         view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
-        view.heightPixels = eyeSize.y;
+        view.heightPixels = drawnSize.y;
         const gl::Target& target = targets[static_cast<size_t>(eye)];
-        target.bind();
+        const bool enlarge = !coarse.empty();
+        (enlarge ? coarse[static_cast<size_t>(eye)] : target).bind();
         if (Status drawn = stage->draw(*surround, eye, view, exposure, kWater, glossy); !drawn) return drawn;
+        if (enlarge) {
+            coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
+            target.bind();
+        }
         if (options.backdropOnly) continue;
         hud->draw({.snapshot = &run.shown,
                    .view = &view,
@@ -167,6 +187,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
                   eyeSize);
     }
     times.draws = stage->drawCount();
+    times.quality = quality;
     times.triangles = stage->triangleCount();
     return Done{};
 }
@@ -242,6 +263,15 @@ void Player::keepScore(const Run& run) {
             log::warn("{}", saved.error().sentence());
 }
 
+// Once a frame has been drawn, before the display is waited for.
+void Player::govern(Clock::time_point frameBegan) {
+    glFinish();
+    governor->frame(secondsBetween(frameBegan, Clock::now()) * 1e3);
+    const Quality quality = governor->quality();
+    surround->setLightEvery(quality.lightEvery);
+    statistics.leastScale = std::min(statistics.leastScale, quality.scale);
+}
+
 Status Player::saveScreenshot() {
     const ImageRgba8 left = targets[0].read();
     const int eyes = static_cast<int>(targets.size());
@@ -298,6 +328,9 @@ Status Player::playThrough(bool measured) {
         const glm::ivec2 size = window ? window->framebufferSize() : options.look.size;
         if (size.x > 0 && size.y > 0) { // not while minimised
             if (Status drawn = drawFrame(run, size); !drawn) return drawn;
+            while (secondsBetween(now, Clock::now()) * 1e3 < static_cast<double>(options.load_ms)) {
+            }
+            if (governor) govern(now);
             if (window) {
                 const int eyes = static_cast<int>(targets.size());
                 for (int eye = 0; eye < eyes; ++eye)

@@ -39,6 +39,7 @@ Status writeStatistics(const Path& file, const Statistics& s) {
         {"upload_ms", summary(s.upload_ms)},
         {"draws", s.draws},
         {"triangles", s.triangles},
+        {"least_scale", s.leastScale},
         {"caught", s.caught},
         {"score", s.score},
         {"state_hash", hash},

@@ -27,6 +27,7 @@ struct Statistics {
     std::string renderer;
     Series frame_ms, light_ms, decode_ms, upload_ms; // the last three per frame of the video
     int draws = 0, triangles = 0;                    // of the last frame
+    float leastScale = 1; // of the picture's size that it was drawn at, see Governor.h
     int caught = 0, score = 0;
     uint64_t stateHash = 0, ticks = 0;
 };

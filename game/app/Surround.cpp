@@ -8,6 +8,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <vector>
@@ -69,6 +70,9 @@ struct Surround::State {
     std::vector<render::PackedLight> lights;
     std::optional<light::LightMaker> maker;
     light::EnvironmentLight made; // before it is packed
+    render::PackedLight packed;   // the newest, while light is not made for every frame
+    std::atomic<int> lightEvery = 1;
+    int sinceLight = 0;
     std::optional<media::VideoPlayer> player;
     int64_t shownFrame = -1;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
@@ -95,8 +99,15 @@ struct Surround::State {
     }
 
     void makeLight(const light::FrameView& frame, size_t slot) {
+        const int every = lightEvery.load(std::memory_order_relaxed);
+        if (++sinceLight < every && !packed.places.empty()) {
+            lights[slot] = packed;
+            return;
+        }
+        sinceLight = 0;
         maker->make(frame, made);
         render::packLight(made, mirrors, lights[slot]);
+        if (every > 1) packed = lights[slot];
     }
 
     Status openVideo(const Path& file, media::Layout wish, light::LightQuality quality);
@@ -205,6 +216,8 @@ bool Surround::update(double time_s, bool exact) {
     s.decode_ms = static_cast<float>(frame->decode_ms);
     return true;
 }
+
+void Surround::setLightEvery(int frames) { state_->lightEvery.store(frames, std::memory_order_relaxed); }
 
 const render::SurroundGpu& Surround::gpu(int eye) const {
     return state_->gpu[state_->twoPictures ? static_cast<size_t>(eye) : 0];

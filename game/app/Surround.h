@@ -42,6 +42,9 @@ class Surround {
     // changed.
     bool update(double time_s, bool exact);
 
+    // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
+    void setLightEvery(int frames);
+
     const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
     glm::mat3 envFromWorld() const;
     render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
