@@ -13,8 +13,8 @@ class BackdropPass {
   public:
     static Result<BackdropPass> make();
 
-    // At the far plane, wherever nothing nearer has been drawn. The program for a curve that is new is
-    // compiled first.
+    // Over the whole picture, before the objects: depth is neither asked nor changed. The program for a curve
+    // that is new is compiled first.
     Status draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure);
 
@@ -31,6 +31,7 @@ class BackdropPass {
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
     std::vector<glm::vec2> uvs_; // scratch: of the grid's corners
+    std::vector<float> sines_;   // of their latitudes, absolute
     std::vector<Corner> corners_;
 };
 

@@ -212,6 +212,7 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
         for (const scene::Primitive& primitive : mesh.primitives) {
             PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(uploadPrimitive(primitive, reflectance));
             uploaded.leastRoughness = scene::leastRoughness(model, gpu.materialOf(uploaded));
+            uploaded.mean = scene::meanSurface(model, gpu.materialOf(uploaded));
         }
     }
     gpu.textures = textures ? std::move(textures) : uploadTextures(model, reflectance, detail);

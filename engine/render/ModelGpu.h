@@ -3,6 +3,7 @@
 
 #include "engine/gl/Objects.h"
 #include "engine/scene/Model.h"
+#include "engine/scene/Roughness.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -26,6 +27,7 @@ struct PrimitiveGpu {
     int material = -1;
     bool skinned = false;
     float leastRoughness = 1; // scene::leastRoughness() of its material
+    scene::MeanSurface mean;  // of its material
 
     // The coarsest that is off by no more than this, in the mesh's units.
     const DetailGpu& detail(float tolerance) const;
@@ -58,9 +60,10 @@ struct ModelGpu {
     }
 };
 
-// Lean: what a software renderer gains most by and nobody sees in a moving picture. Textures come from the
-// nearest mip level (linear within it), large normal maps have half the texels, and the nearest of the glossy
-// maps stands for a mixture of two.
+// Lean: what a software renderer gains most by and hardly anybody sees in a moving picture. Textures come
+// from the nearest mip level (linear within it), large normal maps have half the texels, the nearest of the
+// glossy maps stands for a mixture of two, diffuse light comes by the vertex, and what is small in the
+// picture has neither relief nor changing roughness.
 enum class Detail { Full, Lean };
 
 // textures: of another model with the same pictures and materials, to be shared; else they are made.

@@ -29,8 +29,9 @@ enum FeatureBit : unsigned {
     kToneAces = 1u << 11,
     kToneLinear = 1u << 12,
     kLean = 1u << 13,
+    kVertexDiffuse = 1u << 14,
 };
-constexpr std::array<const char*, 14> kDefines = {"SKINNED",
+constexpr std::array<const char*, 15> kDefines = {"SKINNED",
                                                   "BASE_COLOUR_MAP",
                                                   "METALLIC_ROUGHNESS_MAP",
                                                   "NORMAL_MAP",
@@ -43,7 +44,8 @@ constexpr std::array<const char*, 14> kDefines = {"SKINNED",
                                                   "WATER",
                                                   "TONE_ACES",
                                                   "TONE_LINEAR",
-                                                  "LEAN"};
+                                                  "LEAN",
+                                                  "VERTEX_DIFFUSE"};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
@@ -92,6 +94,15 @@ float toleranceFor(const Ball& ball, const View& view) {
     const float distance = glm::distance(ball.centre, view.eyeWorld) - ball.radius;
     return std::max(distance, view.near_m) * 2 * view.halfExtent().y / static_cast<float>(view.heightPixels) *
            kUnseen_px;
+}
+
+// Whether relief and roughness could not be told apart from their means.
+bool isSmall(const Ball& ball, const View& view) {
+    constexpr float kSmall_px = 45; // radius
+    const float distance = std::max(glm::distance(ball.centre, view.eyeWorld), view.near_m);
+    return view.heightPixels > 0 &&
+           ball.radius / distance * static_cast<float>(view.heightPixels) / (2 * view.halfExtent().y) <
+               kSmall_px;
 }
 
 gl::Texture makeDfgTable() {
@@ -208,6 +219,10 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
         if (glossy == Glossy::Prefiltered &&
             item.primitive->leastRoughness < 0.99f * surround.smoothestFiltered())
             features |= kMirrors;
+        const bool plain = detail_ == Detail::Lean && isSmall(item.bound, view);
+        if (plain) features &= ~(kNormalMap | kMetallicRoughnessMap);
+        if (detail_ == Detail::Lean && !item.gpu->materialOf(*item.primitive).doubleSided)
+            features |= kVertexDiffuse;
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) {
@@ -231,7 +246,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
                 packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
             current->setArray("phongRings_angleWeight[0]", packed);
         }
-        drawItem(*current, item, view);
+        drawItem(*current, item, view, plain);
         ++drawCount_;
     }
     glDepthMask(GL_TRUE);
@@ -240,12 +255,12 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     return Done{};
 }
 
-void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
+void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view, bool plain) {
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);
-    program.set("metallic", material.metallic);
-    program.set("roughness", material.roughness);
+    program.set("metallic", plain ? item.primitive->mean.metallic : material.metallic);
+    program.set("roughness", plain ? item.primitive->mean.roughness : material.roughness);
     program.set("normalScale", material.normalScale);
     program.set("occlusionStrength", material.occlusionStrength);
     program.set("alphaCutoff", material.alphaCutoff);

@@ -17,6 +17,21 @@ float leastRoughness(const Model& model, const Material& material) {
     return material.roughness * static_cast<float>(value) / 255.0f;
 }
 
+MeanSurface meanSurface(const Model& model, const Material& material) {
+    const int texture = material.metallicRoughness.texture;
+    const int image = texture < 0 ? -1 : model.textures[static_cast<size_t>(texture)].image;
+    if (image < 0) return {material.roughness, material.metallic};
+    const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
+    double roughness = 0, metallic = 0;
+    for (size_t i = 0; i < texels.pixels.size(); i += 4) {
+        roughness += texels.pixels[i + 1];
+        metallic += texels.pixels[i + 2];
+    }
+    const double share = 4.0 / (255.0 * static_cast<double>(std::max<size_t>(texels.pixels.size(), 4)));
+    return {material.roughness * static_cast<float>(roughness * share),
+            material.metallic * static_cast<float>(metallic * share)};
+}
+
 float leastRoughness(const Model& model) {
     float least = 1;
     for (const Mesh& mesh : model.meshes)

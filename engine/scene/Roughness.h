@@ -12,4 +12,10 @@ float leastRoughness(const Model& model, const Material& material);
 // Over all materials that some mesh uses; 1 where there are none.
 float leastRoughness(const Model& model);
 
+// Means over the texture that gives them, times the material's factors.
+struct MeanSurface {
+    float roughness = 1, metallic = 1;
+};
+MeanSurface meanSurface(const Model& model, const Material& material);
+
 } // namespace shoal::scene

@@ -24,8 +24,9 @@ Status Stage::draw(const Surround& surround, int eye, const render::View& view,
     const render::SurroundGpu& gpu = surround.gpu(eye);
     const glm::mat3 turn = surround.envFromWorld();
     using Part = render::ObjectPass::Part;
-    if (Status s = objects_.draw(Part::Opaque, gpu, view, turn, exposure, water, glossy); !s) return s;
+    // First, though objects hide some of it: asking the depth for every pixel costs more than that.
     if (Status s = backdrop_.draw(gpu, view, turn, exposure); !s) return s;
+    if (Status s = objects_.draw(Part::Opaque, gpu, view, turn, exposure, water, glossy); !s) return s;
     return objects_.draw(Part::Blended, gpu, view, turn, exposure, water, glossy);
 }
 

@@ -175,10 +175,10 @@ Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
     objects_->upload();
     using Part = render::ObjectPass::Part;
     const glm::mat3 turn = surround_->envFromWorld();
-    if (Status s = objects_->draw(Part::Opaque, surround_->gpu(0), view, turn, exposure, {}, glossy); !s)
-        return s;
     if (options_.background == "env")
         if (Status s = backdrop_->draw(surround_->gpu(0), view, turn, exposure); !s) return s;
+    if (Status s = objects_->draw(Part::Opaque, surround_->gpu(0), view, turn, exposure, {}, glossy); !s)
+        return s;
     return objects_->draw(Part::Blended, surround_->gpu(0), view, turn, exposure, {}, glossy);
 }
 

@@ -6,8 +6,8 @@
 #endif
 
 uniform sampler2D frame;
-in vec2 mapUv;
-in vec3 ray;
+noperspective in vec2 mapUv;
+noperspective in vec3 ray;
 out vec4 colour;
 
 void main() {

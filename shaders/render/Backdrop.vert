@@ -8,8 +8,8 @@ layout(location = ATTRIBUTE_UV0) in vec2 uv;
 uniform mat3 envFromRay; // rotates a ray (x, y, -1) of the image plane into the env frame
 uniform vec2 rayScale;   // half the image plane's extent at distance 1
 uniform vec2 rayShift;   // its centre, for eyes whose frustum is off axis
-out vec2 mapUv;
-out vec3 ray;
+noperspective out vec2 mapUv;
+noperspective out vec3 ray;
 
 void main() {
     mapUv = uv;

@@ -26,6 +26,9 @@ in vec3 worldNormal;
 in vec4 worldTangent;
 in vec4 vertexUv;
 in vec4 vertexColourLin;
+#ifdef VERTEX_DIFFUSE
+in vec3 diffuseLin;
+#endif
 #ifdef WATER
 in vec3 waterLin;
 in float shown;
@@ -81,7 +84,11 @@ void main() {
 #else
     vec3 mirrored = glossyRadiance(r, rough);
 #endif
+#ifdef VERTEX_DIFFUSE
+    vec3 around = diffuseLin;
+#else
     vec3 around = diffuseRadiance(envFromWorld * n);
+#endif
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);

@@ -12,13 +12,18 @@ layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
+#if defined(WATER) || defined(VERTEX_DIFFUSE)
+#include "light/LatLong.glsl"
+#include "light/Environment.glsl"
+uniform mat3 envFromWorld;
+#endif
+#ifdef VERTEX_DIFFUSE
+out vec3 diffuseLin;
+#endif
 #ifdef WATER
 // Water between eye and object: what it takes away it replaces by its own glow, which is what the surround shows there,
 // blurred. Both change so slowly that a vertex will do.
-#include "light/LatLong.glsl"
-#include "light/Environment.glsl"
 uniform vec3 eyeWorld;
-uniform mat3 envFromWorld;
 uniform float clarity_m; // distance at which 1/e of an object shows
 out vec3 waterLin;
 out float shown;
@@ -47,6 +52,9 @@ void main() {
     worldTangent = vec4(m * tangent.xyz, tangent.w);
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
+#ifdef VERTEX_DIFFUSE
+    diffuseLin = diffuseRadiance(envFromWorld * worldNormal);
+#endif
 #ifdef WATER
     vec3 fromEye = world.xyz - eyeWorld;
     float distance_m = length(fromEye);
