@@ -57,7 +57,7 @@ class ObjectPass {
     };
 
     Result<const gl::Program*> programFor(unsigned features);
-    void drawItem(const gl::Program& program, const Item& item, const View& view, bool plain);
+    void drawItem(const gl::Program& program, const Item& item, const View& view);
 
     gl::Variants programs_;
     Detail detail_ = Detail::Full;

@@ -95,6 +95,7 @@ Status Player::open() {
     }
     statistics.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     const bool software = gl::rendersInSoftware();
+    gl::spreadRasterThreads();
     const render::Detail detail = software ? render::Detail::Lean : render::Detail::Full;
     samples = options.look.samples > 0 ? options.look.samples : software ? 1 : 4;
 

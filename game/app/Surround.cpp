@@ -68,6 +68,7 @@ struct Surround::State {
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
     std::vector<render::PackedLight> lights;
+    std::vector<ImageRgba8> pictures; // the frames as they are uploaded
     std::optional<light::LightMaker> maker;
     light::EnvironmentLight made; // before it is packed
     render::PackedLight packed;   // the newest, while light is not made for every frame
@@ -84,13 +85,14 @@ struct Surround::State {
     }
 
     // All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
-    void uploadPicture(const ImageRgb8& frame, bool bgr, const render::PackedLight& light) {
+    void uploadPicture(size_t slot) {
+        const ImageRgba8& frame = pictures[slot];
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
             const EyePart part = partOf(frame.width, frame.height, layout, eye);
             gpu[static_cast<size_t>(eye)].uploadFrame(
-                {frame.at(part.x, part.y), part.width, part.height, frame.width, bgr});
+                {frame.at(part.x, part.y), part.width, part.height, frame.width});
         }
-        uploadLight(light);
+        uploadLight(lights[slot]);
     }
 
     void uploadLight(const render::PackedLight& light) {
@@ -123,11 +125,13 @@ Status Surround::State::openVideo(const Path& file, media::Layout wish, light::L
     const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
     maker.emplace(light::LightOptions{most, leastRoughness, quality});
     lights.resize(kSlots);
+    pictures.resize(kSlots);
     auto opened = media::VideoPlayer::open(
         file, {.layout = layout,
                .slots = kSlots,
                .prepare = [this, part](const media::VideoFrame& frame, int slot) {
                    makeLight(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
+                   media::toRgba(frame.pixelsBgr, true, pictures[static_cast<size_t>(slot)]);
                }});
     if (!opened) return opened.error();
     player = std::move(*opened);
@@ -143,10 +147,12 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     const EyePart part = partOf(picture->width, picture->height, layout, 0);
     maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
     lights.resize(1);
+    pictures.resize(1);
     const auto began = std::chrono::steady_clock::now();
     makeLight(viewOf(*picture, part, false), 0);
     light_ms = millisecondsSince(began);
-    uploadPicture(*picture, false, lights[0]);
+    media::toRgba(*picture, false, pictures[0]);
+    uploadPicture(0);
     return Done{};
 }
 
@@ -210,7 +216,7 @@ bool Surround::update(double time_s, bool exact) {
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
     const auto began = std::chrono::steady_clock::now();
-    s.uploadPicture(frame->pixelsBgr, true, s.lights[static_cast<size_t>(s.player->slotOf(*frame))]);
+    s.uploadPicture(static_cast<size_t>(s.player->slotOf(*frame)));
     s.upload_ms = millisecondsSince(began);
     s.light_ms = static_cast<float>(frame->prepare_ms);
     s.decode_ms = static_cast<float>(frame->decode_ms);

@@ -21,15 +21,19 @@ uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Kar
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
 
+#ifdef VERTEX_LIT
+in vec3 perBaseLin, besidesLin;
+#else
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 worldTangent;
+#endif
 in vec4 vertexUv;
 in vec4 vertexColourLin;
 #ifdef VERTEX_DIFFUSE
 in vec3 diffuseLin;
 #endif
-#ifdef WATER
+#if defined(WATER) && !defined(VERTEX_LIT)
 in vec3 waterLin;
 in float shown;
 #endif
@@ -48,6 +52,9 @@ void main() {
 #ifndef ALPHA_BLEND
     base.a = 1.0;
 #endif
+#ifdef VERTEX_LIT
+    vec3 radiance = base.rgb * perBaseLin + besidesLin;
+#else
     float metal = metallic, rough = roughness;
 #ifdef METALLIC_ROUGHNESS_MAP
     vec4 mr = texture(metallicRoughnessMap, uvOf(metallicRoughnessUv));
@@ -97,12 +104,13 @@ void main() {
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
     vec3 radiance = (single * mirrored * openMirrored + (multiple + matte) * around * open) * tint;
+#endif
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
     radiance += emitted;
-#ifdef WATER
+#if defined(WATER) && !defined(VERTEX_LIT)
     radiance = mix(waterLin, radiance, shown);
 #endif
     vec3 display = displayValue(radiance);
