@@ -164,8 +164,19 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         view.heightPixels = drawnSize.y;
         const gl::Target& target = targets[static_cast<size_t>(eye)];
         const bool enlarge = !coarse.empty();
-        (enlarge ? coarse[static_cast<size_t>(eye)] : target).bind();
-        if (Status drawn = stage->draw(*surround, eye, view, exposure, kWater, glossy); !drawn) return drawn;
+        const std::vector<gl::Target>& canvas = enlarge ? coarse : targets;
+        canvas[static_cast<size_t>(eye)].bind();
+        // The backdrop is infinitely far: parallel eyes see the same of it, and copying is quicker than
+        // drawing.
+        const bool shared = eyes == 2 && samples == 1 && surround->eyesSeeTheSame();
+        if (!shared || eye == 0)
+            if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure); !drawn) return drawn;
+        if (shared && eye == 0) {
+            canvas[0].blitTo(canvas[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
+            canvas[0].bind();
+        }
+        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure, kWater, glossy); !drawn)
+            return drawn;
         if (enlarge) {
             coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
             target.bind();

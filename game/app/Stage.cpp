@@ -18,14 +18,25 @@ void Stage::set(const game::Snapshot& snapshot, bool backdropOnly) {
 
 Status Stage::draw(const Surround& surround, int eye, const render::View& view,
                    const render::Exposure& exposure, const render::Water& water, render::Glossy glossy) {
+    if (Status s = drawBackdrop(surround, eye, view, exposure); !s) return s;
+    return drawObjects(surround, eye, view, exposure, water, glossy);
+}
+
+Status Stage::drawBackdrop(const Surround& surround, int eye, const render::View& view,
+                           const render::Exposure& exposure) {
+    // First, though objects hide some of it: asking the depth for every pixel costs more than that.
+    return backdrop_.draw(surround.gpu(eye), view, surround.envFromWorld(), exposure);
+}
+
+Status Stage::drawObjects(const Surround& surround, int eye, const render::View& view,
+                          const render::Exposure& exposure, const render::Water& water,
+                          render::Glossy glossy) {
     // Every pixel gets a colour from an object or from the backdrop: only the depth needs clearing.
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     const render::SurroundGpu& gpu = surround.gpu(eye);
     const glm::mat3 turn = surround.envFromWorld();
     using Part = render::ObjectPass::Part;
-    // First, though objects hide some of it: asking the depth for every pixel costs more than that.
-    if (Status s = backdrop_.draw(gpu, view, turn, exposure); !s) return s;
     if (Status s = objects_.draw(Part::Opaque, gpu, view, turn, exposure, water, glossy); !s) return s;
     return objects_.draw(Part::Blended, gpu, view, turn, exposure, water, glossy);
 }

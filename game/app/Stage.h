@@ -19,6 +19,12 @@ class Stage {
     Status draw(const Surround& surround, int eye, const render::View& view, const render::Exposure& exposure,
                 const render::Water& water, render::Glossy glossy);
 
+    // The two halves of draw(), for eyes that share a backdrop.
+    Status drawBackdrop(const Surround& surround, int eye, const render::View& view,
+                        const render::Exposure& exposure);
+    Status drawObjects(const Surround& surround, int eye, const render::View& view,
+                       const render::Exposure& exposure, const render::Water& water, render::Glossy glossy);
+
     int drawCount() const { return objects_.drawCount() + 1; }
     int triangleCount() const { return objects_.triangleCount(); }
 

@@ -229,6 +229,8 @@ const render::SurroundGpu& Surround::gpu(int eye) const {
     return state_->gpu[state_->twoPictures ? static_cast<size_t>(eye) : 0];
 }
 
+bool Surround::eyesSeeTheSame() const { return !state_->twoPictures; }
+
 glm::mat3 Surround::envFromWorld() const {
     // About +Y, positive angles turn towards the left: what lies yaw to the right comes ahead.
     return glm::mat3_cast(glm::angleAxis(state_->yaw, glm::vec3(0, 1, 0)));

@@ -46,6 +46,7 @@ class Surround {
     void setLightEvery(int frames);
 
     const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
+    bool eyesSeeTheSame() const;                   // no picture for each
     glm::mat3 envFromWorld() const;
     render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
 
