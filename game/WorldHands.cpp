@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kKeepTicks = 12;      // a hand lost for less than 0.1 s stays where it was
 constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
+constexpr float kGive = 0.6f;       // an open hand's fingers push with so much of their speed
 constexpr float kGentle_mps = 0.5f; // a palm slower than this does not frighten by touching...
 constexpr float kPatience_s = 0.5f; // ...for so long
 
@@ -126,9 +127,11 @@ void World::touch(std::vector<Event>& out) {
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
         if (!hand.solid) continue;
+        const float give = hand.closed ? 1.0f : kGive; // fingers of an open hand give way
         for (int j = 2; j < hands::kJointCount; ++j)
             movers.push_back({bone(hand.before, j), bone(hand.joints, j),
-                              hand.velocities[hands::kJointParent[j]], hand.velocities[j], h, j});
+                              give * hand.velocities[hands::kJointParent[j]], give * hand.velocities[j], h,
+                              j});
     }
     bodies.clear();
     const auto add = [&](int id, const auto& creature) {
@@ -226,7 +229,8 @@ void World::pushFish(std::span<const physics::Contact> own, std::vector<Event>& 
     const auto from = std::find_if(own.begin(), own.end(), [&](const auto& c) { return hits[c.group]; });
     const auto to = std::find_if(from, own.end(), [&](const auto& c) { return !hits[c.group]; });
     const std::span<const physics::Contact> pushing(from, to);
-    f.push = limited(f.push + physics::pushed(f.velocity, pushing) - f.velocity, kMaxSpeed_mps);
+    const glm::vec3 kept = f.forward * f.speed + f.push; // without the parting, which leaves no speed
+    f.push = limited(f.push + physics::pushed(kept, pushing) - kept, kMaxSpeed_mps);
     f.parting = physics::parting(pushing);
 }
 

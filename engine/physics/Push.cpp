@@ -38,10 +38,12 @@ glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact> contacts) {
 }
 
 glm::vec3 parting(std::span<const Contact> contacts) {
-    return solve(glm::vec3(0), contacts, [](const Contact& c) {
+    const glm::vec3 velocity = solve(glm::vec3(0), contacts, [](const Contact& c) {
         if (!c.lasting) return 0.0f;
         return std::min(kPartRate_Hz * std::max(0.0f, c.depth - kPartSlop_m), kPartMost_mps);
     });
+    const float speed = glm::length(velocity); // in a wedge, more than any one contact asks
+    return speed > kPartMost_mps ? velocity * (kPartMost_mps / speed) : velocity;
 }
 
 } // namespace shoal::physics
