@@ -9,16 +9,6 @@
 
 namespace shoal::game {
 
-namespace {
-
-constexpr float kDrawRate_Hz = 20;    // closing fingers draw a fish into the hollow of the hand...
-constexpr float kDrawMost_mps = 1.5f; // ...and how fast at most
-constexpr float kFirm_N = 0.3f;       // a grip begins when it bears so much from every side
-constexpr float kFirmer = 0.01f;      // a grip that grows by so much is closing
-constexpr float kLoose_s = 0.4f;      // in which fingers do not push what they let go
-
-} // namespace
-
 float World::graspGap(const Fish& f, const Hand& hand) const {
     const Species& kind = species[f.species];
     const glm::vec3 reach = f.forward * kind.bodyHalf_m;
@@ -45,8 +35,8 @@ void World::drawIn(Fish& f, const Hand& hand) const {
         hand.calmVelocity +
         limited((hollowOf(hand.joints[0], std::min(species[f.species].bodyRadius_m, physics::kEnclosed_m)) -
                  f.position) *
-                    kDrawRate_Hz,
-                kDrawMost_mps);
+                    physics::kDrawRate_Hz,
+                physics::kDrawMost_mps);
     f.push = limited(wanted, kMaxSpeed_mps) - f.forward * f.speed;
 }
 
@@ -66,7 +56,7 @@ void World::closeHands(std::vector<Event>& out) {
             hand.closed = false;
             hand.firmest = kGripOpens;
             hand.window = 0;
-        } else if (hand.grip > hand.firmest + kFirmer) {
+        } else if (hand.grip > hand.firmest + physics::kFirmer) {
             hand.firmest = hand.grip;
             hand.window = kCloseWindow;
         }
@@ -85,7 +75,7 @@ void World::closeHands(std::vector<Event>& out) {
         if (nearest >= 0) {
             enclose(nearest, hand);
             hand.encloses = nearest;
-            if (holdOn(nearest, glm::vec3(0)).margin_N > kFirm_N) {
+            if (holdOn(nearest, glm::vec3(0)).margin_N > physics::kFirm_N) {
                 grab(nearest, h, out);
                 continue;
             }
@@ -105,7 +95,7 @@ void World::takeBetweenHands(std::vector<Event>& out) {
         const bool both = from->group != std::prev(to)->group;
         from = to;
         if (!both || id == sharkId() || fish[id].heldBy >= 0 || fish[id].uncatchable_s > 0) continue;
-        if (holdOn(id, glm::vec3(0)).margin_N < kFirm_N) continue;
+        if (holdOn(id, glm::vec3(0)).margin_N < physics::kFirm_N) continue;
         const int h = graspGap(fish[id], hands[0]) < graspGap(fish[id], hands[1]) ? 0 : 1;
         grab(id, h, out);
         return;
@@ -143,7 +133,7 @@ void World::letGo(int h, Event::Kind why, std::vector<Event>& out) {
     hand.holds = hand.encloses = -1;
     Fish& f = fish[index];
     f.struggle = 0;
-    f.loose_s = kLoose_s;
+    f.loose_s = physics::kLoose_s;
     f.heldBy = -1;
     f.mind = Fish::Mind::Dart;
     f.dart_s = 1.2f;

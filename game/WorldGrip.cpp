@@ -10,12 +10,14 @@ namespace shoal::game {
 
 namespace {
 
-constexpr int kLoose = 8;          // ticks without a grip from both sides after which a fish is free
-constexpr float kSettle_s = 0.15f; // in which a fish comes to lie across the palm
-constexpr float kBeat_radps = 25;  // of its tail
-
 // How hard it struggles, having been held for so long; 1 at first.
-float tired(float held_s) { return std::max(0.25f, 1 - 0.5f * held_s); }
+float tired(float held_s) { return std::max(physics::kTiredOut, 1 - physics::kTires_Hz * held_s); }
+
+// The way from a bone into a body.
+glm::vec3 into(const physics::Capsule& bone, const physics::Capsule& flesh) {
+    const physics::Nearest at = physics::nearest(bone, flesh);
+    return normalizedOr(at.onSecond - at.onFirst, kUp);
+}
 
 } // namespace
 
@@ -29,12 +31,6 @@ physics::Capsule World::body(const Fish& f, float widest_m) const {
     const Species& kind = species[f.species];
     const glm::vec3 reach = f.forward * kind.bodyHalf_m;
     return {f.position - reach, f.position + reach, std::min(kind.bodyRadius_m, widest_m)};
-}
-
-// The way from a bone into a body.
-static glm::vec3 into(const physics::Capsule& bone, const physics::Capsule& flesh) {
-    const physics::Nearest at = physics::nearest(bone, flesh);
-    return normalizedOr(at.onSecond - at.onFirst, kUp);
 }
 
 void World::enclose(int index, Hand& hand) const {
@@ -94,9 +90,9 @@ void World::followHands() {
         const glm::vec3 was = f.position;
         // A beat of 4 Hz, strongest at first.
         const float wild = 0.3f * tired(f.held_s);
-        const float beat = std::sin(f.held_s * kBeat_radps) * wild;
+        const float beat = std::sin(f.held_s * physics::kBeat_radps) * wild;
         const glm::quat wriggle(1, 0, 0.5f * beat, 0.2f * beat);
-        const float settle = std::min(1.0f, f.held_s / kSettle_s);
+        const float settle = std::min(1.0f, f.held_s / physics::kSettle_s);
         f.worldFromBody =
             glm::normalize(palm * blended(f.palmFromBody, f.palmFromBodyGoal, settle) * wriggle);
         f.position = hand.grasp + palm * (f.palmOffset + glm::vec3(0.012f * beat, 0, 0.02f * beat));
@@ -108,7 +104,7 @@ void World::followHands() {
 glm::vec3 World::askedOf(Fish& f, const Hand& hand) const {
     const Species& kind = species[f.species];
     const float mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
-    const float beat = std::sin(f.held_s * kBeat_radps);
+    const float beat = std::sin(f.held_s * physics::kBeat_radps);
     f.struggle = tired(f.held_s) * (0.6f + 0.4f * beat);
     const glm::vec3 thrust =
         (f.forward + 0.5f * beat * leftOf(f.forward)) * (mass * physics::kStruggle_mps2 * f.struggle);
@@ -150,7 +146,7 @@ bool World::slipsOn(int index, int h) {
     const Species& kind = species[f.species];
 
     // Into the hollow of the hand at first; then friction keeps it where it lies.
-    if (f.held_s < kSettle_s)
+    if (f.held_s < physics::kSettle_s)
         f.palmOffset +=
             (palmFromWorld *
                  (hollowOf(hand.joints[0], std::min(kind.bodyRadius_m, physics::kEnclosed_m)) - hand.grasp) -
@@ -170,7 +166,7 @@ bool World::slipsOn(int index, int h) {
     f.slid_m += glm::length(f.slide) * kDt;
     const bool opposed = holdOn(index, glm::vec3(0)).margin_N > 0;
     f.unopposed = opposed ? 0 : f.unopposed + 1;
-    return f.slid_m < physics::kSlideOut_m && f.unopposed < kLoose;
+    return f.slid_m < physics::kSlideOut_m && f.unopposed < physics::kUnopposed;
 }
 
 } // namespace shoal::game

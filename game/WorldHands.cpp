@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kKeepTicks = 12;      // a hand lost for less than 0.1 s stays where it was
 constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
-constexpr float kGive = 0.6f;       // an open hand's fingers push with so much of their speed
 constexpr float kGentle_mps = 0.5f; // a palm slower than this does not frighten by touching...
 constexpr float kPatience_s = 0.5f; // ...for so long
 
@@ -127,7 +126,7 @@ void World::touch(std::vector<Event>& out) {
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
         if (!hand.solid) continue;
-        const float give = hand.closed ? 1.0f : kGive; // fingers of an open hand give way
+        const float give = hand.closed ? 1.0f : physics::kGive; // fingers of an open hand give way
         for (int j = 2; j < hands::kJointCount; ++j)
             movers.push_back({bone(hand.before, j), bone(hand.joints, j),
                               give * hand.velocities[hands::kJointParent[j]], give * hand.velocities[j], h,

@@ -68,6 +68,7 @@ struct ContactWorld::Bullet {
     btCollisionWorld world{&dispatcher, &broadphase, &configuration};
     btCapsuleShape moverShape{1, 1}, bodyShape{1, 1};
     btCollisionObject mover, body;
+    std::vector<Ball> balls; // around the movers: scratch
 
     Bullet() {
         mover.setCollisionShape(&moverShape);
@@ -143,12 +144,17 @@ Mover moving(const Capsule& before, const Capsule& after, float dt_s, int group,
 void ContactWorld::collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
                            std::span<const Contact> last, std::vector<Contact>& out) {
     out.clear();
+    std::vector<Ball>& balls = bullet_->balls;
+    balls.clear();
+    for (const Mover& mover : movers)
+        balls.push_back(around(teleported(mover) ? mover.after : mover.before, mover.after));
     for (const Body& body : bodies) {
         const Ball bodyBall = around(body.before, body.after);
-        for (const Mover& mover : movers) {
+        for (size_t i = 0; i < movers.size(); ++i) {
+            if (!meet(balls[i], bodyBall)) continue;
+            const Mover& mover = movers[i];
             const bool jumped = teleported(mover);
             const Capsule& from = jumped ? mover.after : mover.before;
-            if (!meet(around(from, mover.after), bodyBall)) continue;
 
             Contact c;
             c.body = body.id;
