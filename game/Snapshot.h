@@ -2,6 +2,7 @@
 #pragma once
 
 #include "input/hands/HandPose.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -35,12 +36,22 @@ struct CreatureView {
     int heldBy = -1; // 0 left, 1 right, -1 free
 };
 
+// What one finger, or the palm, has under it.
+struct TouchView {
+    bool touches = false;
+    float depth_m = 0;   // how deep it presses
+    float press_mps = 0; // how fast it presses in
+    float slide_mps = 0; // how fast it strokes along
+    float struggle = 0;  // 0 to 1: how hard a held fish wriggles under it
+};
+
 struct HandView {
     bool visible = false;
     float grip = 0;
     std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
     int holds = -1;                                        // creature id
     float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
+    std::array<TouchView, haptics::kActuatorsPerHand> touching{}; // five fingers and the palm
 };
 
 struct Snapshot {

@@ -23,7 +23,8 @@ World::World(SpeciesTable s, DiveFile f, uint64_t firstSeed) : species(std::move
     fish.reserve(count);
     bodies.reserve(count + 1);
     movers.reserve(2 * hands::kJointCount);
-    contacts.reserve(1024);
+    contacts.reserve((count + 1) * movers.capacity());
+    lastContacts.reserve(contacts.capacity());
     begin(firstSeed);
 }
 
@@ -70,6 +71,7 @@ void World::begin(uint64_t newSeed) {
         hand.holds = -1;
         hand.window = 0;
     }
+    contacts.clear();
     fish.clear();
     for (size_t i = 0; i < file.schools.size(); ++i) {
         const School& school = file.schools[i];
@@ -136,6 +138,7 @@ void World::step(const TickInput& input, std::vector<Event>& out) {
     }
     readHands(input);
     frightenByHands(out);
+    followHands();
     touch(out);
     closeHands(out);
     swim();
@@ -145,9 +148,7 @@ void World::step(const TickInput& input, std::vector<Event>& out) {
     const auto lastTick = static_cast<uint32_t>(file.duration_s * sim::kTickRate_Hz);
     if (phase == Phase::Diving && tick >= lastTick) {
         for (int hand = 0; hand < 2; ++hand)
-            if (hands[hand].holds >= 0)
-                letGo(hand, fish[hands[hand].holds].counted ? Event::Kind::Release : Event::Kind::Escape,
-                      out);
+            if (hands[hand].holds >= 0) drop(hand, out);
         phase = Phase::Results;
         emit(out, Event::Kind::DiveOver);
     }

@@ -28,14 +28,15 @@ void add(Hash& hash, const Gait& gait) {
 void add(Hash& hash, const Fish& f) {
     hash.add(f.species);
     hash.add(f.school);
-    for (const glm::vec3& v :
-         {f.position, f.forward, f.push, f.velocity, f.wander, f.wanderGoal, f.flee, f.palmOffset})
+    for (const glm::vec3& v : {f.position, f.forward, f.push, f.parting, f.velocity, f.wander, f.wanderGoal,
+                               f.flee, f.palmOffset, f.slide})
         add(hash, v);
     for (const glm::quat& q : {f.worldFromBody, f.palmFromBody, f.palmFromBodyGoal}) add(hash, q);
     for (float v : {f.bank, f.speed, f.radius, f.height, f.cruise, f.sense, f.dart_s, f.frightRest_s,
-                    f.nervous_s, f.uncatchable_s, f.held_s})
+                    f.nervous_s, f.uncatchable_s, f.held_s, f.slid_m, f.struggle, f.loose_s})
         hash.add(v);
     hash.add(f.wanderTicks);
+    hash.add(f.unopposed);
     hash.add(f.mind);
     hash.add(f.heldBy);
     hash.add(f.counted);
@@ -70,11 +71,25 @@ void add(Hash& hash, const Hand& hand) {
     hash.add(hand.lastGood.grip);
     for (const hands::Joint& joint : hand.lastGood.joints) add(hash, joint);
     for (const hands::Joint& joint : hand.joints) add(hash, joint);
-    for (const glm::vec3& v : {hand.grasp, hand.velocity, hand.calmVelocity}) add(hash, v);
+    for (const glm::vec3& v : hand.velocities) add(hash, v);
+    for (const glm::vec3& v : {hand.grasp, hand.velocity, hand.calmVelocity, hand.calmAcceleration})
+        add(hash, v);
+    hash.add(hand.solid);
     hash.add(hand.grip);
+    hash.add(hand.firmest);
     hash.add(hand.closed);
     hash.add(hand.window);
     hash.add(hand.holds);
+    hash.add(hand.encloses);
+}
+
+void add(Hash& hash, const physics::Contact& c) {
+    hash.add(c.body);
+    hash.add(c.group);
+    hash.add(c.tag);
+    hash.add(c.lasting);
+    add(hash, c.normal);
+    hash.add(c.depth);
 }
 
 } // namespace
@@ -94,6 +109,7 @@ uint64_t World::hash() const {
     for (const Hand& hand : hands) add(all, hand);
     for (const Fish& f : fish) add(all, f);
     add(all, shark);
+    for (const physics::Contact& contact : contacts) add(all, contact);
     return all.value();
 }
 

@@ -23,8 +23,9 @@ void World::fill(Snapshot& out) const {
         HandView& view = out.hands[h];
         view.visible = hand.visible;
         view.grip = hand.grip;
-        view.joints = hand.joints;
+        view.joints = hand.shown;
         view.holds = hand.holds;
+        view.touching = hand.touching;
         view.holdProgress = hand.holds < 0 ? 0 : std::min(1.0f, fish[hand.holds].held_s / kHoldToCatch_s);
     }
     out.creatures.resize(fish.size() + (shark.present ? 1 : 0));

@@ -131,7 +131,7 @@ void World::swim() {
         steer(f, i);
         f.push *= 1 - 2.5f * kDt; // water stops what was pushed within a second
         f.push = limited(f.push, kMaxSpeed_mps);
-        const glm::vec3 goal = limited(f.forward * f.speed + f.push, kMaxSpeed_mps);
+        const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.parting, kMaxSpeed_mps);
         const glm::vec3 from = f.position;
         f.position += goal * kDt;
         keepInBounds(f);
