@@ -39,6 +39,28 @@ inline glm::vec3 turnedTowards(glm::vec3 forward, glm::vec3 goal, float maxAngle
     return glm::normalize(forward + across * step);
 }
 
+// Turns the unit heading towards the unit goal as a body with inertia does: without a jump of its angular
+// velocity (spin, rad/s, world frame, never along forward) and, at rates below the limit, without overshoot:
+// a spring and a damper that are critical for a rate of `eager` 1/s. Returns the spin that it strives for.
+inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goal, float eager,
+                              float most_radps, float most_radps2, float dt) {
+    const float along = glm::dot(forward, goal);
+    glm::vec3 axis = glm::cross(forward, goal);
+    const float sine = glm::length(axis);
+    if (sine > 1e-4f)
+        axis /= sine;
+    else
+        axis = along > 0 ? glm::vec3(0) : kUp;
+    // Nearly straight behind either way is as good: the one under way.
+    if (along < -0.5f && glm::dot(axis, spin) < 0) axis = -axis;
+    const float angle = along > 0 ? sine : 2 - sine; // near enough
+    const glm::vec3 wish = axis * std::min(most_radps, eager * angle);
+    spin += limited((wish - spin) * std::min(1.0f, 4 * eager * dt), most_radps2 * dt);
+    spin -= forward * glm::dot(spin, forward);
+    forward = glm::normalize(forward + glm::cross(spin, forward) * dt);
+    return wish;
+}
+
 // Keeps a heading from pointing steeply up or down: |y| <= most, unit length.
 inline glm::vec3 levelled(glm::vec3 forward, float most) {
     if (std::fabs(forward.y) <= most) return forward;
