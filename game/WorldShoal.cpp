@@ -8,21 +8,26 @@ namespace shoal::game {
 
 namespace {
 
-constexpr float kOrientation = 3;  // zone's radius in spacings
+constexpr float kOrientation = 3;   // zone's radius in spacings
 constexpr float kAttraction = 1.6f; // begins here
-constexpr float kSight_m = 1.1f;   // strangers farther away do not matter
-constexpr float kForesee_s = 0.5f; // who will be too near so soon is avoided now
+constexpr float kSight_m = 1.1f;    // strangers farther away do not matter
+constexpr float kTouch_m = 0.04f;   // gap between bodies below which they push each other
+constexpr float kForesee_s = 0.5f;  // who will be too near so soon is avoided now
 
 // Distance at which two strangers start to give way, centre to centre.
 float roomBetween(const Species& a, const Species& b) { return 0.45f * (a.length_m + b.length_m) + 0.08f; }
 
-// What one of a pair of fish has to do to keep its room from the other.
-void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float distance, float urgency,
-             float touching, Neighbours& out) {
+// What one of two fish has to do to keep its room from the other; gap: between the bodies, metres.
+void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float gap, float urgency, Neighbours& out) {
     const float pace = std::max(kind.cruise_mps, f.speed);
     out.giveWay += away * (1.8f * urgency * pace);
-    if (distance < touching)
-        out.push += away * (6.0f * (pace / kind.cruise_mps) * (1 - distance / touching) * kDt);
+    if (gap < kTouch_m)
+        out.push += away * (8.0f * (pace / kind.cruise_mps) * std::min(1 - gap / kTouch_m, 2.0f) * kDt);
+}
+
+physics::Capsule bodyOf(const Fish& f, const Species& kind) {
+    const glm::vec3 half = f.forward * kind.bodyHalf_m;
+    return {f.position - half, f.position + half, kind.bodyRadius_m};
 }
 
 } // namespace
@@ -48,9 +53,10 @@ void World::lookAround() {
             const float nearest = std::min(distance, glm::length(soon));
             if (nearest < room) {
                 const glm::vec3 away = distance > 1e-4f ? apart / distance : glm::vec3(0, -1, 0);
-                const float touching = 0.6f * room;
-                giveWay(a, kindA, away, distance, 1 - nearest / room, touching, neighbours[i]);
-                giveWay(b, kindB, -away, distance, 1 - nearest / room, touching, neighbours[j]);
+                const float gap =
+                    distance < room ? physics::separation(bodyOf(a, kindA), bodyOf(b, kindB)) : room;
+                giveWay(a, kindA, away, gap, 1 - nearest / room, neighbours[i]);
+                giveWay(b, kindB, -away, gap, 1 - nearest / room, neighbours[j]);
             }
             if (!companions) continue;
             const auto accompany = [&](const Fish& other, glm::vec3 towards, Neighbours& out) {
@@ -79,7 +85,7 @@ void World::choose(Fish& f, size_t index) {
         f.wanderGoal = {random.between(-1, 1), random.between(-0.6f, 0.6f), random.between(-1, 1)};
         f.wanderTicks = 60 + static_cast<int>(random.below(180));
         // Who lives alone has time: it stops to look around.
-        const bool lingers = kind.company == Company::Alone && random.unit() < 0.3f;
+        const bool lingers = kind.company == Company::Alone && random.unit() < 0.15f;
         f.pace = lingers ? 0.2f : 1.0f;
     }
     f.wander += (f.wanderGoal - f.wander) * (1.2f * kDt);

@@ -84,8 +84,8 @@ void World::steer(Fish& f, size_t index) {
         // Its circle: along it, and back to it.
         const float own = kind.company == Company::Alone ? 0.3f : 0.25f;
         wish.way = glm::cross(kUp, outward) * f.sense +
-                   outward * std::clamp(1.5f * (f.radius - radius), -0.9f, 0.9f) +
-                   kUp * std::clamp(1.5f * (f.height - f.position.y), -0.5f, 0.5f) + own * f.wander;
+                   outward * std::clamp(1.5f * (f.radius - radius), -1.2f, 1.2f) +
+                   kUp * std::clamp(1.5f * (f.height - f.position.y), -0.7f, 0.7f) + own * f.wander;
         wish.way *= f.cruise;
         wish.speed = f.cruise * f.pace;
         accompany(f, kind, around, wish);
@@ -99,7 +99,7 @@ void World::steer(Fish& f, size_t index) {
         const glm::vec3 apart = f.position - hand.grasp;
         const float distance = glm::length(apart);
         if (distance < 0.25f && distance > 1e-4f)
-            wish.way += apart / distance * (0.35f * f.cruise * (1 - distance / 0.25f));
+            wish.way += apart / distance * (0.7f * f.cruise * (1 - distance / 0.25f));
     }
     bool afraid = darting;
     if (shark.present) {
@@ -115,19 +115,20 @@ void World::steer(Fish& f, size_t index) {
             afraid = true;
         }
     }
-    wish.way += around.giveWay * (afraid ? 2.0f : 1.0f);
+    wish.way += around.giveWay * (afraid ? 3.5f : 1.0f);
     if (!afraid) // brakes for who is in its way
         wish.speed =
             std::max(0.3f * f.cruise, wish.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
     // Level out above the floor and below the ceiling before they are reached.
-    const float low = file.floor_m + 0.25f;
-    if (f.position.y < low) wish.way.y += 2 * (low - f.position.y);
-    if (f.position.y > kCeiling_m - 0.2f) wish.way.y -= 2 * (f.position.y - kCeiling_m + 0.2f);
+    const float firmly = 2 + 5 * f.speed;
+    const float low = file.floor_m + 0.25f, high = kCeiling_m - 0.25f;
+    if (f.position.y < low) wish.way.y += firmly * (low - f.position.y);
+    if (f.position.y > high) wish.way.y -= firmly * (f.position.y - high);
 
     const glm::vec3 goal = levelled(normalizedOr(wish.way, f.forward), darting ? kSteepestDart : kSteepest);
     const bool snapping = f.flight_s > 0 && f.flight_s <= kSnap_s;
     const float turn = snapping ? 26.0f : darting ? 9.0f : afraid ? 1.8f * kind.turn_radps : kind.turn_radps;
-    const float eager = darting ? 14.0f : afraid ? 6.0f : 3.0f;
+    const float eager = snapping ? 24.0f : darting ? 14.0f : afraid ? 6.0f : 3.0f;
     const glm::vec3 spin = turnSmoothly(f.forward, f.spin, goal, eager, turn,
                                         snapping  ? 1200
                                         : darting ? 250
