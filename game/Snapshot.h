@@ -21,6 +21,16 @@ enum class Phase { Diving, Results };
 enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
 constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
 
+// How a body is bent beyond its clip: what is left of the wave is the clip's own form.
+struct BodyShape {
+    float beats = 0;     // of the tail, left and right, since the dive began
+    float amplitude = 0; // half the tail's sweep, in body lengths
+    float bendLeft =
+        0; // curvature times length: the angle between head and tail, radians; both ends to the left
+    float bendUp = 0;   // the same, both ends up
+    float finsDown = 0; // how far the pectoral fins are lowered, radians
+};
+
 struct CreatureView {
     uint32_t id = 0;                     // stable during a dive; also its place in Snapshot::creatures
     int species = 0;                     // index into the species table
@@ -31,9 +41,9 @@ struct CreatureView {
     Motion motion = Motion::Swim;
     Motion before = Motion::Swim; // what it blends from
     float blend = 1;              // 0: all `before`, 1: all `motion`
-    float phase_s =
-        0;           // time inside the motion's clip, already sped up as the body swims; the shower wraps it
-    int heldBy = -1; // 0 left, 1 right, -1 free
+    float phase_s = 0;            // time inside the motion's clip, for all but the spine; the shower wraps it
+    BodyShape shape;              // the spine
+    int heldBy = -1;              // 0 left, 1 right, -1 free
 };
 
 // What one finger, or the palm, has under it.

@@ -47,6 +47,7 @@ struct Fish {
     int school = 0;
     glm::vec3 position{0};
     glm::vec3 forward{0, 0, 1};
+    glm::vec3 spin{0}; // of forward, rad/s
     float bank = 0;
     float speed = 0;       // along forward
     glm::vec3 push{0};     // m/s, what others did to it; fades
@@ -54,14 +55,20 @@ struct Fish {
     glm::vec3 velocity{0}; // of the last tick, in all
     glm::quat worldFromBody{1, 0, 0, 0};
 
-    // Its habits
+    // Its habits; companions share those of one of them
+    int leader = -1; // whose: its own index if alone
     float radius = 1, height = 0, cruise = 0.3f;
     float sense = 1; // +1 circles to the left of looking outward, -1 to the right
     glm::vec3 wander{0}, wanderGoal{0};
     int wanderTicks = 0;
+    int routeTicks = 0; // until it takes up another radius and height
+    float pace = 1;     // of cruising: those who live alone linger at times
+    bool coasting = false;
 
     Mind mind = Mind::Cruise;
     float dart_s = 0;        // time left of the flight
+    float flight_s = 0;      // since it took flight; 0 when it does not flee
+    float flightSide = 0;    // the side it turned to then: +1 left
     float frightRest_s = 0;  // not frightened anew for so long
     glm::vec3 flee{0, 0, 1}; // unit
     float nervous_s = 0;     // how long it has been touched gently
@@ -77,17 +84,21 @@ struct Fish {
     int unopposed = 0;       // ticks for which nothing has held it from both sides
     float loose_s = 0;       // just let go: it slides out between the fingers, which do not push it
     std::array<std::array<uint32_t, kParts>, 2>
-        touchedUntil{}; // tick to which a touch by that part still counts
+        touchedUntil{};      // tick to which a touch by that part still counts
+    float struggle_s = 0;    // left of this bout of struggling, or of the rest after it
+    bool struggling = false; // while held
     Gait gait;
+    BodyShape shape;
 };
 
 struct Shark {
-    enum class Mind { Circle, Prowl, Strike, Leave };
+    enum class Mind { Circle, Prowl, Threaten, Strike, Leave };
 
     bool present = false;
     int species = -1;
     glm::vec3 position{0};
     glm::vec3 forward{0, 0, 1};
+    glm::vec3 spin{0}; // of forward, rad/s
     float bank = 0, speed = 0;
     glm::vec3 velocity{0};
     glm::quat worldFromBody{1, 0, 0, 0};
@@ -100,7 +111,21 @@ struct Shark {
     int prey = -1;  // creature id it strikes at
     int mouth = -1; // creature id it carries
     float bumpRest_s = 0;
+    int watched = -1;       // hand it threatens
+    float aimed_s = 0;      // how long it has pointed at that hand
+    float threatRest_s = 0; // until it may threaten anew
     Gait gait;
+    BodyShape shape;
+};
+
+// What a fish makes of those around it, gathered once a tick.
+struct Neighbours {
+    glm::vec3 giveWay{0};  // m/s, away from who is or soon will be too near
+    glm::vec3 push{0};     // m/s, as steering comes too late for bodies that touch
+    glm::vec3 headings{0}; // sum over the companions in the zone of orientation
+    glm::vec3 towards{0};  // sum of the ways to those in the zone of attraction, metres
+    float speeds = 0;      // sum over the companions in the zone of orientation, m/s
+    int aligned = 0, attracted = 0;
 };
 
 struct Hand {
@@ -163,13 +188,18 @@ struct World {
     bool graspable(const Fish&, const Hand&, int hand) const;
     bool onPalmSide(const Fish&, const Hand&) const;
     float graspGap(const Fish&, const Hand&) const; // from the grasp centre to the body's surface, m
+    void lookAround();
+    void choose(Fish&, size_t index);
     void steer(Fish&, size_t index);
-    void keepApart(size_t index, glm::vec3& desired);
     void keepInBounds(Fish&);
+    void bendAndBeat(Fish&, glm::vec3 wishedSpin);
+    void struggle(Fish&, const Hand&);
 
     // The shark
     void sharkMind(std::vector<Event>&);
     void sharkMove();
+    void sharkBendAndBeat(glm::vec3 wishedSpin);
+    int watchedHand() const;
     void steal(int fish, std::vector<Event>&);
     void setMind(Shark::Mind);
     glm::vec3 mouthPosition() const;
@@ -196,6 +226,7 @@ struct World {
     std::vector<physics::Contact> contacts; // of this tick; what lasts is next tick's past
 
     // Scratch: no part of the state.
+    std::vector<Neighbours> neighbours;
     physics::ContactWorld contactWorld;
     std::vector<physics::Body> bodies;
     std::vector<physics::Mover> movers;

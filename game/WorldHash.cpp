@@ -25,17 +25,26 @@ void add(Hash& hash, const Gait& gait) {
     hash.add(gait.phase_s);
 }
 
+void add(Hash& hash, const BodyShape& s) {
+    for (float v : {s.beats, s.amplitude, s.bendLeft, s.bendUp, s.finsDown}) hash.add(v);
+}
+
 void add(Hash& hash, const Fish& f) {
     hash.add(f.species);
     hash.add(f.school);
-    for (const glm::vec3& v : {f.position, f.forward, f.push, f.parting, f.velocity, f.wander, f.wanderGoal,
-                               f.flee, f.palmOffset, f.slide})
+    hash.add(f.leader);
+    for (const glm::vec3& v : {f.position, f.forward, f.spin, f.push, f.parting, f.velocity, f.wander,
+                               f.wanderGoal, f.flee, f.palmOffset, f.slide})
         add(hash, v);
     for (const glm::quat& q : {f.worldFromBody, f.palmFromBody, f.palmFromBodyGoal}) add(hash, q);
-    for (float v : {f.bank, f.speed, f.radius, f.height, f.cruise, f.sense, f.dart_s, f.frightRest_s,
-                    f.nervous_s, f.uncatchable_s, f.held_s, f.slid_m, f.struggle, f.loose_s})
+    for (float v : {f.bank, f.speed, f.radius, f.height, f.cruise, f.sense, f.pace, f.dart_s, f.flight_s,
+                    f.flightSide, f.frightRest_s, f.struggle_s, f.nervous_s, f.uncatchable_s, f.held_s,
+                    f.slid_m, f.struggle, f.loose_s})
         hash.add(v);
     hash.add(f.wanderTicks);
+    hash.add(f.routeTicks);
+    hash.add(f.coasting);
+    hash.add(f.struggling);
     hash.add(f.unopposed);
     hash.add(f.mind);
     hash.add(f.heldBy);
@@ -43,19 +52,24 @@ void add(Hash& hash, const Fish& f) {
     for (const auto& hand : f.touchedUntil)
         for (uint32_t until : hand) hash.add(until);
     add(hash, f.gait);
+    add(hash, f.shape);
 }
 
 void add(Hash& hash, const Shark& s) {
     hash.add(s.present);
     hash.add(s.species);
-    for (const glm::vec3& v : {s.position, s.forward, s.velocity}) add(hash, v);
+    for (const glm::vec3& v : {s.position, s.forward, s.spin, s.velocity}) add(hash, v);
     add(hash, s.worldFromBody);
-    for (float v : {s.bank, s.speed, s.sense, s.mind_s, s.visit_s, s.interest, s.bumpRest_s}) hash.add(v);
+    for (float v :
+         {s.bank, s.speed, s.sense, s.mind_s, s.visit_s, s.interest, s.bumpRest_s, s.aimed_s, s.threatRest_s})
+        hash.add(v);
     hash.add(s.mind);
     hash.add(s.nextVisit);
     hash.add(s.prey);
     hash.add(s.mouth);
+    hash.add(s.watched);
     add(hash, s.gait);
+    add(hash, s.shape);
 }
 
 void add(Hash& hash, const hands::Joint& joint) {
