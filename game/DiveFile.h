@@ -34,6 +34,7 @@ struct DiveFile {
     float duration_s = 90;
     float exposure_ev = 0;
     float floor_m = -1.1f; // fish stay above
+    bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
 

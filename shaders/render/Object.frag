@@ -16,7 +16,6 @@ uniform float roughness;
 uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
-uniform vec3 tint;            // what the water between has left of the light, 1 in air
 uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Karis 2013), z: their sum's white albedo
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
@@ -30,8 +29,7 @@ in vec4 vertexColourLin;
 in vec3 diffuseLin;
 #endif
 #ifdef WATER
-in vec3 waterLin;
-in float shown;
+in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
 out vec4 colour;
 
@@ -96,14 +94,14 @@ void main() {
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
-    vec3 radiance = (single * mirrored * openMirrored + (multiple + matte) * around * open) * tint;
+    vec3 radiance = single * mirrored * openMirrored + (multiple + matte) * around * open;
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
     radiance += emitted;
 #ifdef WATER
-    radiance = mix(waterLin, radiance, shown);
+    radiance = sqrt(radiance * radiance * waterLeft + waterVeiled);
 #endif
     vec3 display = displayValue(radiance);
 #ifdef ALPHA_BLEND

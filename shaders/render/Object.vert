@@ -13,21 +13,16 @@ layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
 #if defined(WATER) || defined(VERTEX_DIFFUSE)
-#include "light/LatLong.glsl"
-#include "light/Environment.glsl"
 uniform mat3 envFromWorld;
 #endif
 #ifdef VERTEX_DIFFUSE
+#include "light/LatLong.glsl"
+#include "light/Environment.glsl"
 out vec3 diffuseLin;
 #endif
 #ifdef WATER
-// Water between eye and object: what it takes away it replaces by its own glow, which is what the surround shows there,
-// blurred. Both change so slowly that a vertex will do.
-uniform vec3 eyeWorld;
-uniform float clarity_m; // distance at which 1/e of an object shows
-out vec3 waterLin;
-out float shown;
-const int kWaterMap = 4; // roughness 0.56
+#include "render/Water.glsl"
+out vec3 waterLeft, waterVeiled;
 #endif
 
 out vec3 worldPosition;
@@ -56,10 +51,7 @@ void main() {
     diffuseLin = diffuseRadiance(envFromWorld * worldNormal);
 #endif
 #ifdef WATER
-    vec3 fromEye = world.xyz - eyeWorld;
-    float distance_m = length(fromEye);
-    shown = exp(-distance_m / clarity_m);
-    waterLin = filteredRadiance(latLongFromDirection(envFromWorld * fromEye / distance_m), min(kWaterMap, int(smoothestMap)));
+    throughWater(world.xyz - eyeWorld, envFromWorld, waterLeft, waterVeiled);
 #endif
     gl_Position = clipFromWorld * world;
 }
