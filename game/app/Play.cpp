@@ -119,6 +119,7 @@ Status Player::open() {
                         .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt});
     if (!opened) return opened.error();
     surround = std::move(*opened);
+    if (own) plan.dive.videoLength_s = surround->length_s();
     auto madeStage = Stage::make(std::move(*cast), detail, options.snow);
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
