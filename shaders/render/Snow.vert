@@ -31,19 +31,18 @@ void main() {
     gl_Position = clipFromWorld * vec4(world, 1.0);
     float away = length(fromEye), ahead = max(gl_Position.w, 1e-3);
 
-    float size_m = mix(0.0008, 0.0032, habit.x * habit.x * habit.x);
+    float size_m = mix(0.003, 0.014, habit.x * habit.x * habit.x);
     float size_px = size_m * pixelsPerSlope / ahead;
-    // Never below a pixel and a half, or it would flicker from pixel to pixel: it covers less of them instead.
-    const float kLeast_px = 1.5;
+    // Never below two pixels, or it would flicker from pixel to pixel: it covers less of them instead.
+    const float kLeast_px = 2.0;
     gl_PointSize = max(size_px, kLeast_px);
-    float cover = min(1.0, size_px * size_px / (kLeast_px * kLeast_px));
+    float cover = min(1.0, size_px / kLeast_px);
     // Out of the eye's focus near, and unseen where the cube ends.
     cover *= smoothstep(0.15, 0.45, away) * (1.0 - smoothstep(0.35, 0.5, away / cube_m));
-    speckCover = 0.75 * cover;
+    speckCover = 0.8 * cover;
 
-    // Specks let as much light through as they send back.
-    vec3 towards = envFromWorld * fromEye / max(away, 1e-3);
-    vec3 lit = 0.5 * (diffuseRadiance(towards) + diffuseRadiance(-towards));
+    // Specks let light through as much as they send it back: from all sides they are as bright as from above.
+    vec3 lit = diffuseRadiance(envFromWorld * vec3(0.0, 1.0, 0.0));
     vec3 left, veil;
     throughWater(fromEye, envFromWorld, left, veil);
     speckLin = sqrt(lit * lit * left + veil);
