@@ -10,8 +10,8 @@ namespace shoal::render {
 
 namespace {
 
-constexpr GLsizei kSpecks = 800;
-constexpr float kCube_m = 4.5f; // its side: nine specks a cubic metre
+constexpr GLsizei kSpecks = 600;
+constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 

@@ -1,6 +1,5 @@
 #include "engine/water/EstimateWater.h"
 
-#include "engine/light/InverseToneMap.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
@@ -39,16 +38,15 @@ const std::array<float, 256>& linearOfByte() {
     return table;
 }
 
-// From the scene's light to what water mixes (Water.h).
-glm::vec3 squaredRadiance(const glm::vec3& lin) {
-    const glm::vec3 radiance = light::radianceFromDisplay(
-        {math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y), math::srgbFromLinear(lin.z)});
-    return radiance * radiance;
+glm::vec3 squaredCoded(const glm::vec3& lin) {
+    const glm::vec3 coded(math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y),
+                          math::srgbFromLinear(lin.z));
+    return coded * coded;
 }
 
 struct VeilCell {
     std::array<float, kVeilTerms> terms;
-    glm::vec3 seen; // squared radiance
+    glm::vec3 seen; // squared coded values
     float weight;
 };
 
@@ -70,7 +68,7 @@ void solve(std::array<std::array<double, kVeilTerms>, kVeilTerms>& a, std::array
 }
 
 // Below what the cells show: what is darker than the fit counts in full, what is brighter the less the
-// brighter (Lorentz' weights). level: squared radiance of the horizon, where the search begins.
+// brighter (Lorentz' weights). level: of the horizon, where the search begins.
 std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int channel, double level) {
     constexpr int kRounds = 8;
     constexpr double kTolerance = 0.1; // of the level: brighter by that counts half
@@ -185,9 +183,9 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             // Below the horizon there is mostly floor: it bounds the veil, and says no more.
             const float weight = std::cos(glm::radians(middle)) * (middle > -15 ? 1.0f : 0.3f);
             cells[count] = {veilTerms(dir),
-                            squaredRadiance(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
+                            squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
         }
-    const glm::vec3 level = squaredRadiance(veilLin);
+    const glm::vec3 level = squaredCoded(veilLin);
     for (int c = 0; c < 3; ++c) {
         const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));
         for (size_t i = 0; i < kVeilTerms; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);

@@ -6,9 +6,10 @@
 // and Treibitz 2018, "A Revised Underwater Image Formation Model", say how far that carries (beta depends on
 // distance and on the object; at the few metres of a dive by some tens of percent).
 //
-// Such mixing is linear in the scene's light. The light that the inverse tone mapping makes of a video is
-// not: below its highlights it is 1.8 times the coded value (InverseToneMap.h), which is about the root of
-// the scene's light. So water mixes squares of radiance: "squared radiance" below.
+// Such mixing is linear in the light of the scene as the camera took it, and neither coded values nor the
+// light that the inverse tone mapping makes of them are: that is about 1.8 times the coded value where things
+// are not bright, far more where they are. So water works on display values, and on their squares, which are
+// near enough to what sRGB's curve makes of them (and need no powers).
 #pragma once
 
 #include <glm/common.hpp>
@@ -36,14 +37,15 @@ inline std::array<float, kVeilTerms> veilTerms(const glm::vec3& dir) {
 }
 
 struct Water {
-    // Squared radiance of the veil before endless water, by direction: the sum of these times veilTerms().
+    // Of endless water, as the video would show it: squared coded values by direction, the sum of these times
+    // veilTerms().
     std::array<glm::vec3, kVeilTerms> veil{};
     glm::vec3 attenuation_perM{0}; // beta, by red, green and blue; 0: no water
 
     bool none() const { return attenuation_perM.x + attenuation_perM.y + attenuation_perM.z < 1e-3f; }
 };
 
-// Squared radiance; dir: unit length, env frame.
+// Squared coded values, 0 and above; dir: unit length, env frame.
 inline glm::vec3 veilTowards(const Water& water, const glm::vec3& dir) {
     glm::vec3 sum(0);
     const auto terms = veilTerms(dir);
@@ -51,11 +53,11 @@ inline glm::vec3 veilTowards(const Water& water, const glm::vec3& dir) {
     return glm::max(sum, 0.0f);
 }
 
-// The radiance that arrives of an object `distance_m` away.
-inline glm::vec3 seenThrough(const Water& water, const glm::vec3& radiance, const glm::vec3& dir,
+// What an object `distance_m` away looks like that would have these display values (0 to 1) at hand.
+inline glm::vec3 seenThrough(const Water& water, const glm::vec3& display, const glm::vec3& dir,
                              float distance_m) {
     const glm::vec3 left = glm::exp(-water.attenuation_perM * distance_m);
-    return glm::sqrt(radiance * radiance * left + veilTowards(water, dir) * (1.0f - left));
+    return glm::sqrt(display * display * left + veilTowards(water, dir) * (1.0f - left));
 }
 
 } // namespace shoal::water

@@ -100,10 +100,10 @@ void main() {
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
     radiance += emitted;
-#ifdef WATER
-    radiance = sqrt(radiance * radiance * waterLeft + waterVeiled);
-#endif
     vec3 display = displayValue(radiance);
+#ifdef WATER
+    display = sqrt(display * display * waterLeft + waterVeiled);
+#endif
 #ifdef ALPHA_BLEND
     colour = vec4(display * base.a, base.a);
 #else

@@ -21,6 +21,7 @@ uniform mat3 envFromWorld;
 out vec3 diffuseLin;
 #endif
 #ifdef WATER
+#include "render/Output.glsl"
 #include "render/Water.glsl"
 out vec3 waterLeft, waterVeiled;
 #endif

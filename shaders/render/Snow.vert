@@ -2,6 +2,7 @@
 // of time, so nothing is simulated; what leaves the cube comes in on the other side.
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
+#include "render/Output.glsl"
 #include "render/Water.glsl"
 
 uniform mat4 clipFromWorld;
@@ -10,7 +11,7 @@ uniform vec3 drift_m;      // of all of them, within the cube
 uniform float swell;       // radians of a slow sway, by time
 uniform float cube_m;      // its side
 uniform float pixelsPerSlope;
-out vec3 speckLin;
+out vec3 speck; // display value
 out float speckCover; // how opaque it is in its middle
 
 // Of a number: three in 0 .. 1. Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", pcg3d.
@@ -42,8 +43,8 @@ void main() {
     speckCover = 0.8 * cover;
 
     // Specks let light through as much as they send it back: from all sides they are as bright as from above.
-    vec3 lit = diffuseRadiance(envFromWorld * vec3(0.0, 1.0, 0.0));
+    vec3 lit = displayValue(diffuseRadiance(envFromWorld * vec3(0.0, 1.0, 0.0)));
     vec3 left, veil;
     throughWater(fromEye, envFromWorld, left, veil);
-    speckLin = sqrt(lit * lit * left + veil);
+    speck = sqrt(lit * lit * left + veil);
 }

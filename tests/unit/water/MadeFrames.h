@@ -25,39 +25,46 @@ struct Sea {
     float texture = 0; // relative, of sand and rock
 };
 
-// Light along a ray that ends after distance_m on something that sends `ends`: single scattering, the sum of
-// glow along the way, in steps of a centimetre at first.
-inline glm::vec3 alongRay(const Sea& sea, float sine, float distance_m, const glm::vec3& ends) {
-    glm::vec3 sum(0);
+// What a ray through the water brings: its own glow, and a share of what stands at its end.
+struct Ray {
+    glm::vec3 glowLin, left;
+    glm::vec3 from(const glm::vec3& endLin) const { return glowLin + left * endLin; }
+};
+
+// Single scattering, the sum of glow along the way, in steps of a centimetre at first. sine: of its
+// elevation.
+inline Ray rayThrough(const Sea& sea, float sine, float distance_m) {
+    Ray ray{glm::vec3(0), glm::exp(-sea.attenuation_perM * distance_m)};
     const glm::vec3 source = sea.veilLin * sea.attenuation_perM, k = sea.downwelling * sea.attenuation_perM;
     float at = 0;
     while (at < distance_m && at < 200) {
         const float step = std::min(0.01f + 0.01f * at, distance_m - at), middle = at + step / 2;
-        sum += source * glm::exp((k * sine - sea.attenuation_perM) * middle) * step;
+        ray.glowLin += source * glm::exp((k * sine - sea.attenuation_perM) * middle) * step;
         at += step;
     }
-    return sum + ends * glm::exp(-sea.attenuation_perM * distance_m);
+    return ray;
 }
+
+constexpr float kFar_m = 1e4f;
 
 inline ImageRgb8 filmed(const Sea& sea, uint64_t seed = 1) {
     constexpr int kWidth = 512, kHeight = kWidth / 2;
+    const glm::vec3 skyLin(0.7f, 0.85f, 1.0f); // seen through the surface
     ImageRgb8 frame(kWidth, kHeight);
     Random random(seed, 1);
     for (int y = 0; y < kHeight; ++y) {
         const float elevation = (0.5f - (static_cast<float>(y) + 0.5f) / kHeight) * 3.14159265f;
-        const float sine = std::sin(elevation), far_m = 1e4f;
+        const float sine = std::sin(elevation);
+        const float open_m = sine < 0 ? sea.eyeHeight_m / -sine : kFar_m;
+        const float wall_m = sea.wall_m / std::cos(elevation);
+        const bool wallHere = sine < 0.5f && wall_m < open_m;
+        const Ray open = rayThrough(sea, sine, open_m), toWall = rayThrough(sea, sine, wall_m);
         for (int x = 0; x < kWidth; ++x) {
-            const bool wall = static_cast<float>(x) < sea.wallShare * kWidth && sine < 0.5f;
-            float distance_m = sine < 0 ? sea.eyeHeight_m / -sine : far_m;
-            glm::vec3 ends = sine < 0 ? sea.sandLin : glm::vec3(0);
-            if (wall && sea.wall_m / std::cos(elevation) < distance_m) {
-                distance_m = sea.wall_m / std::cos(elevation);
-                ends = sea.rockLin;
-            }
-            ends *= 1 + sea.texture * random.between(-1, 1);
-            const glm::vec3 lin = elevation > 0.72f
-                                      ? glm::vec3(0.7f, 0.85f, 1.0f) // the sky through the surface
-                                      : alongRay(sea, sine, distance_m, ends);
+            const float texture = 1 + sea.texture * random.between(-1, 1);
+            const bool wall = wallHere && static_cast<float>(x) < sea.wallShare * kWidth;
+            const glm::vec3 lin = elevation > 0.72f ? skyLin
+                                  : wall            ? toWall.from(sea.rockLin * texture)
+                                                    : open.from(sea.sandLin * texture);
             for (int c = 0; c < 3; ++c)
                 frame.at(x, y)[c] = static_cast<uint8_t>(
                     std::lround(255 * glm::clamp(math::srgbFromLinear(lin[c]), 0.0f, 1.0f)));
