@@ -14,7 +14,7 @@ namespace shoal::water {
 namespace {
 
 // The frame is read at this many places: nothing here is finer.
-constexpr int kRows = 256, kSectors = 16, kPerSector = 8;
+constexpr int kRows = 256, kPerSector = 8;
 
 constexpr float kHorizon_deg = 8;                        // above and below: what counts as the horizon
 constexpr float kVeilTop_deg = 40, kVeilBottom_deg = 60; // above: the surface seen from below, at 41 degrees
@@ -128,17 +128,28 @@ glm::vec3 WaterEstimator::meanLin(int sector, int firstRow, int lastRow) const {
     return sum / static_cast<float>(lastRow - firstRow);
 }
 
-glm::vec3 WaterEstimator::acrossSectors(int firstRow, int lastRow) const {
+void WaterEstimator::sortSectors(int firstRow, int lastRow) {
+    std::array<std::pair<float, int>, kSectors> byColour;
+    for (int sector = 0; sector < kSectors; ++sector) {
+        const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
+        byColour[static_cast<size_t>(sector)] = {mean.x - std::max(mean.y, mean.z), sector};
+    }
+    std::sort(byColour.begin(), byColour.end());
+    for (size_t i = 0; i < byColour.size(); ++i) openFirst_[i] = byColour[i].second;
+}
+
+glm::vec3 WaterEstimator::across(int sectors, int firstRow, int lastRow) const {
     std::array<std::array<float, kSectors>, 3> values;
-    for (size_t sector = 0; sector < kSectors; ++sector) {
-        const glm::vec3 mean = meanLin(static_cast<int>(sector), firstRow, lastRow);
-        for (size_t c = 0; c < 3; ++c) values[c][sector] = mean[static_cast<int>(c)];
+    const auto count = static_cast<size_t>(sectors);
+    for (size_t i = 0; i < count; ++i) {
+        const glm::vec3 mean = meanLin(openFirst_[i], firstRow, lastRow);
+        for (size_t c = 0; c < 3; ++c) values[c][i] = mean[static_cast<int>(c)];
     }
     glm::vec3 median;
     for (int c = 0; c < 3; ++c) {
         auto& of = values[static_cast<size_t>(c)];
-        std::sort(of.begin(), of.end());
-        median[c] = 0.5f * (of[kSectors / 2 - 1] + of[kSectors / 2]);
+        std::sort(of.begin(), of.begin() + sectors);
+        median[c] = 0.5f * (of[(count - 1) / 2] + of[count / 2]);
     }
     return median;
 }
@@ -159,8 +170,9 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
     WaterEstimate result;
     const int horizonTop = rowAt(kHorizon_deg), horizonBottom = rowAt(-kHorizon_deg);
     result.evidence = redIsLost(horizonTop, horizonBottom);
+    sortSectors(horizonTop, rowAt(0));
     // Towards the floor it is no longer endless: the upper half of the horizon.
-    const glm::vec3 veilLin = acrossSectors(horizonTop, rowAt(0));
+    const glm::vec3 veilLin = across(kOpenSectors, horizonTop, rowAt(0));
 
     floor_.clear();
     if (eyeHeight_m_)
@@ -168,7 +180,7 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             const float below = ((static_cast<float>(row) + 0.5f) / kRows - 0.5f) * std::numbers::pi_v<float>;
             // Equal steps of the distance's logarithm count equally, but the last rows are few.
             floor_.push_back({*eyeHeight_m_ / std::sin(below), std::min(1 / std::tan(below), 8.0f),
-                              acrossSectors(row, row + 1)});
+                              across(kOpenSectors, row, row + 1)});
         }
     result.water.attenuation_perM = fitAttenuation(floor_, veilLin);
 
@@ -185,7 +197,8 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             cells[count] = {veilTerms(dir),
                             squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
         }
-    const glm::vec3 level = squaredCoded(veilLin);
+    // From all sides: in a tunnel the water is as dark as its walls, however bright the sea beyond its end.
+    const glm::vec3 level = squaredCoded(across(kSectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
         const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));
         for (size_t i = 0; i < kVeilTerms; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);

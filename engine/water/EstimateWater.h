@@ -5,6 +5,7 @@
 #include "engine/water/FitAttenuation.h"
 #include "engine/water/Water.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct WaterEstimate {
 //     Tang 2009; under water Drews et al. 2013). What looks up through the surface is left out: there it is
 //     the sky that is seen.
 //   - the attenuation: from how the floor fades into the veil with distance, height / sine of the angle below
-//     the horizon (fitAttenuation()); medians around the horizon, so that rocks do not count as floor.
+//     the horizon (fitAttenuation()); medians over those sectors of the horizon where green or blue exceed
+//     red the most, which is where the water is deepest, so that rocks do not count as floor.
 class WaterEstimator {
   public:
     // eyeHeight_m: above the floor; without it no distance is known, and the attenuation is the prior's.
@@ -36,9 +38,13 @@ class WaterEstimator {
     void sample(const light::FrameView& frame);
     glm::vec3 meanLin(int sector, int firstRow, int lastRow) const; // rows first .. last - 1
     float redIsLost(int firstRow, int lastRow) const;
-    glm::vec3 acrossSectors(int firstRow, int lastRow) const; // median of the sectors' means
+    void sortSectors(int firstRow, int lastRow);
+    glm::vec3 across(int sectors, int firstRow, int lastRow) const; // median of the most open sectors' means
+
+    static constexpr int kSectors = 16, kOpenSectors = 6; // of the horizon
 
     std::optional<float> eyeHeight_m_;
+    std::array<int, kSectors> openFirst_{};
     std::vector<glm::vec3> cellsLin_; // of each row, the sectors' means of the scene's light
     std::vector<FloorSample> floor_;
 };

@@ -11,13 +11,13 @@ namespace shoal::water {
 
 namespace {
 
-constexpr float kPriorMean_perM = 0.14f; // red 0.22, green 0.12, blue 0.10
-constexpr float kPriorSpread = 0.6f;     // of its logarithm
+constexpr float kPriorMean_perM = 0.13f;
+constexpr float kPriorSpread = 0.35f;    // of its logarithm
 constexpr float kRatioSpread = 0.25f;    // likewise of a channel against what the veil's colour says
-constexpr float kMostRatio = 3;          // of a channel to the mean, either way
+constexpr float kMostGreenToBlue = 1.8f; // either way
 constexpr float kHorizonWeight = 0.1f;   // of the veil seen at the horizon, against all of the floor
-constexpr float kMisfit = 0.02f;         // of the brightest: what no model of a sea floor can be better than
-constexpr float kLooks = 12;             // how many independent observations the floor is worth
+constexpr float kMisfit = 0.03f;         // of the brightest: what no model of a sea floor can be better than
+constexpr float kLooks = 6;              // how many independent observations the floor is worth
 
 constexpr size_t kGrid = 64;
 using Grid = std::array<double, kGrid>;
@@ -77,9 +77,10 @@ Grid likelihood(std::span<const FloorSample> samples, double weights, int channe
 
 // Of each channel to their geometric mean.
 glm::vec3 priorRatios(const glm::vec3& veilLin) {
-    const glm::vec3 inverseRoot = glm::inversesqrt(glm::max(veilLin, 1e-4f));
-    const float mean = std::cbrt(inverseRoot.x * inverseRoot.y * inverseRoot.z);
-    return glm::clamp(inverseRoot / mean, 1 / kMostRatio, kMostRatio);
+    constexpr float kRed = 1.6f; // of every water clear enough to dive in, within a fifth
+    const float greenToBlue = std::sqrt(std::max(veilLin.z, 1e-4f) / std::max(veilLin.y, 1e-4f));
+    const float root = std::sqrt(std::clamp(greenToBlue, 1 / kMostGreenToBlue, kMostGreenToBlue));
+    return {kRed, root / std::sqrt(kRed), 1 / (root * std::sqrt(kRed))};
 }
 
 } // namespace

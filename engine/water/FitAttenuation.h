@@ -19,10 +19,10 @@ struct FloorSample {
 // properties of Jerlov water types").
 constexpr float kLeastAttenuation_perM = 0.015f, kMostAttenuation_perM = 1.5f;
 
-// What is believed before any floor is seen: the channels' geometric mean is that of clear coastal water, and
-// their ratio follows from the veil's colour. The veil of single scattering is b E / beta with b about equal
-// for all, and E, the light from above, has itself been through the water: so B goes with a power of 1 / beta
-// above 1; 2 is what a path as long again from the surface makes of it.
+// What is believed before any floor is seen: that of clear coastal water, in which red goes soonest. Whether
+// green or blue goes next is told by the veil: that of single scattering is b E / beta with b about equal for
+// both, and E, the light from above, has been through the water too, so it goes with about 1 / beta^2. Its
+// red tells nothing: that is what cameras' white balance makes up for.
 glm::vec3 priorAttenuation(const glm::vec3& veilLin);
 
 // Per metre, for each channel: the posterior mean of ln beta on a grid, with J and B solved for by least

@@ -6,7 +6,7 @@ namespace shoal::water {
 
 namespace {
 
-constexpr float kVeil_s = 0.43f, kAttenuation_s = 1.74f; // time constants
+constexpr float kVeil_s = 0.43f, kAttenuation_s = 4; // time constants
 
 float share(float dt_s, float constant_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / constant_s); }
 

@@ -10,7 +10,7 @@ class WaterOverTime {
   public:
     // The estimate of the frame now shown; dt_s: since the last call. strength: 0 none of it, 1 all of it.
     // The first is taken as it is; later the veil and the strength are nine tenths there after a second (the
-    // light changes as the camera moves), the attenuation after four (the sea stays the sea).
+    // light changes as the camera moves), the attenuation after nine (the sea stays the sea).
     void follow(const WaterEstimate& estimate, float strength, float dt_s);
 
     Water water() const;

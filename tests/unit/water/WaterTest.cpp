@@ -69,7 +69,7 @@ TEST(WaterOverTime, ACutIsFollowedWithinASecondWithoutAStep) {
     }
     EXPECT_NEAR(before, 1.0f, 0.01f);                   // nine tenths of the way
     EXPECT_LT(water.water().attenuation_perM.x, 0.25f); // slower
-    for (int i = 0; i < 600; ++i) water.follow(after, 1, 1 / 60.0f);
+    for (int i = 0; i < 1500; ++i) water.follow(after, 1, 1 / 60.0f);
     EXPECT_NEAR(water.water().attenuation_perM.x, 0.4f, 0.01f);
 }
 
