@@ -70,6 +70,7 @@ struct Snapshot {
     Phase phase = Phase::Diving;
     bool paused = false;
     float timeLeft_s = 0;
+    float shelter = 0; // 0 open water to 1 a tunnel, where the video now is
     int score = 0;
     int caught = 0;
     int lost = 0;                        // to the shark

@@ -2,6 +2,7 @@
 
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
+#include "engine/render/SetWater.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
@@ -63,10 +64,10 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
 }
 
 // Of a whole draw.
-unsigned featuresOf(const Exposure& exposure, const Water& water, Glossy glossy) {
+unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
     unsigned features = 0;
     if (glossy == Glossy::PhongRings) features |= kPhongRings;
-    if (water.clarity_m > 0) features |= kWater;
+    if (!water.none()) features |= kWater;
     if (exposure.curve == ToneCurve::Aces) features |= kToneAces;
     if (exposure.curve == ToneCurve::Linear) features |= kToneLinear;
     return features;
@@ -192,7 +193,7 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
 }
 
 Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view,
-                        const glm::mat3& envFromWorld, const Exposure& exposure, const Water& water,
+                        const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
                         Glossy glossy) {
     order_.clear();
     const float sign = part == Part::Opaque ? 1.0f : -1.0f;
@@ -240,8 +241,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             current->set("eyeWorld", view.eyeWorld);
             current->set("envFromWorld", envFromWorld);
             current->set("exposureScale", exposure.scale());
-            current->set("tint", water.tint);
-            current->set("clarity_m", water.clarity_m);
+            setWater(*current, water);
         }
         if (glossy == Glossy::PhongRings) {
             const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);

@@ -37,11 +37,14 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
-// The thesis tints its fish slightly blue, because saturated light from above has lost its colour; the
-// clarity is that of a fair day on a reef, short for one metre of water looks like several on a screen.
-constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
 constexpr float kHintTime_s = 7;
 constexpr double kSlowestFrame_s = 0.5;
+
+Immersed immersedIn(const PlayOptions& options, const game::DiveFile& dive) {
+    if (options.water != "auto") return options.water == "on" ? Immersed::Yes : Immersed::No;
+    if (!isOwnVideo(options.surround)) return Immersed::IfItLooksSo;
+    return dive.water ? Immersed::Yes : Immersed::No;
+}
 
 // The program while it plays.
 struct Player {
@@ -106,14 +109,19 @@ Status Player::open() {
     auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb",
                            reflectanceIn(options.surround), detail);
     if (!cast) return cast.error();
-    auto opened = Surround::open({.options = options.surround,
-                                  .defaultVideo = dataRoot() / "content" / plan.dive.video,
-                                  .bothEyes = stereo(),
-                                  .pyramid = options.look.glossy == "phong36",
-                                  .leastRoughness = cast->leastRoughness()});
+    const bool own = isOwnVideo(options.surround);
+    auto opened =
+        Surround::open({.options = options.surround,
+                        .defaultVideo = dataRoot() / "content" / plan.dive.video,
+                        .bothEyes = stereo(),
+                        .pyramid = options.look.glossy == "phong36",
+                        .leastRoughness = cast->leastRoughness(),
+                        .immersed = immersedIn(options, plan.dive),
+                        .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt});
     if (!opened) return opened.error();
     surround = std::move(*opened);
-    auto madeStage = Stage::make(std::move(*cast), detail);
+    if (own) plan.dive.videoLength_s = surround->length_s();
+    auto madeStage = Stage::make(std::move(*cast), detail, options.snow);
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();
@@ -154,6 +162,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
                                     plan.dive.exposure_ev + options.look.exposure_ev};
     const render::Glossy glossy =
         options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
+    const water::Water water = surround->water();
     for (int eye = 0; eye < eyes; ++eye) {
         render::View view;
         view.worldFromEye = run.shown.worldFromView;
@@ -175,7 +184,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
             canvas[0].blitTo(canvas[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
             canvas[0].bind();
         }
-        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure, kWater, glossy); !drawn)
+        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure, water, glossy); !drawn)
             return drawn;
         if (enlarge) {
             coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
@@ -303,7 +312,6 @@ Status Player::playThrough(bool measured) {
     const bool keep = !options.record.empty();
     const Clock::time_point began = Clock::now();
     Clock::time_point last = began;
-    double video_s = 0;
     for (uint64_t frame = 0; !leaving; ++frame) {
         const Clock::time_point now = Clock::now();
         const double wall_s = std::min(secondsBetween(last, now), kSlowestFrame_s);
@@ -324,10 +332,10 @@ Status Player::playThrough(bool measured) {
         outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s));
         keepScore(run);
 
-        if (!run.paused) video_s += elapsed_s;
+        // The video begins with the dive, pauses with it, and begins anew with it.
         const bool exact = !window && !options.timedemo;
-        const bool fresh =
-            surround->update(options.timedemo ? secondsBetween(began, Clock::now()) : video_s, exact);
+        const bool fresh = surround->update(
+            options.timedemo ? secondsBetween(began, Clock::now()) : run.shown.time_s, exact);
         if (fresh && measured) {
             statistics.light_ms.add(static_cast<double>(surround->light_ms()));
             statistics.decode_ms.add(static_cast<double>(surround->decode_ms()));

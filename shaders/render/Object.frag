@@ -16,7 +16,6 @@ uniform float roughness;
 uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
-uniform vec3 tint;            // what the water between has left of the light, 1 in air
 uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Karis 2013), z: their sum's white albedo
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
@@ -33,9 +32,8 @@ in vec4 vertexColourLin;
 #ifdef VERTEX_DIFFUSE
 in vec3 diffuseLin;
 #endif
-#if defined(WATER) && !defined(VERTEX_LIT)
-in vec3 waterLin;
-in float shown;
+#ifdef WATER
+in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
 out vec4 colour;
 
@@ -103,17 +101,17 @@ void main() {
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
-    vec3 radiance = (single * mirrored * openMirrored + (multiple + matte) * around * open) * tint;
+    vec3 radiance = single * mirrored * openMirrored + (multiple + matte) * around * open;
 #endif
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
     radiance += emitted;
-#if defined(WATER) && !defined(VERTEX_LIT)
-    radiance = mix(waterLin, radiance, shown);
-#endif
     vec3 display = displayValue(radiance);
+#ifdef WATER
+    display = sqrt(display * display * waterLeft + waterVeiled);
+#endif
 #ifdef ALPHA_BLEND
     colour = vec4(display * base.a, base.a);
 #else

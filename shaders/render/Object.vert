@@ -13,29 +13,27 @@ layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
 #if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
+uniform mat3 envFromWorld;
+#endif
+#if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
-uniform mat3 envFromWorld;
-uniform vec3 eyeWorld;
 #endif
 #ifdef VERTEX_DIFFUSE
 out vec3 diffuseLin;
 #endif
 #ifdef VERTEX_LIT
 #include "render/VertexLight.glsl"
-uniform vec3 tint;
+#ifndef WATER
+uniform vec3 eyeWorld;
+#endif
 uniform float twoSided; // 1: the normal turns to whoever looks
 out vec3 perBaseLin, besidesLin; // what is sent back is base colour times the first, plus the second
 #endif
 #ifdef WATER
-// Water between eye and object: what it takes away it replaces by its own glow, which is what the surround shows there,
-// blurred. Both change so slowly that a vertex will do.
-uniform float clarity_m; // distance at which 1/e of an object shows
-#ifndef VERTEX_LIT
-out vec3 waterLin;
-out float shown;
-#endif
-const int kWaterMap = 4; // roughness 0.56
+#include "render/Output.glsl"
+#include "render/Water.glsl"
+out vec3 waterLeft, waterVeiled;
 #endif
 
 #ifndef VERTEX_LIT
@@ -60,33 +58,20 @@ void main() {
     vec3 n = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
-#ifdef WATER
-    vec3 fromEye = world.xyz - eyeWorld;
-    float distance_m = length(fromEye);
-    float share = exp(-distance_m / clarity_m);
-    vec3 glow = filteredRadiance(latLongFromDirection(envFromWorld * fromEye / distance_m), min(kWaterMap, int(smoothestMap)));
-#endif
 #ifdef VERTEX_LIT
     vec3 v = normalize(eyeWorld - world.xyz);
     if (twoSided * dot(n, v) < 0.0) n = -n;
     lightVertex(n, v, perBaseLin, besidesLin);
-    perBaseLin *= tint;
-    besidesLin *= tint;
-#ifdef WATER
-    perBaseLin *= share;
-    besidesLin = mix(glow, besidesLin, share);
-#endif
 #else
     worldPosition = world.xyz;
     worldNormal = n;
     worldTangent = vec4(m * tangent.xyz, tangent.w);
+#endif
 #ifdef VERTEX_DIFFUSE
     diffuseLin = diffuseRadiance(envFromWorld * n);
 #endif
 #ifdef WATER
-    waterLin = glow;
-    shown = share;
-#endif
+    throughWater(world.xyz - eyeWorld, envFromWorld, waterLeft, waterVeiled);
 #endif
     gl_Position = clipFromWorld * world;
 }
