@@ -46,11 +46,13 @@ Outputs::Outputs(Outputs&&) noexcept = default;
 Outputs& Outputs::operator=(Outputs&&) noexcept = default;
 Outputs::~Outputs() = default;
 
-void Outputs::frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s) {
+void Outputs::frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s,
+                    bool attended) {
     State& s = *state_;
+    // First what is felt: a touch is to be written before anything else is done.
+    if (s.haptics) s.haptics->submit(s.feel.frame(shown, events, dt_s, attended ? s.hapticStrength : 0));
     s.hear.listen(shown, events, dt_s);
     if (s.audio) s.audio->update({.worldFromHead = shown.worldFromView}, s.hear.emitters(), s.hear.shots());
-    if (s.haptics) s.haptics->submit(s.feel.frame(shown, events, dt_s, s.hapticStrength));
     s.captions.clear();
     for (const game::Caption& caption : s.hear.captions())
         s.captions.push_back({caption.text, caption.position, caption.age_s});

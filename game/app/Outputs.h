@@ -26,7 +26,8 @@ class Outputs {
     Outputs& operator=(Outputs&&) noexcept;
     ~Outputs();
 
-    void frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s);
+    // attended: false while the player looks elsewhere (another window has the focus): nothing is felt then.
+    void frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s, bool attended);
     void setVolume(float volume); // 0 to 1
 
     std::span<const HudCaption> captions() const; // newest first; valid until the next frame()

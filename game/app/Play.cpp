@@ -309,7 +309,7 @@ Status Player::playThrough(bool measured) {
         const Clock::time_point simBegan = Clock::now();
         run.advance(elapsed_s, keep);
         times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
-        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s));
+        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s), !input || input->focused);
         keepScore(run);
 
         if (!run.paused) video_s += elapsed_s;
