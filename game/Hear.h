@@ -97,6 +97,7 @@ class Hear {
 
     // How enclosed the place is: 0 open water, 1 a tunnel. The beds cross over within seconds.
     void setShelter(float shelter) { shelterWanted_ = shelter; }
+    float shelter() const { return shelter_; } // as far as they are
 
     std::span<const audio::Emitter> emitters() const { return emitters_; }
     std::span<const audio::Shot> shots() const { return shots_; }

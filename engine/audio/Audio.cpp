@@ -1,5 +1,6 @@
 #include "engine/audio/Audio.h"
 
+#include "engine/audio/Along.h"
 #include "engine/audio/Device.h"
 #include "engine/audio/Voices.h"
 #include "engine/core/Log.h"
@@ -27,6 +28,8 @@ struct Audio::State {
     Device device;
     std::vector<ALuint> buffers;
     Voices voices;
+    Along along;
+    Accompaniment accompaniment;
 
     ~State() { close(); }
 
@@ -46,7 +49,8 @@ struct Audio::State {
         device = std::move(*opened);
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
         device.makeCurrent();
-        voices.setUp();
+        voices.setUp(options.doppler);
+        along.setUp();
         for (const Clip& clip : clips) addBuffer(clip);
         setVolume();
         return Done{};
@@ -55,6 +59,7 @@ struct Audio::State {
     void close() {
         if (!device) return;
         device.makeCurrent();
+        along.tearDown();
         voices.tearDown();
         if (!buffers.empty()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
         buffers.clear();
@@ -113,8 +118,24 @@ void Audio::update(const Listener& listener, std::span<const Emitter> emitters, 
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
     if (s.paused) return;
+    s.voices.setShelter(listener.shelter);
     s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
                     s.device.played_s() - s.pausedFor_s);
+}
+
+void Audio::setAccompaniment(Accompaniment sound) {
+    state_->accompaniment = std::move(sound);
+    if (!state_->device) return;
+    state_->device.makeCurrent();
+    state_->along.stop();
+}
+
+double Audio::accompany(double position_s, float gain, bool paused) {
+    State& s = *state_;
+    if (!s.device || s.accompaniment.length <= 0) return 0;
+    s.device.makeCurrent();
+    s.along.update(s.accompaniment, position_s, gain, paused || s.paused);
+    return s.along.ahead_s();
 }
 
 void Audio::setVolume(float volume) {

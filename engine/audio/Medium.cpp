@@ -7,10 +7,8 @@ namespace shoal::audio {
 
 namespace {
 
-constexpr float kSpeed_mps = 1480; // of sound in water, 4.3 times that in air
-// True doppler of a fish at 3 m/s is 3.5 cents, which nobody hears; four times that is just felt.
-constexpr float kDopplerFactor = 4;
-constexpr float kReverbSend = 0.35f;
+constexpr float kSpeed_mps = 1500;                         // of sound in water, 4.4 times that in air
+constexpr float kReverbOpen = 0.12f, kReverbTunnel = 0.8f; // of what is sent to the reverberation
 
 template <class Function> bool load(Function& function, const char* name) {
     function = reinterpret_cast<Function>(alGetProcAddress(name));
@@ -19,20 +17,21 @@ template <class Function> bool load(Function& function, const char* name) {
 
 } // namespace
 
-float highGain(float distance_m) { return kHighNear * std::exp(-distance_m / kHighFade_m); }
+float highGain(float distance_m) {
+    return std::max(kHighNear * std::exp(-distance_m / kHighFade_m), kHighLeast);
+}
 
 float distanceGain(float distance_m) { return kReference_m / std::max(distance_m, kReference_m); }
 
-void Medium::setUp() {
+void Medium::setUp(float doppler) {
     alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
     alSpeedOfSound(kSpeed_mps);
-    alDopplerFactor(kDopplerFactor);
+    alDopplerFactor(std::max(doppler, 0.0f));
     LPALGENEFFECTS genEffects{};
     LPALEFFECTI effecti{};
     LPALEFFECTF effectf{};
     LPALGENAUXILIARYEFFECTSLOTS genSlots{};
     LPALAUXILIARYEFFECTSLOTI sloti{};
-    LPALAUXILIARYEFFECTSLOTF slotf{};
     if (!load(filteri_, "alFilteri") || !load(filterf_, "alFilterf") ||
         !load(deleteFilters_, "alDeleteFilters") || !load(genFilters_, "alGenFilters")) {
         genFilters_ = nullptr;
@@ -40,16 +39,25 @@ void Medium::setUp() {
     }
     if (!load(genEffects, "alGenEffects") || !load(effecti, "alEffecti") || !load(effectf, "alEffectf") ||
         !load(genSlots, "alGenAuxiliaryEffectSlots") || !load(sloti, "alAuxiliaryEffectSloti") ||
-        !load(slotf, "alAuxiliaryEffectSlotf"))
+        !load(slotf_, "alAuxiliaryEffectSlotf"))
         return;
     genEffects(1, &reverb_);
     effecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
-    effectf(reverb_, AL_REVERB_DECAY_TIME, 1.6f);
+    effectf(reverb_, AL_REVERB_DECAY_TIME, 2.2f);
     effectf(reverb_, AL_REVERB_DECAY_HFRATIO, 0.3f);
     effectf(reverb_, AL_REVERB_GAINHF, 0.15f);
     genSlots(1, &slot_);
     sloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
-    slotf(slot_, AL_EFFECTSLOT_GAIN, kReverbSend);
+    slotf_(slot_, AL_EFFECTSLOT_GAIN, kReverbOpen);
+    shelter_ = 0;
+}
+
+void Medium::setShelter(float shelter) {
+    shelter = std::clamp(shelter, 0.0f, 1.0f);
+    if (!slot_ || shelter == shelter_) return;
+    shelter_ = shelter;
+    // Geometrically, because that is how loudness is heard.
+    slotf_(slot_, AL_EFFECTSLOT_GAIN, kReverbOpen * std::pow(kReverbTunnel / kReverbOpen, shelter));
 }
 
 ALuint Medium::makeFilter() const {

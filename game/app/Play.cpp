@@ -43,6 +43,12 @@ constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
 constexpr float kHintTime_s = 7;
 constexpr double kSlowestFrame_s = 0.5;
 
+// The video that is shown; empty for a still.
+Path videoIn(const SurroundOptions& options, const std::string& divesVideo) {
+    if (!options.photo.empty() || !options.env.empty()) return {};
+    return options.video.empty() ? dataRoot() / "content" / divesVideo : Path(options.video);
+}
+
 // The program while it plays.
 struct Player {
     const PlayOptions& options;
@@ -122,7 +128,11 @@ Status Player::open() {
                              .haptics = options.hapticStrength > 0 && !options.headless,
                              .headphones = options.headphones,
                              .volume = options.volume,
-                             .hapticStrength = options.hapticStrength});
+                             .hapticStrength = options.hapticStrength,
+                             .doppler = options.doppler,
+                             .video = videoIn(options.surround, plan.dive.video),
+                             .videoLength_s = surround->videoLength_s(),
+                             .videoSound = options.videoSound});
     if (options.quality == "auto" && ((window && !options.timedemo) || options.load_ms > 0))
         governor.emplace(window ? 1000 / window->refreshRate_Hz() : 1000.0 / 60);
     best = bestScore(plan.dive.name);
@@ -309,7 +319,8 @@ Status Player::playThrough(bool measured) {
         const Clock::time_point simBegan = Clock::now();
         run.advance(elapsed_s, keep);
         times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
-        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s), !input || input->focused);
+        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s), !input || input->focused,
+                       surround->videoPosition_s());
         keepScore(run);
 
         if (!run.paused) video_s += elapsed_s;

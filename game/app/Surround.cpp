@@ -75,6 +75,7 @@ struct Surround::State {
     int sinceLight = 0;
     std::optional<media::VideoPlayer> player;
     int64_t shownFrame = -1;
+    double videoPosition_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
     std::string notice;
 
@@ -207,6 +208,7 @@ bool Surround::update(double time_s, bool exact) {
         log::warn("{}", status);
         s.notice = std::move(status);
     }
+    s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
     const auto began = std::chrono::steady_clock::now();
@@ -216,6 +218,9 @@ bool Surround::update(double time_s, bool exact) {
     s.decode_ms = static_cast<float>(frame->decode_ms);
     return true;
 }
+
+double Surround::videoPosition_s() const { return state_->videoPosition_s; }
+double Surround::videoLength_s() const { return state_->player ? state_->player->info().duration_s : 0; }
 
 void Surround::setLightEvery(int frames) { state_->lightEvery.store(frames, std::memory_order_relaxed); }
 

@@ -42,6 +42,11 @@ class Surround {
     // changed.
     bool update(double time_s, bool exact);
 
+    // Of the video, 0 for stills: what the last update() asked to be seen, counted from the first picture of
+    // its pass, and how long a pass is by the file's word.
+    double videoPosition_s() const;
+    double videoLength_s() const;
+
     // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
     void setLightEvery(int frames);
 
