@@ -6,7 +6,6 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/channel_layout.h>
-#include <libavutil/opt.h>
 #include <libswresample/swresample.h>
 }
 
@@ -29,7 +28,9 @@ constexpr int64_t kHole =
 struct SoundDecoder::Impl {
     AVFormatContext* file = nullptr;
     AVCodecContext* codec = nullptr;
-    SwrContext* converter = nullptr;
+    SwrContext* converter = nullptr; // from the form that follows
+    AVChannelLayout from{};
+    int rate_Hz = 0, format = AV_SAMPLE_FMT_NONE;
     AVPacket* packet = av_packet_alloc();
     AVFrame* block = av_frame_alloc();
     int stream = -1;
@@ -39,6 +40,7 @@ struct SoundDecoder::Impl {
 
     ~Impl() {
         swr_free(&converter);
+        av_channel_layout_uninit(&from);
         av_frame_free(&block);
         av_packet_free(&packet);
         avcodec_free_context(&codec);
@@ -49,10 +51,13 @@ struct SoundDecoder::Impl {
         const auto failed = [&](const char* reason) { return Error{path.string(), reason}; };
         std::error_code code;
         if (!std::filesystem::is_regular_file(path, code)) return failed("there is no such file");
-        // As a file and nothing else: a name is no address of a server.
+        // As a file and nothing else: neither a name nor a playlist may lead to a server.
         const std::string name = "file:" + path.string();
-        if (avformat_open_input(&file, name.c_str(), nullptr, nullptr) < 0 ||
-            avformat_find_stream_info(file, nullptr) < 0)
+        AVDictionary* options = nullptr;
+        av_dict_set(&options, "protocol_whitelist", "file", 0);
+        const int opened = avformat_open_input(&file, name.c_str(), nullptr, &options);
+        av_dict_free(&options);
+        if (opened < 0 || avformat_find_stream_info(file, nullptr) < 0)
             return failed("is not a file with sound that can be read");
         const AVCodec* kind = nullptr;
         stream = av_find_best_stream(file, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
@@ -78,31 +83,27 @@ struct SoundDecoder::Impl {
             block->nb_samples > kMostFrame || block->ch_layout.nb_channels < 1 ||
             block->ch_layout.nb_channels > kMostChannels)
             return false;
-        if (converter && swr_is_initialized(converter)) {
-            AVChannelLayout had{};
-            int64_t rate = 0;
-            AVSampleFormat format = AV_SAMPLE_FMT_NONE;
-            av_opt_get_chlayout(converter, "in_chlayout", 0, &had);
-            av_opt_get_int(converter, "in_sample_rate", 0, &rate);
-            av_opt_get_sample_fmt(converter, "in_sample_fmt", 0, &format);
-            const bool same = rate == block->sample_rate && format == block->format &&
-                              av_channel_layout_compare(&had, &block->ch_layout) == 0;
-            av_channel_layout_uninit(&had);
-            if (same) return true;
-        }
-        swr_free(&converter);
         // A decoder may only know how many channels there are.
-        AVChannelLayout from{}, stereo = AV_CHANNEL_LAYOUT_STEREO;
+        AVChannelLayout layout{};
         if (block->ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
-            av_channel_layout_default(&from, block->ch_layout.nb_channels);
-        else if (av_channel_layout_copy(&from, &block->ch_layout) < 0)
+            av_channel_layout_default(&layout, block->ch_layout.nb_channels);
+        else if (av_channel_layout_copy(&layout, &block->ch_layout) < 0)
             return false;
-        const bool made = swr_alloc_set_opts2(&converter, &stereo, AV_SAMPLE_FMT_S16, kSoundRate_Hz, &from,
-                                              static_cast<AVSampleFormat>(block->format), block->sample_rate,
-                                              0, nullptr) >= 0 &&
-                          swr_init(converter) >= 0;
+        const bool same = converter && rate_Hz == block->sample_rate && format == block->format &&
+                          av_channel_layout_compare(&from, &layout) == 0;
         av_channel_layout_uninit(&from);
-        return made;
+        from = layout; // its owner now
+        if (same) return true;
+        rate_Hz = block->sample_rate;
+        format = block->format;
+        swr_free(&converter);
+        AVChannelLayout stereo = AV_CHANNEL_LAYOUT_STEREO;
+        if (swr_alloc_set_opts2(&converter, &stereo, AV_SAMPLE_FMT_S16, kSoundRate_Hz, &from,
+                                static_cast<AVSampleFormat>(format), rate_Hz, 0, nullptr) >= 0 &&
+            swr_init(converter) >= 0)
+            return true;
+        swr_free(&converter);
+        return false;
     }
 
     // The decoded block as samples; their first frame, or -1 if it is nonsense.
@@ -166,6 +167,7 @@ struct SoundDecoder::Impl {
 };
 
 Result<SoundDecoder> SoundDecoder::open(const Path& file) {
+    av_log_set_level(AV_LOG_QUIET); // the player reads our sentences instead
     auto impl = std::make_unique<Impl>();
     if (Status opened = impl->open(file); !opened) return opened.error();
     return SoundDecoder(std::move(impl));
