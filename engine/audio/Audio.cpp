@@ -15,13 +15,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
+constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
 
 } // namespace
 
 struct Audio::State {
     AudioOptions options;
     std::vector<Clip> clips;
-    bool paused = false;
+    // Pausing, all first glides to silence, and then stands still.
+    bool paused = false, standing = false;
     double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which goes on meanwhile
     Clock::time_point retry;
 
@@ -41,13 +43,24 @@ struct Audio::State {
         buffers.push_back(buffer);
     }
 
-    void setVolume() { alListenerf(AL_GAIN, std::clamp(options.volume, 0.0f, 1.0f)); }
+    void setVolume() {
+        alListenerf(AL_GAIN, paused ? 0 : std::clamp(options.volume, 0.0f, 1.0f));
+        voices.setSilent(paused);
+    }
+
+    void standStill() {
+        if (standing || device.played_s() - pausedAt_s < kGlide_s) return;
+        standing = true;
+        pausedAt_s = device.played_s();
+        voices.setPaused(true);
+    }
 
     Status open() {
         auto opened = Device::open(options.loopback, options.headphones);
         if (!opened) return opened.error();
         device = std::move(*opened);
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
+        standing = false;
         device.makeCurrent();
         voices.setUp(options.doppler);
         along.setUp();
@@ -117,7 +130,7 @@ void Audio::update(const Listener& listener, std::span<const Emitter> emitters, 
     const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
-    if (s.paused) return;
+    if (s.paused) return s.standStill();
     s.voices.setShelter(listener.shelter);
     s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
                     s.device.played_s() - s.pausedFor_s);
@@ -148,13 +161,17 @@ void Audio::setVolume(float volume) {
 void Audio::setPaused(bool paused) {
     if (state_->paused == paused) return;
     state_->paused = paused;
-    if (!state_->device) return;
-    state_->device.makeCurrent();
-    state_->voices.setPaused(paused);
-    if (paused)
-        state_->pausedAt_s = state_->device.played_s();
-    else
-        state_->pausedFor_s += state_->device.played_s() - state_->pausedAt_s;
+    State& s = *state_;
+    if (!s.device) return;
+    s.device.makeCurrent();
+    s.setVolume();
+    if (paused) {
+        s.pausedAt_s = s.device.played_s();
+    } else if (s.standing) {
+        s.standing = false;
+        s.pausedFor_s += s.device.played_s() - s.pausedAt_s;
+        s.voices.setPaused(false);
+    }
 }
 
 bool Audio::headphones() const { return state_->device.headphones(); }

@@ -88,7 +88,7 @@ class Audio {
 
     void setVolume(float volume); // 0 to 1
 
-    // While paused every sound stands still and update() starts none.
+    // While paused all is silent, every sound stands still and update() starts none.
     void setPaused(bool paused);
 
     // Closes the device and opens the present default one; shots end, emitters start again. On failure all is

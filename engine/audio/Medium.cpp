@@ -48,16 +48,27 @@ void Medium::setUp(float doppler) {
     effectf(reverb_, AL_REVERB_GAINHF, 0.15f);
     genSlots(1, &slot_);
     sloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
-    slotf_(slot_, AL_EFFECTSLOT_GAIN, kReverbOpen);
-    shelter_ = 0;
+    setEcho();
+}
+
+// Geometrically between open water and tunnel, because that is how loudness is heard.
+void Medium::setEcho() const {
+    if (slot_)
+        slotf_(slot_, AL_EFFECTSLOT_GAIN,
+               silent_ ? 0 : kReverbOpen * std::pow(kReverbTunnel / kReverbOpen, shelter_));
 }
 
 void Medium::setShelter(float shelter) {
     shelter = std::clamp(shelter, 0.0f, 1.0f);
-    if (!slot_ || shelter == shelter_) return;
+    if (shelter == shelter_) return;
     shelter_ = shelter;
-    // Geometrically, because that is how loudness is heard.
-    slotf_(slot_, AL_EFFECTSLOT_GAIN, kReverbOpen * std::pow(kReverbTunnel / kReverbOpen, shelter));
+    setEcho();
+}
+
+void Medium::setSilent(bool silent) {
+    if (silent == silent_) return;
+    silent_ = silent;
+    setEcho();
 }
 
 ALuint Medium::makeFilter() const {

@@ -32,6 +32,8 @@ class Medium {
     // tunnel.
     void setShelter(float shelter);
 
+    void setSilent(bool silent); // no echo is heard either
+
     // A filter for one source; 0 without effects.
     ALuint makeFilter() const;
 
@@ -49,6 +51,8 @@ class Medium {
     LPALAUXILIARYEFFECTSLOTF slotf_ = nullptr;
     ALuint reverb_ = 0, slot_ = 0;
     float shelter_ = 0;
+    bool silent_ = false;
+    void setEcho() const;
 };
 
 } // namespace shoal::audio

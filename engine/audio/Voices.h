@@ -22,6 +22,7 @@ class Voices {
                 std::span<const Shot> shots, double now_s);
 
     void setShelter(float shelter) { medium_.setShelter(shelter); } // 0 to 1
+    void setSilent(bool silent) { medium_.setSilent(silent); } // no echo; the listener's gain does the rest
     void setPaused(bool paused);
     int sounding() const;
 

@@ -68,6 +68,7 @@ void Outputs::frame(const game::Snapshot& shown, std::span<const game::Event> ev
     if (s.haptics) s.haptics->submit(s.feel.frame(shown, events, dt_s, attended ? s.hapticStrength : 0));
     s.hear.listen(shown, events, dt_s);
     if (s.audio) {
+        s.audio->setPaused(shown.paused);
         s.audio->update({.worldFromHead = shown.worldFromView, .shelter = s.hear.shelter()},
                         s.hear.emitters(), s.hear.shots());
         s.audio->accompany(videoPosition_s, s.videoSound, shown.paused);

@@ -15,6 +15,12 @@ float strongestOf(const HapticFrame& frame) {
     return std::max(strongestFrom(frame.actuators, 0).amplitude, frame.body.amplitude);
 }
 
+std::string describe(const Recognised& recognised, const HidInfo& info) {
+    return recognised.name + (info.transport == Transport::Bluetooth ? " over Bluetooth"
+                              : info.transport == Transport::Usb     ? " on USB"
+                                                                     : "");
+}
+
 // What a person must do to be let in, with the rule for just this device.
 std::string notLetIn(const HidInfo& info) {
     char rule[160];
@@ -38,8 +44,9 @@ std::string Rack::add(const HidInfo& info, const Recognised& recognised, double 
         bus_.close(*handle);
         return "names no waveform that can be used";
     }
-    Device device{
-        {recognised.name, info.path, recognised.motors, ""}, std::move(*driver), *handle, {}, {}, 0, -1e9};
+    Device device{.listed = {describe(recognised, info), info.path, recognised.motors, ""},
+                  .driver = std::move(*driver),
+                  .handle = *handle};
     device.silent = device.sent = device.driver.encode({});
     bus_.guard(device.handle, device.driver.sealed({}, 0).view());
     for (Report greeting : device.driver.greeting) {
@@ -66,9 +73,9 @@ void Rack::look(double now_s) {
             complained_.erase(info.path);
             continue;
         }
-        refused_.push_back({recognised->name, info.path, recognised->motors, trouble});
+        refused_.push_back({describe(*recognised, info), info.path, recognised->motors, trouble});
         if (complained_.insert(info.path).second)
-            complaints_.push_back(recognised->name + " at " + info.path + ": " + trouble);
+            complaints_.push_back(describe(*recognised, info) + " at " + info.path + ": " + trouble);
     }
 }
 

@@ -46,11 +46,11 @@ class Rack {
     struct Device {
         Listed listed;
         Driver driver;
-        int handle;
+        int handle = -1;
         Report silent; // unsealed
         Report sent;   // unsealed
         uint8_t sequence = 0;
-        double sent_s;
+        double sent_s = -1e9;
         float level = 0; // strongest amplitude of what was struck, fallen with the frames since
     };
     void look(double now_s);

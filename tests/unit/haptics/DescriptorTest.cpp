@@ -153,7 +153,7 @@ TEST(SimpleHaptic, WhatSoundsForATimeIsRenewedBeforeItEnds) {
     EXPECT_NEAR(rack.step(frameOf(1, 40), 0), 0.1, 1e-6);
     rack.step(frameOf(1, 40), 0.1);
     EXPECT_EQ(pen.fake.written["pen"].size(), 2u);
-    EXPECT_EQ(rack.list().at(0).name, "A pen");
+    EXPECT_EQ(rack.list().at(0).name, "A pen on USB");
 }
 
 TEST(SimpleHaptic, WhatCanOnlyBeStruckIsStruckWhenATouchBegins) {

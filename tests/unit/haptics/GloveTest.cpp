@@ -56,7 +56,7 @@ TEST(Glove, IsRecognisedByItsDescriptorWhoeverBuiltIt) {
                             {}});
     Rack rack(fake.bus());
     rack.step({}, 0);
-    EXPECT_EQ(rack.list().at(0).name, "fingertip glove");
+    EXPECT_EQ(rack.list().at(0).name, "fingertip glove on USB");
 }
 
 TEST(Glove, StopsAfterATenthOfASecondOfSilence) {
