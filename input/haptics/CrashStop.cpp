@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<int, 9> kSignals = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT,
                                          SIGTERM, SIGINT, SIGHUP, SIGQUIT};
-constexpr int kWait_ms = 20;                          // for a writing in work
+constexpr int kWait_ms = 100;                         // for a writing in work
 static_assert(std::atomic<int>::is_always_lock_free); // else a handler might not use them
 
 struct Guarded {

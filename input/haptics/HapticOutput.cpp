@@ -77,7 +77,6 @@ double secondsSince(Clock::time_point then) {
 struct HapticOutput::State {
     Mailbox mailbox;
     Bell bell;
-    std::atomic<int> ready{0};
     std::atomic<bool> stop{false};
     std::thread thread;
 
@@ -97,7 +96,6 @@ struct HapticOutput::State {
             const Submitted& newest = mailbox.newest();
             const double left_s = kFelt_s - secondsSince(newest.when);
             const double next_s = rack.step(left_s > 0 ? newest.frame : HapticFrame(), secondsSince(began));
-            ready = static_cast<int>(rack.ready());
             for (const std::string& complaint : rack.takeComplaints()) log::warn("{}", complaint);
             bell.waitAtMost(left_s > 0 ? std::min(next_s, left_s) : next_s);
         }
@@ -118,7 +116,5 @@ void HapticOutput::submit(const HapticFrame& frame) {
     state_->mailbox.put({frame, Clock::now()});
     state_->bell.ring();
 }
-
-int HapticOutput::ready() const { return state_->ready; }
 
 } // namespace shoal::haptics

@@ -23,8 +23,6 @@ class HapticOutput {
     // Written at once unless the device had its last report too short a time ago.
     void submit(const HapticFrame& frame);
 
-    int ready() const; // devices being written to
-
   private:
     struct State;
     std::unique_ptr<State> state_;

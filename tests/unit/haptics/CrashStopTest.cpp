@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -136,6 +137,39 @@ TEST(CrashStop, NothingIsWrittenAfterTheStop) {
         ASSERT_GE(size, 5);
         EXPECT_EQ(all.substr(static_cast<size_t>(size) - 4, 4), kWritten);
     }
+    close(reading);
+    std::remove(pipe.c_str());
+}
+
+// A device that takes its time with a report while the program dies: that report first, then the stop.
+TEST(CrashStop, AWritingInWorkIsWaitedFor) {
+    const std::string pipe = testing::TempDir() + "crash_slow_pipe";
+    std::remove(pipe.c_str());
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reading = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    const pid_t child = fork();
+    if (child == 0) {
+        crash::install();
+        crash::guard(pipe, kStop);
+        const int writing = open(pipe.c_str(), O_WRONLY);
+        std::atomic<bool> begun = false;
+        std::thread([&] {
+            const crash::Writing turn;
+            begun = true;
+            begun.notify_all();
+            poll(nullptr, 0, 5);
+            if (write(writing, "x", 1) != 1) _exit(1);
+        }).detach();
+        begun.wait(false);
+        raise(SIGTERM);
+        _exit(1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    std::string all(64, 0);
+    const ssize_t size = read(reading, all.data(), all.size());
+    ASSERT_EQ(size, 5);
+    EXPECT_EQ(all.substr(0, 5), "x" + kWritten);
     close(reading);
     std::remove(pipe.c_str());
 }
