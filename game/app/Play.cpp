@@ -46,6 +46,12 @@ Immersed immersedIn(const PlayOptions& options, const game::DiveFile& dive) {
     return dive.water ? Immersed::Yes : Immersed::No;
 }
 
+// The video that is shown; empty for a still.
+Path videoIn(const SurroundOptions& options, const std::string& divesVideo) {
+    if (!options.photo.empty() || !options.env.empty()) return {};
+    return options.video.empty() ? dataRoot() / "content" / divesVideo : Path(options.video);
+}
+
 // The program while it plays.
 struct Player {
     const PlayOptions& options;
@@ -131,7 +137,11 @@ Status Player::open() {
                              .haptics = options.hapticStrength > 0 && !options.headless,
                              .headphones = options.headphones,
                              .volume = options.volume,
-                             .hapticStrength = options.hapticStrength});
+                             .hapticStrength = options.hapticStrength,
+                             .doppler = options.doppler,
+                             .video = videoIn(options.surround, plan.dive.video),
+                             .videoLength_s = surround->length_s(),
+                             .videoSound = options.videoSound});
     if (options.quality == "auto" && ((window && !options.timedemo) || options.load_ms > 0))
         governor.emplace(window ? 1000 / window->refreshRate_Hz() : 1000.0 / 60);
     best = bestScore(plan.dive.name);
@@ -329,7 +339,8 @@ Status Player::playThrough(bool measured) {
         const Clock::time_point simBegan = Clock::now();
         run.advance(elapsed_s, keep);
         times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
-        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s));
+        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s), !input || input->focused,
+                       surround->videoPosition_s());
         keepScore(run);
 
         // The video begins with the dive, pauses with it, and begins anew with it.
