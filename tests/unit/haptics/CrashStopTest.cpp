@@ -83,7 +83,6 @@ TEST(CrashStop, IgnoredSignalsStayIgnored) {
     const Outcome outcome = after([](int) {});
     EXPECT_EQ(outcome.signal, 0);
     EXPECT_EQ(outcome.written, "");
-    const std::string file = testing::TempDir() + "crash_ignored";
     const pid_t child = fork();
     if (child == 0) {
         std::signal(SIGHUP, SIG_IGN); // as under nohup
@@ -107,7 +106,7 @@ TEST(CrashStop, WhatWasLetGoIsLeftAlone) {
 
 // One thread writes as fast as it can while another dies: the stop is the last thing in the pipe.
 TEST(CrashStop, NothingIsWrittenAfterTheStop) {
-    const std::string pipe = testing::TempDir() + "crash_pipe";
+    const std::string pipe = testing::TempDir() + "crash_pipe_" + std::to_string(getpid());
     std::remove(pipe.c_str());
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     const int reading = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
@@ -143,7 +142,7 @@ TEST(CrashStop, NothingIsWrittenAfterTheStop) {
 
 // A device that takes its time with a report while the program dies: that report first, then the stop.
 TEST(CrashStop, AWritingInWorkIsWaitedFor) {
-    const std::string pipe = testing::TempDir() + "crash_slow_pipe";
+    const std::string pipe = testing::TempDir() + "crash_slow_pipe_" + std::to_string(getpid());
     std::remove(pipe.c_str());
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     const int reading = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
