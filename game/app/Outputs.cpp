@@ -49,7 +49,9 @@ Outputs::~Outputs() = default;
 void Outputs::frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s) {
     State& s = *state_;
     s.hear.listen(shown, events, dt_s);
-    if (s.audio) s.audio->update({.worldFromHead = shown.worldFromView}, s.hear.emitters(), s.hear.shots());
+    if (s.audio)
+        s.audio->update({.position = shown.headWorld, .worldFromHead = shown.worldFromView},
+                        s.hear.emitters(), s.hear.shots());
     if (s.haptics) s.haptics->submit(s.feel.frame(shown, events, dt_s, s.hapticStrength));
     s.captions.clear();
     for (const game::Caption& caption : s.hear.captions())
