@@ -3,6 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
+#include "engine/xr/Headset.h"
 #include "input/haptics/Rack.h"
 
 #include <chrono>
@@ -44,6 +45,9 @@ void sound() {
 
 int devices(const DevicesOptions& options) {
     std::printf("Hands\n  mouse: always\n");
+    const auto runtime = xr::activeRuntime();
+    std::printf("  openxr: %s\n",
+                runtime ? (*runtime + "; play with --xr").c_str() : runtime.error().reason.c_str());
     std::printf("Haptics\n");
     const haptics::HidBus bus = haptics::hidapiBus();
     bool any = false;

@@ -1,4 +1,4 @@
-// Where the player's input comes from: mouse and keys, a playthrough script, or a replay.
+// Where the player's input comes from: mouse and keys, a headset, a playthrough script, or a replay.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -38,6 +38,16 @@ struct ReplaySource {
     size_t tick = 0;
 };
 
-using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource>;
+// Hands as a headset sees them; see XrPlay.
+struct OpenXrSource {
+    std::array<hands::HandPose, 2> poses{};
+};
+
+using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource, OpenXrSource>;
+
+// Whether somebody plays, who may pause, start again and have a score.
+inline bool playedByAPerson(const HandSource& source) {
+    return std::holds_alternative<MouseSource>(source) || std::holds_alternative<OpenXrSource>(source);
+}
 
 } // namespace shoal::app

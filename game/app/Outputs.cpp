@@ -15,6 +15,7 @@ struct Outputs::State {
     float hapticStrength = 1;
     std::optional<audio::Audio> audio;
     std::optional<haptics::HapticOutput> haptics;
+    haptics::HapticFrame felt;
     std::vector<HudCaption> captions;
 
     Status openSound(const OutputOptions& options) {
@@ -52,7 +53,8 @@ void Outputs::frame(const game::Snapshot& shown, std::span<const game::Event> ev
     if (s.audio)
         s.audio->update({.position = shown.headWorld, .worldFromHead = shown.worldFromView},
                         s.hear.emitters(), s.hear.shots());
-    if (s.haptics) s.haptics->submit(s.feel.frame(shown, events, dt_s, s.hapticStrength));
+    s.felt = s.feel.frame(shown, events, dt_s, s.hapticStrength);
+    if (s.haptics) s.haptics->submit(s.felt);
     s.captions.clear();
     for (const game::Caption& caption : s.hear.captions())
         s.captions.push_back({caption.text, caption.position, caption.age_s});
@@ -62,6 +64,7 @@ void Outputs::setVolume(float volume) {
     if (state_->audio) state_->audio->setVolume(volume);
 }
 
+const haptics::HapticFrame& Outputs::felt() const { return state_->felt; }
 std::span<const HudCaption> Outputs::captions() const { return state_->captions; }
 
 } // namespace shoal::app

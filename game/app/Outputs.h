@@ -3,6 +3,7 @@
 
 #include "game/Snapshot.h"
 #include "game/app/Hud.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <memory>
 #include <span>
@@ -29,6 +30,7 @@ class Outputs {
     void frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s);
     void setVolume(float volume); // 0 to 1
 
+    const haptics::HapticFrame& felt() const;     // what haptic devices were told by the last frame()
     std::span<const HudCaption> captions() const; // newest first; valid until the next frame()
 
   private:

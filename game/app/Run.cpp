@@ -11,6 +11,7 @@ namespace {
 HandSource makeSource(const Plan& plan) {
     if (plan.script) return game::ScriptRun(*plan.script, plan.rig, plan.species);
     if (plan.replay) return ReplaySource{*plan.replay};
+    if (plan.openXrHands) return OpenXrSource{};
     return MouseSource(plan.rig, plan.species);
 }
 
@@ -27,8 +28,13 @@ Run::Run(const Plan& plan)
 
 void Run::tick(bool keep) {
     game::TickInput input;
-    if (auto* mouse = std::get_if<MouseSource>(&source)) {
-        mouse->next(input);
+    if (playedByAPerson(source)) {
+        if (auto* mouse = std::get_if<MouseSource>(&source)) mouse->next(input);
+        if (auto* headset = std::get_if<OpenXrSource>(&source)) input.hands = headset->poses;
+        if (head) {
+            input.worldFromView = head->orientation;
+            input.headWorld = head->position;
+        }
         input.pause = paused;
         input.restart = restart;
         restart = false;
