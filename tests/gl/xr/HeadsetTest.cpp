@@ -2,8 +2,7 @@
 #include "engine/xr/Headset.h"
 #include "engine/platform/Window.h"
 #include "engine/xr/Geometry.h"
-#include "tests/gl/xr/VirtualDisplay.h"
-#include "tests/gl/xr/runtime/FakeRuntime.h"
+#include "tests/gl/xr/Fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -14,31 +13,20 @@
 namespace shoal::xr {
 namespace {
 
-using test::FakeRuntime;
-
-class HeadsetGL : public testing::Test {
+class HeadsetGL : public test::WithFakeRuntime {
   protected:
-    FakeRuntime& fake = shoalFakeRuntime();
-    std::optional<test::VirtualDisplay> display_;
     std::optional<platform::Window> window_;
 
     void SetUp() override {
-        fake = FakeRuntime();
-        setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
-        display_ = test::VirtualDisplay::open();
-        if (!display_) GTEST_SKIP() << "needs Xvfb";
+        WithFakeRuntime::SetUp();
+        if (IsSkipped()) return;
         auto window = platform::Window::open({"test", 64, 64, false, false});
         ASSERT_TRUE(window) << window.error().sentence();
         window_ = std::move(*window);
     }
     void TearDown() override {
-        EXPECT_EQ(fake.complaints, std::vector<std::string>());
-        EXPECT_EQ(fake.instances, 0);
-        EXPECT_EQ(fake.sessions, 0);
-        EXPECT_EQ(fake.swapchains, 0);
-        EXPECT_EQ(fake.spaces, 0);
-        EXPECT_EQ(fake.handTrackers, 0);
         window_.reset();
+        WithFakeRuntime::TearDown();
     }
 
     static Headset open() {

@@ -247,7 +247,9 @@ XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
             fake.complain("xrEndFrame: a layer of unknown type");
         }
     }
-    if (++fake.framesEnded == 1 && fake.focusesByItself && fake.state == XR_SESSION_STATE_SYNCHRONIZED) {
+    ++fake.framesEnded;
+    if (!std::exchange(session().shown, true) && fake.focusesByItself &&
+        fake.state == XR_SESSION_STATE_SYNCHRONIZED) {
         fake.say(XR_SESSION_STATE_VISIBLE);
         fake.say(XR_SESSION_STATE_FOCUSED);
     }

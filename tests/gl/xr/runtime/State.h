@@ -41,7 +41,7 @@ enum class FramePhase { Idle, Waited, Begun };
 
 struct Session {
     FramePhase phase = FramePhase::Idle;
-    bool waitedAhead = false;
+    bool shown = false; // a frame was handed in
     XrTime now = 1'000'000'000;
     bool attached = false;
 };
