@@ -153,9 +153,10 @@ void drawResults(const Pen& pen, const HudInfo& info) {
 
 void drawPause(const Pen& pen, const HudInfo& info) {
     if (!info.headset) pen.list->AddRectFilled(ImVec2(0, 0), pen.size, IM_COL32(2, 12, 20, 120));
-    panel(pen, 21, 12.5f);
+    const float height = info.headset ? 7 : 12.5f;
+    panel(pen, 21, height);
     const float x = pen.size.x / 2;
-    float y = pen.size.y / 2 - pen.unit * 5.6f;
+    float y = pen.size.y / 2 - pen.unit * (height / 2 - 0.65f);
     pen.text(x, y, 0.5f, 1.4f, kWhite, "Paused");
     y += pen.unit * 2.4f;
     constexpr std::array kHeadset = {"Close a hand: go on", "Your headset's own menu: leave"};
@@ -258,8 +259,9 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
     io.DeltaTime = 1.0f / 60; // nothing here moves by itself
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
+    const float lines = info.headset ? 22 : 30; // that would fill the picture; a headset shows fewer pixels
     const Pen pen{ImGui::GetBackgroundDrawList(), state_->font, io.DisplaySize,
-                  std::clamp(static_cast<float>(std::min(size.y, size.x * 9 / 16)) / 30, 9.0f, 60.0f)};
+                  std::clamp(static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines, 9.0f, 60.0f)};
     if (info.part != HudPart::Panel) drawHold(pen, info);
     if (info.part != HudPart::Marks) drawText(pen, info);
     ImGui::Render();

@@ -13,9 +13,9 @@ namespace shoal::app {
 
 namespace {
 
-// 62 by 41 degrees at 1.5 m: a line of text is 1.2 degrees high, as large as print at arm's length.
-constexpr glm::ivec2 kPanelPixels(960, 600);
-constexpr glm::vec2 kPanel_m(1.8f, 1.125f);
+// 53 by 37 degrees at 1.5 m, 18 pixels a degree, about what headsets have: a line of text is 1.5 degrees high.
+constexpr glm::ivec2 kPanelPixels(960, 640);
+constexpr glm::vec2 kPanel_m(1.5f, 1.0f);
 constexpr glm::vec3 kDark(0.01f, 0.05f, 0.08f); // display values; deep water
 constexpr auto kIdle = std::chrono::milliseconds(10);
 
