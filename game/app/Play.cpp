@@ -224,7 +224,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         render::View view;
         view.worldFromEye = run.shown.worldFromView;
         const float side = eyes == 2 ? (eye == 0 ? -0.5f : 0.5f) * options.eyeDistance_mm * 1e-3f : 0.0f;
-        view.eyeWorld = view.worldFromEye * glm::vec3(side, 0, 0);
+        view.eyeWorld = run.shown.headWorld + view.worldFromEye * glm::vec3(side, 0, 0);
         view.verticalFov = glm::radians(options.fov_deg);
         view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
         view.heightPixels = drawnSize.y;
