@@ -31,12 +31,6 @@ bool believable(const Fov& fov) {
            fov.right - fov.left > 0.01f && fov.up - fov.down > 0.01f;
 }
 
-Pose between(const Pose& a, const Pose& b) {
-    const glm::quat other =
-        glm::dot(a.orientation, b.orientation) < 0 ? -b.orientation : b.orientation; // the shorter way
-    return {(a.position + b.position) * 0.5f, glm::normalize(a.orientation + other)};
-}
-
 Pose originAt(const Pose& head) {
     const glm::vec3 ahead = head.orientation * glm::vec3(0, 0, -1);
     // Looking straight up or down, the top of the head tells where ahead is.

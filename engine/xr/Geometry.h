@@ -14,9 +14,6 @@ bool believable(const Pose& pose);
 // All edges within 89 degrees, right of left, up above down.
 bool believable(const Fov& fov);
 
-// The middle between two poses a small turn apart: the head between its eyes.
-Pose between(const Pose& a, const Pose& b);
-
 // Where a dive that starts with this head has its origin: at the eyes, upright, ahead where they look. Same
 // frame as the head.
 Pose originAt(const Pose& head);

@@ -197,8 +197,8 @@ Status Headset::State::locateEyes() {
     if (centring) {
         if (Status s = locate(local, tracked); !s) return s;
         if (tracked) {
-            auto centred =
-                makeSpace(session.name(), originAt(between(eyes[0].worldFromEye, eyes[1].worldFromEye)));
+            auto centred = makeSpace(session.name(),
+                                     originAt(between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f)));
             if (!centred) return centred.error();
             world = std::move(*centred);
             centring = false;
@@ -208,7 +208,7 @@ Status Headset::State::locateEyes() {
     tracking.headTracked = tracked;
     if (!tracked) return Done{};
     tracking.eyes = eyes;
-    tracking.worldFromHead = between(eyes[0].worldFromEye, eyes[1].worldFromEye);
+    tracking.worldFromHead = between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f);
     return Done{};
 }
 

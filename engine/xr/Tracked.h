@@ -23,6 +23,13 @@ inline Pose inverse(const Pose& pose) {
     const glm::quat turn = glm::conjugate(pose.orientation);
     return {turn * -pose.position, turn};
 }
+// Between two poses a small turn apart: a at share 0, b at 1.
+inline Pose between(const Pose& a, const Pose& b, float share) {
+    const glm::quat other =
+        glm::dot(a.orientation, b.orientation) < 0 ? -b.orientation : b.orientation; // the shorter way
+    return {a.position + (b.position - a.position) * share,
+            glm::normalize(a.orientation * (1 - share) + other * share)};
+}
 
 // From the middle of the view to each edge, radians; left and down are negative.
 struct Fov {

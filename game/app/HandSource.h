@@ -4,6 +4,7 @@
 #include "engine/core/Result.h"
 #include "engine/platform/Window.h"
 #include "engine/sim/Recording.h"
+#include "engine/xr/Tracked.h"
 #include "game/Dive.h"
 #include "game/Script.h"
 #include "input/hands/MouseHands.h"
@@ -38,9 +39,15 @@ struct ReplaySource {
     size_t tick = 0;
 };
 
-// Hands as a headset sees them; see XrPlay.
-struct OpenXrSource {
-    std::array<hands::HandPose, 2> poses{};
+// Hands as a headset sees them, for the time when its next frame will be seen; see XrPlay.
+class OpenXrSource {
+  public:
+    void frame(const std::array<hands::HandPose, 2>& poses);
+    // share: of the way from the frame before to this one, where the tick lies.
+    void next(game::TickInput& out, float share) const;
+
+  private:
+    std::array<hands::HandPose, 2> before_{}, poses_{};
 };
 
 using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource, OpenXrSource>;

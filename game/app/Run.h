@@ -32,7 +32,9 @@ struct Run {
     Status verdict = Done{};
 
   private:
-    void tick(bool keep);
+    // share: where the tick lies between the last frame and this one, 0 to 1.
+    void tick(bool keep, float share);
+    std::optional<xr::Pose> headBefore_; // in the last frame
     std::vector<game::Event> tickEvents_;
 };
 

@@ -13,7 +13,8 @@ namespace shoal::app {
 
 namespace {
 
-// 53 by 37 degrees at 1.5 m, 18 pixels a degree, about what headsets have: a line of text is 1.5 degrees high.
+// 53 by 37 degrees at 1.5 m, 18 pixels a degree, about what headsets have: a line of text is 1.5 degrees
+// high.
 constexpr glm::ivec2 kPanelPixels(960, 640);
 constexpr glm::vec2 kPanel_m(1.5f, 1.0f);
 constexpr glm::vec3 kDark(0.01f, 0.05f, 0.08f); // display values; deep water
@@ -75,7 +76,7 @@ void XrPlay::feed(Run& run, const hands::HandRig& rig) {
         place_ = {};
     }
     run.head = tracking.worldFromHead;
-    if (auto* source = std::get_if<OpenXrSource>(&run.source)) source->poses = poses;
+    if (auto* source = std::get_if<OpenXrSource>(&run.source)) source->frame(poses);
 }
 
 Status XrPlay::prepare(glm::ivec2 size) {

@@ -197,6 +197,32 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     EXPECT_TRUE(same) << same.error().sentence();
 }
 
+// The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
+// steady, or hands would seem to stop and leap.
+TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
+    fake.period_s = 1.0 / 72;
+    closeHand(1, 0);
+    fake.onWait = [this](FakeRuntime& f) {
+        for (XrView& view : f.views) view.pose.position.x += 0.01f;
+        for (auto& joint : f.hands[1].joints) joint.pose.position.y += 0.001f;
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    EXPECT_EQ(run(o, 120).status, 0);
+    const auto recording = sim::readRecording(o.record);
+    ASSERT_TRUE(recording);
+    const auto input = [&](size_t tick) {
+        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+    };
+    for (size_t tick = 60; tick < recording->ticks() - 10; ++tick) {
+        const game::TickInput a = input(tick), b = input(tick + 1);
+        // Floats below 2.
+        EXPECT_NEAR(b.headWorld.x - a.headWorld.x, 0.01f * 72 / 120, 2e-6f) << tick;
+        const float handA = a.hands[1].joints[9].position.y, handB = b.hands[1].joints[9].position.y;
+        EXPECT_NEAR(handB - handA, 0.001f * 72 / 120, 2e-6f) << tick;
+    }
+}
+
 TEST_F(XrProgram, TouchesAreFeltInTheController) {
     PlayOptions o = options();
     o.hands = kFirstCatch;

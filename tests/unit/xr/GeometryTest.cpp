@@ -58,7 +58,7 @@ TEST(Pose, ComesBackByItsInverse) {
 TEST(Pose, BetweenTheEyesIsTheHead) {
     // Displays turned outwards by 5 degrees each, and one quaternion of the other sign.
     const glm::quat outwards = glm::angleAxis(0.087f, glm::vec3(0, 1, 0));
-    const Pose head = between({{-0.03f, 0, 0}, outwards}, {{0.03f, 0, 0}, -glm::conjugate(outwards)});
+    const Pose head = between({{-0.03f, 0, 0}, outwards}, {{0.03f, 0, 0}, -glm::conjugate(outwards)}, 0.5f);
     EXPECT_LT(glm::length(head.position), 1e-7f);
     EXPECT_NEAR(std::abs(head.orientation.w), 1, 1e-6f);
 }
