@@ -353,6 +353,8 @@ TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
     fake.controllers[0].active = fake.hands[1].active = true;
     fake.failing[name] = XR_ERROR_RUNTIME_FAILURE;
     PlayOptions o = options();
+    // The validation layer itself stumbles over an instance that could not be made.
+    if (name == "xrCreateInstance") unsetenv("XR_ENABLE_API_LAYERS");
     const bool haptic = name.ends_with("HapticFeedback");
     if (haptic) o.hands = kFirstCatch;
     if (name == "xrStopHapticFeedback") // taken off while something is felt
