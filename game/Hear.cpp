@@ -119,7 +119,7 @@ void Hear::breathe(const Snapshot& shown, float dt_s) {
     breath_s_ -= dt_s;
     if (breath_s_ > 0) return;
     breath_s_ = random_.between(kBreathShortest_s, kBreathLongest_s);
-    const glm::vec3 mouth = shown.worldFromView * glm::vec3(0, -0.1f, -0.12f);
+    const glm::vec3 mouth = shown.headWorld + shown.worldFromView * glm::vec3(0, -0.1f, -0.12f);
     play(Sound::Bubbles, mouth, 1, false, random_.between(0.9f, 1.1f), {0, 0.35f, 0}); // bubbles rise
 }
 

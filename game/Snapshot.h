@@ -13,7 +13,8 @@
 
 namespace shoal::game {
 
-// World frame: the env frame of engine/math/LatLong.h, the viewer's eyes at the origin, metres.
+// World frame: the env frame of engine/math/LatLong.h, metres; the viewer's eyes at the origin, but for what
+// a headset says.
 
 enum class Phase { Diving, Results };
 
@@ -75,6 +76,7 @@ struct Snapshot {
     int caught = 0;
     int lost = 0;                        // to the shark
     glm::quat worldFromView{1, 0, 0, 0}; // where the player looks
+    glm::vec3 headWorld{0};              // between the player's eyes
     std::array<HandView, 2> hands{};     // left, right
     std::vector<CreatureView> creatures;
 };

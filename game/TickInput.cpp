@@ -30,6 +30,7 @@ template <class Visit, class Input> void visit(Input& input, Visit& io) {
     io.number(input.worldFromView.x);
     io.number(input.worldFromView.y);
     io.number(input.worldFromView.z);
+    for (int i = 0; i < 3; ++i) io.number(input.headWorld[i]);
     io.flags(input.pause, input.restart);
 }
 

@@ -220,6 +220,7 @@ struct World {
     bool begun = false, paused = false, restartHeld = false;
     int score = 0, caught = 0, lost = 0;
     glm::quat worldFromView{1, 0, 0, 0};
+    glm::vec3 headWorld{0};
     std::array<Hand, 2> hands;
     std::vector<Fish> fish;
     Shark shark;

@@ -31,6 +31,8 @@ void rest(Hand& hand) {
 
 void World::readHands(const TickInput& input) {
     if (sound(input.worldFromView)) worldFromView = glm::normalize(input.worldFromView);
+    if (glm::dot(input.headWorld, input.headWorld) <= kHeadReach_m * kHeadReach_m)
+        headWorld = input.headWorld;
     for (int i = 0; i < 2; ++i) {
         Hand& hand = hands[i];
         const hands::HandPose& given = input.hands[i];
@@ -57,7 +59,7 @@ void World::readHands(const TickInput& input) {
         if (!appears) hand.before = hand.joints;
         for (int j = 0; j < hands::kJointCount; ++j) {
             hand.joints[j] = hand.lastGood.joints[j];
-            hand.joints[j].position = worldFromView * hand.joints[j].position;
+            hand.joints[j].position = headWorld + worldFromView * hand.joints[j].position;
             hand.joints[j].orientation = worldFromView * hand.joints[j].orientation;
         }
         hand.shown = hand.joints;

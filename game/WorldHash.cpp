@@ -120,6 +120,7 @@ uint64_t World::hash() const {
     all.add(restartHeld);
     for (int count : {score, caught, lost}) all.add(count);
     add(all, worldFromView);
+    add(all, headWorld);
     for (const Hand& hand : hands) add(all, hand);
     for (const Fish& f : fish) add(all, f);
     add(all, shark);

@@ -18,6 +18,7 @@ void World::fill(Snapshot& out) const {
     out.caught = caught;
     out.lost = lost;
     out.worldFromView = worldFromView;
+    out.headWorld = headWorld;
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
         HandView& view = out.hands[h];
@@ -57,6 +58,7 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
     out.time_s = before.time_s + (after.time_s - before.time_s) * static_cast<double>(alpha);
     out.timeLeft_s = before.timeLeft_s + (after.timeLeft_s - before.timeLeft_s) * alpha;
     out.worldFromView = blended(before.worldFromView, after.worldFromView, alpha);
+    out.headWorld = glm::mix(before.headWorld, after.headWorld, alpha);
     for (int h = 0; h < 2; ++h) {
         const HandView& a = before.hands[h];
         const HandView& b = after.hands[h];
@@ -92,11 +94,11 @@ float reachAssist(const Snapshot& snapshot, const SpeciesTable& species, glm::ve
     float best = -1, bestMiss = 1;
     for (const CreatureView& creature : snapshot.creatures) {
         if (species[creature.species].shark || creature.heldBy >= 0) continue;
-        const float along = glm::dot(creature.position, ray);
+        const glm::vec3 fromHead = creature.position - snapshot.headWorld;
+        const float along = glm::dot(fromHead, ray);
         if (along < 0.3f || along > 1.5f) continue;
         // Within the body, or 4 degrees beside it.
-        const float miss =
-            glm::length(creature.position - ray * along) / (0.5f * creature.length + 0.07f * along);
+        const float miss = glm::length(fromHead - ray * along) / (0.5f * creature.length + 0.07f * along);
         if (miss < bestMiss) {
             bestMiss = miss;
             best = along;

@@ -5,7 +5,7 @@
 
 namespace shoal::gl {
 
-Target::Target(int width, int height, int samples) : width_(width), height_(height) {
+Target::Target(int width, int height, int samples, bool stencil) : width_(width), height_(height) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     samples_ = std::clamp(samples, 1, std::max(1, most));
@@ -19,7 +19,8 @@ Target::Target(int width, int height, int samples) : width_(width), height_(heig
     drawn_ = Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
     attach(colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, storage);
-    attach(depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, storage);
+    attach(depth_, stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24,
+           stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, storage);
     assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
     if (samples_ > 1) {
         resolved_ = Framebuffer::make();

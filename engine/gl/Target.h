@@ -1,4 +1,5 @@
-// A picture to draw into, off screen: colour (RGBA8) and depth, optionally multisampled.
+// A picture to draw into, off screen: colour (RGBA8) and depth, optionally multisampled
+// and with a stencil.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -10,7 +11,7 @@ class Target {
   public:
     Target() = default;
     // samples: 1, or up to what the driver has (more is lowered to that).
-    Target(int width, int height, int samples);
+    Target(int width, int height, int samples, bool stencil = false);
 
     int width() const { return width_; }
     int height() const { return height_; }

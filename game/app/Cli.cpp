@@ -83,14 +83,19 @@ void addPlay(CLI::App& app, PlayOptions& options) {
     app.add_option("--seed", options.seed, "Seed of everything random in the dive")->capture_default_str();
     addSurround(app, options.surround);
     addLook(app, options.look);
-    app.add_option("--hands", options.hands, "mouse, script:FILE (a playthrough) or replay:FILE")
+    app.add_option("--hands", options.hands,
+                   "mouse, openxr (with --xr, which means it), script:FILE (a playthrough) or replay:FILE")
         ->type_name("SOURCE")
         ->capture_default_str();
     app.add_option("--record", options.record, "Writes a replay: seed, settings and every tick's input")
         ->type_name("FILE");
-    app.add_option("--stereo", options.stereo, "none, or sbs: left and right eye side by side")
-        ->check(CLI::IsMember({"none", "sbs"}))
-        ->capture_default_str();
+    auto* stereo = app.add_option("--stereo", options.stereo, "none, or sbs: left and right eye side by side")
+                       ->check(CLI::IsMember({"none", "sbs"}))
+                       ->capture_default_str();
+    auto* xr =
+        app.add_flag("--xr", options.xr,
+                     "In a headset, by the OpenXR runtime that is active; the window shows its left eye");
+    xr->excludes(stereo);
     app.add_option("--fov", options.fov_deg, "Vertical field of view, degrees")
         ->check(CLI::Range(20.0f, 130.0f))
         ->capture_default_str();
@@ -109,7 +114,8 @@ void addPlay(CLI::App& app, PlayOptions& options) {
                    "does about it; also with --headless --timedemo, for 60 frames a second")
         ->check(CLI::Range(0.0f, 1000.0f));
     app.add_flag("--headless", options.headless,
-                 "No window, no sound device, no display server; the same pictures");
+                 "No window, no sound device, no display server; the same pictures")
+        ->excludes(xr);
     app.add_option("--fps", options.fps, "Headless: pictures drawn for each second of the dive")
         ->check(CLI::Range(1.0f, 1000.0f))
         ->capture_default_str();

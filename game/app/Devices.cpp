@@ -3,6 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
+#include "engine/xr/Headset.h"
 #include "input/haptics/Rack.h"
 
 #include <algorithm>
@@ -85,6 +86,9 @@ void sound(bool test) {
 
 int devices(const DevicesOptions& options) {
     std::printf("Hands\n  mouse: always\n");
+    const auto runtime = xr::activeRuntime();
+    std::printf("  openxr: %s\n",
+                runtime ? (*runtime + "; play with --xr").c_str() : runtime.error().reason.c_str());
     haptic(options.test);
     sound(options.test);
     return 0;

@@ -1,9 +1,10 @@
-// Where the player's input comes from: mouse and keys, a playthrough script, or a replay.
+// Where the player's input comes from: mouse and keys, a headset, a playthrough script, or a replay.
 #pragma once
 
 #include "engine/core/Result.h"
 #include "engine/platform/Window.h"
 #include "engine/sim/Recording.h"
+#include "engine/xr/Tracked.h"
 #include "game/Dive.h"
 #include "game/Script.h"
 #include "input/hands/MouseHands.h"
@@ -38,6 +39,22 @@ struct ReplaySource {
     size_t tick = 0;
 };
 
-using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource>;
+// Hands as a headset sees them, for the time when its next frame will be seen; see XrPlay.
+class OpenXrSource {
+  public:
+    void frame(const std::array<hands::HandPose, 2>& poses);
+    // share: of the way from the frame before to this one, where the tick lies.
+    void next(game::TickInput& out, float share) const;
+
+  private:
+    std::array<hands::HandPose, 2> before_{}, poses_{};
+};
+
+using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource, OpenXrSource>;
+
+// Whether somebody plays, who may pause, start again and have a score.
+inline bool playedByAPerson(const HandSource& source) {
+    return std::holds_alternative<MouseSource>(source) || std::holds_alternative<OpenXrSource>(source);
+}
 
 } // namespace shoal::app

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <span>
 
 namespace shoal::app {
 
@@ -104,7 +105,12 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
     }
 }
 
-void drawHints(const Pen& pen) {
+void drawHints(const Pen& pen, const HudInfo& info) {
+    constexpr std::array kHeadset = {
+        "Reach for a fish and close your hand on it",
+        "Hold it for a second",
+        "Keep what you hold away from the shark",
+    };
     constexpr std::array kHints = {
         "Reach with the mouse; the wheel reaches nearer or farther",
         "Hold the left button to close your hand on a fish; hold it for a second",
@@ -112,7 +118,7 @@ void drawHints(const Pen& pen) {
         "Keep what you hold away from the shark.  Esc pauses",
     };
     float y = pen.size.y * 0.24f;
-    for (const char* hint : kHints) {
+    for (const char* hint : info.headset ? std::span<const char* const>(kHeadset) : kHints) {
         pen.text(pen.size.x / 2, y, 0.5f, 0.85f, kWhite, hint);
         y += pen.unit * 1.35f;
     }
@@ -141,19 +147,22 @@ void drawResults(const Pen& pen, const HudInfo& info) {
     else
         std::snprintf(line, sizeof line, "Your best: %d", info.bestScore);
     pen.text(x, y += pen.unit * 1.4f, 0.5f, 0.9f, info.newBest ? kOrange : kDim, line);
-    pen.text(x, y + pen.unit * 2.4f, 0.5f, 0.85f, kWhite, "Enter or a click: dive again      Esc: leave");
+    pen.text(x, y + pen.unit * 2.4f, 0.5f, 0.85f, kWhite,
+             info.headset ? "Close both hands: dive again" : "Enter or a click: dive again      Esc: leave");
 }
 
-void drawPause(const Pen& pen) {
-    pen.list->AddRectFilled(ImVec2(0, 0), pen.size, IM_COL32(2, 12, 20, 120));
-    panel(pen, 21, 12.5f);
+void drawPause(const Pen& pen, const HudInfo& info) {
+    if (!info.headset) pen.list->AddRectFilled(ImVec2(0, 0), pen.size, IM_COL32(2, 12, 20, 120));
+    const float height = info.headset ? 7 : 12.5f;
+    panel(pen, 21, height);
     const float x = pen.size.x / 2;
-    float y = pen.size.y / 2 - pen.unit * 5.6f;
+    float y = pen.size.y / 2 - pen.unit * (height / 2 - 0.65f);
     pen.text(x, y, 0.5f, 1.4f, kWhite, "Paused");
     y += pen.unit * 2.4f;
+    constexpr std::array kHeadset = {"Close a hand: go on", "Your headset's own menu: leave"};
     constexpr std::array kLines = {"Esc or P: go on",   "Q: leave",       "R: start again",
                                    "F11: whole screen", "+ and -: sound", "F1: frame times"};
-    for (const char* line : kLines) {
+    for (const char* line : info.headset ? std::span<const char* const>(kHeadset) : kLines) {
         pen.text(x, y, 0.5f, 0.85f, kWhite, line);
         y += pen.unit * 1.35f;
     }
@@ -183,6 +192,25 @@ void drawTimes(const HudInfo& info) {
                 static_cast<double>(100 * times.quality.scale), times.quality.lightEvery);
     ImGui::Text("light: %.*s", static_cast<int>(info.lightName.size()), info.lightName.data());
     ImGui::End();
+}
+
+void drawText(const Pen& pen, const HudInfo& info) {
+    const game::Snapshot& s = *info.snapshot;
+    drawScore(pen, info);
+    if (!s.paused) drawCaptions(pen, info);
+    if (info.showHints && s.phase == game::Phase::Diving && !s.paused) drawHints(pen, info);
+    if (s.phase == game::Phase::Results)
+        drawResults(pen, info);
+    else if (s.paused)
+        drawPause(pen, info);
+    char line[64];
+    if (info.showVolume) {
+        std::snprintf(line, sizeof line, "Sound %d %%", static_cast<int>(std::lround(info.volume * 100)));
+        pen.text(pen.size.x / 2, pen.unit, 0.5f, 1, kWhite, line);
+    }
+    if (!info.notice.empty())
+        pen.text(pen.size.x / 2, pen.unit * 2.4f, 0.5f, 0.75f, kGold, std::string(info.notice).c_str());
+    if (info.showTimes && info.times) drawTimes(info);
 }
 
 } // namespace
@@ -231,25 +259,11 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
     io.DeltaTime = 1.0f / 60; // nothing here moves by itself
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
+    const float lines = info.headset ? 22 : 30; // that would fill the picture; a headset shows fewer pixels
     const Pen pen{ImGui::GetBackgroundDrawList(), state_->font, io.DisplaySize,
-                  std::clamp(static_cast<float>(std::min(size.y, size.x * 9 / 16)) / 30, 9.0f, 60.0f)};
-    const game::Snapshot& s = *info.snapshot;
-    drawScore(pen, info);
-    drawHold(pen, info);
-    if (!s.paused) drawCaptions(pen, info);
-    if (info.showHints && s.phase == game::Phase::Diving && !s.paused) drawHints(pen);
-    if (s.phase == game::Phase::Results)
-        drawResults(pen, info);
-    else if (s.paused)
-        drawPause(pen);
-    char line[64];
-    if (info.showVolume) {
-        std::snprintf(line, sizeof line, "Sound %d %%", static_cast<int>(std::lround(info.volume * 100)));
-        pen.text(pen.size.x / 2, pen.unit, 0.5f, 1, kWhite, line);
-    }
-    if (!info.notice.empty())
-        pen.text(pen.size.x / 2, pen.unit * 2.4f, 0.5f, 0.75f, kGold, std::string(info.notice).c_str());
-    if (info.showTimes && info.times) drawTimes(info);
+                  std::clamp(static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines, 9.0f, 60.0f)};
+    if (info.part != HudPart::Panel) drawHold(pen, info);
+    if (info.part != HudPart::Marks) drawText(pen, info);
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

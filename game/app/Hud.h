@@ -36,7 +36,12 @@ struct FrameTimes {
     }
 };
 
+// In a headset text hangs on a panel of its own, and what marks a thing in the world is drawn where that is.
+enum class HudPart { All, Panel, Marks };
+
 struct HudInfo {
+    HudPart part = HudPart::All;
+    bool headset = false; // the player has hands, no keys
     const game::Snapshot* snapshot = nullptr;
     const render::View* view = nullptr; // for what stands at a place in the world
     std::span<const HudCaption> captions;

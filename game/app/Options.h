@@ -37,9 +37,10 @@ struct PlayOptions {
     uint64_t seed = 1;
     SurroundOptions surround;
     LookOptions look;
-    std::string hands = "mouse"; // mouse, script:FILE, replay:FILE
+    std::string hands = "mouse"; // mouse, openxr, script:FILE, replay:FILE
     std::string record;
     std::string stereo = "none"; // none, sbs
+    bool xr = false;             // in an OpenXR headset
     float fov_deg = 65;          // vertical
     float eyeDistance_mm = 64;
     bool fullscreen = false;

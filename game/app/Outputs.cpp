@@ -18,6 +18,7 @@ struct Outputs::State {
     std::optional<media::SoundTrack> track; // before the audio, which reads it
     std::optional<audio::Audio> audio;
     std::optional<haptics::HapticOutput> haptics;
+    haptics::HapticFrame felt;
     std::vector<HudCaption> captions;
 
     Status openSound(const OutputOptions& options) {
@@ -65,12 +66,14 @@ void Outputs::frame(const game::Snapshot& shown, std::span<const game::Event> ev
                     bool attended, double videoPosition_s) {
     State& s = *state_;
     // First what is felt: a touch is to be written before anything else is done.
-    if (s.haptics) s.haptics->submit(s.feel.frame(shown, events, dt_s, attended ? s.hapticStrength : 0));
+    s.felt = s.feel.frame(shown, events, dt_s, attended ? s.hapticStrength : 0);
+    if (s.haptics) s.haptics->submit(s.felt);
     s.hear.listen(shown, events, dt_s);
     if (s.audio) {
         s.audio->setPaused(shown.paused);
-        s.audio->update({.worldFromHead = shown.worldFromView, .shelter = s.hear.shelter()},
-                        s.hear.emitters(), s.hear.shots());
+        s.audio->update(
+            {.position = shown.headWorld, .worldFromHead = shown.worldFromView, .shelter = s.hear.shelter()},
+            s.hear.emitters(), s.hear.shots());
         s.audio->accompany(videoPosition_s, s.videoSound, shown.paused);
     }
     s.captions.clear();
@@ -82,6 +85,7 @@ void Outputs::setVolume(float volume) {
     if (state_->audio) state_->audio->setVolume(volume);
 }
 
+const haptics::HapticFrame& Outputs::felt() const { return state_->felt; }
 std::span<const HudCaption> Outputs::captions() const { return state_->captions; }
 
 } // namespace shoal::app

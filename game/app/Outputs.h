@@ -5,6 +5,7 @@
 #include "engine/core/Files.h"
 #include "game/Snapshot.h"
 #include "game/app/Hud.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <memory>
 #include <span>
@@ -38,6 +39,7 @@ class Outputs {
                double videoPosition_s);
     void setVolume(float volume); // 0 to 1
 
+    const haptics::HapticFrame& felt() const;     // what haptic devices were told by the last frame()
     std::span<const HudCaption> captions() const; // newest first; valid until the next frame()
 
   private:

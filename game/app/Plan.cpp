@@ -29,8 +29,11 @@ Result<Plan> makePlan(const PlayOptions& options) {
         diveName = recording->header().dive;
         plan.seed = recording->header().seed;
         plan.replay = std::move(*recording);
+    } else if (options.hands == "openxr" || (options.xr && options.hands == "mouse")) {
+        if (!options.xr) return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
+        plan.openXrHands = true;
     } else if (options.hands != "mouse") {
-        return Error{"--hands " + options.hands, "is not mouse, script:FILE or replay:FILE"};
+        return Error{"--hands " + options.hands, "is not mouse, openxr, script:FILE or replay:FILE"};
     }
     auto files = game::loadDiveFiles(diveName);
     if (!files) return files.error();

@@ -17,6 +17,7 @@ struct Plan {
     game::DiveFile dive;
     hands::HandRig rig;
     uint64_t seed = 1;
+    bool openXrHands = false; // a headset's
     std::optional<game::Script> script;
     std::optional<sim::Recording> replay;
 };

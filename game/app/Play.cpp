@@ -17,6 +17,7 @@
 #include "game/app/Stage.h"
 #include "game/app/Statistics.h"
 #include "game/app/Surround.h"
+#include "game/app/XrPlay.h"
 
 #include <GLFW/glfw3.h>
 
@@ -58,6 +59,7 @@ struct Player {
     Plan plan;
     std::optional<platform::Headless> headless; // the context first: it dies last
     std::optional<platform::Window> window;
+    std::optional<XrPlay> headset; // with --xr; the window then shows what it shows
     std::optional<Surround> surround;
     std::optional<Stage> stage;
     std::optional<Hud> hud;
@@ -81,10 +83,16 @@ struct Player {
     Status open();
     Status playThrough(bool measured);
     Status drawFrame(const Run& run, glm::ivec2 size);
+    Status drawHeadset(const Run& run, glm::ivec2 size);
+    render::Exposure exposure() const;
+    Status drawObjects(int eye, const render::View& view);
+    Status drawScene(int eye, const render::View& view);
+    HudInfo hudInfo(const Run& run, const render::View& view) const;
     const platform::WindowInput& readKeys(Run& run, double now_s);
     void govern(Clock::time_point frameBegan);
     Status saveScreenshot();
     void keepScore(const Run& run);
+    std::span<const gl::Target> drawn() const { return headset ? headset->eyes() : targets; }
     bool stereo() const { return options.stereo == "sbs"; }
 };
 
@@ -97,8 +105,9 @@ Status Player::open() {
         if (!context) return context.error();
         headless = std::move(*context);
     } else {
-        auto opened = platform::Window::open({"Shoal", options.look.size.x, options.look.size.y,
-                                              options.fullscreen, options.vsync && !options.timedemo});
+        auto opened =
+            platform::Window::open({"Shoal", options.look.size.x, options.look.size.y, options.fullscreen,
+                                    options.vsync && !options.timedemo && !options.xr});
         if (!opened) return opened.error();
         window = std::move(*opened);
     }
@@ -107,6 +116,12 @@ Status Player::open() {
     gl::spreadRasterThreads();
     const render::Detail detail = software ? render::Detail::Lean : render::Detail::Full;
     samples = options.look.samples > 0 ? options.look.samples : software ? 1 : 4;
+
+    if (options.xr) { // before what takes longer: it fails more often
+        auto put = XrPlay::open(samples);
+        if (!put) return put.error();
+        headset = std::move(*put);
+    }
 
     std::vector<Path> models;
     for (const game::Species& species : plan.species)
@@ -119,7 +134,7 @@ Status Player::open() {
     auto opened =
         Surround::open({.options = options.surround,
                         .defaultVideo = dataRoot() / "content" / plan.dive.video,
-                        .bothEyes = stereo(),
+                        .bothEyes = stereo() || options.xr,
                         .pyramid = options.look.glossy == "phong36",
                         .leastRoughness = cast->leastRoughness(),
                         .immersed = immersedIn(options, plan.dive),
@@ -142,9 +157,77 @@ Status Player::open() {
                              .video = videoIn(options.surround, plan.dive.video),
                              .videoLength_s = surround->length_s(),
                              .videoSound = options.videoSound});
-    if (options.quality == "auto" && ((window && !options.timedemo) || options.load_ms > 0))
+    if (options.quality == "auto" && !options.xr && ((window && !options.timedemo) || options.load_ms > 0))
         governor.emplace(window ? 1000 / window->refreshRate_Hz() : 1000.0 / 60);
     best = bestScore(plan.dive.name);
+    return Done{};
+}
+
+render::Exposure Player::exposure() const {
+    return {options.look.tone == "aces"     ? render::ToneCurve::Aces
+            : options.look.tone == "linear" ? render::ToneCurve::Linear
+                                            : surround->naturalTone(),
+            plan.dive.exposure_ev + options.look.exposure_ev};
+}
+
+Status Player::drawObjects(int eye, const render::View& view) {
+    return stage->drawObjects(*surround, eye, view, exposure(), surround->water(),
+                              options.look.glossy == "phong36" ? render::Glossy::PhongRings
+                                                               : render::Glossy::Prefiltered);
+}
+
+Status Player::drawScene(int eye, const render::View& view) {
+    if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure()); !drawn) return drawn;
+    return drawObjects(eye, view);
+}
+
+HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
+    const auto* mouse = std::get_if<MouseSource>(&run.source);
+    const bool unused = mouse ? !mouse->used() : playedByAPerson(run.source) && run.shown.caught == 0;
+    return {.snapshot = &run.shown,
+            .view = &view,
+            .captions = options.captions ? outputs->captions() : std::span<const HudCaption>(),
+            .bestScore = best,
+            .newBest = newBest,
+            .showHints = unused && run.shown.time_s < kHintTime_s,
+            .showTimes = showTimes,
+            .times = &times,
+            .lightName = surround->lightName(),
+            .renderer = statistics.renderer,
+            .notice = surround->notice(),
+            .volume = volume,
+            .showVolume = glfwGetTime() - volumeShown_s < 1.5 && window.has_value()};
+}
+
+// Both eyes, the panel with the text, and the window for those who look on. size: of the window.
+Status Player::drawHeadset(const Run& run, glm::ivec2 size) {
+    stage->set(run.shown, options.backdropOnly);
+    const auto hudOn = [&](HudPart part, const render::View& view, glm::ivec2 pixels) {
+        if (options.backdropOnly) return;
+        HudInfo info = hudInfo(run, view);
+        info.part = part;
+        info.headset = true;
+        info.showTimes &= part == HudPart::Panel;
+        hud->draw(info, pixels);
+    };
+    const Quality quality = governor ? governor->quality() : Quality();
+    Status drawn = headset->draw(
+        {.scene = [&](int eye, const render::View& view) { return drawScene(eye, view); },
+         .marks = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Marks, view, pixels); },
+         .panel = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Panel, view, pixels); }},
+        quality.scale, size);
+    if (!drawn || !headset->drew()) return drawn;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+    if (!options.backdropOnly && size.x > 0 && size.y > 0) {
+        HudInfo info = hudInfo(run, headset->windowView());
+        info.part = HudPart::Panel; // the marks are in the picture already
+        info.showHints = false;
+        hud->draw(info, size);
+    }
+    times.draws = stage->drawCount();
+    times.triangles = stage->triangleCount();
+    times.quality = quality;
     return Done{};
 }
 
@@ -166,18 +249,11 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         for (int eye = 0; eye < eyes; ++eye) coarse.emplace_back(drawnSize.x, drawnSize.y, samples);
     }
     stage->set(run.shown, options.backdropOnly);
-    const render::Exposure exposure{options.look.tone == "aces"     ? render::ToneCurve::Aces
-                                    : options.look.tone == "linear" ? render::ToneCurve::Linear
-                                                                    : surround->naturalTone(),
-                                    plan.dive.exposure_ev + options.look.exposure_ev};
-    const render::Glossy glossy =
-        options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
-    const water::Water water = surround->water();
     for (int eye = 0; eye < eyes; ++eye) {
         render::View view;
         view.worldFromEye = run.shown.worldFromView;
         const float side = eyes == 2 ? (eye == 0 ? -0.5f : 0.5f) * options.eyeDistance_mm * 1e-3f : 0.0f;
-        view.eyeWorld = view.worldFromEye * glm::vec3(side, 0, 0);
+        view.eyeWorld = run.shown.headWorld + view.worldFromEye * glm::vec3(side, 0, 0);
         view.verticalFov = glm::radians(options.fov_deg);
         view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
         view.heightPixels = drawnSize.y;
@@ -189,33 +265,18 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         // drawing.
         const bool shared = eyes == 2 && samples == 1 && surround->eyesSeeTheSame();
         if (!shared || eye == 0)
-            if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure); !drawn) return drawn;
+            if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure()); !drawn) return drawn;
         if (shared && eye == 0) {
             canvas[0].blitTo(canvas[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
             canvas[0].bind();
         }
-        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure, water, glossy); !drawn)
-            return drawn;
+        if (Status drawn = drawObjects(eye, view); !drawn) return drawn;
         if (enlarge) {
             coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
             target.bind();
         }
         if (options.backdropOnly) continue;
-        hud->draw({.snapshot = &run.shown,
-                   .view = &view,
-                   .captions = options.captions ? outputs->captions() : std::span<const HudCaption>(),
-                   .bestScore = best,
-                   .newBest = newBest,
-                   .showHints = std::holds_alternative<MouseSource>(run.source) &&
-                                run.shown.time_s < kHintTime_s && !std::get<MouseSource>(run.source).used(),
-                   .showTimes = showTimes,
-                   .times = &times,
-                   .lightName = surround->lightName(),
-                   .renderer = statistics.renderer,
-                   .notice = surround->notice(),
-                   .volume = volume,
-                   .showVolume = glfwGetTime() - volumeShown_s < 1.5 && window.has_value()},
-                  eyeSize);
+        hud->draw(hudInfo(run, view), eyeSize);
     }
     times.draws = stage->drawCount();
     times.quality = quality;
@@ -227,8 +288,9 @@ const platform::WindowInput& Player::readKeys(Run& run, double now_s) {
     const platform::WindowInput& input = window->poll();
     leaving |= input.closing;
     const bool results = run.after.phase == game::Phase::Results;
-    const bool mine = std::holds_alternative<MouseSource>(run.source);
-    if (mine && !input.focused && !results) run.paused = true;
+    const bool mine = playedByAPerson(run.source);
+    // A headset's player looks at no window; whether it is worn is for XrPlay to say.
+    if (mine && !headset && !input.focused && !results) run.paused = true;
     for (const int key : input.keysPressed) {
         switch (key) {
         case GLFW_KEY_ESCAPE:
@@ -289,7 +351,7 @@ void Player::keepScore(const Run& run) {
     best = run.after.score;
     newBest = true;
     // Only what a person has played counts.
-    if (!options.headless && std::holds_alternative<MouseSource>(run.source))
+    if (!options.headless && playedByAPerson(run.source))
         if (Status saved = saveBestScore(plan.dive.name, best); !saved)
             log::warn("{}", saved.error().sentence());
 }
@@ -304,11 +366,12 @@ void Player::govern(Clock::time_point frameBegan) {
 }
 
 Status Player::saveScreenshot() {
-    const ImageRgba8 left = targets[0].read();
-    const int eyes = static_cast<int>(targets.size());
+    const std::span<const gl::Target> shown = drawn();
+    const ImageRgba8 left = shown[0].read();
+    const int eyes = static_cast<int>(shown.size());
     ImageRgb8 picture(left.width * eyes, left.height);
     for (int eye = 0; eye < eyes; ++eye) {
-        const ImageRgba8 image = eye == 0 ? left : targets[static_cast<size_t>(eye)].read();
+        const ImageRgba8 image = eye == 0 ? left : shown[static_cast<size_t>(eye)].read();
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
                 std::copy_n(image.at(x, y), 3, picture.at(eye * left.width + x, y));
@@ -323,13 +386,26 @@ Status Player::playThrough(bool measured) {
     const Clock::time_point began = Clock::now();
     Clock::time_point last = began;
     for (uint64_t frame = 0; !leaving; ++frame) {
+        if (headset) {
+            if (Status waited = headset->wait(); !waited) return waited;
+            leaving |= headset->leaving();
+            if (!governor && options.quality == "auto" && !options.timedemo && headset->period_s() > 0)
+                governor.emplace(1000 * headset->period_s());
+        }
         const Clock::time_point now = Clock::now();
         const double wall_s = std::min(secondsBetween(last, now), kSlowestFrame_s);
         last = now;
         // With a player in front, time is the clock's; else each picture is 1 / fps after the one before.
         const bool live = window && !options.timedemo;
-        const double elapsed_s = live ? wall_s : frame == 0 ? 0 : 1.0 / static_cast<double>(options.fps);
+        double elapsed_s = headset      ? std::min(headset->elapsed_s(), kSlowestFrame_s)
+                           : live       ? wall_s
+                           : frame == 0 ? 0
+                                        : 1.0 / static_cast<double>(options.fps);
         const platform::WindowInput* input = window ? &readKeys(run, glfwGetTime()) : nullptr;
+        if (headset) {
+            headset->feed(run, plan.rig);
+            if (run.paused && !playedByAPerson(run.source)) elapsed_s = 0; // a script waits for its onlooker
+        }
         if (auto* mouse = std::get_if<MouseSource>(&run.source)) {
             const glm::ivec2 size = window ? window->framebufferSize() : options.look.size;
             mouse->frame(window ? &*window : nullptr, input, run.shown, static_cast<float>(elapsed_s),
@@ -341,6 +417,8 @@ Status Player::playThrough(bool measured) {
         times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
         outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s), !input || input->focused,
                        surround->videoPosition_s());
+        if (headset)
+            if (Status felt = headset->feel(outputs->felt(), run.paused); !felt) return felt;
         keepScore(run);
 
         // The video begins with the dive, pauses with it, and begins anew with it.
@@ -357,7 +435,11 @@ Status Player::playThrough(bool measured) {
         times.upload_ms = surround->upload_ms();
 
         const glm::ivec2 size = window ? window->framebufferSize() : options.look.size;
-        if (size.x > 0 && size.y > 0) { // not while minimised
+        if (headset) {
+            if (Status drawn = drawHeadset(run, size); !drawn) return drawn;
+            if (governor && headset->drew()) govern(now);
+            if (headset->drew()) window->present();
+        } else if (size.x > 0 && size.y > 0) { // not while minimised
             if (Status drawn = drawFrame(run, size); !drawn) return drawn;
             while (secondsBetween(now, Clock::now()) * 1e3 < static_cast<double>(options.load_ms)) {
             }
@@ -413,7 +495,7 @@ int play(const PlayOptions& options) {
         if (Status saved = saveSettings(settings); !saved) log::warn("{}", saved.error().sentence());
     }
     // What was asked for is written even when an expectation failed: it helps to see why.
-    if (!options.screenshot.empty() && !player.targets.empty())
+    if (!options.screenshot.empty() && !player.drawn().empty())
         if (Status saved = player.saveScreenshot(); !saved) return failed(saved.error());
     if (!options.stats.empty())
         if (Status written = writeStatistics(options.stats, player.statistics); !written)

@@ -2,6 +2,7 @@
 
 #include "game/Playback.h"
 
+#include <algorithm>
 #include <array>
 
 namespace shoal::app {
@@ -11,6 +12,7 @@ namespace {
 HandSource makeSource(const Plan& plan) {
     if (plan.script) return game::ScriptRun(*plan.script, plan.rig, plan.species);
     if (plan.replay) return ReplaySource{*plan.replay};
+    if (plan.openXrHands) return OpenXrSource{};
     return MouseSource(plan.rig, plan.species);
 }
 
@@ -25,10 +27,16 @@ Run::Run(const Plan& plan)
     shown = after;
 }
 
-void Run::tick(bool keep) {
+void Run::tick(bool keep, float share) {
     game::TickInput input;
-    if (auto* mouse = std::get_if<MouseSource>(&source)) {
-        mouse->next(input);
+    if (playedByAPerson(source)) {
+        if (auto* mouse = std::get_if<MouseSource>(&source)) mouse->next(input);
+        if (auto* headset = std::get_if<OpenXrSource>(&source)) headset->next(input, share);
+        if (head) {
+            const xr::Pose at = xr::between(headBefore_.value_or(*head), *head, share);
+            input.worldFromView = at.orientation;
+            input.headWorld = at.position;
+        }
         input.pause = paused;
         input.restart = restart;
         restart = false;
@@ -71,7 +79,11 @@ void Run::tick(bool keep) {
 void Run::advance(double elapsed_s, bool keep) {
     events.clear();
     const int count = clock.advance(elapsed_s);
-    for (int i = 0; i < count && !ended; ++i) tick(keep);
+    for (int i = 0; i < count && !ended; ++i) {
+        const double ticksAfter = static_cast<double>(clock.alpha()) + count - 1 - i; // to this frame
+        tick(keep, static_cast<float>(1 - std::min(1.0, ticksAfter / sim::kTickRate_Hz / elapsed_s)));
+    }
+    headBefore_ = head;
     game::interpolate(before, after, clock.alpha(), shown);
 }
 

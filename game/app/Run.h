@@ -3,10 +3,12 @@
 
 #include "engine/sim/FixedStep.h"
 #include "engine/sim/Recording.h"
+#include "engine/xr/Tracked.h"
 #include "game/Dive.h"
 #include "game/app/HandSource.h"
 #include "game/app/Plan.h"
 
+#include <optional>
 #include <vector>
 
 namespace shoal::app {
@@ -24,12 +26,15 @@ struct Run {
     game::Snapshot before, after, shown;
     std::vector<game::Event> events; // of this frame's ticks
     uint64_t ticks = 0;
+    std::optional<xr::Pose> head; // of a headset; else the source tells where the player looks
     bool paused = false, restart = false;
     bool ended = false; // the source has no more to say
     Status verdict = Done{};
 
   private:
-    void tick(bool keep);
+    // share: where the tick lies between the last frame and this one, 0 to 1.
+    void tick(bool keep, float share);
+    std::optional<xr::Pose> headBefore_; // in the last frame
     std::vector<game::Event> tickEvents_;
 };
 

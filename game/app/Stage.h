@@ -19,11 +19,8 @@ class Stage {
     // Once a frame, before draw().
     void set(const game::Snapshot& snapshot, bool backdropOnly);
 
-    // Once an eye (0 left, 1 right), into the bound framebuffer, whose viewport is set.
-    Status draw(const Surround& surround, int eye, const render::View& view, const render::Exposure& exposure,
-                const water::Water& water, render::Glossy glossy);
-
-    // The two halves of draw(), for eyes that share a backdrop.
+    // Once an eye (0 left, 1 right), into the bound framebuffer, whose viewport is set: first the backdrop,
+    // which eyes may share, then the rest.
     Status drawBackdrop(const Surround& surround, int eye, const render::View& view,
                         const render::Exposure& exposure);
     Status drawObjects(const Surround& surround, int eye, const render::View& view,

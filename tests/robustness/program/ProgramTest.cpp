@@ -72,6 +72,9 @@ TEST_F(Program, WrongWordsOnTheCommandLine) {
     expectOneSentence(run("play --nonsense"), "--nonsense", 2);
     expectOneSentence(run("play --size 12"), "--size", 2);
     expectOneSentence(run("play --fov 500"), "--fov", 2);
+    expectOneSentence(run("play --xr --headless"), "--xr", 2);
+    expectOneSentence(run("play --xr --stereo sbs"), "--xr", 2);
+    expectOneSentence(run("play --headless --hands openxr"), "--xr");
 }
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneSentence(run("play"), "--headless"); }

@@ -89,6 +89,7 @@ TEST(TickInput, ComesBackFromBytesExactly) {
     in.hands[0] = test::handAt({0.1f, 0.2f, -0.5f}, 0.3f, 0);
     in.hands[1] = test::handAt({-0.1f, -0.2f, -0.9f}, 0.9f);
     in.worldFromView = {0.5f, -0.5f, 0.5f, 0.5f};
+    in.headWorld = {0.1f, -0.2f, 0.3f};
     in.restart = true;
     std::array<uint8_t, kTickInputBytes> bytes{}, again{};
     toBytes(in, bytes);
@@ -96,6 +97,7 @@ TEST(TickInput, ComesBackFromBytesExactly) {
     toBytes(out, again);
     EXPECT_EQ(bytes, again);
     EXPECT_EQ(out.hands[1].joints[13].position, in.hands[1].joints[13].position);
+    EXPECT_EQ(out.headWorld, in.headWorld);
     EXPECT_TRUE(out.restart);
     EXPECT_FALSE(out.pause);
 }

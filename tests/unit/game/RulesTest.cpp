@@ -230,6 +230,20 @@ TEST(Fright, ASlowHandDoesNotFrighten) {
     EXPECT_EQ(count(one.events, Kind::Startle), 0);
 }
 
+// Hands are given as the viewer has them: a head that leans takes them along.
+TEST(Head, HandsGoWhereTheHeadGoes) {
+    OneFish one;
+    one.input.hands[1] = handAt(kPlace + glm::vec3(0.3f, 0, 0));
+    one.step();
+    const glm::vec3 before = one.world.hands[1].joints[10].position;
+    one.input.headWorld = {0.2f, -0.1f, 0.05f};
+    one.step();
+    Snapshot shown;
+    one.world.fill(shown);
+    EXPECT_EQ(shown.headWorld, one.input.headWorld);
+    EXPECT_LT(glm::distance(shown.hands[1].joints[10].position, before + one.input.headWorld), 1e-6f);
+}
+
 TEST(BadInput, IsNotBelieved) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     OneFish one;
@@ -251,6 +265,8 @@ TEST(BadInput, IsNotBelieved) {
     bad([&](TickInput& i) { i.hands[1].grip = nan; });
     bad([&](TickInput& i) { i.worldFromView = {nan, 0, 0, 0}; });
     bad([&](TickInput& i) { i.worldFromView = {0, 0, 0, 0}; });
+    bad([&](TickInput& i) { i.headWorld = {nan, 0, 0}; });
+    bad([&](TickInput& i) { i.headWorld = {0, 1e9f, 0}; });
     // For long: the hand is gone, nothing else happens.
     for (int i = 0; i < 200; ++i) {
         TickInput input = one.input;

@@ -1,0 +1,72 @@
+#include "engine/render/VeilPass.h"
+
+#include "shaders/render/Attributes.glsl"
+
+#include <algorithm>
+#include <array>
+
+namespace shoal::render {
+
+Result<VeilPass> VeilPass::make() {
+    VeilPass pass;
+    auto program = gl::Program::load("render/Veil");
+    if (!program) return program.error();
+    pass.program_ = std::move(*program);
+    pass.vertexArray_ = gl::VertexArray::make();
+    pass.vertices_ = gl::Buffer::make();
+    glBindVertexArray(pass.vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
+    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
+    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+    glBindVertexArray(0);
+    return pass;
+}
+
+void VeilPass::draw(std::span<const glm::vec2> corners, const glm::vec2& halfExtent, const glm::vec2& shift,
+                    const glm::vec4& colour) {
+    glBindVertexArray(vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size_bytes()), corners.data(),
+                 GL_STREAM_DRAW);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    program_.use();
+    program_.set("halfExtent", halfExtent);
+    program_.set("shift", shift);
+    program_.set("colour", colour);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+    glBindVertexArray(0);
+}
+
+void VeilPass::hide(std::span<const glm::vec2> corners, const View& view) {
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    glStencilMask(0xff);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (corners.empty()) return;
+    glDisable(GL_BLEND);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    draw(corners, view.halfExtent(), view.shift, glm::vec4(0, 0, 0, 1));
+    glDisable(GL_STENCIL_TEST);
+}
+
+VeilPass::OnlySeen::OnlySeen() {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+VeilPass::OnlySeen::~OnlySeen() { glDisable(GL_STENCIL_TEST); }
+
+void VeilPass::fade(const glm::vec3& colour, float amount) {
+    if (!(amount > 0)) return;
+    static constexpr std::array<glm::vec2, 3> kAll = {glm::vec2(-1, -1), glm::vec2(3, -1), glm::vec2(-1, 3)};
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    draw(kAll, glm::vec2(1), glm::vec2(0), glm::vec4(colour, std::min(amount, 1.0f)));
+    glDisable(GL_BLEND);
+}
+
+} // namespace shoal::render

@@ -1,0 +1,28 @@
+// Bare hands by XR_EXT_hand_tracking. Only for the sources of this folder.
+#pragma once
+
+#include "engine/xr/Instance.h"
+#include "engine/xr/Tracked.h"
+
+#include <array>
+
+namespace shoal::xr {
+
+class HandTrackers {
+  public:
+    HandTrackers() = default;
+    HandTrackers(HandTrackers&&) noexcept;
+    HandTrackers& operator=(HandTrackers&&) noexcept;
+    ~HandTrackers();
+
+    // Without the extension: hands that are never active.
+    static Result<HandTrackers> make(const Instance& instance, XrSession session);
+    Status locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const;
+
+  private:
+    std::array<XrHandTrackerEXT, 2> trackers_{};
+    PFN_xrLocateHandJointsEXT locate_ = nullptr;
+    PFN_xrDestroyHandTrackerEXT destroy_ = nullptr;
+};
+
+} // namespace shoal::xr

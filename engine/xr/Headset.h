@@ -1,0 +1,86 @@
+// A headset behind OpenXR: its session, its frames, where head and hands are, what it shows. The lenses' warp
+// is the runtime's work. World frame: the dive's, whose origin is where the eyes were when it was centred.
+//
+// Each turn of the game's loop: poll(); where duty().frames, waitFrame(), then begin(), the pictures, end().
+// One thread, with the GL context that was current at open().
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/xr/Lifecycle.h"
+#include "engine/xr/Tracked.h"
+
+#include <epoxy/gl.h>
+#include <glm/vec2.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace shoal::xr {
+
+enum class Picture { LeftEye, RightEye, Panel };
+
+struct Frame {
+    int64_t display_ns = 0; // when it will be seen; the runtime's clock
+    double period_s = 0;    // from one frame to the next
+    bool drawn = false;     // somebody sees it
+};
+
+// Triangles on the plane at distance 1 before an eye (right and up positive) that the lenses hide.
+struct HiddenArea {
+    std::vector<glm::vec2> corners; // three a triangle
+};
+
+// What end() shows: the pictures that were released since begin().
+struct Shown {
+    bool eyes = false;
+    glm::ivec2 eyeSize{0}; // the part drawn, from the lower left; at most eyeSize()
+    bool panel = false;    // with premultiplied alpha
+    Pose worldFromPanel;   // its middle, seen from +Z
+    glm::vec2 panelSize_m{0};
+};
+
+class Headset {
+  public:
+    // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell a player what to do.
+    static Result<Headset> open(glm::ivec2 panelSize);
+    Headset(Headset&&) noexcept;
+    Headset& operator=(Headset&&) noexcept;
+    ~Headset(); // ends the session in good order; what vibrates stops
+
+    // Takes the runtime's news, and begins or ends the session as they ask. Fails when the headset is lost.
+    Status poll();
+    const Duty& duty() const;
+    bool leaving() const;    // the player told the runtime to end the game
+    bool takeMasksChanged(); // hiddenArea() has changed since this was last asked; true at first
+    void recentre();         // from the next tracked frame on the dive's origin is where the eyes are
+
+    Result<Frame> waitFrame();        // sleeps until the runtime wants the next one
+    const Tracking& tracking() const; // at the time when the frame will be seen
+
+    Status begin();
+    // A framebuffer, colour only, for values coded for display (sRGB); of eyeSize() or panelSize.
+    Result<GLuint> acquire(Picture picture);
+    Status release(Picture picture);
+    Status end(const Shown& shown);
+
+    // Empty where the runtime names none.
+    Result<HiddenArea> hiddenArea(int eye) const;
+
+    // hand: 0 left, 1 right; amplitude 0 to 1. Goes on for up to a tenth of a second; 0 stops it.
+    Status vibrate(int hand, float amplitude, float frequency_Hz);
+
+    glm::ivec2 eyeSize() const; // the runtime's recommendation, pixels
+    bool bareHands() const;     // hands without controllers can be tracked
+    std::string name() const;   // of headset and runtime
+
+  private:
+    struct State;
+    explicit Headset(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+// Name of the active runtime, or why there is none.
+Result<std::string> activeRuntime();
+
+} // namespace shoal::xr

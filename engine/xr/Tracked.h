@@ -1,0 +1,76 @@
+// What a headset tells: plain data, in the units and axes of the game (metres, radians, +Y up, -Z ahead),
+// which are OpenXR's too. Needs nothing of OpenXR.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+
+namespace shoal::xr {
+
+struct Pose {
+    glm::vec3 position{0};
+    glm::quat orientation{1, 0, 0, 0};
+};
+
+// `worldFromA`, `aFromB` give `worldFromB`.
+inline Pose operator*(const Pose& worldFromA, const Pose& aFromB) {
+    return {worldFromA.position + worldFromA.orientation * aFromB.position,
+            worldFromA.orientation * aFromB.orientation};
+}
+inline Pose inverse(const Pose& pose) {
+    const glm::quat turn = glm::conjugate(pose.orientation);
+    return {turn * -pose.position, turn};
+}
+// Between two poses a small turn apart: a at share 0, b at 1.
+inline Pose between(const Pose& a, const Pose& b, float share) {
+    const glm::quat other =
+        glm::dot(a.orientation, b.orientation) < 0 ? -b.orientation : b.orientation; // the shorter way
+    return {a.position + (b.position - a.position) * share,
+            glm::normalize(a.orientation * (1 - share) + other * share)};
+}
+
+// From the middle of the view to each edge, radians; left and down are negative.
+struct Fov {
+    float left = 0, right = 0, up = 0, down = 0;
+};
+
+struct Eye {
+    Pose worldFromEye;
+    Fov fov;
+};
+
+struct TrackedJoint {
+    Pose worldFromJoint;
+    float radius = 0; // metres
+    bool valid = false;
+    bool seen = false; // not merely guessed
+};
+
+// A bare hand: the joints of XR_EXT_hand_tracking, in its order.
+struct TrackedHand {
+    bool active = false;
+    std::array<TrackedJoint, 26> joints{};
+};
+
+// What is held in a hand.
+struct Controller {
+    bool active = false;
+    bool gripValid = false;
+    Pose worldFromGrip; // OpenXR's grip pose: in the palm
+    float squeeze = 0;  // 0 to 1: under the middle finger
+    float trigger = 0;  // 0 to 1: under the index finger
+    bool menu = false;
+};
+
+// Everything of one moment.
+struct Tracking {
+    bool headTracked = false;                // else what follows is the last that was known
+    Pose worldFromHead;                      // between the eyes
+    std::array<Eye, 2> eyes{};               // left, right
+    std::array<TrackedHand, 2> hands{};      // left, right
+    std::array<Controller, 2> controllers{}; // left, right
+};
+
+} // namespace shoal::xr

@@ -1,0 +1,26 @@
+// Where text hangs in a headset: before the player, upright, turning after the head only when that looks well
+// aside, so that it is never locked to the head.
+#pragma once
+
+#include "engine/xr/Tracked.h"
+
+namespace shoal::app {
+
+class HudPlace {
+  public:
+    static constexpr float kDistance_m = 1.5f;
+    static constexpr float kBelow_m = 0.1f;                 // the eyes: rests easier
+    static constexpr float kLag_rad = 0.6f;                 // the head may turn so far before it follows
+    static constexpr float kSettled_rad = 0.05f;            // and then it follows until so near
+    static constexpr float kTurn_s = 0.35f, kMove_s = 0.5f; // time constants
+
+    // Once a frame. Worlds as in xr::Tracking. The first call places it ahead of the head.
+    xr::Pose follow(const xr::Pose& worldFromHead, float dt_s);
+
+  private:
+    bool placed_ = false, turning_ = false;
+    float yaw_ = 0; // about +Y
+    glm::vec3 centre_{0};
+};
+
+} // namespace shoal::app

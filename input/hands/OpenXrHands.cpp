@@ -1,0 +1,79 @@
+#include "input/hands/OpenXrHands.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+
+namespace shoal::hands {
+
+namespace {
+
+// OpenXR's grip pose: -Z along what is held, from the little finger to the thumb; +X across the palm to the
+// right for both hands; so +Y points to the wrist. A joint has -Z to the fingertips and +Y out of the back of
+// the hand, which on the right hand is to the right, on the left to the left.
+glm::quat gripFromWrist(Side side) {
+    const glm::vec3 back(side == Side::Right ? 1.0f : -1.0f, 0, 0), toWrist(0, 1, 0);
+    return glm::quat_cast(glm::mat3(glm::cross(back, toWrist), back, toWrist));
+}
+
+constexpr float kRelaxed = 0.12f; // bend of a finger that presses nothing
+
+} // namespace
+
+HandPose handFromJoints(const xr::TrackedHand& seen, const xr::Pose& worldFromHead) {
+    HandPose hand;
+    if (!seen.active) return hand;
+    static_assert(kJointCount == std::tuple_size_v<decltype(seen.joints)>);
+    const xr::Pose headFromWorld = xr::inverse(worldFromHead);
+    int sure = 0;
+    for (size_t i = 0; i < hand.joints.size(); ++i) {
+        const xr::TrackedJoint& joint = seen.joints[i];
+        if (!joint.valid) return HandPose{};
+        sure += joint.seen;
+        const xr::Pose headFromJoint = headFromWorld * joint.worldFromJoint;
+        hand.joints[i].position = headFromJoint.position;
+        hand.joints[i].orientation = glm::normalize(headFromJoint.orientation);
+        if (joint.radius >= 0.001f && joint.radius <= 0.1f) hand.joints[i].radius = joint.radius;
+    }
+    hand.tracked = true;
+    hand.confidence = static_cast<float>(sure) / kJointCount;
+    hand.grip = gripOf(hand.joints);
+    hand.pinch = pinchOf(hand.joints);
+    return hand;
+}
+
+HandPose handFromController(const HandRig& rig, Side side, const xr::Controller& controller,
+                            const xr::Pose& worldFromHead) {
+    if (!controller.active || !controller.gripValid) return {};
+    const xr::Pose headFromGrip = xr::inverse(worldFromHead) * controller.worldFromGrip;
+    const auto bend = [](float pressed) {
+        return kRelaxed + (0.95f - kRelaxed) * std::clamp(pressed, 0.0f, 1.0f);
+    };
+    HandShape shape;
+    shape.curl[static_cast<size_t>(Finger::Thumb)] =
+        0.8f * bend(std::max(controller.trigger, controller.squeeze));
+    shape.curl[static_cast<size_t>(Finger::Index)] = bend(controller.trigger);
+    for (const Finger finger : {Finger::Middle, Finger::Ring, Finger::Little})
+        shape.curl[static_cast<size_t>(finger)] = bend(controller.squeeze);
+    WristPose wrist;
+    wrist.orientation = glm::normalize(headFromGrip.orientation * gripFromWrist(side));
+    // The grip pose lies on the palm's surface; the palm hangs from the wrist whatever the fingers do.
+    HandPose hand = rig.pose(side, shape, wrist);
+    const Joint& palm = hand.joints[0];
+    const glm::vec3 surface = palm.position - palm.orientation * glm::vec3(0, palm.radius, 0);
+    for (Joint& joint : hand.joints) joint.position += headFromGrip.position - surface;
+    return hand;
+}
+
+std::array<HandPose, 2> openXrHands(const HandRig& rig, const xr::Tracking& tracking) {
+    std::array<HandPose, 2> hands;
+    for (size_t i = 0; i < hands.size(); ++i) {
+        hands[i] = handFromJoints(tracking.hands[i], tracking.worldFromHead);
+        if (!hands[i].tracked)
+            hands[i] = handFromController(rig, i == 0 ? Side::Left : Side::Right, tracking.controllers[i],
+                                          tracking.worldFromHead);
+    }
+    return hands;
+}
+
+} // namespace shoal::hands

@@ -1,0 +1,19 @@
+// Hands as an OpenXR headset sees them: bare, or from what they hold.
+#pragma once
+
+#include "engine/xr/Tracked.h"
+#include "input/hands/HandRig.h"
+
+namespace shoal::hands {
+
+// Tracked only if every joint is valid. Radii that cannot be are replaced by a finger's.
+HandPose handFromJoints(const xr::TrackedHand&, const xr::Pose& worldFromHead);
+
+// A hand around a controller: the palm at the grip pose, the last three fingers as far bent as it is
+// squeezed, thumb and index finger by the trigger.
+HandPose handFromController(const HandRig&, Side, const xr::Controller&, const xr::Pose& worldFromHead);
+
+// Left and right: bare where that hand is seen, else from its controller, else not tracked.
+std::array<HandPose, 2> openXrHands(const HandRig&, const xr::Tracking&);
+
+} // namespace shoal::hands

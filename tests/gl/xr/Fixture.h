@@ -1,0 +1,62 @@
+// The fake runtime behind the real loader, on a display without a screen. Where Khronos' layer that checks an
+// application's calls is installed (openxr-layer-corevalidation), it lies between.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "tests/gl/xr/VirtualDisplay.h"
+#include "tests/gl/xr/runtime/FakeRuntime.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace shoal::test {
+
+class WithFakeRuntime : public testing::Test {
+  protected:
+    FakeRuntime& fake = shoalFakeRuntime();
+    std::optional<VirtualDisplay> display_;
+    bool validated_ = false;
+    const Path validation_ =
+        Path(testing::TempDir()) / ("shoal_xr_validation_" + std::to_string(getpid()) + ".txt");
+
+    static bool layerIsInstalled() {
+        std::error_code none;
+        for (const auto& file :
+             std::filesystem::directory_iterator("/usr/share/openxr/1/api_layers/explicit.d", none))
+            if (file.path().filename().string().starts_with("XrApiLayer_core_validation")) return true;
+        return false;
+    }
+    // What the layer has complained of; it writes no file without a complaint.
+    std::string validationReport() const {
+        const auto text = readText(validation_);
+        return text ? *text : std::string();
+    }
+
+    void SetUp() override {
+        fake = FakeRuntime();
+        setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
+        validated_ = layerIsInstalled();
+        if (validated_) {
+            std::filesystem::remove(validation_);
+            setenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation", 1);
+            setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
+            setenv("XR_CORE_VALIDATION_FILE_NAME", validation_.c_str(), 1);
+        }
+        display_ = VirtualDisplay::open();
+        if (!display_) GTEST_SKIP() << "needs Xvfb";
+    }
+    // All that was made is gone, and nothing was called that must not be.
+    void TearDown() override {
+        EXPECT_EQ(fake.complaints, std::vector<std::string>());
+        EXPECT_EQ(validationReport(), "");
+        std::filesystem::remove(validation_);
+        EXPECT_EQ(fake.instances, 0);
+        EXPECT_EQ(fake.sessions, 0);
+        EXPECT_EQ(fake.swapchains, 0);
+        EXPECT_EQ(fake.spaces, 0);
+        EXPECT_EQ(fake.handTrackers, 0);
+    }
+};
+
+} // namespace shoal::test

@@ -1,0 +1,279 @@
+// A headset through the real loader, down to a runtime that only tests have.
+#include "engine/xr/Headset.h"
+#include "engine/platform/Window.h"
+#include "engine/xr/Geometry.h"
+#include "tests/gl/xr/Fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace shoal::xr {
+namespace {
+
+class HeadsetGL : public test::WithFakeRuntime {
+  protected:
+    std::optional<platform::Window> window_;
+
+    void SetUp() override {
+        WithFakeRuntime::SetUp();
+        if (IsSkipped()) return;
+        auto window = platform::Window::open({"test", 64, 64, false, false});
+        ASSERT_TRUE(window) << window.error().sentence();
+        window_ = std::move(*window);
+    }
+    void TearDown() override {
+        window_.reset();
+        WithFakeRuntime::TearDown();
+    }
+
+    static Headset open() {
+        auto headset = Headset::open({96, 60});
+        if (!headset) throw std::runtime_error(headset.error().sentence());
+        return *std::move(headset);
+    }
+    // One turn of a game's loop that shows nothing.
+    static Frame emptyFrame(Headset& headset) {
+        const Status polled = headset.poll();
+        EXPECT_TRUE(polled) << polled.error().sentence();
+        if (!headset.duty().frames) return {};
+        const auto frame = headset.waitFrame();
+        EXPECT_TRUE(frame) << frame.error().sentence();
+        EXPECT_TRUE(headset.begin());
+        EXPECT_TRUE(headset.end({}));
+        return *frame;
+    }
+    static void untilFocused(Headset& headset) {
+        for (int i = 0; i < 10 && !headset.duty().plays; ++i) emptyFrame(headset);
+        ASSERT_TRUE(headset.duty().plays);
+    }
+};
+
+TEST_F(HeadsetGL, BeginsAndEndsInGoodOrder) {
+    {
+        Headset headset = open();
+        EXPECT_EQ(headset.name(), "Fake headset (Fake runtime)");
+        EXPECT_EQ(headset.eyeSize(), glm::ivec2(200, 240));
+        EXPECT_TRUE(headset.bareHands());
+        EXPECT_FALSE(headset.duty().frames);
+        untilFocused(headset);
+        EXPECT_FALSE(headset.leaving());
+    }
+    EXPECT_TRUE(fake.called.contains("xrRequestExitSession"));
+    EXPECT_TRUE(fake.called.contains("xrEndSession"));
+    EXPECT_EQ(fake.boundProfiles.size(), 5u);
+}
+
+TEST_F(HeadsetGL, TakesItsFrameTimesFromTheRuntime) {
+    Headset headset = open();
+    untilFocused(headset);
+    fake.period_s = 1.0 / 72;
+    const Frame first = emptyFrame(headset), second = emptyFrame(headset);
+    EXPECT_NEAR(static_cast<double>(second.display_ns - first.display_ns) * 1e-9, 1.0 / 72, 1e-8);
+    EXPECT_NEAR(second.period_s, 1.0 / 72, 1e-8);
+}
+
+TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
+    // The player stands somewhere else and looks to the right, and down.
+    const glm::quat turn =
+        glm::angleAxis(-1.2f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.4f, glm::vec3(1, 0, 0));
+    for (size_t eye = 0; eye < 2; ++eye) {
+        const glm::vec3 at = glm::vec3(2, 0.3f, -1) + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
+        fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z}};
+    }
+    Headset headset = open();
+    untilFocused(headset);
+    emptyFrame(headset);
+    const Tracking& now = headset.tracking();
+    ASSERT_TRUE(now.headTracked);
+    EXPECT_LT(glm::length(now.worldFromHead.position), 1e-5f);
+    const glm::vec3 ahead = now.worldFromHead.orientation * glm::vec3(0, 0, -1);
+    // Of the turn only the looking down is left.
+    EXPECT_LT(glm::distance(ahead, glm::vec3(0, std::sin(-0.4f), -std::cos(0.4f))), 1e-5f);
+    EXPECT_NEAR(glm::distance(now.eyes[0].worldFromEye.position, now.eyes[1].worldFromEye.position), 0.064f,
+                1e-5f);
+
+    // A step to the side is a step in the dive, until it is centred anew.
+    for (XrView& view : fake.views) view.pose.position.y += 0.25f;
+    emptyFrame(headset);
+    EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.25f, 1e-5f);
+    fake.sayRecentred();
+    emptyFrame(headset);
+    EXPECT_LT(glm::length(headset.tracking().worldFromHead.position), 1e-5f);
+}
+
+TEST_F(HeadsetGL, KnowsWhenTheHeadIsLost) {
+    Headset headset = open();
+    untilFocused(headset);
+    emptyFrame(headset);
+    const glm::vec3 known = headset.tracking().worldFromHead.position;
+    for (const XrViewStateFlags flags :
+         {XrViewStateFlags(0), XrViewStateFlags(XR_VIEW_STATE_ORIENTATION_VALID_BIT),
+          XrViewStateFlags(0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT)}) {
+        fake.viewFlags = flags;
+        fake.views[0].pose.position.x = 7;
+        emptyFrame(headset);
+        EXPECT_FALSE(headset.tracking().headTracked) << flags;
+        EXPECT_EQ(headset.tracking().worldFromHead.position, known);
+    }
+    fake.viewFlags = 0xf;
+    fake.views[0].pose.orientation = {0, 0, 0, 0}; // no rotation at all
+    emptyFrame(headset);
+    EXPECT_FALSE(headset.tracking().headTracked);
+    fake.views[0].pose = {{0, 0, 0, 1}, {-0.032f, 0, 0}};
+    emptyFrame(headset);
+    EXPECT_TRUE(headset.tracking().headTracked);
+}
+
+TEST_F(HeadsetGL, AHeadsetThatOnlyTurnsIsNeverLostForItsPosition) {
+    fake.tracksPosition = false;
+    fake.viewFlags = 0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT;
+    Headset headset = open();
+    untilFocused(headset);
+    emptyFrame(headset);
+    EXPECT_TRUE(headset.tracking().headTracked);
+}
+
+// Every pixel as it was written, in the poses and angles that were given.
+TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
+    fake.keepPictures = true;
+    Headset headset = open();
+    untilFocused(headset);
+    ASSERT_TRUE(headset.poll());
+    const auto frame = headset.waitFrame();
+    ASSERT_TRUE(frame);
+    EXPECT_TRUE(frame->drawn);
+    ASSERT_TRUE(headset.begin());
+    for (const Picture picture : {Picture::LeftEye, Picture::RightEye, Picture::Panel}) {
+        const auto framebuffer = headset.acquire(picture);
+        ASSERT_TRUE(framebuffer) << framebuffer.error().sentence();
+        glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+        glClearColor(100 / 255.0f, 50 / 255.0f, static_cast<float>(picture) / 255.0f, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        ASSERT_TRUE(headset.release(picture));
+    }
+    const Pose place{{0.1f, 0.2f, -1.5f}, {1, 0, 0, 0}};
+    ASSERT_TRUE(headset.end({true, {150, 160}, true, place, {1.8f, 1.125f}}));
+    ASSERT_TRUE(fake.last.eyes && fake.last.panel);
+    EXPECT_EQ(fake.last.display, frame->display_ns);
+    for (size_t eye = 0; eye < 2; ++eye) {
+        const test::ShownEye& shown = (*fake.last.eyes)[eye];
+        const XrView& given = fake.views[eye];
+        EXPECT_NEAR(shown.localFromEye.position.x, given.pose.position.x, 1e-6f);
+        EXPECT_NEAR(std::abs(shown.localFromEye.orientation.w), 1, 1e-6f);
+        EXPECT_EQ(shown.fov.angleLeft, given.fov.angleLeft);
+        EXPECT_EQ(shown.fov.angleDown, given.fov.angleDown);
+        EXPECT_EQ(shown.rect.extent.width, 150);
+        EXPECT_EQ(shown.picture.rgba[0], 100); // coded values stay as they are
+        EXPECT_EQ(shown.picture.rgba[2], eye);
+    }
+    EXPECT_NEAR(fake.last.panel->localFromPanel.position.z, -1.5f, 1e-6f);
+    EXPECT_EQ(fake.last.panel->size.width, 1.8f);
+    EXPECT_EQ(fake.last.panel->picture.width, 96);
+    EXPECT_EQ(fake.last.panel->picture.rgba[2], 2);
+}
+
+TEST_F(HeadsetGL, HiddenAreasComeWholeOrNotAtAll) {
+    fake.masks[1] = {{{-1, -1}, {0, -1}, {-1, 0}, {1, 1}}, {0, 1, 2, 1, 3, 2}};
+    Headset headset = open();
+    EXPECT_TRUE(headset.takeMasksChanged());
+    EXPECT_FALSE(headset.takeMasksChanged());
+    const auto none = headset.hiddenArea(0), some = headset.hiddenArea(1);
+    ASSERT_TRUE(none && some);
+    EXPECT_TRUE(none->corners.empty());
+    ASSERT_EQ(some->corners.size(), 6u);
+    EXPECT_EQ(some->corners[4], glm::vec2(1, 1));
+    fake.masks[1].indices[3] = 4; // beyond the vertices
+    fake.sayMaskChanged(1);
+    ASSERT_TRUE(headset.poll());
+    EXPECT_TRUE(headset.takeMasksChanged());
+    EXPECT_TRUE(headset.hiddenArea(1)->corners.empty());
+    fake.masks[1].vertices.resize(1u << 20); // more than any lens hides
+    EXPECT_TRUE(headset.hiddenArea(1)->corners.empty());
+}
+
+TEST_F(HeadsetGL, HandsAndControllersAreTold) {
+    fake.hands[1].active = true;
+    for (size_t i = 0; i < fake.hands[1].joints.size(); ++i)
+        fake.hands[1].joints[i] = {0xf, {{0, 0, 0, 1}, {0.01f * static_cast<float>(i), 0, -0.4f}}, 0.01f};
+    fake.controllers[0] = {true, {{0, 0, 0, 1}, {-0.3f, -0.2f, -0.5f}}, 0.7f, 0.2f, true};
+    Headset headset = open();
+    untilFocused(headset);
+    emptyFrame(headset);
+    const Tracking& now = headset.tracking();
+    EXPECT_FALSE(now.hands[0].active);
+    ASSERT_TRUE(now.hands[1].active);
+    EXPECT_NEAR(now.hands[1].joints[25].worldFromJoint.position.x, 0.25f, 1e-6f);
+    EXPECT_TRUE(now.hands[1].joints[25].valid && now.hands[1].joints[25].seen);
+    EXPECT_TRUE(now.controllers[0].active && now.controllers[0].gripValid && now.controllers[0].menu);
+    EXPECT_EQ(now.controllers[0].squeeze, 0.7f);
+    EXPECT_EQ(now.controllers[0].trigger, 0.2f);
+    EXPECT_NEAR(now.controllers[0].worldFromGrip.position.z, -0.5f, 1e-6f);
+    EXPECT_FALSE(now.controllers[1].active);
+
+    fake.say(XR_SESSION_STATE_VISIBLE); // a menu of the runtime: what is pressed there is not ours
+    emptyFrame(headset);
+    EXPECT_FALSE(headset.tracking().controllers[0].active);
+}
+
+TEST_F(HeadsetGL, WorksWithoutHandTrackingAndWithoutHiddenAreas) {
+    fake.extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
+    fake.hands[0].active = true;
+    Headset headset = open();
+    EXPECT_FALSE(headset.bareHands());
+    untilFocused(headset);
+    emptyFrame(headset);
+    EXPECT_FALSE(headset.tracking().hands[0].active);
+    EXPECT_TRUE(headset.hiddenArea(0)->corners.empty());
+    EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
+}
+
+TEST_F(HeadsetGL, VibratesWithLimitsAndStops) {
+    {
+        Headset headset = open();
+        untilFocused(headset);
+        ASSERT_TRUE(headset.vibrate(1, 0.6f, 180));
+        ASSERT_TRUE(headset.vibrate(0, 5, 60));
+        ASSERT_TRUE(headset.vibrate(1, 0, 0));
+        ASSERT_EQ(fake.pulses.size(), 3u);
+        EXPECT_EQ(fake.pulses[0].hand, 1);
+        EXPECT_EQ(fake.pulses[0].amplitude, 0.6f);
+        EXPECT_EQ(fake.pulses[0].frequency_Hz, 180);
+        EXPECT_EQ(fake.pulses[0].duration, 100'000'000);
+        EXPECT_EQ(fake.pulses[1].amplitude, 1);
+        EXPECT_EQ(fake.pulses[2].amplitude, 0);
+        fake.pulses.clear();
+    }
+    // Both told to stop when it closes.
+    ASSERT_EQ(fake.pulses.size(), 2u);
+    for (const test::FeltPulse& pulse : fake.pulses) EXPECT_EQ(pulse.amplitude, 0);
+}
+
+TEST_F(HeadsetGL, ChoosesPicturesThatAreKnownToBeCoded) {
+    fake.formats = {GL_RGBA16F};
+    auto none = Headset::open({96, 60});
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().sentence().find("GL_SRGB8_ALPHA8"), std::string::npos);
+    fake.formats = {GL_RGBA8};
+    EXPECT_TRUE(Headset::open({96, 60}));
+}
+
+TEST(ActiveRuntime, IsNamed) {
+    setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
+    const auto name = activeRuntime();
+    ASSERT_TRUE(name) << name.error().sentence();
+    EXPECT_EQ(*name, "Fake runtime");
+}
+
+TEST(ActiveRuntime, OrSaidToBeMissing) {
+    setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
+    const auto name = activeRuntime();
+    ASSERT_FALSE(name);
+    EXPECT_NE(name.error().sentence().find("no headset runtime is active"), std::string::npos)
+        << name.error().sentence();
+}
+
+} // namespace
+} // namespace shoal::xr

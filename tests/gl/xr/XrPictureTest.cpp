@@ -1,0 +1,197 @@
+// What the player of a headset sees is what the renderer draws from there, pixel by pixel.
+#include "engine/core/Log.h"
+#include "engine/platform/Window.h"
+#include "game/app/Plan.h"
+#include "game/app/Stage.h"
+#include "game/app/XrPlay.h"
+#include "tests/gl/xr/Fixture.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace shoal::app {
+namespace {
+
+constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
+
+class XrPicture : public test::WithFakeRuntime {
+  protected:
+    std::optional<platform::Window> window_;
+    std::optional<Plan> plan_;
+    std::optional<Surround> surround_;
+    std::optional<Stage> stage_;
+    std::optional<app::Run> run_;
+
+    void SetUp() override {
+        WithFakeRuntime::SetUp();
+        if (IsSkipped()) return;
+        auto window = platform::Window::open({"test", 64, 64, false, false});
+        ASSERT_TRUE(window) << window.error().sentence();
+        window_ = std::move(*window);
+        auto plan = makePlan({.xr = true});
+        ASSERT_TRUE(plan) << plan.error().sentence();
+        plan_ = std::move(*plan);
+        std::vector<Path> models;
+        for (const game::Species& species : plan_->species)
+            models.push_back(dataRoot() / "content" / species.model);
+        const Path folder = dataRoot() / "content" / "models";
+        auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", reflectanceIn({}),
+                               render::Detail::Lean);
+        ASSERT_TRUE(cast) << cast.error().sentence();
+        auto surround = Surround::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
+                                        .bothEyes = true,
+                                        .leastRoughness = cast->leastRoughness()});
+        ASSERT_TRUE(surround) << surround.error().sentence();
+        surround_ = std::move(*surround);
+        auto stage = Stage::make(std::move(*cast), render::Detail::Lean);
+        ASSERT_TRUE(stage) << stage.error().sentence();
+        stage_ = std::move(*stage);
+        run_.emplace(*plan_);
+        // The eyes, canted, askew and apart, in LOCAL; the dive is centred there, so that only this is known:
+        // what each eye's pose is to the other's.
+        fake.keepPictures = true;
+        fake.tracksPosition = true;
+    }
+    void TearDown() override {
+        run_.reset();
+        stage_.reset();
+        surround_.reset();
+        window_.reset();
+        WithFakeRuntime::TearDown();
+    }
+
+    Status draw(int eye, const render::View& view) {
+        return stage_->draw(*surround_, eye, view, {surround_->naturalTone(), plan_->dive.exposure_ev},
+                            kWater, render::Glossy::Prefiltered);
+    }
+    // Frames until nothing is dark any more, then one in which the scene stands as it is.
+    void show(XrPlay& headset, float scale) {
+        const XrPlay::Painter painter{
+            .scene = [&](int eye, const render::View& view) { return draw(eye, view); },
+            .marks = [](const render::View&, glm::ivec2) {},
+            .panel = [](const render::View&, glm::ivec2) {}};
+        for (int i = 0; i < 80; ++i) {
+            const Status waited = headset.wait();
+            ASSERT_TRUE(waited) << waited.error().sentence();
+            headset.feed(*run_, plan_->rig);
+            run_->advance(headset.elapsed_s(), false);
+            stage_->set(run_->shown, false);
+            const Status drawn = headset.draw(painter, scale, {64, 64});
+            ASSERT_TRUE(drawn) << drawn.error().sentence();
+        }
+        ASSERT_TRUE(headset.drew());
+    }
+    // The ordinary way, from where OpenXR says that the eye is, in the frame that the dive was centred in.
+    std::vector<uint8_t> ordinary(int eye, glm::vec3 originLocal, glm::ivec2 size, int samples) {
+        const XrView& given = fake.views[static_cast<size_t>(eye)];
+        const auto& [p, q] = std::pair(given.pose.position, given.pose.orientation);
+        const float right = std::tan(given.fov.angleRight), left = std::tan(given.fov.angleLeft);
+        const float up = std::tan(given.fov.angleUp), down = std::tan(given.fov.angleDown);
+        render::View view;
+        view.eyeWorld = glm::vec3(p.x, p.y, p.z) - originLocal;
+        view.worldFromEye = glm::quat(q.w, q.x, q.y, q.z);
+        view.verticalFov = 2 * std::atan((up - down) / 2);
+        view.aspect = (right - left) / (up - down);
+        view.shift = {(left + right) / 2, (up + down) / 2};
+        view.heightPixels = size.y;
+        const gl::Target target(size.x, size.y, samples);
+        target.bind();
+        EXPECT_TRUE(draw(eye, view));
+        const ImageRgba8 image = target.read();
+        std::vector<uint8_t> rgba; // lowest row first, as OpenGL has it
+        for (int y = size.y - 1; y >= 0; --y)
+            rgba.insert(rgba.end(), image.at(0, y), image.at(0, y) + static_cast<ptrdiff_t>(size.x) * 4);
+        return rgba;
+    }
+};
+
+TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
+    for (const int samples : {1, 4}) {
+        auto headset = XrPlay::open(samples);
+        ASSERT_TRUE(headset) << headset.error().sentence();
+        for (const float scale : {1.0f, 0.6f}) {
+            show(*headset, scale);
+            ASSERT_TRUE(fake.last.eyes);
+            const glm::ivec2 size(glm::vec2(200, 240) * scale + 0.5f);
+            int different = 0;
+            for (int eye = 0; eye < 2; ++eye) {
+                const test::FakePicture& picture = (*fake.last.eyes)[static_cast<size_t>(eye)].picture;
+                ASSERT_EQ(glm::ivec2(picture.width, picture.height), size);
+                // Both eyes' middle was the origin of LOCAL, where the dive was centred, level and ahead.
+                EXPECT_EQ(picture.rgba, ordinary(eye, {}, size, samples))
+                    << "eye " << eye << " of " << samples;
+                different += picture.rgba != (*fake.last.eyes)[0].picture.rgba;
+            }
+            EXPECT_EQ(different, 1); // the eyes do see differently
+        }
+    }
+}
+
+TEST_F(XrPicture, MovesWithTheHead) {
+    auto headset = XrPlay::open(1);
+    ASSERT_TRUE(headset) << headset.error().sentence();
+    show(*headset, 1);
+    // Leans, turns and tilts the head.
+    const glm::quat turn = glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f));
+    for (size_t eye = 0; eye < 2; ++eye) {
+        const glm::vec3 p =
+            glm::vec3(0.1f, -0.05f, 0.2f) + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
+        fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {p.x, p.y, p.z}};
+    }
+    show(*headset, 1);
+    for (int eye = 0; eye < 2; ++eye) {
+        const auto& rgba = (*fake.last.eyes)[static_cast<size_t>(eye)].picture.rgba;
+        const std::vector<uint8_t> expected = ordinary(eye, {}, {200, 240}, 1);
+        ASSERT_EQ(rgba.size(), expected.size());
+        EXPECT_EQ(rgba, expected);
+    }
+}
+
+TEST_F(XrPicture, HiddenPixelsAreNotDrawnAndTheOthersAreTheSame) {
+    auto headset = XrPlay::open(1);
+    ASSERT_TRUE(headset) << headset.error().sentence();
+    show(*headset, 1);
+    // The left half of the left eye's image plane, in two triangles far beyond the picture's edges.
+    fake.masks[0] = {{{-9, -9}, {0, -9}, {0, 9}, {-9, 9}}, {0, 1, 2, 0, 2, 3}};
+    fake.sayMaskChanged(0);
+    show(*headset, 1);
+    const std::vector<uint8_t> whole = ordinary(0, {}, {200, 240}, 1);
+    const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
+    const float left = std::tan(fake.views[0].fov.angleLeft), right = std::tan(fake.views[0].fov.angleRight);
+    for (int y = 0; y < 240; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const float place = left + (right - left) * (static_cast<float>(x) + 0.5f) / 200;
+            const auto at = static_cast<size_t>(y * 200 + x) * 4;
+            const bool hidden = place < 0;
+            for (size_t c = 0; c < 3; ++c)
+                ASSERT_EQ(rgba[at + c], hidden ? 0 : whole[at + c]) << x << "," << y;
+        }
+    EXPECT_EQ((*fake.last.eyes)[1].picture.rgba, ordinary(1, {}, {200, 240}, 1));
+}
+
+TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {
+    auto headset = XrPlay::open(1);
+    ASSERT_TRUE(headset) << headset.error().sentence();
+    show(*headset, 1);
+    // 200 x 240 cropped to a square of 200, on a window of 64: the rows from 20 to 220.
+    const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
+    std::vector<uint8_t> seen(64 * 64 * 4);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glReadPixels(0, 0, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, seen.data());
+    const auto mean = [](const std::vector<uint8_t>& of, int width, int y0, int y1) {
+        double sum = 0;
+        for (int y = y0; y < y1; ++y)
+            for (int x = 0; x < width; ++x) sum += of[static_cast<size_t>(y * width + x) * 4 + 1];
+        return sum / (width * (y1 - y0));
+    };
+    // Bands of a quarter: filtered to a third of the size, they keep their means to a step or two.
+    for (int band = 0; band < 4; ++band)
+        EXPECT_NEAR(mean(seen, 64, band * 16, band * 16 + 16),
+                    mean(rgba, 200, 20 + band * 50, 70 + band * 50), 2)
+            << band;
+    EXPECT_NEAR(headset->windowView().aspect, 1, 1e-6f);
+}
+
+} // namespace
+} // namespace shoal::app

@@ -1,0 +1,414 @@
+// `shoal --xr` from its start to its exit status, in a headset that does what the test says.
+#include "engine/core/Log.h"
+#include "game/Playback.h"
+#include "game/TickInput.h"
+#include "game/app/Commands.h"
+#include "input/hands/MouseHands.h"
+#include "tests/gl/xr/Fixture.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace shoal::app {
+namespace {
+
+using test::FakeRuntime;
+
+const std::string kFirstCatch = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
+
+struct Outcome {
+    int status = -1;
+    std::string said; // on standard error
+};
+
+class XrProgram : public test::WithFakeRuntime {
+  protected:
+    Path folder_;
+
+    void SetUp() override {
+        WithFakeRuntime::SetUp();
+        log::setUp(false);
+        folder_ = Path(testing::TempDir()) / ("shoal_xr_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder_);
+        for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) setenv(name, folder_.c_str(), 1);
+        fake.eyeWidth = 96;
+        fake.eyeHeight = 112;
+    }
+    void TearDown() override {
+        std::filesystem::remove_all(folder_);
+        WithFakeRuntime::TearDown();
+    }
+
+    PlayOptions options() const {
+        PlayOptions o;
+        o.xr = true;
+        o.mute = true;
+        o.quality = "fixed";
+        o.look.size = {160, 90};
+        o.look.samples = 1;
+        o.surround.photo = ""; // the dive's own video
+        return o;
+    }
+    // A script that does nothing wrong must not run for ever.
+    Outcome run(const PlayOptions& o, uint64_t mostFrames = 2000) {
+        const auto scripted = fake.onWait;
+        fake.onWait = [scripted, mostFrames](FakeRuntime& f) {
+            if (scripted) scripted(f);
+            if (f.framesWaited == mostFrames) leave(f);
+        };
+        testing::internal::CaptureStderr();
+        Outcome outcome;
+        outcome.status = play(o);
+        outcome.said = testing::internal::GetCapturedStderr();
+        // The validation layer greets.
+        while (outcome.said.starts_with("Core Validation output"))
+            outcome.said.erase(0, outcome.said.find('\n') + 1);
+        return outcome;
+    }
+    // As when the player ends the game in the runtime's menu.
+    static void leave(FakeRuntime& f) {
+        f.exitRequested = true;
+        f.say(XR_SESSION_STATE_VISIBLE);
+        f.say(XR_SESSION_STATE_SYNCHRONIZED);
+        f.say(XR_SESSION_STATE_STOPPING);
+    }
+    static void expectOneSentence(const Outcome& outcome, const std::string& about) {
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
+        EXPECT_NE(outcome.said.find(about), std::string::npos) << outcome.said;
+    }
+
+    void closeHand(size_t side, float closed) {
+        hold(side, closed, {side == 0 ? -0.2f : 0.2f, -0.15f, -0.5f});
+    }
+    void hold(size_t side, float closed, glm::vec3 grasp) {
+        static const hands::HandRig rig =
+            *hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+        const auto pose =
+            hands::reachingHand(rig, side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
+        fake.hands[side].active = true;
+        for (size_t i = 0; i < pose.joints.size(); ++i) {
+            const hands::Joint& joint = pose.joints[i];
+            fake.hands[side].joints[i] = {
+                0xf,
+                {{joint.orientation.x, joint.orientation.y, joint.orientation.z, joint.orientation.w},
+                 {joint.position.x, joint.position.y, joint.position.z}},
+                joint.radius};
+        }
+    }
+
+    // Lengths of the stretches in which `pause` was held or not, in ticks, beginning with held.
+    static std::vector<int> pauses(const sim::Recording& recording) {
+        std::vector<int> lengths{0};
+        bool paused = true;
+        for (size_t tick = 0; tick < recording.ticks(); ++tick) {
+            const auto input = game::fromBytes(recording.input(tick).first<game::kTickInputBytes>());
+            if (input.pause != paused) {
+                paused = input.pause;
+                lengths.push_back(0);
+            }
+            ++lengths.back();
+        }
+        return lengths;
+    }
+};
+
+TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
+    fake.period_s = 1.0 / 72;
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o, 180);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(outcome.said, "");
+    EXPECT_GT(fake.framesWithEyes, 170u);
+    EXPECT_EQ(fake.framesEnded, fake.framesWaited);
+    const auto recording = sim::readRecording(o.record);
+    ASSERT_TRUE(recording) << recording.error().sentence();
+    // From the first frame's time to the last one's, when it was told to leave.
+    EXPECT_EQ(recording->ticks(), 180u * 120 / 72);
+    EXPECT_FALSE(fake.running);
+}
+
+TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
+    closeHand(0, 0);
+    closeHand(1, 0);
+    fake.onWait = [this](FakeRuntime& f) {
+        if (f.framesWaited == 90) f.say(XR_SESSION_STATE_VISIBLE);
+        if (f.framesWaited == 150) f.say(XR_SESSION_STATE_FOCUSED);
+        if (f.framesWaited == 180) closeHand(1, 1);
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o, 270);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    const auto recording = sim::readRecording(o.record);
+    ASSERT_TRUE(recording);
+    const std::vector<int> lengths = pauses(*recording);
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
+    // 90 frames a second: 4 ticks in 3 frames. Worn from frame 3 on, steady for 0.3 s.
+    EXPECT_NEAR(lengths[0], 30 * 4 / 3, 6);
+    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
+    // Closing takes hold for 0.4 s from frame 180 on.
+    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6);
+    EXPECT_GT(lengths[3], 50);
+}
+
+TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
+    // Stands elsewhere, turned; then leans to the right by 0.2 m and looks up.
+    const glm::quat start = glm::angleAxis(0.9f, glm::vec3(0, 1, 0));
+    const glm::vec3 at(1, 0.4f, 2), leanView(0.2f, 0, 0);
+    const auto put = [this, start, at](glm::vec3 lean, float pitch) {
+        for (size_t eye = 0; eye < 2; ++eye) {
+            const glm::quat turn = start * glm::angleAxis(pitch, glm::vec3(1, 0, 0));
+            const glm::vec3 p = at + start * lean + turn * glm::vec3(eye == 0 ? -0.032f : 0.032f, 0, 0);
+            fake.views[eye].pose = {{turn.x, turn.y, turn.z, turn.w}, {p.x, p.y, p.z}};
+        }
+    };
+    put({}, 0);
+    fake.onWait = [=](FakeRuntime& f) {
+        if (f.framesWaited == 100) put(leanView, 0.5f);
+    };
+    fake.controllers[1] = {true, {{0, 0, 0, 1}, {at.x, at.y - 0.2f, at.z - 0.4f}}, 0.3f, 0, false};
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o, 150);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    const auto recording = sim::readRecording(o.record);
+    ASSERT_TRUE(recording);
+    const auto input = [&](size_t tick) {
+        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+    };
+    const game::TickInput before = input(110), last = input(recording->ticks() - 9);
+    constexpr float kTol = 1e-5f; // floats of some metres, turned thrice
+    EXPECT_LT(glm::length(before.headWorld), kTol);
+    EXPECT_NEAR(std::abs(before.worldFromView.w), 1, kTol);
+    EXPECT_LT(glm::distance(last.headWorld, leanView), kTol);
+    const glm::vec3 ahead = last.worldFromView * glm::vec3(0, 0, -1);
+    EXPECT_LT(glm::distance(ahead, glm::vec3(0, std::sin(0.5f), -std::cos(0.5f))), kTol);
+    EXPECT_TRUE(last.hands[1].tracked);
+    EXPECT_FALSE(last.hands[0].tracked);
+
+    const auto files = game::loadDiveFiles("reef");
+    ASSERT_TRUE(files);
+    const Status same = game::replay(*recording, *files);
+    EXPECT_TRUE(same) << same.error().sentence();
+}
+
+// The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
+// steady, or hands would seem to stop and leap.
+TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
+    fake.period_s = 1.0 / 72;
+    closeHand(1, 0);
+    fake.onWait = [this](FakeRuntime& f) {
+        for (XrView& view : f.views) view.pose.position.x += 0.01f;
+        for (auto& joint : f.hands[1].joints) joint.pose.position.y += 0.001f;
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    EXPECT_EQ(run(o, 120).status, 0);
+    const auto recording = sim::readRecording(o.record);
+    ASSERT_TRUE(recording);
+    const auto input = [&](size_t tick) {
+        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+    };
+    for (size_t tick = 60; tick < recording->ticks() - 10; ++tick) {
+        const game::TickInput a = input(tick), b = input(tick + 1);
+        // Floats below 2.
+        EXPECT_NEAR(b.headWorld.x - a.headWorld.x, 0.01f * 72 / 120, 2e-6f) << tick;
+        const float handA = a.hands[1].joints[9].position.y, handB = b.hands[1].joints[9].position.y;
+        EXPECT_NEAR(handB - handA, 0.001f * 72 / 120, 2e-6f) << tick;
+    }
+}
+
+TEST_F(XrProgram, TouchesAreFeltInTheController) {
+    PlayOptions o = options();
+    o.hands = kFirstCatch;
+    const Outcome outcome = run(o, 4000);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    int felt = 0;
+    float strongest = 0;
+    for (const test::FeltPulse& pulse : fake.pulses) {
+        felt += pulse.amplitude > 0;
+        strongest = std::max(strongest, pulse.amplitude);
+    }
+    EXPECT_GT(felt, 10);        // a fish that is held purrs
+    EXPECT_GT(strongest, 0.7f); // and a catch is a blow
+    ASSERT_FALSE(fake.pulses.empty());
+    EXPECT_EQ(fake.pulses.back().amplitude, 0); // at the end nothing runs on
+}
+
+TEST_F(XrProgram, TextHangsInTheWorldOneAndAHalfMetresAhead) {
+    fake.keepPictures = true;
+    std::vector<test::ShownFrame> seen;
+    fake.onWait = [&](FakeRuntime& f) {
+        if (f.framesWaited == 100) seen.push_back(f.last);
+        if (f.framesWaited >= 100) // looks to the side and back
+            for (XrView& view : f.views) {
+                const float half = 0.2f * std::sin(static_cast<float>(f.framesWaited - 100) * 0.05f);
+                view.pose.orientation = {0, std::sin(half), 0, std::cos(half)};
+            }
+        if (f.framesWaited == 130) seen.push_back(f.last);
+    };
+    EXPECT_EQ(run(options(), 140).status, 0);
+    ASSERT_EQ(seen.size(), 2u);
+    ASSERT_TRUE(seen[0].panel && seen[1].panel);
+    const XrVector3f a = seen[0].panel->localFromPanel.position, b = seen[1].panel->localFromPanel.position;
+    EXPECT_NEAR(std::hypot(a.x, a.z), 1.5f, 1e-5f);
+    // It keeps its place though the head has turned; the middle between the eyes does not move.
+    EXPECT_NEAR(a.x, b.x, 1e-4f);
+    EXPECT_NEAR(a.z, b.z, 1e-4f);
+    // Something is written, most is clear.
+    const auto& rgba = seen[0].panel->picture.rgba;
+    size_t clear = 0, solid = 0;
+    for (size_t i = 3; i < rgba.size(); i += 4) {
+        clear += rgba[i] == 0;
+        solid += rgba[i] > 200;
+    }
+    EXPECT_GT(clear, rgba.size() / 4 * 8 / 10);
+    EXPECT_GT(solid, 300u);
+}
+
+TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {
+    fake.keepPictures = true;
+    const auto brightness = [](const FakeRuntime& f) {
+        if (!f.last.eyes) return 0.0;
+        double sum = 0;
+        const auto& rgba = (*f.last.eyes)[0].picture.rgba;
+        for (size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
+        return sum / static_cast<double>(rgba.size());
+    };
+    double before = 0, half = 0, lost = -1, after = 0;
+    fake.onWait = [&](FakeRuntime& f) {
+        if (f.framesWaited == 120) before = brightness(f), f.viewFlags = 0;
+        if (f.framesWaited == 132) half = brightness(f); // after 0.12 of 0.25 s
+        if (f.framesWaited == 180) lost = brightness(f), f.viewFlags = 0xf;
+        if (f.framesWaited == 240) after = brightness(f);
+    };
+    EXPECT_EQ(run(options(), 250).status, 0);
+    EXPECT_GT(before, 40);
+    EXPECT_LT(half, 0.75 * before);
+    EXPECT_GT(half, 0.3 * before);
+    EXPECT_EQ(lost, 0);
+    EXPECT_NEAR(after, before, 0.2 * before); // the video went on
+}
+
+// What a player may meet before anything is seen.
+TEST_F(XrProgram, WithoutAHeadsetItSaysWhatToDo) {
+    fake.present = false;
+    expectOneSentence(run(options()), "plug it in");
+}
+TEST_F(XrProgram, WithoutARuntimeItSaysWhatToDo) {
+    setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
+    expectOneSentence(run(options()), "XR_RUNTIME_JSON");
+}
+TEST_F(XrProgram, WithoutOpenGlItSaysSo) {
+    fake.extensions = {XR_EXT_HAND_TRACKING_EXTENSION_NAME};
+    expectOneSentence(run(options()), "OpenGL");
+}
+TEST_F(XrProgram, ADriverTooOldIsNamed) {
+    fake.leastOpenGl = XR_MAKE_VERSION(9, 1, 0);
+    expectOneSentence(run(options()), "9.1");
+}
+TEST_F(XrProgram, OpenXrHandsNeedAHeadset) {
+    PlayOptions o = options();
+    o.xr = false;
+    o.hands = "openxr";
+    expectOneSentence(run(o), "--xr");
+}
+
+// What may happen in the middle of a dive.
+TEST_F(XrProgram, AHeadsetPulledOutEndsTheGameWithASentence) {
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 60) f.say(XR_SESSION_STATE_LOSS_PENDING);
+    };
+    expectOneSentence(run(options()), "headset was lost");
+}
+TEST_F(XrProgram, ARuntimeThatGoesEndsTheGameWithASentence) {
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 60) f.sayInstanceLoss();
+    };
+    expectOneSentence(run(options()), "going away");
+}
+TEST_F(XrProgram, ARuntimeThatHasCrashedEndsTheGameWithASentence) {
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 60) f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST;
+    };
+    expectOneSentence(run(options()), "xrEndFrame says XR_ERROR_INSTANCE_LOST");
+}
+TEST_F(XrProgram, FramesThatTheRuntimeDiscardsDoNotMatter) {
+    fake.shouldRender = false; // runs, and nobody looks
+    EXPECT_EQ(run(options(), 100).status, 0);
+    EXPECT_EQ(fake.framesWithEyes, 0u);
+    EXPECT_EQ(fake.framesEnded, fake.framesWaited);
+}
+
+// Whichever call fails, one sentence names it.
+class XrCall : public XrProgram, public testing::WithParamInterface<const char*> {};
+
+TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
+    const std::string name = GetParam();
+    fake.controllers[0].active = fake.hands[1].active = true;
+    fake.failing[name] = XR_ERROR_RUNTIME_FAILURE;
+    PlayOptions o = options();
+    // The validation layer itself stumbles over an instance that could not be made.
+    if (name == "xrCreateInstance") unsetenv("XR_ENABLE_API_LAYERS");
+    const bool haptic = name.ends_with("HapticFeedback");
+    if (haptic) o.hands = kFirstCatch;
+    if (name == "xrStopHapticFeedback") // taken off while something is felt
+        fake.onWait = [](FakeRuntime& f) {
+            if (!f.pulses.empty() && f.state == XR_SESSION_STATE_FOCUSED) f.say(XR_SESSION_STATE_VISIBLE);
+        };
+    expectOneSentence(run(o, haptic ? 4000 : 60), name + " says XR_ERROR_RUNTIME_FAILURE");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every, XrCall,
+    testing::Values("xrCreateInstance", "xrGetInstanceProperties", "xrGetSystem", "xrGetSystemProperties",
+                    "xrEnumerateViewConfigurationViews", "xrEnumerateEnvironmentBlendModes",
+                    "xrGetOpenGLGraphicsRequirementsKHR", "xrCreateSession", "xrCreateReferenceSpace",
+                    "xrCreateHandTrackerEXT", "xrStringToPath", "xrCreateActionSet", "xrCreateAction",
+                    "xrSuggestInteractionProfileBindings", "xrCreateActionSpace", "xrAttachSessionActionSets",
+                    "xrEnumerateSwapchainFormats", "xrCreateSwapchain", "xrEnumerateSwapchainImages",
+                    "xrPollEvent", "xrBeginSession", "xrWaitFrame", "xrLocateViews", "xrLocateHandJointsEXT",
+                    "xrSyncActions", "xrGetActionStatePose", "xrGetActionStateFloat",
+                    "xrGetActionStateBoolean", "xrLocateSpace", "xrBeginFrame", "xrGetVisibilityMaskKHR",
+                    "xrAcquireSwapchainImage", "xrWaitSwapchainImage", "xrReleaseSwapchainImage",
+                    "xrEndFrame", "xrEndSession", "xrApplyHapticFeedback", "xrStopHapticFeedback"),
+    [](const auto& parameter) { return std::string(parameter.param); });
+
+// Every test of these demands that the validation layer has nothing to say; here all is used in one dive, and
+// the layer is shown to be awake.
+TEST_F(XrProgram, CoreValidationHasNothingToComplainOf) {
+    if (!validated_) GTEST_SKIP() << "needs openxr-layer-corevalidation";
+    fake.masks[0] = fake.masks[1] = {{{-1, -1}, {0, -1}, {-1, 0}}, {0, 1, 2}};
+    fake.controllers[0] = {true, {{0, 0, 0, 1}, {-0.2f, -0.2f, -0.4f}}, 0.5f, 0.5f, false};
+    closeHand(1, 0);
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 40) f.sayRecentred();
+        if (f.framesWaited == 50) f.sayMaskChanged(0);
+    };
+    PlayOptions o = options();
+    o.hands = kFirstCatch;
+    const Outcome outcome = run(o, 4000);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_FALSE(fake.pulses.empty());
+    EXPECT_EQ(validationReport(), "");
+
+    XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
+    std::snprintf(info.applicationInfo.applicationName, sizeof info.applicationInfo.applicationName, "wrong");
+    info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
+    XrInstance instance = XR_NULL_HANDLE;
+    ASSERT_EQ(xrCreateInstance(&info, &instance), XR_SUCCESS);
+    XrSystemId system = 0;
+    EXPECT_NE(xrGetSystem(instance, nullptr, &system), XR_SUCCESS);
+    xrDestroyInstance(instance);
+    EXPECT_NE(validationReport().find("VUID-xrGetSystem-getInfo-parameter"), std::string::npos)
+        << validationReport();
+    std::filesystem::remove(validation_);
+}
+
+} // namespace
+} // namespace shoal::app

@@ -1,0 +1,119 @@
+// An OpenXR runtime for tests: a shared library that the real loader loads by XR_RUNTIME_JSON. A headset that
+// does what a test tells it, tells what it was shown, and complains of calls out of order. Its time is made:
+// nothing waits.
+//
+// A test reaches it in its own process by loading the same library: fakeRuntime() is the one in use.
+#pragma once
+
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <epoxy/gl.h>
+#include <openxr/openxr.h>
+#include <openxr/openxr_platform.h>
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace shoal::test {
+
+struct FakeHand {
+    bool active = false;
+    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{}; // in LOCAL's frame
+};
+
+struct FakeController {
+    bool active = false;
+    XrPosef grip{{0, 0, 0, 1}, {0, 0, 0}}; // in LOCAL's frame
+    float squeeze = 0, trigger = 0;
+    bool menu = false;
+};
+
+struct FakeMask {
+    std::vector<XrVector2f> vertices;
+    std::vector<uint32_t> indices;
+};
+
+struct FakePicture {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgba; // lowest row first
+};
+
+struct ShownEye {
+    XrPosef localFromEye;
+    XrFovf fov;
+    XrRect2Di rect;
+    FakePicture picture; // with keepPictures: the rect's part
+};
+
+struct ShownPanel {
+    XrPosef localFromPanel;
+    XrExtent2Df size;
+    FakePicture picture; // likewise
+};
+
+struct ShownFrame {
+    XrTime display = 0;
+    std::optional<std::array<ShownEye, 2>> eyes;
+    std::optional<ShownPanel> panel;
+};
+
+struct FeltPulse {
+    int hand = 0;
+    float amplitude = 0, frequency_Hz = 0; // amplitude 0: told to stop
+    XrDuration duration = 0;
+};
+
+struct FakeRuntime {
+    // What the headset is and does. A test may change all of it, also in onWait.
+    bool present = true; // a headset is plugged in
+    std::set<std::string> extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
+                                        XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                                        XR_KHR_VISIBILITY_MASK_EXTENSION_NAME};
+    std::map<std::string, XrResult> failing; // by function: it does nothing but return this
+    std::vector<int64_t> formats = {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8};
+    uint32_t eyeWidth = 200, eyeHeight = 240;
+    XrVersion leastOpenGl = XR_MAKE_VERSION(3, 3, 0);
+    bool tracksPosition = true;
+    std::array<XrView, 2> views; // in LOCAL's frame
+    XrViewStateFlags viewFlags = 0xf;
+    std::array<FakeHand, 2> hands;
+    std::array<FakeController, 2> controllers;
+    std::array<FakeMask, 2> masks;
+    double period_s = 1.0 / 90;
+    bool shouldRender = true;
+    bool focusesByItself = true;              // after the first frame
+    bool keepPictures = false;                // of the eyes and the panel, each frame anew
+    std::function<void(FakeRuntime&)> onWait; // in each xrWaitFrame, before it answers
+
+    // News for the next xrPollEvent.
+    void say(XrSessionState state);
+    void sayInstanceLoss();
+    void sayMaskChanged(int eye);
+    void sayRecentred();
+
+    // What it saw.
+    std::vector<std::string> complaints; // of what the specification forbids
+    std::set<std::string> called;
+    std::vector<FeltPulse> pulses;
+    std::vector<std::string> boundProfiles; // interaction profiles with suggested bindings
+    uint64_t framesWaited = 0, framesEnded = 0, framesWithEyes = 0;
+    XrSessionState state = XR_SESSION_STATE_UNKNOWN; // last one said
+    bool running = false, exitRequested = false;
+    int instances = 0, sessions = 0, swapchains = 0, spaces = 0, handTrackers = 0; // alive
+    ShownFrame last;
+
+    FakeRuntime();
+    void complain(const std::string& what) { complaints.push_back(what); }
+
+    std::deque<XrEventDataBuffer> events; // what was said and not yet polled
+};
+
+} // namespace shoal::test
+
+extern "C" shoal::test::FakeRuntime& shoalFakeRuntime();

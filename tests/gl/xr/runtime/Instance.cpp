@@ -1,0 +1,268 @@
+// Negotiation with the loader, the instance, its headset, paths and events.
+#include "tests/gl/xr/runtime/State.h"
+
+#include <openxr/openxr_reflection.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace shoal::test {
+
+Place placeOf(const XrPosef& pose) {
+    return {{pose.position.x, pose.position.y, pose.position.z},
+            glm::quat(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z)};
+}
+XrPosef poseOf(const Place& place) {
+    return {{place.turn.x, place.turn.y, place.turn.z, place.turn.w},
+            {place.position.x, place.position.y, place.position.z}};
+}
+Place operator*(const Place& a, const Place& b) {
+    return {a.position + a.turn * b.position, a.turn * b.turn};
+}
+Place inverse(const Place& place) {
+    const glm::quat back = glm::conjugate(place.turn);
+    return {back * -place.position, back};
+}
+
+std::vector<std::string>& pathTexts() {
+    static std::vector<std::string> texts;
+    return texts;
+}
+
+FakeRuntime::FakeRuntime() {
+    for (size_t eye = 0; eye < 2; ++eye) {
+        const float side = eye == 0 ? -1.0f : 1.0f;
+        views[eye] = {XR_TYPE_VIEW};
+        views[eye].pose = {{0, 0, 0, 1}, {side * 0.032f, 0, 0}};
+        // As headsets have it: farther outwards than inwards, farther down than up.
+        views[eye].fov = {eye == 0 ? -0.85f : -0.75f, eye == 0 ? 0.75f : 0.85f, 0.80f, -0.90f};
+    }
+}
+
+void FakeRuntime::say(XrSessionState next) {
+    state = next;
+    XrEventDataBuffer buffer{};
+    auto& event = reinterpret_cast<XrEventDataSessionStateChanged&>(buffer);
+    event.type = XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;
+    event.session = handleOf<XrSession>(&session());
+    event.state = next;
+    events.push_back(buffer);
+}
+void FakeRuntime::sayInstanceLoss() {
+    XrEventDataBuffer buffer{};
+    buffer.type = XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING;
+    events.push_back(buffer);
+}
+void FakeRuntime::sayMaskChanged(int eye) {
+    XrEventDataBuffer buffer{};
+    auto& event = reinterpret_cast<XrEventDataVisibilityMaskChangedKHR&>(buffer);
+    event.type = XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR;
+    event.session = handleOf<XrSession>(&session());
+    event.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    event.viewIndex = static_cast<uint32_t>(eye);
+    events.push_back(buffer);
+}
+void FakeRuntime::sayRecentred() {
+    XrEventDataBuffer buffer{};
+    auto& event = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(buffer);
+    event.type = XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING;
+    event.session = handleOf<XrSession>(&session());
+    event.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
+    events.push_back(buffer);
+}
+
+namespace {
+
+using std::strncpy;
+
+XrResult xrEnumerateInstanceExtensionProperties(const char*, uint32_t capacity, uint32_t* count,
+                                                XrExtensionProperties* items) {
+    FAKE_XR(xrEnumerateInstanceExtensionProperties);
+    const auto& names = shoalFakeRuntime().extensions;
+    *count = static_cast<uint32_t>(names.size());
+    if (capacity == 0) return XR_SUCCESS;
+    if (capacity < names.size()) return XR_ERROR_SIZE_INSUFFICIENT;
+    for (const std::string& name : names) {
+        strncpy(items->extensionName, name.c_str(), XR_MAX_EXTENSION_NAME_SIZE - 1);
+        (items++)->extensionVersion = 1;
+    }
+    return XR_SUCCESS;
+}
+
+XrResult xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance) {
+    FAKE_XR(xrCreateInstance);
+    for (uint32_t i = 0; i < info->enabledExtensionCount; ++i)
+        if (!shoalFakeRuntime().extensions.contains(info->enabledExtensionNames[i]))
+            return XR_ERROR_EXTENSION_NOT_PRESENT;
+    ++shoalFakeRuntime().instances;
+    *instance = handleOf<XrInstance>(&shoalFakeRuntime());
+    return XR_SUCCESS;
+}
+XrResult xrDestroyInstance(XrInstance) {
+    FAKE_XR(xrDestroyInstance);
+    --shoalFakeRuntime().instances;
+    return XR_SUCCESS;
+}
+XrResult xrGetInstanceProperties(XrInstance, XrInstanceProperties* out) {
+    FAKE_XR(xrGetInstanceProperties);
+    strncpy(out->runtimeName, "Fake runtime", XR_MAX_RUNTIME_NAME_SIZE - 1);
+    out->runtimeVersion = XR_MAKE_VERSION(1, 0, 0);
+    return XR_SUCCESS;
+}
+XrResult xrPollEvent(XrInstance, XrEventDataBuffer* out) {
+    FAKE_XR(xrPollEvent);
+    auto& events = shoalFakeRuntime().events;
+    if (out->type != XR_TYPE_EVENT_DATA_BUFFER) shoalFakeRuntime().complain("xrPollEvent: no type");
+    if (events.empty()) return XR_EVENT_UNAVAILABLE;
+    *out = events.front();
+    events.pop_front();
+    return XR_SUCCESS;
+}
+
+#define CASE(name, value)                                                                                    \
+    case name:                                                                                               \
+        text = #name;                                                                                        \
+        break;
+XrResult xrResultToString(XrInstance, XrResult value, char out[XR_MAX_RESULT_STRING_SIZE]) {
+    const char* text = "XR_UNKNOWN";
+    switch (value) { XR_LIST_ENUM_XrResult(CASE) default : break; }
+    strncpy(out, text, XR_MAX_RESULT_STRING_SIZE);
+    return XR_SUCCESS;
+}
+XrResult xrStructureTypeToString(XrInstance, XrStructureType value, char out[XR_MAX_STRUCTURE_NAME_SIZE]) {
+    const char* text = "XR_UNKNOWN";
+    switch (value) { XR_LIST_ENUM_XrStructureType(CASE) default : break; }
+    strncpy(out, text, XR_MAX_STRUCTURE_NAME_SIZE);
+    return XR_SUCCESS;
+}
+#undef CASE
+
+XrResult xrGetSystem(XrInstance, const XrSystemGetInfo* info, XrSystemId* out) {
+    FAKE_XR(xrGetSystem);
+    if (info->formFactor != XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY) return XR_ERROR_FORM_FACTOR_UNSUPPORTED;
+    if (!shoalFakeRuntime().present) return XR_ERROR_FORM_FACTOR_UNAVAILABLE;
+    *out = 1;
+    return XR_SUCCESS;
+}
+XrResult xrGetSystemProperties(XrInstance, XrSystemId, XrSystemProperties* out) {
+    FAKE_XR(xrGetSystemProperties);
+    out->systemId = 1;
+    strncpy(out->systemName, "Fake headset", XR_MAX_SYSTEM_NAME_SIZE - 1);
+    out->graphicsProperties = {4096, 4096, 16};
+    out->trackingProperties = {XR_TRUE, shoalFakeRuntime().tracksPosition};
+    for (auto* next = static_cast<XrBaseOutStructure*>(out->next); next; next = next->next)
+        if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
+            reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking = XR_TRUE;
+    return XR_SUCCESS;
+}
+XrResult xrEnumerateViewConfigurationViews(XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
+                                           uint32_t* count, XrViewConfigurationView* items) {
+    FAKE_XR(xrEnumerateViewConfigurationViews);
+    XrViewConfigurationView view{XR_TYPE_VIEW_CONFIGURATION_VIEW};
+    view.recommendedImageRectWidth = shoalFakeRuntime().eyeWidth;
+    view.recommendedImageRectHeight = shoalFakeRuntime().eyeHeight;
+    view.maxImageRectWidth = view.maxImageRectHeight = 4096;
+    view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
+    return giveList(std::array{view, view}, capacity, count, items);
+}
+XrResult xrEnumerateEnvironmentBlendModes(XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
+                                          uint32_t* count, XrEnvironmentBlendMode* items) {
+    FAKE_XR(xrEnumerateEnvironmentBlendModes);
+    return giveList(std::array{XR_ENVIRONMENT_BLEND_MODE_ADDITIVE, XR_ENVIRONMENT_BLEND_MODE_OPAQUE},
+                    capacity, count, items);
+}
+XrResult xrGetOpenGLGraphicsRequirementsKHR(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* out) {
+    FAKE_XR(xrGetOpenGLGraphicsRequirementsKHR);
+    out->minApiVersionSupported = shoalFakeRuntime().leastOpenGl;
+    out->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
+    return XR_SUCCESS;
+}
+XrResult xrStringToPath(XrInstance, const char* text, XrPath* out) {
+    FAKE_XR(xrStringToPath);
+    auto& texts = pathTexts();
+    const auto at = std::find(texts.begin(), texts.end(), text);
+    *out = static_cast<XrPath>(at - texts.begin()) + 1;
+    if (at == texts.end()) texts.emplace_back(text);
+    return XR_SUCCESS;
+}
+XrResult xrPathToString(XrInstance, XrPath path, uint32_t capacity, uint32_t* count, char* out) {
+    FAKE_XR(xrPathToString);
+    if (path < 1 || path > pathTexts().size()) return XR_ERROR_PATH_INVALID;
+    const std::string& text = pathTexts()[path - 1];
+    *count = static_cast<uint32_t>(text.size()) + 1;
+    if (capacity == 0) return XR_SUCCESS;
+    if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
+    std::memcpy(out, text.c_str(), *count);
+    return XR_SUCCESS;
+}
+
+XrResult xrGetInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction* out) {
+    *out = instanceFunction(name);
+    if (!*out) *out = sessionFunction(name);
+    if (!*out) *out = inputFunction(name);
+    return *out ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED;
+}
+
+} // namespace
+
+PFN_xrVoidFunction instanceFunction(const std::string& name) {
+#define GIVE(function)                                                                                       \
+    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
+    GIVE(xrGetInstanceProcAddr);
+    GIVE(xrEnumerateInstanceExtensionProperties);
+    GIVE(xrCreateInstance);
+    GIVE(xrDestroyInstance);
+    GIVE(xrGetInstanceProperties);
+    GIVE(xrPollEvent);
+    GIVE(xrResultToString);
+    GIVE(xrStructureTypeToString);
+    GIVE(xrGetSystem);
+    GIVE(xrGetSystemProperties);
+    GIVE(xrEnumerateViewConfigurationViews);
+    GIVE(xrEnumerateEnvironmentBlendModes);
+    GIVE(xrGetOpenGLGraphicsRequirementsKHR);
+    GIVE(xrStringToPath);
+    GIVE(xrPathToString);
+#undef GIVE
+    return nullptr;
+}
+
+} // namespace shoal::test
+
+shoal::test::FakeRuntime& shoalFakeRuntime() {
+    static shoal::test::FakeRuntime runtime;
+    return runtime;
+}
+
+// The loader's side, as its specification lays it out; Debian ships no header for it.
+namespace {
+struct LoaderInfo {
+    int type;
+    uint32_t version;
+    size_t size;
+    uint32_t leastInterface, mostInterface;
+    XrVersion leastApi, mostApi;
+};
+struct RuntimeRequest {
+    int type;
+    uint32_t version;
+    size_t size;
+    uint32_t runtimeInterface;
+    XrVersion runtimeApi;
+    PFN_xrGetInstanceProcAddr getInstanceProcAddr;
+};
+} // namespace
+
+extern "C" XrResult xrNegotiateLoaderRuntimeInterface(const LoaderInfo* loader, RuntimeRequest* runtime) {
+    FAKE_XR(xrNegotiateLoaderRuntimeInterface);
+    constexpr int kLoaderInfo = 1, kRuntimeRequest = 3;
+    if (loader->type != kLoaderInfo || loader->size != sizeof(LoaderInfo) ||
+        runtime->type != kRuntimeRequest || runtime->size != sizeof(RuntimeRequest) ||
+        loader->leastInterface > 1)
+        return XR_ERROR_INITIALIZATION_FAILED;
+    runtime->runtimeInterface = 1;
+    runtime->runtimeApi = XR_CURRENT_API_VERSION;
+    runtime->getInstanceProcAddr =
+        reinterpret_cast<PFN_xrGetInstanceProcAddr>(shoal::test::instanceFunction("xrGetInstanceProcAddr"));
+    return XR_SUCCESS;
+}

@@ -1,0 +1,316 @@
+// The session's life, its spaces, swapchains and frames.
+#include "tests/gl/xr/runtime/State.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shoal::test {
+
+Session& session() {
+    static Session one;
+    return one;
+}
+
+Place localFromSpace(XrSpace space) {
+    const FakeSpace& of = objectOf<FakeSpace>(space);
+    if (of.hand < 0) return of.offset;
+    return placeOf(shoalFakeRuntime().controllers[static_cast<size_t>(of.hand)].grip) * of.offset;
+}
+
+namespace {
+
+XrResult xrCreateSession(XrInstance, const XrSessionCreateInfo* info, XrSession* out) {
+    FAKE_XR(xrCreateSession);
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (!fake.called.contains("xrGetOpenGLGraphicsRequirementsKHR"))
+        return XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING;
+    const auto* binding = static_cast<const XrBaseInStructure*>(info->next);
+    if (!binding || binding->type != XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR)
+        return XR_ERROR_GRAPHICS_DEVICE_INVALID;
+    ++fake.sessions;
+    session() = {};
+    *out = handleOf<XrSession>(&session());
+    fake.say(XR_SESSION_STATE_IDLE);
+    fake.say(XR_SESSION_STATE_READY);
+    return XR_SUCCESS;
+}
+XrResult xrDestroySession(XrSession) {
+    FAKE_XR(xrDestroySession);
+    --shoalFakeRuntime().sessions;
+    shoalFakeRuntime().running = false;
+    return XR_SUCCESS;
+}
+XrResult xrBeginSession(XrSession, const XrSessionBeginInfo*) {
+    FAKE_XR(xrBeginSession);
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (fake.running) return XR_ERROR_SESSION_RUNNING;
+    if (fake.state != XR_SESSION_STATE_READY) return XR_ERROR_SESSION_NOT_READY;
+    fake.running = true;
+    fake.say(XR_SESSION_STATE_SYNCHRONIZED);
+    return XR_SUCCESS;
+}
+XrResult xrEndSession(XrSession) {
+    FAKE_XR(xrEndSession);
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
+    if (fake.state != XR_SESSION_STATE_STOPPING) return XR_ERROR_SESSION_NOT_STOPPING;
+    fake.running = false;
+    fake.say(XR_SESSION_STATE_IDLE);
+    if (fake.exitRequested) fake.say(XR_SESSION_STATE_EXITING);
+    return XR_SUCCESS;
+}
+XrResult xrRequestExitSession(XrSession) {
+    FAKE_XR(xrRequestExitSession);
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
+    fake.exitRequested = true;
+    for (const XrSessionState state :
+         {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING})
+        fake.say(state);
+    return XR_SUCCESS;
+}
+
+XrResult xrCreateReferenceSpace(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
+    FAKE_XR(xrCreateReferenceSpace);
+    if (info->referenceSpaceType != XR_REFERENCE_SPACE_TYPE_LOCAL)
+        return XR_ERROR_REFERENCE_SPACE_UNSUPPORTED;
+    const XrQuaternionf& q = info->poseInReferenceSpace.orientation;
+    if (std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) > 0.01f) return XR_ERROR_POSE_INVALID;
+    ++shoalFakeRuntime().spaces;
+    *out = handleOf<XrSpace>(new FakeSpace{-1, placeOf(info->poseInReferenceSpace)});
+    return XR_SUCCESS;
+}
+XrResult xrDestroySpace(XrSpace space) {
+    FAKE_XR(xrDestroySpace);
+    --shoalFakeRuntime().spaces;
+    delete &objectOf<FakeSpace>(space);
+    return XR_SUCCESS;
+}
+XrResult xrLocateSpace(XrSpace space, XrSpace base, XrTime, XrSpaceLocation* out) {
+    FAKE_XR(xrLocateSpace);
+    out->pose = poseOf(inverse(localFromSpace(base)) * localFromSpace(space));
+    out->locationFlags = 0xf;
+    return XR_SUCCESS;
+}
+
+XrResult xrEnumerateSwapchainFormats(XrSession, uint32_t capacity, uint32_t* count, int64_t* items) {
+    FAKE_XR(xrEnumerateSwapchainFormats);
+    return giveList(shoalFakeRuntime().formats, capacity, count, items);
+}
+XrResult xrCreateSwapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapchain* out) {
+    FAKE_XR(xrCreateSwapchain);
+    const auto& formats = shoalFakeRuntime().formats;
+    if (std::find(formats.begin(), formats.end(), info->format) == formats.end())
+        return XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED;
+    auto* chain = new FakeSwapchain{{}, info->width, info->height};
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    chain->textures.resize(3);
+    glGenTextures(3, chain->textures.data());
+    for (const GLuint texture : chain->textures) {
+        glBindTexture(GL_TEXTURE_2D, texture);
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(info->format), static_cast<GLsizei>(info->width),
+                     static_cast<GLsizei>(info->height), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    }
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+    ++shoalFakeRuntime().swapchains;
+    *out = handleOf<XrSwapchain>(chain);
+    return XR_SUCCESS;
+}
+XrResult xrDestroySwapchain(XrSwapchain swapchain) {
+    FAKE_XR(xrDestroySwapchain);
+    FakeSwapchain* chain = &objectOf<FakeSwapchain>(swapchain);
+    glDeleteTextures(static_cast<GLsizei>(chain->textures.size()), chain->textures.data());
+    --shoalFakeRuntime().swapchains;
+    delete chain;
+    return XR_SUCCESS;
+}
+XrResult xrEnumerateSwapchainImages(XrSwapchain swapchain, uint32_t capacity, uint32_t* count,
+                                    XrSwapchainImageBaseHeader* items) {
+    FAKE_XR(xrEnumerateSwapchainImages);
+    const auto& textures = objectOf<FakeSwapchain>(swapchain).textures;
+    *count = static_cast<uint32_t>(textures.size());
+    auto* images = reinterpret_cast<XrSwapchainImageOpenGLKHR*>(items);
+    for (uint32_t i = 0; i < capacity && i < textures.size(); ++i) {
+        if (images[i].type != XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR)
+            shoalFakeRuntime().complain("xrEnumerateSwapchainImages: no type");
+        images[i].image = textures[i];
+    }
+    return XR_SUCCESS;
+}
+XrResult xrAcquireSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageAcquireInfo*, uint32_t* index) {
+    FAKE_XR(xrAcquireSwapchainImage);
+    FakeSwapchain& chain = objectOf<FakeSwapchain>(swapchain);
+    if (chain.acquired >= 0) shoalFakeRuntime().complain("xrAcquireSwapchainImage: one is out already");
+    *index = chain.next;
+    chain.acquired = static_cast<int>(chain.next);
+    chain.next = (chain.next + 1) % static_cast<uint32_t>(chain.textures.size());
+    chain.waited = false;
+    return XR_SUCCESS;
+}
+XrResult xrWaitSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageWaitInfo*) {
+    FAKE_XR(xrWaitSwapchainImage);
+    FakeSwapchain& chain = objectOf<FakeSwapchain>(swapchain);
+    if (chain.acquired < 0) return XR_ERROR_CALL_ORDER_INVALID;
+    chain.waited = true;
+    return XR_SUCCESS;
+}
+XrResult xrReleaseSwapchainImage(XrSwapchain swapchain, const XrSwapchainImageReleaseInfo*) {
+    FAKE_XR(xrReleaseSwapchainImage);
+    FakeSwapchain& chain = objectOf<FakeSwapchain>(swapchain);
+    if (chain.acquired < 0 || !chain.waited) return XR_ERROR_CALL_ORDER_INVALID;
+    chain.lastReleased = std::exchange(chain.acquired, -1);
+    return XR_SUCCESS;
+}
+
+XrResult xrWaitFrame(XrSession, const XrFrameWaitInfo*, XrFrameState* out) {
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (fake.onWait) fake.onWait(fake);
+    FAKE_XR(xrWaitFrame);
+    if (!fake.running) return XR_ERROR_SESSION_NOT_RUNNING;
+    if (session().phase != FramePhase::Idle) fake.complain("xrWaitFrame: the frame before has not ended");
+    session().phase = FramePhase::Waited;
+    session().now += static_cast<XrTime>(std::llround(fake.period_s * 1e9));
+    ++fake.framesWaited;
+    out->predictedDisplayTime = session().now;
+    out->predictedDisplayPeriod = static_cast<XrDuration>(std::llround(fake.period_s * 1e9));
+    const bool seen = fake.state == XR_SESSION_STATE_VISIBLE || fake.state == XR_SESSION_STATE_FOCUSED;
+    out->shouldRender = seen && fake.shouldRender;
+    return XR_SUCCESS;
+}
+XrResult xrBeginFrame(XrSession, const XrFrameBeginInfo*) {
+    FAKE_XR(xrBeginFrame);
+    if (session().phase != FramePhase::Waited) return XR_ERROR_CALL_ORDER_INVALID;
+    session().phase = FramePhase::Begun;
+    return XR_SUCCESS;
+}
+
+FakePicture pictureOf(const XrSwapchainSubImage& sub) {
+    const FakeSwapchain& chain = objectOf<FakeSwapchain>(sub.swapchain);
+    const XrRect2Di& rect = sub.imageRect;
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (chain.lastReleased < 0 || chain.acquired >= 0)
+        fake.complain("xrEndFrame: a picture was not released");
+    if (rect.offset.x < 0 || rect.offset.y < 0 || rect.extent.width <= 0 || rect.extent.height <= 0 ||
+        rect.offset.x + rect.extent.width > static_cast<int>(chain.width) ||
+        rect.offset.y + rect.extent.height > static_cast<int>(chain.height)) {
+        fake.complain("xrEndFrame: a rectangle beyond its picture");
+        return {};
+    }
+    if (!fake.keepPictures || chain.lastReleased < 0) return {};
+    GLint read = 0;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    GLuint framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           chain.textures[static_cast<size_t>(chain.lastReleased)], 0);
+    FakePicture picture{rect.extent.width, rect.extent.height, {}};
+    picture.rgba.resize(static_cast<size_t>(picture.width * picture.height) * 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(rect.offset.x, rect.offset.y, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                 picture.rgba.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    glDeleteFramebuffers(1, &framebuffer);
+    return picture;
+}
+
+XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
+    FAKE_XR(xrEndFrame);
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (session().phase != FramePhase::Begun) return XR_ERROR_CALL_ORDER_INVALID;
+    session().phase = FramePhase::Idle;
+    if (info->displayTime != session().now) fake.complain("xrEndFrame: another time than xrWaitFrame gave");
+    if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
+        fake.complain("xrEndFrame: not opaque though it could be");
+    fake.last = {info->displayTime, {}, {}};
+    for (uint32_t i = 0; i < info->layerCount; ++i) {
+        const XrCompositionLayerBaseHeader* layer = info->layers[i];
+        const Place localFromLayer = localFromSpace(layer->space);
+        if (layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION) {
+            const auto& projection = reinterpret_cast<const XrCompositionLayerProjection&>(*layer);
+            if (projection.viewCount != 2) return XR_ERROR_VALIDATION_FAILURE;
+            fake.last.eyes.emplace();
+            for (size_t eye = 0; eye < 2; ++eye) {
+                const XrCompositionLayerProjectionView& view = projection.views[eye];
+                (*fake.last.eyes)[eye] = {poseOf(localFromLayer * placeOf(view.pose)), view.fov,
+                                          view.subImage.imageRect, pictureOf(view.subImage)};
+            }
+            ++fake.framesWithEyes;
+        } else if (layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD) {
+            const auto& quad = reinterpret_cast<const XrCompositionLayerQuad&>(*layer);
+            fake.last.panel =
+                ShownPanel{poseOf(localFromLayer * placeOf(quad.pose)), quad.size, pictureOf(quad.subImage)};
+        } else {
+            fake.complain("xrEndFrame: a layer of unknown type");
+        }
+    }
+    ++fake.framesEnded;
+    if (!std::exchange(session().shown, true) && fake.focusesByItself &&
+        fake.state == XR_SESSION_STATE_SYNCHRONIZED) {
+        fake.say(XR_SESSION_STATE_VISIBLE);
+        fake.say(XR_SESSION_STATE_FOCUSED);
+    }
+    return XR_SUCCESS;
+}
+
+XrResult xrLocateViews(XrSession, const XrViewLocateInfo* info, XrViewState* state, uint32_t capacity,
+                       uint32_t* count, XrView* out) {
+    FAKE_XR(xrLocateViews);
+    *count = 2;
+    if (capacity < 2) return capacity == 0 ? XR_SUCCESS : XR_ERROR_SIZE_INSUFFICIENT;
+    if (info->displayTime != session().now) shoalFakeRuntime().complain("xrLocateViews: another time");
+    state->viewStateFlags = shoalFakeRuntime().viewFlags;
+    const Place spaceFromLocal = inverse(localFromSpace(info->space));
+    for (size_t eye = 0; eye < 2; ++eye) {
+        if (out[eye].type != XR_TYPE_VIEW) shoalFakeRuntime().complain("xrLocateViews: no type");
+        out[eye].pose = poseOf(spaceFromLocal * placeOf(shoalFakeRuntime().views[eye].pose));
+        out[eye].fov = shoalFakeRuntime().views[eye].fov;
+    }
+    return XR_SUCCESS;
+}
+
+XrResult xrGetVisibilityMaskKHR(XrSession, XrViewConfigurationType, uint32_t eye,
+                                XrVisibilityMaskTypeKHR type, XrVisibilityMaskKHR* out) {
+    FAKE_XR(xrGetVisibilityMaskKHR);
+    if (eye > 1 || type != XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR)
+        return XR_ERROR_VALIDATION_FAILURE;
+    const FakeMask& mask = shoalFakeRuntime().masks[eye];
+    const XrResult result =
+        giveList(mask.vertices, out->vertexCapacityInput, &out->vertexCountOutput, out->vertices);
+    if (XR_FAILED(result)) return result;
+    return giveList(mask.indices, out->indexCapacityInput, &out->indexCountOutput, out->indices);
+}
+
+} // namespace
+
+PFN_xrVoidFunction sessionFunction(const std::string& name) {
+#define GIVE(function)                                                                                       \
+    if (name == #function) return reinterpret_cast<PFN_xrVoidFunction>(function)
+    GIVE(xrCreateSession);
+    GIVE(xrDestroySession);
+    GIVE(xrBeginSession);
+    GIVE(xrEndSession);
+    GIVE(xrRequestExitSession);
+    GIVE(xrCreateReferenceSpace);
+    GIVE(xrDestroySpace);
+    GIVE(xrLocateSpace);
+    GIVE(xrEnumerateSwapchainFormats);
+    GIVE(xrCreateSwapchain);
+    GIVE(xrDestroySwapchain);
+    GIVE(xrEnumerateSwapchainImages);
+    GIVE(xrAcquireSwapchainImage);
+    GIVE(xrWaitSwapchainImage);
+    GIVE(xrReleaseSwapchainImage);
+    GIVE(xrWaitFrame);
+    GIVE(xrBeginFrame);
+    GIVE(xrEndFrame);
+    GIVE(xrLocateViews);
+    GIVE(xrGetVisibilityMaskKHR);
+#undef GIVE
+    return nullptr;
+}
+
+} // namespace shoal::test

@@ -1,0 +1,84 @@
+// What the fake runtime's handles stand for. A handle is the address of one of these.
+#pragma once
+
+#include "tests/gl/xr/runtime/FakeRuntime.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <memory>
+
+namespace shoal::test {
+
+struct Place {
+    glm::vec3 position{0};
+    glm::quat turn{1, 0, 0, 0};
+};
+Place placeOf(const XrPosef& pose);
+XrPosef poseOf(const Place& place);
+Place operator*(const Place& a, const Place& b);
+Place inverse(const Place& place);
+
+struct FakeSpace {
+    int hand = -1; // of an action space; else LOCAL
+    Place offset;  // parentFromSpace
+};
+
+struct FakeSwapchain {
+    std::vector<GLuint> textures;
+    uint32_t width = 0, height = 0;
+    uint32_t next = 0;
+    int acquired = -1, lastReleased = -1;
+    bool waited = false;
+};
+
+struct FakeAction {
+    XrActionType type;
+    std::string name;
+};
+
+enum class FramePhase { Idle, Waited, Begun };
+
+struct Session {
+    FramePhase phase = FramePhase::Idle;
+    bool shown = false; // a frame was handed in
+    XrTime now = 1'000'000'000;
+    bool attached = false;
+};
+
+Session& session();
+std::vector<std::string>& pathTexts(); // XrPath p is entry p - 1
+
+// Of a space, in LOCAL's frame, now.
+Place localFromSpace(XrSpace space);
+
+template <class Handle, class Object> Handle handleOf(Object* object) {
+    return reinterpret_cast<Handle>(object);
+}
+template <class Object, class Handle> Object& objectOf(Handle handle) {
+    return *reinterpret_cast<Object*>(handle);
+}
+
+// Null if the runtime has none of that name.
+PFN_xrVoidFunction instanceFunction(const std::string& name);
+PFN_xrVoidFunction sessionFunction(const std::string& name);
+PFN_xrVoidFunction inputFunction(const std::string& name);
+
+// Two-call idiom for plain items.
+template <class Item, class From>
+XrResult giveList(const From& from, uint32_t capacity, uint32_t* count, Item* items) {
+    *count = static_cast<uint32_t>(from.size());
+    if (capacity == 0) return XR_SUCCESS;
+    if (capacity < from.size()) return XR_ERROR_SIZE_INSUFFICIENT;
+    size_t i = 0;
+    for (const auto& item : from) items[i++] = item;
+    return XR_SUCCESS;
+}
+
+} // namespace shoal::test
+
+// Opens every function: notes the call, and fails it when the test says so.
+#define FAKE_XR(name)                                                                                        \
+    shoalFakeRuntime().called.insert(#name);                                                                 \
+    if (const auto told = shoalFakeRuntime().failing.find(#name); told != shoalFakeRuntime().failing.end())  \
+    return told->second

@@ -1,0 +1,157 @@
+// Joints and controllers as hands in the viewer's frame.
+#include "input/hands/OpenXrHands.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace shoal::hands {
+namespace {
+
+// Sums and products of a few floats below 3.
+constexpr float kTol = 3e-6f;
+
+const HandRig& rig() {
+    static const HandRig loaded = [] {
+        auto read = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+        if (!read) throw std::runtime_error(read.error().sentence());
+        return *read;
+    }();
+    return loaded;
+}
+
+const xr::Pose kHead{{0.4f, -0.1f, 0.7f}, glm::normalize(glm::quat(0.8f, 0.2f, -0.5f, 0.1f))};
+
+// The hand as a headset would report it: our own, carried into the world.
+xr::TrackedHand reported(const HandPose& inView, const xr::Pose& head) {
+    xr::TrackedHand hand{.active = true};
+    for (size_t i = 0; i < hand.joints.size(); ++i) {
+        const Joint& joint = inView.joints[i];
+        hand.joints[i] = {head * xr::Pose{joint.position, joint.orientation}, joint.radius, true, true};
+    }
+    return hand;
+}
+
+HandPose some(Side side, float curl) {
+    HandShape shape;
+    shape.curl.fill(curl);
+    return rig().pose(side, shape,
+                      {{0.1f, -0.2f, -0.5f}, glm::normalize(glm::quat(0.9f, 0.3f, 0.1f, -0.2f))});
+}
+
+TEST(OpenXrHands, JointsComeBackInTheViewersFrame) {
+    for (const Side side : {Side::Left, Side::Right})
+        for (const float curl : {0.0f, 0.5f, 1.0f}) {
+            const HandPose given = some(side, curl);
+            const HandPose hand = handFromJoints(reported(given, kHead), kHead);
+            ASSERT_TRUE(hand.tracked);
+            EXPECT_EQ(hand.confidence, 1);
+            EXPECT_TRUE(plausible(hand));
+            for (size_t i = 0; i < hand.joints.size(); ++i) {
+                EXPECT_LT(glm::distance(hand.joints[i].position, given.joints[i].position), kTol) << i;
+                EXPECT_NEAR(std::abs(glm::dot(hand.joints[i].orientation, given.joints[i].orientation)), 1,
+                            kTol);
+                EXPECT_EQ(hand.joints[i].radius, given.joints[i].radius);
+            }
+            EXPECT_NEAR(hand.grip, given.grip, 1e-4f); // by acos of floats
+            EXPECT_NEAR(hand.pinch, given.pinch, 1e-4f);
+        }
+}
+
+TEST(OpenXrHands, AHandWithAJointMissingIsNotTracked) {
+    xr::TrackedHand hand = reported(some(Side::Right, 0), kHead);
+    hand.joints[13].valid = false;
+    EXPECT_FALSE(handFromJoints(hand, kHead).tracked);
+    hand = reported(some(Side::Right, 0), kHead);
+    hand.active = false;
+    EXPECT_FALSE(handFromJoints(hand, kHead).tracked);
+}
+
+TEST(OpenXrHands, GuessedJointsLowerConfidence) {
+    xr::TrackedHand hand = reported(some(Side::Left, 0), kHead);
+    for (size_t i = 0; i < 13; ++i) hand.joints[i].seen = false;
+    EXPECT_EQ(handFromJoints(hand, kHead).confidence, 0.5f);
+}
+
+TEST(OpenXrHands, ImpossibleRadiiAreReplaced) {
+    xr::TrackedHand hand = reported(some(Side::Left, 0), kHead);
+    for (const float radius : {0.0f, -1.0f, 3.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        hand.joints[3].radius = radius;
+        const HandPose pose = handFromJoints(hand, kHead);
+        EXPECT_TRUE(plausible(pose)) << radius;
+        EXPECT_EQ(pose.joints[3].radius, Joint{}.radius);
+    }
+}
+
+xr::Controller heldUpright(float squeeze = 0, float trigger = 0) {
+    // A rod held upright ahead, as for shaking hands: OpenXR has -Z up along it, +X right, +Y to the player.
+    xr::Controller controller{.active = true, .gripValid = true};
+    controller.worldFromGrip.position = {0.2f, -0.2f, -0.4f};
+    controller.worldFromGrip.orientation =
+        glm::quat_cast(glm::mat3(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, -1, 0)));
+    controller.squeeze = squeeze;
+    controller.trigger = trigger;
+    return controller;
+}
+
+TEST(OpenXrHands, AControllerIsHeldAsOpenXrSays) {
+    for (const Side side : {Side::Left, Side::Right}) {
+        const HandPose hand = handFromController(rig(), side, heldUpright(), {});
+        ASSERT_TRUE(hand.tracked);
+        EXPECT_TRUE(plausible(hand));
+        const Joint& palm = hand.joints[0];
+        const glm::vec3 fingers = palm.orientation * glm::vec3(0, 0, -1);
+        const glm::vec3 back = palm.orientation * glm::vec3(0, 1, 0);
+        // Fingers ahead, palms facing each other, thumbs up; the palm joint turns a few degrees on the wrist.
+        EXPECT_GT(glm::dot(fingers, glm::vec3(0, 0, -1)), 0.95f);
+        EXPECT_GT(glm::dot(back, glm::vec3(side == Side::Right ? 1 : -1, 0, 0)), 0.95f);
+        EXPECT_GT(hand.joints[5].position.y, hand.joints[25].position.y + 0.05f);
+        // The palm's surface at the grip.
+        const glm::vec3 surface = palm.position - back * palm.radius;
+        EXPECT_LT(glm::distance(surface, heldUpright().worldFromGrip.position), kTol);
+    }
+}
+
+TEST(OpenXrHands, AControllerIsSeenFromTheHead) {
+    const HandPose straight = handFromController(rig(), Side::Right, heldUpright(), {});
+    xr::Controller moved = heldUpright();
+    moved.worldFromGrip = kHead * moved.worldFromGrip;
+    const HandPose turned = handFromController(rig(), Side::Right, moved, kHead);
+    for (size_t i = 0; i < straight.joints.size(); ++i)
+        EXPECT_LT(glm::distance(straight.joints[i].position, turned.joints[i].position), kTol);
+}
+
+TEST(OpenXrHands, SqueezingClosesTheHandAndTheTriggerAloneDoesNot) {
+    // The game closes a hand above 0.55 and opens it below 0.35.
+    EXPECT_LT(handFromController(rig(), Side::Right, heldUpright(0, 0), {}).grip, 0.35f);
+    EXPECT_GT(handFromController(rig(), Side::Right, heldUpright(1, 0), {}).grip, 0.55f);
+    EXPECT_GT(handFromController(rig(), Side::Right, heldUpright(1, 1), {}).grip, 0.9f);
+    EXPECT_LT(handFromController(rig(), Side::Right, heldUpright(0, 1), {}).grip, 0.5f);
+}
+
+TEST(OpenXrHands, BareHandsComeBeforeControllersBeforeNothing) {
+    xr::Tracking tracking;
+    tracking.worldFromHead = kHead;
+    tracking.controllers[0] = tracking.controllers[1] = heldUpright(1);
+    const HandPose open = some(Side::Right, 0);
+    tracking.hands[1] = reported(open, kHead);
+    auto hands = openXrHands(rig(), tracking);
+    EXPECT_TRUE(hands[0].tracked);
+    EXPECT_GT(hands[0].grip, 0.55f); // the controller's
+    EXPECT_NEAR(hands[1].grip, open.grip, 1e-4f);
+    tracking.hands[1].active = false;
+    EXPECT_GT(openXrHands(rig(), tracking)[1].grip, 0.55f);
+    tracking.controllers = {};
+    hands = openXrHands(rig(), tracking);
+    EXPECT_FALSE(hands[0].tracked);
+    EXPECT_FALSE(hands[1].tracked);
+    tracking.controllers[0] = heldUpright();
+    tracking.controllers[0].gripValid = false;
+    EXPECT_FALSE(openXrHands(rig(), tracking)[0].tracked);
+}
+
+} // namespace
+} // namespace shoal::hands
