@@ -166,6 +166,8 @@ void World::step(const TickInput& input, std::vector<Event>& out) {
     swim();
     swimShark(out);
     carry(out);
+    for (Hand& hand : hands)
+        if (hand.visible) hand.easeFingers();
 
     const auto lastTick = static_cast<uint32_t>(file.duration_s * sim::kTickRate_Hz);
     if (phase == Phase::Diving && tick >= lastTick) {

@@ -149,6 +149,15 @@ struct Hand {
     std::array<TouchView, kParts> touching{}; // what each finger and the palm feel
     std::array<hands::Joint, hands::kJointCount> shown{}; // the joints, with fingers resting on that fish
 
+    // How far the fish lifts each joint from where the device sees it, palm's frame; eased, so that no finger
+    // jumps when a fist loses what it held.
+    struct Lift {
+        glm::vec3 move{0};
+        glm::quat turn{1, 0, 0, 0};
+    };
+    std::array<Lift, hands::kJointCount> lifts{};
+    void easeFingers();
+
     // Of this tick, on that fish.
     std::array<physics::Press, hands::kJointCount> presses{};
     int pressCount = 0;

@@ -27,6 +27,20 @@ void Hand::press(int part, const physics::Press& one, float depth_m) {
     touching[part].depth_m = std::max(touching[part].depth_m, depth_m);
 }
 
+void Hand::easeFingers() {
+    const glm::quat palm = joints[0].orientation, palmFromWorld = glm::conjugate(palm);
+    for (int j = 0; j < hands::kJointCount; ++j) {
+        Lift& lift = lifts[j];
+        const glm::vec3 move = palmFromWorld * (shown[j].position - joints[j].position);
+        const glm::quat turn =
+            palmFromWorld * shown[j].orientation * glm::conjugate(joints[j].orientation) * palm;
+        lift.move += (move - lift.move) * physics::kEase;
+        lift.turn = blended(lift.turn, turn, physics::kEase);
+        shown[j].position = joints[j].position + palm * lift.move;
+        shown[j].orientation = palm * lift.turn * palmFromWorld * joints[j].orientation;
+    }
+}
+
 physics::Capsule World::body(const Fish& f, float widest_m) const {
     const Species& kind = species[f.species];
     const glm::vec3 reach = f.forward * kind.bodyHalf_m;

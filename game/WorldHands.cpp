@@ -66,6 +66,7 @@ void World::readHands(const TickInput& input) {
         hand.grasp = hands::graspCentre(hand.joints);
         hand.grip = std::clamp(hand.lastGood.grip, 0.0f, 1.0f);
         if (appears) {
+            hand.lifts = {};
             hand.closed =
                 hand.holds >= 0 || hand.grip > kGripCloses; // a fist that appears did not close here
             hand.firmest = std::max(hand.grip, kGripOpens);

@@ -86,6 +86,10 @@ void add(Hash& hash, const Hand& hand) {
     for (const hands::Joint& joint : hand.lastGood.joints) add(hash, joint);
     for (const hands::Joint& joint : hand.joints) add(hash, joint);
     for (const glm::vec3& v : hand.velocities) add(hash, v);
+    for (const Hand::Lift& lift : hand.lifts) {
+        add(hash, lift.move);
+        add(hash, lift.turn);
+    }
     for (const glm::vec3& v : {hand.grasp, hand.velocity, hand.calmVelocity, hand.calmAcceleration})
         add(hash, v);
     hash.add(hand.solid);

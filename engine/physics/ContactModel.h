@@ -65,6 +65,7 @@ constexpr float kFirm_N            = 0.3f;    // a grip begins when it bears so 
 constexpr float kFirmer            = 0.01f;   // a hand whose grip (0 to 1) has grown by so much is closing
 constexpr float kDrawRate_Hz       = 20;      // closing fingers draw what is among them into the hollow...
 constexpr float kDrawMost_mps      = 1.5f;    // ...of the hand, and how fast at most
+constexpr float kEase              = 0.2f;    // of the way, a tick, that a shown finger goes to where it rests
 constexpr float kSettle_s          = 0.15f;   // in which a body comes to lie across the palm
 
 // -- Struggling and slipping ------------------------------------------------------------------------------

@@ -412,7 +412,7 @@ TEST(Contact, FingersRestOnAHeldFishAndDoNotEnterIt) {
         deepestGiven = std::max(deepestGiven, depth(given));
     }
     EXPECT_GT(deepestGiven, 0.01f) << "a bare fist would go through it";
-    EXPECT_LT(deepestShown, 0.004f);
+    EXPECT_LT(deepestShown, 0.006f) << "the ease lags behind its wriggle by some millimetres";
     // What touches is felt, and with it the struggle.
     int touching = 0;
     for (const TouchView& touch : now.hands[1].touching)
@@ -421,6 +421,33 @@ TEST(Contact, FingersRestOnAHeldFishAndDoNotEnterIt) {
             EXPECT_GT(touch.struggle, 0);
         }
     EXPECT_GE(touching, 3);
+}
+
+TEST(Contact, NoFingerJumpsWhenAFistLosesItsFish) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    one.step(30);
+    auto before = one.world.hands[1].shown;
+    float farthest = 0, lifted = 0;
+    for (int i = 0; i < 240; ++i) { // the catch, the letting go, and an empty fist
+        one.step();
+        const auto& now = one.world.hands[1].shown;
+        for (int j = 0; j < hands::kJointCount; ++j) {
+            farthest = std::max(farthest, glm::distance(now[j].position, before[j].position));
+            lifted =
+                std::max(lifted, glm::distance(before[j].position, one.world.hands[1].joints[j].position));
+            EXPECT_NEAR(glm::length(now[j].orientation), 1, 1e-3f);
+        }
+        before = now;
+    }
+    EXPECT_EQ(one.world.caught, 1);
+    EXPECT_GT(lifted, 0.02f);
+    EXPECT_LE(farthest, physics::kEase * lifted * 1.1f);
+    for (int j = 0; j < hands::kJointCount; ++j)
+        EXPECT_LT(glm::distance(before[j].position, one.world.hands[1].joints[j].position), 1e-3f);
 }
 
 TEST(Contact, AGentleStrokeIsFeltForAsLongAsItLasts) {
