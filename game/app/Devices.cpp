@@ -3,6 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
+#include "game/app/TrackedHands.h"
 #include "input/haptics/Rack.h"
 
 #include <chrono>
@@ -43,7 +44,7 @@ void sound() {
 } // namespace
 
 int devices(const DevicesOptions& options) {
-    std::printf("Hands\n  mouse: always\n");
+    listHandSources(options.hands);
     std::printf("Haptics\n");
     const haptics::HidBus bus = haptics::hidapiBus();
     bool any = false;

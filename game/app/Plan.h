@@ -17,6 +17,8 @@ struct Plan {
     game::DiveFile dive;
     hands::HandRig rig;
     uint64_t seed = 1;
+    HandOptions hands; // of the person who plays, where no script or replay does
+    bool live = true;  // somebody looks on: time is the clock's
     std::optional<game::Script> script;
     std::optional<sim::Recording> replay;
 };

@@ -181,7 +181,8 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
                    .times = &times,
                    .lightName = surround->lightName(),
                    .renderer = statistics.renderer,
-                   .notice = surround->notice(),
+                   .notice = surround->notice().empty() && run.tracked ? run.tracked->caption()
+                                                                       : std::string_view(surround->notice()),
                    .volume = volume,
                    .showVolume = glfwGetTime() - volumeShown_s < 1.5 && window.has_value()},
                   eyeSize);

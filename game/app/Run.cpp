@@ -19,16 +19,19 @@ HandSource makeSource(const Plan& plan) {
 Run::Run(const Plan& plan)
     : source(makeSource(plan)), dive(plan.species, plan.dive, plan.seed),
       recording(game::headerFor(dive), 16384) {
+    if (std::holds_alternative<MouseSource>(source) && plan.hands.source != "mouse")
+        tracked.emplace(plan.hands, plan.rig, plan.live);
     events.reserve(256);
     dive.snapshot(after);
     before = after;
     shown = after;
 }
 
-void Run::tick(bool keep) {
+void Run::tick(bool keep, int ticksLeft) {
     game::TickInput input;
     if (auto* mouse = std::get_if<MouseSource>(&source)) {
         mouse->next(input);
+        if (tracked) tracked->tick(input, ticksLeft);
         input.pause = paused;
         input.restart = restart;
         restart = false;
@@ -70,8 +73,9 @@ void Run::tick(bool keep) {
 
 void Run::advance(double elapsed_s, bool keep) {
     events.clear();
+    if (tracked) tracked->frame(elapsed_s);
     const int count = clock.advance(elapsed_s);
-    for (int i = 0; i < count && !ended; ++i) tick(keep);
+    for (int i = 0; i < count && !ended; ++i) tick(keep, count - i);
     game::interpolate(before, after, clock.alpha(), shown);
 }
 

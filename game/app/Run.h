@@ -6,7 +6,9 @@
 #include "game/Dive.h"
 #include "game/app/HandSource.h"
 #include "game/app/Plan.h"
+#include "game/app/TrackedHands.h"
 
+#include <optional>
 #include <vector>
 
 namespace shoal::app {
@@ -18,6 +20,7 @@ struct Run {
     void advance(double elapsed_s, bool keep);
 
     HandSource source;
+    std::optional<TrackedHands> tracked; // beside the mouse
     game::Dive dive;
     sim::FixedStep clock;
     sim::Recording recording;
@@ -29,7 +32,7 @@ struct Run {
     Status verdict = Done{};
 
   private:
-    void tick(bool keep);
+    void tick(bool keep, int ticksLeft);
     std::vector<game::Event> tickEvents_;
 };
 

@@ -12,6 +12,9 @@ class Continuity {
     // hand's (HandFilter::stretch(), another device); 0: never seen. notSeen_s: since seen was renewed.
     const HandPose& step(const HandPose& seen, int stretch, float notSeen_s, float dt_s);
 
+    // Of a source that needs none of this: its pose is given out as it is, and glided away from later.
+    void take(const HandPose& pose) { pose_ = pose; }
+
     const HandPose& pose() const { return pose_; }
     bool gliding() const { return glide_s_ > 0; }
 

@@ -46,7 +46,9 @@ void HandStream::close() {
 
 void HandStream::setState(DeviceState state) {
     const std::lock_guard lock(mutex_);
+    if (state == state_) return;
     state_ = std::move(state);
+    ++stateChanges_;
 }
 
 DeviceState HandStream::state() const {

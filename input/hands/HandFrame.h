@@ -23,6 +23,9 @@ struct HandFrame {
 struct DeviceState {
     bool present = false; // frames come, or would if there were hands
     std::string words;    // "protocol 6, peripheral attached", "not there", ...
+    std::string asks;     // of the player, such as to hold a hand up; empty: nothing
+
+    bool operator==(const DeviceState&) const = default;
 };
 
 // One writer, one reader.
@@ -40,6 +43,7 @@ class HandStream {
 
     void setState(DeviceState state);
     DeviceState state() const;
+    uint64_t stateChanges() const { return stateChanges_; }
     uint64_t dropped() const { return dropped_; }
 
   private:
@@ -50,6 +54,7 @@ class HandStream {
     const Full full_;
     bool closed_ = false;
     std::atomic<uint64_t> dropped_{0};
+    std::atomic<uint64_t> stateChanges_{0};
     DeviceState state_;
 };
 

@@ -24,6 +24,8 @@ constexpr float kFastest_mps = 25.0f; // a palm that seems faster than this is a
 constexpr float kJump_m = 0.10f;      // besides what kFastest_mps allows
 constexpr float kGap_s = 0.1f;        // frames farther apart than this are not filtered together
 
+constexpr float kMouseReturns_s = 1; // a device that sees no hand for so long leaves the game to the mouse
+
 // Coming back: the hand glides to where it is seen, and pushes nothing meanwhile.
 constexpr float kGlide_mps = 2.0f;    // mean speed; its peak is 1.5 times that, below what tears a fish loose
 constexpr float kGlideLeast_s = 0.1f; // however near

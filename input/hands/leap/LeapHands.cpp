@@ -62,7 +62,7 @@ struct LeapHands::State {
     }
 
     std::string place() const { return options.host + ":" + std::to_string(options.port); }
-    void say(bool present, const std::string& words) { stream.setState({present, words}); }
+    void say(bool present, const std::string& words) { stream.setState({present, words, {}}); }
 
     void run();
     void connect();

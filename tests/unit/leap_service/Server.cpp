@@ -27,6 +27,7 @@ struct Server::State {
     lws_context* context = nullptr;
     lws* client = nullptr;
     int port = 0, newest = 6;
+    int heardHere = 0; // on this connection
     std::atomic<bool> leaving{false};
     mutable std::mutex mutex;
     std::condition_variable changed;
@@ -60,6 +61,7 @@ struct Server::State {
             return -1;
         }
         client = wsi;
+        heardHere = 0;
         commands.push_front(
             {Command::Do::Text,
              "{\"serviceVersion\":\"2.3.1+33747\",\"version\":" + std::to_string(version) + "}", 0});
@@ -70,6 +72,11 @@ struct Server::State {
     int writeable(lws* wsi) {
         const std::lock_guard lock(mutex);
         if (commands.empty() || wsi != client) return 0;
+        // A socket closed with something unread takes with it what is still on its way to the client: the
+        // kernel resets the connection. Both of the client's messages first.
+        const bool ends =
+            commands.front().what == Command::Do::Drop || commands.front().what == Command::Do::Close;
+        if (ends && heardHere < 2) return 0;
         const Command next = std::move(commands.front());
         commands.pop_front();
         changed.notify_all();
@@ -100,6 +107,7 @@ struct Server::State {
         case LWS_CALLBACK_RECEIVE: {
             const std::lock_guard lock(mutex);
             heard.emplace_back(static_cast<const char*>(in), length);
+            if (++heardHere == 2) lws_callback_on_writable(wsi);
             changed.notify_all();
             break;
         }
