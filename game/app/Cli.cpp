@@ -99,8 +99,8 @@ void addHands(CLI::App& app, HandOptions& options) {
     app.add_option(
            "--hands", options.source,
            "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is the "
-           "default with a window; script:FILE (a playthrough); replay:FILE. Where a device sees no "
-           "hands, the mouse has them")
+           "default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); script:FILE (a "
+           "playthrough); replay:FILE. Where a device sees no hands, the mouse has them")
         ->type_name("SOURCE");
     addLeap(app, options);
     app.add_option("--leap-mount", options.leapMount,

@@ -26,7 +26,8 @@ struct LookOptions {
 };
 
 struct HandOptions {
-    std::string source; // auto, mouse, leap, script:FILE, replay:FILE; empty: auto in a window, else mouse
+    std::string source; // auto, mouse, leap, webcam[:FILE or number], script:FILE, replay:FILE; empty: auto
+                        // in a window, else mouse
     std::string leapHost = "127.0.0.1";
     uint16_t leapPort = 6437;
     std::string leapMount = "desk"; // desk, head

@@ -1,7 +1,13 @@
 #include "game/app/TrackedHands.h"
 
+#include "engine/core/Files.h"
 #include "engine/core/Log.h"
 #include "engine/sim/FixedStep.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 
 namespace shoal::app {
 
@@ -18,6 +24,23 @@ std::string nameOf(const HandDevice& device) {
     return std::visit([](const auto& d) -> std::string { return d.kName; }, device);
 }
 
+// What follows "webcam:": a clip, or the number of a camera; empty for the first camera.
+std::optional<std::string> webcamIn(const std::string& source) {
+    if (source == "webcam") return std::string();
+    if (source.starts_with("webcam:")) return source.substr(7);
+    return std::nullopt;
+}
+
+bool isIndex(const std::string& text) {
+    return !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+hands::WebcamOptions webcamFrom(const std::string& which, bool live) {
+    if (which.empty()) return {"", 0, live};
+    if (isIndex(which)) return {"", std::atoi(which.c_str()), live};
+    return {which, 0, live};
+}
+
 } // namespace
 
 TrackedHands::TrackedHands(const HandOptions& options, const hands::HandRig& rig, bool live) {
@@ -28,6 +51,8 @@ TrackedHands::TrackedHands(const HandOptions& options, const hands::HandRig& rig
     };
     if (options.source == "leap" || options.source == "auto")
         add(hands::LeapHands({options.leapHost, options.leapPort, options.leapMount == "head"}, rig));
+    // A camera looks at people: it is only ever opened when it is asked for, never by auto.
+    if (const auto which = webcamIn(options.source)) add(hands::WebcamHands(webcamFrom(*which, live), rig));
 }
 
 // Which of the devices is there, and what they want.
@@ -84,7 +109,14 @@ std::string_view TrackedHands::caption() const {
 Status checkHandSource(const HandOptions& options) {
     for (const char* known : {"auto", "mouse", "leap"})
         if (options.source == known) return Done{};
-    return Error{"--hands " + options.source, "is not auto, mouse, leap, script:FILE or replay:FILE"};
+    if (const auto which = webcamIn(options.source)) {
+        std::error_code code;
+        if (which->empty() || isIndex(*which) || std::filesystem::is_regular_file(*which, code))
+            return Done{};
+        return Error{*which, "there is no such clip"};
+    }
+    return Error{"--hands " + options.source,
+                 "is not auto, mouse, leap, webcam[:FILE or number], script:FILE or replay:FILE"};
 }
 
 void listHandSources(const HandOptions& options) {
@@ -95,6 +127,20 @@ void listHandSources(const HandOptions& options) {
     leap.stream().wait(std::chrono::milliseconds(500)); // a service that is there answers at once
     const hands::DeviceState state = leap.stream().state();
     std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.words.c_str());
+    // Their names only: to open one would turn it on.
+    bool any = false;
+    std::error_code code;
+    std::vector<Path> cameras;
+    for (const auto& entry : std::filesystem::directory_iterator("/sys/class/video4linux", code))
+        cameras.push_back(entry.path());
+    std::sort(cameras.begin(), cameras.end());
+    for (const Path& camera : cameras) {
+        const auto index = readText(camera / "index", 64), name = readText(camera / "name", 4096);
+        if (!index || !name || index->substr(0, 1) != "0") continue; // others give no pictures
+        any = true;
+        std::printf("  webcam:%s: %s", camera.filename().string().substr(5).c_str(), name->c_str());
+    }
+    if (!any) std::printf("  webcam: none plugged in\n");
 }
 
 } // namespace shoal::app

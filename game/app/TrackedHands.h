@@ -5,6 +5,7 @@
 #include "game/app/Options.h"
 #include "input/hands/HandChoice.h"
 #include "input/hands/leap/LeapHands.h"
+#include "input/hands/webcam/WebcamHands.h"
 
 #include <memory>
 #include <variant>
@@ -13,7 +14,7 @@
 namespace shoal::app {
 
 // One more device: one more alternative, with kName and stream(), and a line in TrackedHands' constructor.
-using HandDevice = std::variant<hands::LeapHands>;
+using HandDevice = std::variant<hands::LeapHands, hands::WebcamHands>;
 
 class TrackedHands {
   public:
