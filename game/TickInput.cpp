@@ -17,6 +17,7 @@ template <class Visit, class Input> void visit(Input& input, Visit& io) {
         io.number(hand.confidence);
         io.number(hand.grip);
         io.number(hand.pinch);
+        io.time(hand.time_us);
         for (auto& joint : hand.joints) {
             for (int i = 0; i < 3; ++i) io.number(joint.position[i]);
             io.number(joint.orientation.w);
@@ -40,6 +41,10 @@ struct Put {
         std::memcpy(at, &value, sizeof value);
         at += sizeof value;
     }
+    void time(int64_t value) {
+        std::memcpy(at, &value, sizeof value);
+        at += sizeof value;
+    }
     void flag(bool value) { *at++ = value; }
     void flags(bool a, bool b) { *at++ = static_cast<uint8_t>((a ? 1 : 0) | (b ? 2 : 0)); }
 };
@@ -47,6 +52,10 @@ struct Put {
 struct Take {
     const uint8_t* at;
     void number(float& value) {
+        std::memcpy(&value, at, sizeof value);
+        at += sizeof value;
+    }
+    void time(int64_t& value) {
         std::memcpy(&value, at, sizeof value);
         at += sizeof value;
     }

@@ -78,15 +78,44 @@ void addLook(CLI::App& app, LookOptions& options) {
         ->capture_default_str();
 }
 
+void addLeap(CLI::App& app, HandOptions& options) {
+    app.add_option_function<std::string>(
+           "--leap",
+           [&options](const std::string& text) {
+               const size_t colon = text.rfind(':');
+               int port = 0, end = 0;
+               if (colon == std::string::npos || colon == 0 ||
+                   std::sscanf(text.c_str() + colon, ":%d%n", &port, &end) != 1 ||
+                   colon + static_cast<size_t>(end) != text.size() || port < 1 || port > 65535)
+                   throw CLI::ValidationError("--leap", "wants HOST:PORT");
+               options.leapHost = text.substr(0, colon);
+               options.leapPort = static_cast<uint16_t>(port);
+           },
+           "Where the Leap / Ultraleap tracking service listens; 127.0.0.1:6437 if not given")
+        ->type_name("HOST:PORT");
+}
+
+void addHands(CLI::App& app, HandOptions& options) {
+    app.add_option(
+           "--hands", options.source,
+           "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is the "
+           "default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); openxr (a "
+           "headset's, which --xr means); script:FILE (a "
+           "playthrough); replay:FILE. Where a device sees no hands, the mouse has them")
+        ->type_name("SOURCE");
+    addLeap(app, options);
+    app.add_option("--leap-mount", options.leapMount,
+                   "desk: the device lies on the desk and looks up; head: it is on a headset and looks ahead")
+        ->check(CLI::IsMember({"desk", "head"}))
+        ->capture_default_str();
+}
+
 void addPlay(CLI::App& app, PlayOptions& options) {
     app.add_option("--dive", options.dive, "Name of a dive in content/dives")->capture_default_str();
     app.add_option("--seed", options.seed, "Seed of everything random in the dive")->capture_default_str();
     addSurround(app, options.surround);
     addLook(app, options.look);
-    app.add_option("--hands", options.hands,
-                   "mouse, openxr (with --xr, which means it), script:FILE (a playthrough) or replay:FILE")
-        ->type_name("SOURCE")
-        ->capture_default_str();
+    addHands(app, options.hands);
     app.add_option("--record", options.record, "Writes a replay: seed, settings and every tick's input")
         ->type_name("FILE");
     auto* stereo = app.add_option("--stereo", options.stereo, "none, or sbs: left and right eye side by side")
@@ -239,6 +268,7 @@ int run(int argc, char** argv) {
         app.add_subcommand("check", "Is this video, photo, model, dive, playthrough or replay usable?");
     checkCommand->add_option("FILE", checkOptions.files, "Files to look at")->required();
     auto* devicesCommand = app.add_subcommand("devices", "List hands, haptic devices and sound outputs");
+    addLeap(*devicesCommand, devicesOptions.hands);
     devicesCommand->add_flag("--test", devicesOptions.test, "Pulse each haptic device and play a sound");
 
     // `shoal --size 640x360` means `shoal play --size 640x360`.

@@ -4,6 +4,7 @@
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
 #include "engine/xr/Headset.h"
+#include "game/app/TrackedHands.h"
 #include "input/haptics/Rack.h"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ void sound(bool test) {
 } // namespace
 
 int devices(const DevicesOptions& options) {
-    std::printf("Hands\n  mouse: always\n");
+    listHandSources(options.hands);
     const auto runtime = xr::activeRuntime();
     std::printf("  openxr: %s\n",
                 runtime ? (*runtime + "; play with --xr").c_str() : runtime.error().reason.c_str());

@@ -32,12 +32,20 @@ struct LookOptions {
     glm::ivec2 size{1280, 720};
 };
 
+struct HandOptions {
+    std::string source; // auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE, replay:FILE;
+                        // empty: auto in a window, else mouse
+    std::string leapHost = "127.0.0.1";
+    uint16_t leapPort = 6437;
+    std::string leapMount = "desk"; // desk, head
+};
+
 struct PlayOptions {
     std::string dive = "reef";
     uint64_t seed = 1;
     SurroundOptions surround;
     LookOptions look;
-    std::string hands = "mouse"; // mouse, openxr, script:FILE, replay:FILE
+    HandOptions hands;
     std::string record;
     std::string stereo = "none"; // none, sbs
     bool xr = false;             // in an OpenXR headset
@@ -92,6 +100,7 @@ struct CheckOptions {
 };
 
 struct DevicesOptions {
+    HandOptions hands;
     bool test = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include "game/Playback.h"
 #include "game/TickInput.h"
+#include "game/app/TrackedHands.h"
 
 #include <string_view>
 
@@ -10,10 +11,12 @@ namespace shoal::app {
 Result<Plan> makePlan(const PlayOptions& options) {
     Plan plan;
     plan.seed = options.seed;
+    plan.hands = options.hands;
+    plan.live = !options.headless && !options.timedemo;
     std::string diveName = options.dive;
     const auto after = [&](std::string_view prefix) -> std::optional<std::string> {
-        if (!options.hands.starts_with(prefix)) return std::nullopt;
-        return options.hands.substr(prefix.size());
+        if (!options.hands.source.starts_with(prefix)) return std::nullopt;
+        return options.hands.source.substr(prefix.size());
     };
     if (const auto file = after("script:")) {
         auto script = game::loadScript(*file);
@@ -29,11 +32,13 @@ Result<Plan> makePlan(const PlayOptions& options) {
         diveName = recording->header().dive;
         plan.seed = recording->header().seed;
         plan.replay = std::move(*recording);
-    } else if (options.hands == "openxr" || (options.xr && options.hands == "mouse")) {
+    } else if (options.hands.source == "openxr" ||
+               (options.xr && (options.hands.source.empty() || options.hands.source == "auto"))) {
         if (!options.xr) return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
         plan.openXrHands = true;
-    } else if (options.hands != "mouse") {
-        return Error{"--hands " + options.hands, "is not mouse, openxr, script:FILE or replay:FILE"};
+    } else {
+        if (plan.hands.source.empty()) plan.hands.source = options.headless ? "mouse" : "auto";
+        if (Status known = checkHandSource(plan.hands); !known) return known.error();
     }
     auto files = game::loadDiveFiles(diveName);
     if (!files) return files.error();

@@ -18,6 +18,8 @@ struct Plan {
     hands::HandRig rig;
     uint64_t seed = 1;
     bool openXrHands = false; // a headset's
+    HandOptions hands;        // of the person who plays, where no script or replay does
+    bool live = true;         // somebody looks on: time is the clock's
     std::optional<game::Script> script;
     std::optional<sim::Recording> replay;
 };

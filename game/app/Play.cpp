@@ -194,7 +194,8 @@ HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
             .times = &times,
             .lightName = surround->lightName(),
             .renderer = statistics.renderer,
-            .notice = surround->notice(),
+            .notice = surround->notice().empty() && run.tracked ? run.tracked->caption()
+                                                                : std::string_view(surround->notice()),
             .volume = volume,
             .showVolume = glfwGetTime() - volumeShown_s < 1.5 && window.has_value()};
 }

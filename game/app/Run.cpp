@@ -21,16 +21,19 @@ HandSource makeSource(const Plan& plan) {
 Run::Run(const Plan& plan)
     : source(makeSource(plan)), dive(plan.species, plan.dive, plan.seed),
       recording(game::headerFor(dive), 16384) {
+    if (std::holds_alternative<MouseSource>(source) && plan.hands.source != "mouse")
+        tracked.emplace(plan.hands, plan.rig, plan.live);
     events.reserve(256);
     dive.snapshot(after);
     before = after;
     shown = after;
 }
 
-void Run::tick(bool keep, float share) {
+void Run::tick(bool keep, float share, int ticksLeft) {
     game::TickInput input;
     if (playedByAPerson(source)) {
         if (auto* mouse = std::get_if<MouseSource>(&source)) mouse->next(input);
+        if (tracked) tracked->tick(input, ticksLeft);
         if (auto* headset = std::get_if<OpenXrSource>(&source)) headset->next(input, share);
         if (head) {
             const xr::Pose at = xr::between(headBefore_.value_or(*head), *head, share);
@@ -78,10 +81,12 @@ void Run::tick(bool keep, float share) {
 
 void Run::advance(double elapsed_s, bool keep) {
     events.clear();
+    if (tracked) tracked->frame(elapsed_s);
     const int count = clock.advance(elapsed_s);
     for (int i = 0; i < count && !ended; ++i) {
         const double ticksAfter = static_cast<double>(clock.alpha()) + count - 1 - i; // to this frame
-        tick(keep, static_cast<float>(1 - std::min(1.0, ticksAfter / sim::kTickRate_Hz / elapsed_s)));
+        tick(keep, static_cast<float>(1 - std::min(1.0, ticksAfter / sim::kTickRate_Hz / elapsed_s)),
+             count - i);
     }
     headBefore_ = head;
     game::interpolate(before, after, clock.alpha(), shown);

@@ -7,6 +7,7 @@
 #include "game/Dive.h"
 #include "game/app/HandSource.h"
 #include "game/app/Plan.h"
+#include "game/app/TrackedHands.h"
 
 #include <optional>
 #include <vector>
@@ -20,6 +21,7 @@ struct Run {
     void advance(double elapsed_s, bool keep);
 
     HandSource source;
+    std::optional<TrackedHands> tracked; // beside the mouse
     game::Dive dive;
     sim::FixedStep clock;
     sim::Recording recording;
@@ -32,8 +34,9 @@ struct Run {
     Status verdict = Done{};
 
   private:
-    // share: where the tick lies between the last frame and this one, 0 to 1.
-    void tick(bool keep, float share);
+    // share: where the tick lies between the last frame and this one, 0 to 1; ticksLeft: of this frame, this
+    // one counted.
+    void tick(bool keep, float share, int ticksLeft);
     std::optional<xr::Pose> headBefore_; // in the last frame
     std::vector<game::Event> tickEvents_;
 };

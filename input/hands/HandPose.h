@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace shoal::hands {
@@ -62,7 +63,11 @@ struct HandPose {
     bool solid = true;    // may touch and push; false while it glides to where tracking came back
     float confidence = 0; // 0 to 1
     float grip = 0;       // 0 open to 1 fist
-    float pinch = 0;      // 0 open to 1 thumb and index touch
+    float pinch = 0;      // 0 open to 1 thumb and index touch; a fist is not also a pinch
+    // May push and touch. False while the hand glides to where it is seen again, or has only just appeared:
+    // what it holds stays held, all else it passes through.
+    bool solid = true;
+    int64_t time_us = 0; // when it was seen, by the source's own clock
     std::array<Joint, kJointCount>
         joints{}; // in the viewer's frame: eye at the origin, -Z ahead, +Y up, metres
 };

@@ -1,0 +1,56 @@
+// All 26 joints of a hand from those that a device sends.
+#pragma once
+
+#include "input/hands/HandRig.h"
+
+#include <array>
+#include <optional>
+
+namespace shoal::hands {
+
+// What is known of a finger: metres, device's frame. The names are OpenXR's; the thumb has no intermediate.
+struct PartialFinger {
+    std::optional<glm::vec3> metacarpal, proximal, intermediate, distal, tip;
+};
+
+struct PartialHand {
+    int64_t identity = 0;
+    std::optional<Side> side;
+    glm::vec3 palm{0};
+    glm::vec3 normal{0, -1, 0};    // out of the palm; need not be of unit length
+    glm::vec3 direction{0, 0, -1}; // towards the fingers; likewise
+    std::optional<glm::vec3> wrist;
+    std::optional<float> palmWidth_m;
+    std::optional<float> grip, pinch, confidence;
+    std::array<PartialFinger, kFingerCount> fingers;
+    // Fingertips of which the device does not say whose they are; the rest of `fingers` is then empty.
+    std::array<glm::vec3, kFingerCount> looseTips{};
+    int looseTipCount = 0;
+};
+
+class HandCompleter {
+  public:
+    explicit HandCompleter(const HandRig& rig);
+
+    // The joints sent stay where they are; the others are placed by the rig in the hand's own size. Every
+    // bone from the foot of a metacarpal to the tip keeps the length that was measured, or else the rig's. A
+    // finger of which nothing is sent is as bent as the grip. Same frame as what comes in. side: if the hand
+    // has none.
+    HandPose complete(const PartialHand& hand, Side side) const;
+
+    // The side that loose fingertips speak for, if they do.
+    std::optional<Side> sideOfTips(const PartialHand& hand) const;
+
+  private:
+    struct Fit {
+        std::array<int, kFingerCount> fingerOfTip{};
+        float cost = 0;
+    };
+    Fit fitTips(const PartialHand& hand, Side side) const;
+    float sizeOf(const PartialHand& hand) const;
+
+    HandRig rig_;
+    std::array<HandPose, 2> rest_; // flat, wrist at the origin
+};
+
+} // namespace shoal::hands

@@ -1,0 +1,193 @@
+#include "input/hands/leap/LeapMessage.h"
+
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace shoal::hands {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t kMostHands = 8, kMostPointables = 64;
+constexpr double kMetresFromMillimetres = 1e-3;
+constexpr double kFarthest_m = 5; // the device sees less than one
+
+// Depth and number of values, without building anything.
+bool withinBounds(std::string_view text) {
+    if (text.size() > kLeapMessageBytes) return false;
+    int depth = 0;
+    size_t values = 1;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted) {
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                quoted = false;
+        } else if (c == '"') {
+            quoted = true;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kLeapMessageDepth) return false;
+            ++values;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        } else if (c == ',') {
+            ++values;
+        }
+        if (values > kLeapMessageValues) return false;
+    }
+    return true;
+}
+
+const json* member(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+}
+
+std::optional<double> number(const json& object, const char* key) {
+    const json* value = member(object, key);
+    if (!value || !value->is_number()) return std::nullopt;
+    const auto v = value->get<double>();
+    return std::isfinite(v) ? std::optional(v) : std::nullopt;
+}
+
+std::optional<int64_t> whole(const json& object, const char* key) {
+    const auto v = number(object, key);
+    if (!v || std::fabs(*v) > 9e15) return std::nullopt; // beyond 2^53 doubles skip numbers
+    return static_cast<int64_t>(*v);
+}
+
+std::optional<float> share(const json& object, const char* key) {
+    const auto v = number(object, key);
+    return v ? std::optional(static_cast<float>(std::clamp(*v, 0.0, 1.0))) : std::nullopt;
+}
+
+bool yes(const json& object, const char* key) {
+    const json* value = member(object, key);
+    return value && value->is_boolean() && value->get<bool>();
+}
+
+// As text, whether it is a string or a number.
+std::string words(const json& object, const char* key) {
+    const json* value = member(object, key);
+    if (!value) return {};
+    std::string text = value->is_string()   ? value->get<std::string>()
+                       : value->is_number() ? value->dump()
+                                            : "";
+    if (text.size() > 64) text.resize(64);
+    return text;
+}
+
+std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double most) {
+    const json* value = member(object, key);
+    if (!value || !value->is_array() || value->size() != 3) return std::nullopt;
+    glm::vec3 v(0);
+    for (int i = 0; i < 3; ++i) {
+        const json& entry = (*value)[static_cast<size_t>(i)];
+        if (!entry.is_number()) return std::nullopt;
+        const double given = entry.get<double>() * scale;
+        if (!(std::fabs(given) <= most)) return std::nullopt; // NaN too
+        v[i] = static_cast<float>(given);
+    }
+    return v;
+}
+
+std::optional<glm::vec3> point(const json& object, const char* key) {
+    return triple(object, key, kMetresFromMillimetres, kFarthest_m);
+}
+
+std::optional<PartialHand> readHand(const json& from) {
+    if (!from.is_object()) return std::nullopt;
+    const auto identity = whole(from, "id");
+    const auto palm = point(from, "palmPosition");
+    const auto normal = triple(from, "palmNormal", 1, 10), direction = triple(from, "direction", 1, 10);
+    if (!identity || !palm || !normal || !direction) return std::nullopt;
+    if (glm::length(glm::cross(*normal, *direction)) < 1e-3f) return std::nullopt;
+    PartialHand hand;
+    hand.identity = *identity;
+    hand.palm = *palm;
+    hand.normal = *normal;
+    hand.direction = *direction;
+    const std::string type = words(from, "type");
+    if (type == "left") hand.side = Side::Left;
+    if (type == "right") hand.side = Side::Right;
+    hand.wrist = point(from, "wrist");
+    if (const auto width = number(from, "palmWidth"); width && *width > 20 && *width < 200)
+        hand.palmWidth_m = static_cast<float>(*width * kMetresFromMillimetres);
+    hand.grip = share(from, "grabStrength");
+    hand.pinch = share(from, "pinchStrength");
+    hand.confidence = share(from, "confidence");
+    return hand;
+}
+
+// A tool is no finger. The thumb's metacarpal has no length in the service's model: what it calls carp and
+// mcp is one point, our metacarpal.
+void readPointable(const json& from, std::vector<PartialHand>& hands) {
+    if (!from.is_object() || yes(from, "tool")) return;
+    const auto owner = whole(from, "handId");
+    const auto hand = std::find_if(hands.begin(), hands.end(),
+                                   [&](const PartialHand& h) { return owner && h.identity == *owner; });
+    if (hand == hands.end()) return;
+    const auto tip = [&] {
+        const auto bone = point(from, "btipPosition");
+        return bone ? bone : point(from, "tipPosition");
+    }();
+    const auto mcp = point(from, "mcpPosition"), pip = point(from, "pipPosition"),
+               dip = point(from, "dipPosition");
+    auto type = whole(from, "type");
+    // Before fingers had types they had numbers, and those of a skeleton end in the finger's.
+    if (!type && mcp)
+        if (const auto id = whole(from, "id")) type = *id - 10 * hand->identity;
+    if (type && *type >= 0 && *type < kFingerCount) {
+        PartialFinger& finger = hand->fingers[static_cast<size_t>(*type)];
+        if (*type == 0) {
+            finger.metacarpal = mcp;
+            finger.proximal = pip;
+        } else {
+            finger.metacarpal = point(from, "carpPosition");
+            finger.proximal = mcp;
+            finger.intermediate = pip;
+        }
+        finger.distal = dip;
+        finger.tip = tip;
+    } else if (tip && hand->looseTipCount < kFingerCount) {
+        hand->looseTips[static_cast<size_t>(hand->looseTipCount++)] = *tip;
+    }
+}
+
+LeapFrame readFrame(const json& from) {
+    LeapFrame frame;
+    frame.time_us = whole(from, "timestamp");
+    if (const json* hands = member(from, "hands"); hands && hands->is_array())
+        for (size_t i = 0; i < std::min(hands->size(), kMostHands); ++i)
+            if (auto hand = readHand((*hands)[i])) frame.hands.push_back(*hand);
+    if (const json* pointables = member(from, "pointables"); pointables && pointables->is_array())
+        for (size_t i = 0; i < std::min(pointables->size(), kMostPointables); ++i)
+            readPointable((*pointables)[i], frame.hands);
+    return frame;
+}
+
+} // namespace
+
+Result<LeapMessage> readLeapMessage(std::string_view text) {
+    if (!withinBounds(text)) return Error{"", "is larger or deeper than any frame of hands"};
+    const json message = json::parse(text, nullptr, false);
+    if (!message.is_object()) return Error{"", "is no JSON object"};
+    if (message.contains("hands") || message.contains("pointables") || message.contains("timestamp"))
+        return LeapMessage(readFrame(message));
+    if (const auto version = whole(message, "version"))
+        return LeapMessage(LeapHello{static_cast<int>(std::clamp<int64_t>(*version, 0, 999)),
+                                     words(message, "serviceVersion")});
+    if (const json* event = member(message, "event"); event && event->is_object())
+        if (const json* state = member(*event, "state");
+            words(*event, "type") == "deviceEvent" && state && state->is_object())
+            return LeapMessage(LeapDevice{yes(*state, "attached"), yes(*state, "streaming"),
+                                          words(*state, "id"), words(*state, "type")});
+    return LeapMessage(LeapOther{});
+}
+
+} // namespace shoal::hands

@@ -1,0 +1,43 @@
+// What the Leap / Ultraleap service says over its WebSocket: JSON, protocol versions 1 to 6.
+#pragma once
+
+#include "engine/core/Result.h"
+#include "input/hands/CompleteHand.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace shoal::hands {
+
+// The first message.
+struct LeapHello {
+    int version = 0;
+    std::string service; // its version; may be empty
+};
+
+// A device was plugged in, or out, or changed its mind.
+struct LeapDevice {
+    bool attached = false, streaming = false;
+    std::string id, type;
+};
+
+struct LeapFrame {
+    std::optional<int64_t> time_us;
+    std::vector<PartialHand> hands; // device's frame in metres; whatever was absurd is left out
+};
+
+struct LeapOther {}; // valid, but nothing that concerns us
+
+using LeapMessage = std::variant<LeapHello, LeapDevice, LeapFrame, LeapOther>;
+
+// What a message may hold; a frame with two hands and all their bones has 30 kB, 2000 values and depth 5.
+constexpr size_t kLeapMessageBytes = 256 * 1024;
+constexpr size_t kLeapMessageValues = 16 * 1024;
+constexpr int kLeapMessageDepth = 16;
+
+// Fails on what is no JSON object, and on what exceeds the bounds above, before memory is taken for it.
+Result<LeapMessage> readLeapMessage(std::string_view text);
+
+} // namespace shoal::hands

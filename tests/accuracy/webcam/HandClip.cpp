@@ -1,0 +1,173 @@
+#include "HandClip.h"
+
+#include "engine/light/MakeLight.h"
+#include "engine/render/PackedLight.h"
+
+#include <glm/geometric.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+
+namespace shoal::hands::test {
+
+namespace {
+
+// A room lit from above and the left, as by a window.
+ImageRgb8 room() {
+    ImageRgb8 frame(256, 128);
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            const float up = 1 - static_cast<float>(y) / 128,
+                        left = std::cos(6.2832f * (static_cast<float>(x) / 256 - 0.3f));
+            const float value = 90 + 60 * up + 45 * std::max(left, 0.0f);
+            frame.at(x, y)[0] = static_cast<uint8_t>(value);
+            frame.at(x, y)[1] = static_cast<uint8_t>(0.98f * value);
+            frame.at(x, y)[2] = static_cast<uint8_t>(0.95f * value);
+        }
+    return frame;
+}
+
+cv::Mat background(Behind behind, cv::Size size) {
+    cv::Mat picture(size, CV_8UC3, cv::Scalar(120, 122, 125));
+    cv::RNG random(7);
+    switch (behind) {
+    case Behind::Grey:
+        break;
+    case Behind::Gradient:
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(60 + 160 * x / size.width),
+                                                        static_cast<uchar>(200 - 120 * y / size.height),
+                                                        static_cast<uchar>(80 + 60 * y / size.height));
+        break;
+    case Behind::Noise:
+        random.fill(picture, cv::RNG::UNIFORM, 0, 255);
+        cv::GaussianBlur(picture, picture, {}, 1.5);
+        break;
+    case Behind::Wood: // the hue of skin, in grained boards, somewhat darker
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const double grain =
+                    std::sin(0.11 * y + 2.5 * std::sin(0.013 * x) + 0.7 * std::sin(0.05 * y));
+                const double value = 128 + 18 * grain - (y % 60 < 2 ? 40 : 0);
+                picture.at<cv::Vec3b>(y, x) =
+                    cv::Vec3b(static_cast<uchar>(0.55 * value), static_cast<uchar>(0.76 * value),
+                              static_cast<uchar>(value));
+            }
+        break;
+    case Behind::Room: // furniture in strong colours
+        picture = cv::Scalar(170, 180, 185);
+        cv::rectangle(picture, {0, 0, size.width / 4, size.height}, {140, 90, 60}, cv::FILLED);
+        cv::rectangle(picture, {size.width * 3 / 5, size.height / 3, size.width / 4, size.height},
+                      {60, 130, 70}, cv::FILLED);
+        cv::circle(picture, {size.width * 3 / 4, size.height / 5}, size.height / 8, {40, 200, 230},
+                   cv::FILLED);
+        cv::circle(picture, {size.width / 3, size.height / 4}, size.height / 10, {50, 40, 150}, cv::FILLED);
+        cv::GaussianBlur(picture, picture, {}, 2);
+        break;
+    }
+    return picture;
+}
+
+HandShape shapeOf(Gesture gesture) {
+    HandShape shape;
+    switch (gesture) {
+    case Gesture::Open:
+        shape.curl = {0.0f, 0.04f, 0.04f, 0.05f, 0.06f};
+        shape.spread = 1;
+        break;
+    case Gesture::Fist:
+        shape.curl = {0.9f, 0.95f, 0.95f, 0.95f, 0.95f};
+        break;
+    case Gesture::Pinch: // thumb and index meet; the others stand
+        shape.curl = {0.85f, 0.68f, 0.10f, 0.08f, 0.08f};
+        shape.spread = 0.8f;
+        break;
+    }
+    return shape;
+}
+
+} // namespace
+
+HandPose shownHand(const HandRig& rig, Side side, const Shown& shown) {
+    // Fingers up, palm to the camera: -Z of the wrist along +y, +Y of it along -z.
+    const glm::quat facing =
+        glm::quat_cast(glm::mat3(glm::vec3(-1, 0, 0), glm::vec3(0, 0, -1), glm::vec3(0, -1, 0)));
+    const glm::quat turn = glm::angleAxis(shown.roll, glm::vec3(0, 0, 1)) *
+                           glm::angleAxis(shown.tilt, glm::vec3(1, 0, 0)) * facing;
+    HandPose hand = rig.pose(side, shapeOf(shown.gesture), {{0, 0, 0}, turn});
+    const glm::vec3 by = shown.palm - hand.joints[0].position;
+    for (Joint& joint : hand.joints) joint.position += by;
+    return hand;
+}
+
+Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
+    HandClip clip;
+    auto context = platform::Headless::open();
+    if (!context) return context.error();
+    clip.context_ = std::move(*context);
+    const Path models = dataRoot() / "content/models";
+    auto cast = app::Cast::load({}, models / "hand_left.glb", models / "hand_right.glb",
+                                render::Reflectance::Coded, render::Detail::Full);
+    if (!cast) return cast.error();
+    clip.cast_ = std::move(*cast);
+    auto pass = render::ObjectPass::make();
+    if (!pass) return pass.error();
+    clip.pass_ = std::move(*pass);
+    const ImageRgb8 light = room();
+    light::EnvironmentLight made;
+    light::LightMaker({256, clip.cast_->leastRoughness()})
+        .make(
+            {light.pixels.data(), light.width, light.height, static_cast<ptrdiff_t>(light.width) * 3, false},
+            made);
+    render::PackedLight packed;
+    render::packLight(made, render::MirrorMaps::Mirrors, packed);
+    clip.surround_.emplace();
+    clip.surround_->uploadFrame({light.pixels.data(), light.width, light.height, light.width, false});
+    clip.surround_->uploadLight(packed);
+    clip.target_.emplace(size.width, size.height, 4);
+    clip.size_ = size;
+    for (size_t i = 0; i < clip.behind_.size(); ++i)
+        clip.behind_[i] = background(static_cast<Behind>(i), size);
+    clip.verticalFov_ = 2 * std::atan(std::tan(horizontalFov / 2) * static_cast<float>(size.height) /
+                                      static_cast<float>(size.width));
+    return clip;
+}
+
+ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) {
+    game::Snapshot snapshot;
+    for (size_t side = 0; side < 2; ++side) {
+        snapshot.hands[side].visible = poses[side].has_value();
+        if (poses[side]) snapshot.hands[side].joints = poses[side]->joints;
+    }
+    target_->bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    pass_->begin();
+    cast_->show(snapshot, *pass_);
+    pass_->upload();
+    const render::View view{.verticalFov = verticalFov_,
+                            .aspect = static_cast<float>(size_.width) / static_cast<float>(size_.height),
+                            .heightPixels = size_.height};
+    if (Status drawn = pass_->draw(render::ObjectPass::Part::Opaque, *surround_, view, glm::mat3(1),
+                                   {.exposure_ev = 0.8f}, {}, render::Glossy::Prefiltered);
+        !drawn)
+        return {};
+    return target_->read();
+}
+
+cv::Mat HandClip::picture(const ImageRgba8& hands, Behind behind) {
+    cv::Mat out = behind_[static_cast<size_t>(behind)].clone(), noise(out.size(), CV_16SC3);
+    for (int y = 0; y < out.rows; ++y)
+        for (int x = 0; x < out.cols; ++x) {
+            const uint8_t* hand = hands.at(x, y);
+            cv::Vec3b& pixel = out.at<cv::Vec3b>(y, x);
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = cv::saturate_cast<uchar>(hand[2 - c] + pixel[c] * (255 - hand[3]) / 255);
+        }
+    random_.fill(noise, cv::RNG::NORMAL, 0, 2.5);
+    cv::add(out, noise, out, {}, CV_8U);
+    return out;
+}
+
+} // namespace shoal::hands::test

@@ -1,0 +1,53 @@
+// Clips of our own hands before a webcam, where the truth is known.
+#pragma once
+
+#include "engine/gl/Target.h"
+#include "engine/platform/Headless.h"
+#include "game/app/Cast.h"
+#include "input/hands/HandFilter.h"
+#include "input/hands/HandRig.h"
+
+#include <opencv2/core.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace shoal::hands::test {
+
+enum class Behind { Grey, Gradient, Noise, Wood, Room };
+inline constexpr std::array kBehindNames = {"grey wall", "gradient", "noise", "wood, skin-like", "room"};
+
+// What a hand shows at one moment; camera's frame (x right in the picture, y up, the camera looks along -z).
+struct Shown {
+    glm::vec3 palm{0, 0, -0.5f}; // metres
+    Gesture gesture = Gesture::Open;
+    float roll = 0; // radians, in the picture
+    float tilt = 0; // radians, the fingers towards the camera
+};
+
+HandPose shownHand(const HandRig& rig, Side side, const Shown& shown);
+
+class HandClip {
+  public:
+    // Fails where there is no GL.
+    static Result<HandClip> make(cv::Size size, float horizontalFov);
+
+    // The hands alone, with their cover in alpha.
+    ImageRgba8 hands(const std::array<std::optional<HandPose>, 2>& poses);
+    // Before a background, blue first, with a little sensor noise.
+    cv::Mat picture(const ImageRgba8& hands, Behind behind);
+
+  private:
+    HandClip() = default;
+    std::optional<platform::Headless> context_; // first: it dies last
+    std::optional<app::Cast> cast_;
+    std::optional<render::ObjectPass> pass_;
+    std::optional<render::SurroundGpu> surround_;
+    std::optional<gl::Target> target_;
+    std::array<cv::Mat, kBehindNames.size()> behind_;
+    cv::Size size_;
+    float verticalFov_ = 0.8f;
+    cv::RNG random_{1};
+};
+
+} // namespace shoal::hands::test

@@ -1,0 +1,262 @@
+// The program with a tracking service that behaves as services do: a hand over the device closes on a fish;
+// the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time is that
+// of the frames' stamps, so nothing waits for a clock.
+#include "game/Playback.h"
+#include "input/hands/HandFilter.h"
+#include "input/hands/leap/LeapMessage.h"
+#include "input/hands/leap/LeapTracks.h"
+#include "tests/unit/leap_service/Recordings.h"
+#include "tests/unit/leap_service/Server.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <sys/wait.h>
+
+namespace shoal {
+namespace {
+
+namespace fs = std::filesystem;
+using hands::test::Server;
+
+const hands::HandRig& rig() {
+    static const hands::HandRig loaded =
+        hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
+    return loaded;
+}
+
+struct Fist {
+    glm::vec3 grasp{0}; // viewer's frame, when it closes for the first time
+    double closes_s = -1, ends_s = 0;
+};
+
+// Where the hand of a recording closes, by our own reading of it.
+Fist fistIn(const std::vector<std::string>& messages) {
+    hands::LeapTracks tracks(rig(), hands::kDeskMount);
+    hands::HandFilter filter;
+    Fist fist;
+    int64_t first_us = -1;
+    for (const std::string& message : messages) {
+        const auto read = hands::readLeapMessage(message);
+        if (!read) continue;
+        const auto& leap = std::get<hands::LeapFrame>(*read);
+        const hands::HandFrame frame = tracks.frame(leap, leap.time_us.value_or(0));
+        if (first_us < 0) first_us = frame.time_us;
+        filter.step(frame.hands[1], frame.identity[1], frame.time_us);
+        fist.ends_s = static_cast<double>(frame.time_us - first_us) * 1e-6;
+        if (fist.closes_s >= 0 || filter.gesture() != hands::Gesture::Fist) continue;
+        fist.closes_s = fist.ends_s;
+        fist.grasp = hands::graspCentre(filter.pose().joints);
+    }
+    return fist;
+}
+
+// The same hand more slowly: its time stamps stretched.
+std::vector<std::string> slowed(const std::vector<std::string>& messages, double times) {
+    static const std::regex stamp("\"timestamp\":([0-9]+)");
+    std::vector<std::string> out;
+    for (const std::string& message : messages) {
+        std::smatch found;
+        if (!std::regex_search(message, found, stamp)) continue;
+        const auto us = static_cast<int64_t>(std::stod(found[1]) * times);
+        out.push_back(found.prefix().str() + "\"timestamp\":" + std::to_string(us) + found.suffix().str());
+    }
+    return out;
+}
+
+class TrackedHands : public testing::Test {
+  protected:
+    Path folder_;
+    void SetUp() override {
+        folder_ = Path(testing::TempDir()) / (std::string("shoal_hands_") +
+                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+        fs::remove_all(folder_);
+        fs::create_directories(folder_ / "content" / "dives");
+        const Path source = SHOAL_SOURCE_DIR;
+        fs::create_directory_symlink(source / "shaders", folder_ / "shaders");
+        for (const auto& entry : fs::directory_iterator(source / "content"))
+            if (entry.path().filename() != "dives")
+                fs::create_symlink(entry.path(), folder_ / "content" / entry.path().filename());
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    // A dive with clownfish in a narrow ring through the place where the fist closes, and no shark; and the
+    // seed, of a hundred, with which one of them is nearest to that place at that time.
+    uint64_t putFishAt(const Fist& fist) const {
+        const glm::vec3 at = fist.grasp;
+        const float radius = std::hypot(at.x, at.z);
+        std::ofstream(folder_ / "content/dives/ring.toml")
+            << "title = \"Ring\"\nvideo = \"video/reef.mp4\"\nduration = 60\n\n[[school]]\nspecies = "
+               "\"clownfish\"\ncount = 40\nradius = ["
+            << std::max(radius - 0.05f, 0.6f) << ", " << radius + 0.05f << "]\nheight = [" << at.y - 0.05f
+            << ", " << at.y + 0.05f << "]\n";
+        const auto files = game::loadDiveFiles("ring", folder_ / "content");
+        EXPECT_TRUE(files);
+        uint64_t best = 1;
+        float least = 10;
+        for (uint64_t seed = 1; seed <= 100; ++seed) {
+            game::Dive dive(files->species, files->dive, seed);
+            std::vector<game::Event> events;
+            game::Snapshot now;
+            for (double t = 0; t < fist.closes_s; t += static_cast<double>(sim::kTick_s))
+                dive.step({}, events);
+            dive.snapshot(now);
+            for (const game::CreatureView& creature : now.creatures)
+                if (const float distance = glm::distance(creature.position, at); distance < least)
+                    least = distance, best = seed;
+        }
+        EXPECT_LT(least, 0.04f);
+        return best;
+    }
+
+    int run(const std::string& arguments) const {
+        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY SHOAL_DATA=" + folder_.string() +
+                                    " XDG_DATA_HOME=" + folder_.string() + " timeout 120 '" + SHOAL_PROGRAM +
+                                    "' " + arguments + " >" + (folder_ / "out.txt").string() + " 2>" +
+                                    (folder_ / "err.txt").string() + " </dev/null";
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string said() const { return readText(folder_ / "err.txt").value(); }
+
+    std::string play(const Server& server, double seconds, uint64_t seed) const {
+        char at[32];
+        std::snprintf(at, sizeof at, "%.2f", seconds);
+        return "play --headless --size 64x36 --backdrop-only --dive ring --hands leap --leap 127.0.0.1:" +
+               std::to_string(server.port()) + " --seed " + std::to_string(seed) + " --at " + at +
+               " --record " + replayFile().string();
+    }
+    Path replayFile() const { return folder_ / "run.replay"; }
+
+    struct Story {
+        std::vector<game::Event> events;
+        int caught = 0;
+        int handTicks = 0; // ticks in which the right hand was there
+    };
+    Story story() const {
+        Story out;
+        const auto recording = sim::readRecording(replayFile());
+        EXPECT_TRUE(recording) << recording.error().sentence();
+        const auto files = game::loadDiveFiles("ring", folder_ / "content");
+        EXPECT_TRUE(files) << files.error().sentence();
+        const Status same =
+            game::replay(*recording, *files, [&](const game::Snapshot& now, const auto& events) {
+                out.events.insert(out.events.end(), events.begin(), events.end());
+                out.caught = now.caught;
+                out.handTicks += now.hands[1].visible && now.hands[1].joints[0].position.z < -0.3f;
+            });
+        EXPECT_TRUE(same) << same.error().sentence();
+        return out;
+    }
+    static bool grabbed(const Story& story) {
+        for (const game::Event& event : story.events)
+            if (event.kind == game::Event::Kind::Grab && event.hand == 1) return true;
+        return false;
+    }
+
+    void fistCatches(const std::vector<std::string>& messages, bool counts) {
+        const Fist fist = fistIn(messages);
+        ASSERT_GT(fist.closes_s, 0);
+        const uint64_t seed = putFishAt(fist);
+        Server server;
+        server.say(messages);
+        ASSERT_EQ(run(play(server, fist.ends_s, seed)), 0) << said();
+        EXPECT_NE(said().find("Hands: Leap Motion"), std::string::npos) << said();
+        const Story told = story();
+        EXPECT_TRUE(grabbed(told)) << "the fist closes at " << fist.closes_s << " s around " << fist.grasp.x
+                                   << " " << fist.grasp.y << " " << fist.grasp.z;
+        if (counts) {
+            EXPECT_GE(told.caught, 1);
+        }
+    }
+};
+
+TEST_F(TrackedHands, AMadeFistCatchesAFishPutThere) {
+    fistCatches(hands::test::closingRecording(rig(), 6, 300), true);
+}
+
+TEST_F(TrackedHands, TheRecordedFistCatchesAFishPutThere) {
+    const Path file = hands::test::sharedRecording("grab");
+    if (!fs::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
+    fistCatches(hands::test::readRecordingMessages(file), false);
+}
+
+// At its own rate that fist opens after 0.9 s, and a fish counts after 1 s.
+TEST_F(TrackedHands, TheRecordedFistSlowedCatchesAFishThatCounts) {
+    const Path file = hands::test::sharedRecording("grab");
+    if (!fs::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
+    fistCatches(slowed(hands::test::readRecordingMessages(file), 1.5), true);
+}
+
+TEST_F(TrackedHands, TheSameServiceGivesTheSameGame) {
+    const auto messages = hands::test::closingRecording(rig(), 5, 150);
+    const uint64_t seed = putFishAt(fistIn(messages));
+    std::vector<uint64_t> hashes[2];
+    for (auto& run_ : hashes) {
+        Server server;
+        server.say(messages);
+        ASSERT_EQ(run(play(server, 1.4, seed)), 0) << said();
+        const auto recording = sim::readRecording(replayFile());
+        ASSERT_TRUE(recording);
+        for (size_t i = 0; i < recording->ticks(); ++i) run_.push_back(recording->hash(i));
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST_F(TrackedHands, TheGamePlaysOnThroughWhateverTheServiceDoes) {
+    const auto messages = hands::test::closingRecording(rig(), 6, 300);
+    const uint64_t seed = putFishAt(fistIn(messages));
+    Server server;
+    for (size_t i = 0; i < messages.size(); ++i) {
+        server.say(messages[i]);
+        if (i == 60) server.drop();
+        if (i == 120) server.close(1001); // goes on a version lower
+        if (i == 160) server.say("{\"hands\":[{}],\"pointables\":\"none\",\"timestamp\":\"now\"");
+        if (i == 170) server.say(std::string(1 << 20, '['));
+        if (i == 180) server.sayBinary(std::string("\xff\xfe\x00", 3));
+        if (i == 220) server.close(1000);
+    }
+    ASSERT_EQ(run(play(server, 2.9, seed)), 0) << said();
+    EXPECT_EQ(server.paths().size(), 4u);
+    const Story told = story();
+    EXPECT_TRUE(grabbed(told));
+    EXPECT_GE(told.caught, 1) << "gaps shorter than 0.3 s do not open the hand";
+    EXPECT_GT(told.handTicks, 300);
+}
+
+TEST_F(TrackedHands, WithoutAServiceTheMouseHasTheHands) {
+    putFishAt({{0, -0.1f, -0.7f}, 0, 0});
+    int port = 0;
+    { port = Server().port(); } // nobody listens there now
+    ASSERT_EQ(run("play --headless --size 64x36 --backdrop-only --dive ring --hands auto --leap 127.0.0.1:" +
+                  std::to_string(port) + " --at 1.5 --record " + replayFile().string()),
+              0)
+        << said();
+    EXPECT_NE(said().find("Hands: mouse"), std::string::npos) << said();
+    EXPECT_GT(story().handTicks, 100);
+}
+
+TEST_F(TrackedHands, WrongAddressesAndMountsAreSaid) {
+    for (const char* words : {"--leap nowhere", "--leap :1", "--leap a:0", "--leap a:70000", "--leap a:1x",
+                              "--leap-mount knee"}) {
+        EXPECT_EQ(run(std::string("play --headless ") + words), 2) << words;
+        EXPECT_NE(said().find("--leap"), std::string::npos) << said();
+    }
+}
+
+TEST_F(TrackedHands, DevicesListsThem) {
+    Server server;
+    server.say(hands::test::closingRecording(rig(), 6, 3));
+    ASSERT_EQ(run("devices --leap 127.0.0.1:" + std::to_string(server.port())), 0);
+    const std::string out = readText(folder_ / "out.txt").value();
+    EXPECT_NE(out.find("mouse: always"), std::string::npos) << out;
+    EXPECT_NE(out.find("leap: ready, protocol 6"), std::string::npos) << out;
+}
+
+} // namespace
+} // namespace shoal

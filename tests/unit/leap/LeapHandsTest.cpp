@@ -1,0 +1,243 @@
+// The client against a real WebSocket server on a loopback port. Nothing here sleeps: the tests wait for
+// frames and messages to come.
+#include "input/hands/leap/LeapHands.h"
+#include "tests/unit/leap_service/Recordings.h"
+#include "tests/unit/leap_service/Server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <limits>
+
+namespace shoal::hands {
+namespace {
+
+using test::Server;
+using testing::ElementsAre;
+
+const HandRig& rig() {
+    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
+    return loaded;
+}
+
+LeapHands connectTo(const Server& server, bool onHeadset = false) {
+    return LeapHands({"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset}, rig());
+}
+
+// The next frame; fails the test where none comes.
+HandFrame next(LeapHands& hands) {
+    HandFrame frame;
+    EXPECT_TRUE(hands.stream().wait(std::chrono::seconds(10)));
+    EXPECT_TRUE(hands.stream().take(frame));
+    return frame;
+}
+
+std::string frameAt(int64_t time_us, int64_t id = 1) {
+    auto hand = test::closingHand(rig(), 1).front();
+    hand.id = id;
+    return test::madeFrame(6, time_us, time_us, {hand});
+}
+
+TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
+    Server server;
+    LeapHands hands = connectTo(server);
+    ASSERT_TRUE(server.waitForHeard(2));
+    server.say(frameAt(1)); // whatever else was sent would have come by then
+    next(hands);
+    EXPECT_THAT(server.paths(), ElementsAre("/v6.json"));
+    EXPECT_THAT(server.heard(), ElementsAre("{\"background\":true}", "{\"focused\":true}"));
+}
+
+TEST(LeapHands, OnAHeadsetItSaysSo) {
+    Server server;
+    LeapHands hands = connectTo(server, true);
+    ASSERT_TRUE(server.waitForHeard(3));
+    server.say(frameAt(1));
+    next(hands);
+    const auto heard = server.heard();
+    EXPECT_THAT(heard, ElementsAre("{\"background\":true}", "{\"optimizeHMD\":true}", "{\"focused\":true}"));
+    for (const std::string& message : heard) EXPECT_LE(message.size(), 31u);
+}
+
+TEST(LeapHands, GoesDownToTheVersionThatTheServiceSpeaks) {
+    for (int newest : {5, 3, 1}) {
+        Server server(0, newest);
+        LeapHands hands = connectTo(server);
+        server.say(frameAt(7));
+        EXPECT_EQ(next(hands).time_us, 7);
+        std::vector<std::string> expected;
+        for (int v = 6; v >= newest; --v) expected.push_back("/v" + std::to_string(v) + ".json");
+        EXPECT_EQ(server.paths(), expected);
+    }
+}
+
+TEST(LeapHands, EveryVersionGivesAWholeHandWhereItIs) {
+    for (int version = 1; version <= 6; ++version) {
+        Server server(0, version);
+        LeapHands hands = connectTo(server);
+        const auto made = test::closingHand(rig(), 1, 0).front();
+        server.say(test::madeFrame(version, 1, 1000, {made}));
+        const HandFrame frame = next(hands);
+        ASSERT_TRUE(frame.hands[1].tracked) << version;
+        EXPECT_FALSE(frame.hands[0].tracked) << version;
+        EXPECT_TRUE(plausible(frame.hands[1])) << version;
+        HandPose truth = made.pose;
+        kDeskMount.apply(truth);
+        for (int i = 0; i < kJointCount; ++i)
+            // All joints are sent at 6. Before, wrist and metacarpals come from the rig, and before 5 the
+            // fingers are bent as one parameter allows: half a finger's thickness.
+            EXPECT_NEAR(glm::distance(frame.hands[1].joints[i].position, truth.joints[i].position), 0,
+                        version == 6   ? 1e-5f
+                        : version == 5 ? 1e-3f
+                                       : 8e-3f)
+                << version << " " << kJointNames[i];
+    }
+}
+
+TEST(LeapHands, DeviceEventsAndTheServicesAbsenceAreSaid) {
+    uint16_t port = 0;
+    {
+        Server server;
+        port = static_cast<uint16_t>(server.port());
+        LeapHands hands = connectTo(server);
+        server.say("{\"event\":{\"type\":\"deviceEvent\",\"state\":{\"attached\":true,\"id\":\"L1\","
+                   "\"streaming\":true,\"type\":\"peripheral\"}}}");
+        server.say(frameAt(1));
+        next(hands);
+        EXPECT_TRUE(hands.stream().state().present);
+        EXPECT_THAT(hands.stream().state().words, testing::HasSubstr("peripheral attached"));
+        EXPECT_THAT(hands.stream().state().words, testing::HasSubstr("protocol 6"));
+        server.say("{\"event\":{\"type\":\"deviceEvent\",\"state\":{\"attached\":false,\"id\":\"L1\","
+                   "\"streaming\":false,\"type\":\"peripheral\"}}}");
+        server.say(frameAt(2));
+        next(hands);
+        EXPECT_FALSE(hands.stream().state().present) << "no device, no hands";
+    }
+    const LeapHands nobody({"127.0.0.1", port, false}, rig());
+    EXPECT_FALSE(const_cast<LeapHands&>(nobody).stream().state().present);
+}
+
+TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
+    int port = 0;
+    std::optional<LeapHands> hands;
+    int64_t time_us = 0;
+    std::vector<int64_t> identities;
+    for (int life = 0; life < 3; ++life) {
+        Server server(port);
+        port = server.port();
+        if (!hands) hands.emplace(connectTo(server));
+        for (int i = 0; i < 50; ++i) server.say(frameAt(time_us + i));
+        for (int i = 0; i < 50; ++i) {
+            const HandFrame frame = next(*hands);
+            EXPECT_EQ(frame.time_us, time_us + i);
+            if (i == 0) identities.push_back(frame.identity[1]);
+        }
+        time_us += 50;
+    }
+    EXPECT_NE(identities[0], identities[1]) << "hand 1 of another service need not be the same hand";
+    EXPECT_EQ(hands->stream().dropped(), 0u);
+}
+
+TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
+    Server server;
+    LeapHands hands = connectTo(server);
+    for (int round = 0; round < 4; ++round) {
+        server.say(frameAt(round));
+        EXPECT_EQ(next(hands).time_us, round);
+        if (round % 2)
+            server.close(1000);
+        else
+            server.drop();
+        ASSERT_TRUE(server.waitForPaths(static_cast<size_t>(round) + 2));
+    }
+}
+
+TEST(LeapHands, RubbishIsPassedOver) {
+    Server server;
+    LeapHands hands = connectTo(server);
+    const auto rubbish = [&](std::string text) { server.say(std::move(text)); };
+    rubbish("");
+    rubbish("{");
+    rubbish("null");
+    rubbish("[1,2,3]");
+    rubbish("{\"hands\":7,\"pointables\":{}}");
+    next(hands); // a frame, though one without hands
+    rubbish(std::string(200, '['));
+    rubbish("{\"hands\":[" + std::string(300 * 1024, ' ') + "]}"); // too large: never kept
+    rubbish(std::string(3 << 20, 'x'));
+    server.sayBinary(std::string("\x00\xff\xfe\x80", 4));
+    server.say(frameAt(42));
+    EXPECT_EQ(next(hands).time_us, 42);
+    EXPECT_EQ(server.paths().size(), 1u) << "one connection bore all of it";
+}
+
+TEST(LeapHands, AbsurdHandsAreNotHands) {
+    Server server;
+    LeapHands hands = connectTo(server);
+    for (const char* palm :
+         {"[1e300,0,0]", "[null,0,0]", "[\"1\",0,0]", "[0,0]", "[1e9,0,0]", "[[],[],[]]"}) {
+        server.say(std::string("{\"timestamp\":1,\"hands\":[{\"id\":1,\"type\":\"right\",\"palmPosition\":") +
+                   palm + ",\"palmNormal\":[0,-1,0],\"direction\":[0,0,-1]}],\"pointables\":[]}");
+        const HandFrame frame = next(hands);
+        EXPECT_FALSE(frame.hands[0].tracked || frame.hands[1].tracked) << palm;
+    }
+    // A torn hand has a place, but no hand looks like it: the filter refuses what is not plausible.
+    server.say("{\"timestamp\":1,\"hands\":[{\"id\":1,\"type\":\"right\",\"palmPosition\":[0,200,0],"
+               "\"palmNormal\":[0,-1,0],\"direction\":[0,0,-1]}],\"pointables\":[{\"id\":10,\"handId\":1,"
+               "\"type\":1,\"mcpPosition\":[900,200,0],\"pipPosition\":[0,200,-900],\"dipPosition\":[0,0,0],"
+               "\"tipPosition\":[900,900,900]}]}");
+    EXPECT_FALSE(plausible(next(hands).hands[1]));
+}
+
+TEST(LeapHands, HugeRatesDoNotFillMemory) {
+    Server server;
+    LeapHands hands = connectTo(server);
+    const std::string empty = "{\"timestamp\":1,\"hands\":[],\"pointables\":[]}";
+    for (int i = 0; i < 3000; ++i) server.say(empty);
+    server.say(frameAt(99));
+    ASSERT_TRUE(server.waitUntilSent());
+    int taken = 0;
+    HandFrame frame;
+    while (frame.time_us != 99) {
+        frame = next(hands);
+        ++taken;
+    }
+    EXPECT_LE(taken, 3001);
+}
+
+class Recorded : public testing::TestWithParam<const char*> {};
+
+TEST_P(Recorded, ArrivesWholeOverTheSocket) {
+    const Path file = test::sharedRecording(GetParam());
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
+    const auto messages = test::readRecordingMessages(file);
+    ASSERT_GT(messages.size(), 100u);
+    Server server;
+    LeapHands hands = connectTo(server);
+    server.say(messages);
+    int64_t last_us = 0;
+    int seen = 0;
+    for (size_t i = 0; i < messages.size(); ++i) {
+        const HandFrame frame = next(hands);
+        EXPECT_GT(frame.time_us, last_us);
+        last_us = frame.time_us;
+        for (const HandPose& hand : frame.hands) {
+            if (!hand.tracked) continue;
+            ++seen;
+            ASSERT_TRUE(plausible(hand)) << "frame " << i;
+        }
+    }
+    EXPECT_GT(seen, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Recorded,
+                         testing::Values("grab", "flapping", "confidence-37fps", "pinch-57fps"),
+                         [](const auto& parameter) {
+                             std::string name = parameter.param;
+                             return name.substr(0, name.find('-'));
+                         });
+
+} // namespace
+} // namespace shoal::hands

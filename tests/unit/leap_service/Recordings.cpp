@@ -1,0 +1,136 @@
+#include "tests/unit/leap_service/Recordings.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace shoal::hands::test {
+
+using nlohmann::json;
+
+namespace {
+
+json millimetres(const glm::vec3& v) { return {v.x * 1e3f, v.y * 1e3f, v.z * 1e3f}; }
+json unit(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+// A packed row after its schema: a key, or {key: [schema of each element]}.
+json unpacked(const json& schema, const json& row) {
+    json out = json::object();
+    for (size_t i = 0; i < schema.size() && i < row.size(); ++i) {
+        if (schema[i].is_string()) {
+            out[schema[i].get<std::string>()] = row[i];
+            continue;
+        }
+        const auto& [key, inner] = *schema[i].items().begin();
+        const bool list = inner.size() == 1 && inner[0].is_array();
+        if (!list) {
+            out[key] = unpacked(inner, row[i]);
+            continue;
+        }
+        out[key] = json::array();
+        for (const json& element : row[i]) out[key].push_back(unpacked(inner[0], element));
+    }
+    return out;
+}
+
+} // namespace
+
+Path sharedRecording(const std::string& name) {
+    const char* set = std::getenv("SHOAL_SHARED");
+    const Path shared = set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared";
+    return shared / "data" / "hands" / "leap" / (name + ".json");
+}
+
+std::vector<std::string> readRecordingMessages(const Path& file) {
+    const auto text = readText(file, 64u << 20);
+    if (!text) return {};
+    const json recording = json::parse(*text);
+    const json& frames = recording["frames"];
+    std::vector<std::string> messages;
+    for (size_t i = 0; i < frames.size(); ++i) {
+        if (frames[i].is_object())
+            messages.push_back(frames[i].dump());
+        else if (i > 0)
+            messages.push_back(unpacked(frames[0], frames[i]).dump());
+    }
+    return messages;
+}
+
+std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vector<MadeHand>& hands) {
+    json frame = {
+        {"id", id}, {"timestamp", time_us}, {"hands", json::array()}, {"pointables", json::array()}};
+    if (version >= 4) frame["currentFrameRate"] = 100.0;
+    for (const MadeHand& made : hands) {
+        const auto& joints = made.pose.joints;
+        const glm::quat turn = joints[0].orientation;
+        json hand = {{"id", made.id},
+                     {"palmPosition", millimetres(joints[0].position)},
+                     {"palmNormal", unit(turn * glm::vec3(0, -1, 0))},
+                     {"direction", unit(turn * glm::vec3(0, 0, -1))},
+                     {"palmVelocity", {0, 0, 0}}};
+        if (version >= 5) {
+            hand["type"] = made.side == Side::Left ? "left" : "right";
+            hand["grabStrength"] = made.pose.grip;
+            hand["pinchStrength"] = made.pose.pinch;
+            hand["confidence"] = 1.0;
+        }
+        if (version >= 6) {
+            hand["wrist"] = millimetres(joints[1].position);
+            hand["palmWidth"] = 85.0;
+            hand["armBasis"] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        }
+        frame["hands"].push_back(hand);
+        for (int f = 0; f < kFingerCount; ++f) {
+            const int foot = f == 0 ? 2 : 1 + 5 * f, tip = f == 0 ? 5 : foot + 4;
+            const auto at = [&](int joint) {
+                return millimetres(joints[static_cast<size_t>(joint)].position);
+            };
+            json finger = {{"id", made.id * 10 + f},
+                           {"handId", made.id},
+                           {"tool", false},
+                           {"length", 60},
+                           {"tipPosition", at(tip)}};
+            if (version >= 5) {
+                finger["type"] = f;
+                finger["mcpPosition"] = at(f == 0 ? foot : foot + 1);
+                finger["pipPosition"] = at(f == 0 ? foot + 1 : foot + 2);
+                finger["dipPosition"] = at(tip - 1);
+            }
+            if (version >= 6) {
+                finger["carpPosition"] = at(foot);
+                finger["btipPosition"] = at(tip);
+            }
+            frame["pointables"].push_back(finger);
+        }
+    }
+    return frame.dump();
+}
+
+std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitude) {
+    std::vector<MadeHand> hands;
+    for (int i = 0; i < frames; ++i) {
+        const float t = static_cast<float>(i) / static_cast<float>(std::max(frames - 1, 1));
+        const float closed =
+            amplitude * std::clamp(std::min((t - 0.1f) / 0.1f, (0.95f - t) / 0.05f), 0.0f, 1.0f);
+        HandShape shape;
+        shape.curl.fill(0.05f + 0.9f * closed);
+        MadeHand made;
+        made.pose = rig.pose(Side::Right, shape, {{0.06f, 0.19f, 0.09f}, {1, 0, 0, 0}});
+        hands.push_back(made);
+    }
+    return hands;
+}
+
+std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames, int64_t begin_us) {
+    std::vector<std::string> messages;
+    int64_t i = 0;
+    for (const MadeHand& made : closingHand(rig, frames)) {
+        messages.push_back(madeFrame(version, i, begin_us + i * 10000, {made}));
+        ++i;
+    }
+    return messages;
+}
+
+} // namespace shoal::hands::test

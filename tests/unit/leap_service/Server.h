@@ -1,0 +1,39 @@
+// A stand-in for the Leap / Ultraleap service: a real WebSocket server on a loopback port.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace shoal::hands::test {
+
+class Server {
+  public:
+    // port 0: any free one. newest: a client that asks for a newer version is closed with 1001.
+    explicit Server(int port = 0, int newest = 6);
+    ~Server(); // as a service that is stopped: connections are cut
+
+    int port() const;
+
+    // To the client, in order, each as one message; what is said while nobody is there waits for somebody.
+    void say(std::string message);
+    void say(const std::vector<std::string>& messages);
+    void sayBinary(std::string bytes);
+    void drop();               // cuts the connection once all that was said before has been sent
+    void close(uint16_t code); // likewise, in good order
+
+    // Blocks until the condition holds; false after ten seconds.
+    bool waitForPaths(size_t count);
+    bool waitForHeard(size_t count);
+    bool waitUntilSent(); // all that was said
+
+    std::vector<std::string> paths() const; // asked for, one a connection
+    std::vector<std::string> heard() const; // messages from the client
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace shoal::hands::test
