@@ -22,23 +22,6 @@ inline glm::vec3 limited(glm::vec3 v, float length) {
     return squared > length * length ? v * (length / std::sqrt(squared)) : v;
 }
 
-// Turns the unit vector towards the unit goal by at most maxAngle radians (below about 0.2, where the chord
-// is the arc).
-inline glm::vec3 turnedTowards(glm::vec3 forward, glm::vec3 goal, float maxAngle) {
-    const float along = glm::dot(forward, goal);
-    glm::vec3 across = goal - forward * along;
-    float length = glm::length(across);
-    if (length < 1e-5f) {
-        if (along > 0) return forward;
-        across =
-            normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0)); // straight behind: go round sideways
-        length = 1;
-    } else
-        across /= length;
-    const float step = along > 0 ? std::min(maxAngle, length) : maxAngle;
-    return glm::normalize(forward + across * step);
-}
-
 // Towards the left of a body that looks along forward with +Y up.
 inline glm::vec3 leftOf(glm::vec3 forward) {
     return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));

@@ -124,7 +124,6 @@ struct Neighbours {
     glm::vec3 push{0};     // m/s, as steering comes too late for bodies that touch
     glm::vec3 headings{0}; // sum over the companions in the zone of orientation
     glm::vec3 towards{0};  // sum of the ways to those in the zone of attraction, metres
-    float speeds = 0;      // sum over the companions in the zone of orientation, m/s
     int aligned = 0, attracted = 0;
 };
 

@@ -62,7 +62,6 @@ void World::lookAround() {
             const auto accompany = [&](const Fish& other, glm::vec3 towards, Neighbours& out) {
                 if (distance < kOrientation * spacing) {
                     out.headings += other.forward;
-                    out.speeds += other.speed;
                     ++out.aligned;
                 }
                 if (distance > kAttraction * spacing) {

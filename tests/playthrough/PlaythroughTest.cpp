@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Path> scripts() {
     std::vector<Path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(Path(__FILE__).parent_path()))
+    for (const auto& entry : std::filesystem::directory_iterator(dataRoot() / "tests/playthrough"))
         if (entry.path().extension() == ".toml") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;

@@ -37,6 +37,7 @@ TEST_F(Files, SpeciesErrorsNameTheLine) {
     EXPECT_THAT(reason(kSpecies + "cruise = nan\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(kSpecies + "cruise = \"fast\"\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(kSpecies + "points = 1.5\n"), HasSubstr("whole number"));
+    EXPECT_THAT(reason(kSpecies + "company = \"crowd\"\n"), AllOf(HasSubstr("line 5"), HasSubstr("shoal")));
     EXPECT_THAT(reason(kSpecies + "cruise = = 3\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(kSpecies + kSpecies), AllOf(HasSubstr("line 5"), HasSubstr("twice")));
     EXPECT_THAT(reason("[[species]]\nname = \"perch\"\n"), HasSubstr("\"model\" is missing"));

@@ -58,9 +58,9 @@ void run(World& world, float seconds, const TickInput& input = {}) {
     for (int i = 0; i < static_cast<int>(seconds * 120); ++i) world.step(input, events);
 }
 
-class Company_ : public testing::TestWithParam<uint64_t> {};
+class Companions : public testing::TestWithParam<uint64_t> {};
 
-TEST_P(Company_, ShoalsAlignAndStayTogetherAndApart) {
+TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
     World world(reef().species, calm(), GetParam());
     run(world, 20);
     const auto& schools = world.file.schools;
@@ -96,7 +96,7 @@ TEST_P(Company_, ShoalsAlignAndStayTogetherAndApart) {
     EXPECT_GE(shoals, 2);
 }
 
-TEST_P(Company_, PairsKeepTogetherTwoByTwo) {
+TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
     World world(reef().species, calm(), GetParam());
     run(world, 20);
     int near = 0, all = 0;
@@ -116,7 +116,7 @@ TEST_P(Company_, PairsKeepTogetherTwoByTwo) {
     EXPECT_GT(near, 0.9 * all);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Company_, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Seeds, Companions, testing::Values(1, 2, 3));
 
 TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
     World world(reef().species, calm(), 4);

@@ -2,7 +2,6 @@
 #include "engine/scene/Spine.h"
 #include "tests/unit/scene/Fixture.h"
 
-
 #include <cmath>
 
 namespace shoal::scene {
