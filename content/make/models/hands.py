@@ -4,11 +4,10 @@ import numpy as np
 
 import paint
 import surface
-from fish import facing, mirrored
 from glb import Glb
 from hand_shape import FINGERS, PARENTS, WRIST_END, hand_field, read_skeleton
 from hand_skin import HandSkin, pictures
-from mesh import Part, strongest_four, tangent_frame, unit
+from mesh import Part, facing, mirrored, strongest_four, tangent_frame, unit
 
 TEXELS = 1024
 CELL = (0.0036, 0.0034, 0.0052)  # metres; fingers run along z
@@ -121,4 +120,4 @@ def write(folder, skeleton_file, names):
         binds[:, 3] = [0, 0, 0, 1]
         skin = glb.skin([nodes[i] for i in range(len(PARENTS))], binds, nodes[order[0]])
         glb.node(name, mesh=glb.mesh(name, [glb.primitive(mine, material)]), skin=skin)
-        yield name, glb.save(folder / f'{name}.glb'), len(mine.triangles)
+        yield name, glb.save(folder / f'{name}.glb'), len(mine.triangles), len(mine.positions)
