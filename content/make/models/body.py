@@ -116,8 +116,9 @@ class Canvas:
 
     @property
     def arc(self):
-        """Way around the body from the ridge of the back, in fractions of the length."""
-        return np.cumsum(self.texel_v, axis=0) / self.body.length
+        """Way around the body from the middle of its side, + towards the belly, in fractions of the length."""
+        way = np.cumsum(self.texel_v, axis=0) / self.body.length
+        return way - way[len(way) // 2]
 
     def near(self, s, h):
         """Distance from a point of the side view, in fractions of the length."""

@@ -57,7 +57,7 @@ def paint_body(body, pectoral):
     d1, d2, which = paint.cells(215, at.s / 0.070, arc / 0.062, 0.42)
     d1 = d1 + 0.05 * paint.noise(216, at.s * 90, arc * 90)
     size = (0.19 + 0.12 * which) * (0.55 + 0.45 * box) * (1 - 0.35 * step(0.70, 0.95, at.v))
-    shown = step(0.07, 0.10, at.s) * step(1.0, 0.86, at.v)
+    shown = step(0.07, 0.10, at.s) * step(1.0, 0.86, at.v) * step(0.02, 0.09, at.v)
     dark = step(size + 0.035, size - 0.035, d1) * shown
     skin.tint('#d99a14', 0.5 * step(size + 0.14, size, d1) * shown)
     skin.tint('#1d1712', 0.92 * dark)

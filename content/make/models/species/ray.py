@@ -91,7 +91,7 @@ def with_wings(part):
 def tail():
     """A whip of seven sides."""
     s, g = np.meshgrid(np.linspace(0.41, TAIL_END, 13), np.linspace(0, 2 * np.pi, 8), indexing='ij')
-    r = Curve([(0.41, 0.018), (0.46, 0.0130), (0.56, 0.0065), (0.7, 0.0036), (TAIL_END, 0.0010)])(s)
+    r = Curve([(0.41, 0.003), (0.435, 0.0085), (0.465, 0.0115), (0.50, 0.0092), (0.58, 0.0060), (0.7, 0.0036), (TAIL_END, 0.0010)])(s)
     across = np.stack([np.cos(g), np.sin(g), 0 * g], -1)
     p = (np.stack([0 * s, 0.004 - 0.012 * step(0.2, 0.46, s), 0.5 - s], -1) + across * r[..., None]) * LENGTH
     uv = np.stack([g / (2 * np.pi), (s - 0.41) / (TAIL_END - 0.41)], -1)
@@ -111,7 +111,7 @@ def dorsal_colour(s, x, shade=0.0):
     wob = 0.07 * paint.noise(233, s * 110, x * 110)
     near, _, which = paint.cells(234, s / 0.030, x / 0.030, 0.75)
     near = near + wob
-    size = (0.17 + 0.13 * which) * (1 - 0.5 * step(0.24, 0.38, x)) * step(0.03, 0.10, s)
+    size = (0.17 + 0.13 * which) * (1 - 0.5 * step(0.24, 0.38, x)) * step(0.03, 0.10, s) * step(0.002, 0.016, x)  # none on the ridge, where the halves mirror
     spot = step(size + 0.05, size - 0.05, near) * step(0.12, 0.2, which)
     ring = step(0.075, 0.03, np.abs(near - size * 1.15)) * step(0.72, 0.76, which)
     colour = mix(colour, rgb('#171b1f'), 0.5 * step(size + 0.24, size + 0.05, near))
@@ -207,6 +207,8 @@ def make():
             joints.append((f'wing_{side}_{k}', parent, np.array([sign * at, 0.004, 0.5 - 0.30]) * LENGTH))
     s = np.linspace(0.41, TAIL_END, 32)[:, None] + 0 * np.ones((1, 24))
     whip = mix(dorsal_colour(s, s * 0.3), rgb('#1b1f22'), step(0.43, 0.52, s))
+    below = bump((np.arange(24) + 0.5) / 24 - 0.75, 0.22)[None, :]
+    whip = mix(whip, rgb('#dcded9'), below * step(0.56, 0.46, s))
     clips = [
         dict(name='swim', duration=1.6, keys=32, lateral=wave(0.45, 1.4), fins=beat(1.0),
              lift=lambda p: -0.016 * np.sin(2 * np.pi * p - 0.3)),

@@ -110,12 +110,14 @@ def mouth_inside(body):
     dv, du = np.gradient(p, axis=0), np.gradient(p, axis=1)
     n = np.cross(dv, du)
     n = unit(np.where(np.linalg.norm(n, axis=-1, keepdims=True) < 1e-12, [0.0, 0, 1], n))  # the throat is one point
+    n = n * -np.sign(n[1:4, ..., 1].mean())  # seen from inside: the palate looks down
     r, c = p.shape[:2]
     depth = np.repeat([0.0, 0.25, 0.6, 0.9, 1, 1, 0.9, 0.55, 0.2, 0.0], c)
     flat = np.tile([0.5, 0.5], (r * c, 1))
     flat[:, 1] = depth
-    part = Part(p.reshape(-1, 3), n.reshape(-1, 3), tangent_frame(n, *np.gradient(p, axis=(1, 0))).reshape(-1, 4), flat,
-                grid_triangles(r, c))
+    part = facing(without_slivers(Part(
+        p.reshape(-1, 3), n.reshape(-1, 3), tangent_frame(n, *np.gradient(p, axis=(1, 0))).reshape(-1, 4), flat,
+        grid_triangles(r, c))))
     part.follow = {'jaw': jaw.reshape(-1)}
     return part
 
@@ -191,7 +193,7 @@ def paint_body(body):
     skin.mottle(114, 0.02, 0.04)
     # skin teeth too small to see one by one
     grain = paint.noise(115, at.s * 420, at.v * 260) + 0.7 * paint.noise(116, at.s * 700, at.v * 480)
-    skin.height += 0.00022 * grain
+    skin.height += 0.00012 * grain
     skin.shade(1 + 0.025 * grain)
     # five gill slits
     for k in range(5):
