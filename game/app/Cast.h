@@ -15,9 +15,11 @@ namespace shoal::app {
 
 class Cast {
   public:
-    // One model file per species, in the species table's order; needs a current GL context.
+    // One model file per species, in the species table's order; handLook: a variant of both hands' models,
+    // such as "glove". Needs a current GL context.
     static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
-                             render::Reflectance reflectance, render::Detail detail);
+                             const std::string& handLook, render::Reflectance reflectance,
+                             render::Detail detail);
 
     float leastRoughness() const { return leastRoughness_; } // of all surfaces
 
@@ -33,7 +35,9 @@ class Cast {
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
-    Result<Actor> loadActor(const Path& file, render::Reflectance reflectance, render::Detail detail);
+    // look: a variant of the model; empty: as it is.
+    Result<Actor> loadActor(const Path& file, const std::string& look, render::Reflectance reflectance,
+                            render::Detail detail);
 
     float leastRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading

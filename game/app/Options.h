@@ -31,6 +31,7 @@ struct PlayOptions {
     SurroundOptions surround;
     LookOptions look;
     std::string hands = "mouse"; // mouse, script:FILE, replay:FILE
+    std::string skin = "light";  // one of kSkins
     std::string record;
     std::string stereo = "none"; // none, sbs
     float fov_deg = 65;          // vertical
@@ -63,6 +64,7 @@ struct ViewOptions {
     float fov_deg = 45;              // vertical
     std::string background = "env";  // env, none
     std::string animation;           // NAME@SECONDS
+    std::string variant;             // of the model's materials; empty: as it is
     float at_s = 0;                  // of the video
     std::string out;
 };

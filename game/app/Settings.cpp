@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace shoal::app {
 
 namespace {
@@ -39,6 +41,8 @@ Settings loadSettings() {
     readShare(json, "haptics", settings.hapticStrength);
     readSwitch(json, "headphones", settings.headphones);
     readSwitch(json, "captions", settings.captions);
+    const auto skin = json.find("skin");
+    if (skin != json.end() && std::ranges::find(kSkins, *skin) != kSkins.end()) settings.skin = *skin;
     return settings;
 }
 
@@ -46,7 +50,8 @@ Status saveSettings(const Settings& settings) {
     const nlohmann::ordered_json json = {{"volume", settings.volume},
                                          {"haptics", settings.hapticStrength},
                                          {"headphones", settings.headphones},
-                                         {"captions", settings.captions}};
+                                         {"captions", settings.captions},
+                                         {"skin", settings.skin}};
     return writeFileWhole(settingsFile(), json.dump(2) + "\n");
 }
 
