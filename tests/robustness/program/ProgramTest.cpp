@@ -71,6 +71,7 @@ TEST_F(Program, WrongWordsOnTheCommandLine) {
     expectOneSentence(run("play --nonsense"), "--nonsense", 2);
     expectOneSentence(run("play --size 12"), "--size", 2);
     expectOneSentence(run("play --fov 500"), "--fov", 2);
+    expectOneSentence(run("play --skin scales"), "--skin", 2);
 }
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneSentence(run("play"), "--headless"); }
