@@ -38,7 +38,7 @@ void checkVersion(const Json& asset) {
 
 // KHR_mesh_quantization only widens the component types of attributes.
 void checkExtensions(Loading& loading, const Json& root) {
-    static const std::set<std::string> kSupported = {"KHR_mesh_quantization"};
+    static const std::set<std::string> kSupported = {"KHR_mesh_quantization", "KHR_materials_variants"};
     for (const std::string name : root.value("extensionsRequired", Json::array()))
         if (!kSupported.contains(name))
             fault("needs the extension ", quoted(name), ", which is not supported");
@@ -148,12 +148,14 @@ Document readDocument(Loading& loading) {
     const Container container = openContainer(*file);
     checkJsonSize(container.json);
     Json root = parseJson(container.json);
+    Variants variants = readVariants(root);
     if (root.is_structured()) tidy(root);
     checkSchema(root, loading.limits.maxNodes);
     checkVersion(root["asset"]);
     checkExtensions(loading, root);
 
     Document document;
+    document.variants = std::move(variants);
     document.quantized = uses(root, "KHR_mesh_quantization");
     std::vector<Bytes> buffers = readBuffers(loading, root, container);
     document.imageSources = takeImageSources(root);

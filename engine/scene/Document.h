@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/scene/TinyGltf.h"
+#include "engine/scene/Variants.h"
 
 #include <cstdint>
 #include <string>
@@ -21,6 +22,7 @@ struct Document {
     tinygltf::Model gltf; // images are empty: see imageSources
     std::vector<ImageSource> imageSources;
     bool quantized = false; // KHR_mesh_quantization is used
+    Variants variants;
 };
 
 // Reads and checks the file: container, JSON, types, indices, extensions, buffers, and that every bufferView

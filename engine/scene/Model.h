@@ -60,7 +60,8 @@ struct Primitive { // triangles
     std::vector<glm::vec4> weights;      // sum 1; empty if absent
     std::vector<uint32_t> indices;       // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
-    int material = -1; // index into Model::materials; -1: glTF's default material
+    int material = -1;                 // index into Model::materials; -1: glTF's default material
+    std::vector<int> variantMaterials; // per Model::variants, -1: as it is; empty without variants
 };
 
 struct Mesh {
@@ -115,10 +116,15 @@ struct Model {
     std::vector<ImageRgba8> images; // as stored: colour images sRGB-coded, data images linear
     std::vector<Skin> skins;
     std::vector<Animation> animations;
+    std::vector<std::string> variants; // names of the looks that its meshes can wear
 
     int findAnimation(const std::string& name) const; // -1 if absent
     int findNode(const std::string& name) const;      // -1 if absent
 };
+
+// Dresses the meshes as this variant has it. Materials that nothing wears then lose their textures, so that
+// nobody uploads them. False if there is no such variant.
+bool wear(Model&, const std::string& variant);
 
 // The state of a model at one moment. Reused between frames: nothing allocates after the first use.
 struct Pose {

@@ -128,8 +128,11 @@ Mesh readMesh(Loading& loading, const Document& document, const Model& model, co
         if (from.primitives[p].targets.size() != targets)
             fault(name, " has ", from.primitives[p].targets.size(), " morph targets, but the first ",
                   targets);
-        if (auto primitive = readPrimitive(loading, document, model, from.primitives[p], name))
-            mesh.primitives.push_back(std::move(*primitive));
+        auto primitive = readPrimitive(loading, document, model, from.primitives[p], name);
+        if (!primitive) continue;
+        primitive->variantMaterials =
+            variantMaterials(document.variants, model.meshes.size(), p, model.materials.size());
+        mesh.primitives.push_back(std::move(*primitive));
     }
     if (!from.weights.empty() && from.weights.size() != targets)
         fault(who, " has ", from.weights.size(), " weights for ", targets, " morph targets");
@@ -177,6 +180,7 @@ void checkJoints(Model& model) {
 } // namespace
 
 void readMeshes(Loading& loading, const Document& document, Model& model) {
+    model.variants = document.variants.names;
     for (const tinygltf::Mesh& mesh : document.gltf.meshes)
         model.meshes.push_back(readMesh(loading, document, model, mesh,
                                         element("meshes", static_cast<int64_t>(model.meshes.size()))));

@@ -24,12 +24,14 @@ float clipTime(const scene::Animation& clip, float phase_s) {
 
 } // namespace
 
-Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflectance,
-                                    render::Detail detail) {
+Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look,
+                                    render::Reflectance reflectance, render::Detail detail) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     Actor actor;
     actor.model = std::move(*model);
+    if (!look.empty() && !scene::wear(actor.model, look))
+        return Error{file.string(), "has no variant named " + look};
     leastRoughness_ = std::min(leastRoughness_, scene::leastRoughness(actor.model));
     // Two hands wear one skin.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
@@ -55,16 +57,16 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflec
 }
 
 Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
-                        render::Reflectance reflectance, render::Detail detail) {
+                        const std::string& handLook, render::Reflectance reflectance, render::Detail detail) {
     Cast cast;
     for (const Path& file : speciesModels) {
-        auto actor = cast.loadActor(file, reflectance, detail);
+        auto actor = cast.loadActor(file, {}, reflectance, detail);
         if (!actor) return actor.error();
         cast.species_.push_back(std::move(*actor));
     }
     const std::array files = {leftHand, rightHand};
     for (size_t side = 0; side < files.size(); ++side) {
-        auto actor = cast.loadActor(files[side], reflectance, detail);
+        auto actor = cast.loadActor(files[side], handLook, reflectance, detail);
         if (!actor) return actor.error();
         for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
             actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));

@@ -16,9 +16,11 @@ namespace shoal::app {
 
 class Cast {
   public:
-    // One model file per species, in the species table's order; needs a current GL context.
+    // One model file per species, in the species table's order; handLook: a variant of both hands' models,
+    // such as "glove". Needs a current GL context.
     static Result<Cast> load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
-                             render::Reflectance reflectance, render::Detail detail);
+                             const std::string& handLook, render::Reflectance reflectance,
+                             render::Detail detail);
 
     float leastRoughness() const { return leastRoughness_; } // of all surfaces
 
@@ -38,7 +40,9 @@ class Cast {
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
-    Result<Actor> loadActor(const Path& file, render::Reflectance reflectance, render::Detail detail);
+    // look: a variant of the model; empty: as it is.
+    Result<Actor> loadActor(const Path& file, const std::string& look, render::Reflectance reflectance,
+                            render::Detail detail);
 
     float leastRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading

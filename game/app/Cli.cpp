@@ -116,6 +116,9 @@ void addPlay(CLI::App& app, PlayOptions& options) {
     addSurround(app, options.surround);
     addLook(app, options.look);
     addHands(app, options.hands);
+    app.add_option("--skin", options.skin, "How your hands look")
+        ->check(CLI::IsMember(std::vector<std::string>(kSkins.begin(), kSkins.end())))
+        ->capture_default_str();
     app.add_option("--record", options.record, "Writes a replay: seed, settings and every tick's input")
         ->type_name("FILE");
     auto* stereo = app.add_option("--stereo", options.stereo, "none, or sbs: left and right eye side by side")
@@ -211,6 +214,7 @@ void addView(CLI::App& app, ViewOptions& options) {
         ->capture_default_str();
     app.add_option("--animation", options.animation, "Poses the model at that second of an animation")
         ->type_name("NAME@SECONDS");
+    app.add_option("--variant", options.variant, "Dresses the model in one of its material variants");
     app.add_option("--at", options.at_s, "Second of the video to stand in")
         ->check(CLI::Range(0.0f, 36000.0f));
     app.add_option("--out", options.out, "Writes a picture instead of opening a window")
@@ -253,6 +257,7 @@ int run(int argc, char** argv) {
     playOptions.headphones = settings.headphones;
     playOptions.captions = settings.captions;
     playOptions.snow = settings.snow;
+    playOptions.skin = settings.skin;
     ViewOptions viewOptions;
     LightOptions lightOptions;
     CheckOptions checkOptions;

@@ -46,6 +46,7 @@ struct PlayOptions {
     SurroundOptions surround;
     LookOptions look;
     HandOptions hands;
+    std::string skin = "light"; // one of kSkins
     std::string record;
     std::string stereo = "none"; // none, sbs
     bool xr = false;             // in an OpenXR headset
@@ -83,6 +84,7 @@ struct ViewOptions {
     float fov_deg = 45;              // vertical
     std::string background = "env";  // env, none
     std::string animation;           // NAME@SECONDS
+    std::string variant;             // of the model's materials; empty: as it is
     float at_s = 0;                  // of the video
     std::string out;
 };

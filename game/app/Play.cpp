@@ -127,7 +127,7 @@ Status Player::open() {
     for (const game::Species& species : plan.species)
         models.push_back(dataRoot() / "content" / species.model);
     const Path folder = dataRoot() / "content" / "models";
-    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb",
+    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", options.skin,
                            reflectanceIn(options.surround), detail);
     if (!cast) return cast.error();
     const bool own = isOwnVideo(options.surround);

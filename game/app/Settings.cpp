@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace shoal::app {
 
 namespace {
@@ -40,6 +42,8 @@ Settings loadSettings() {
     readSwitch(json, "headphones", settings.headphones);
     readSwitch(json, "captions", settings.captions);
     readSwitch(json, "snow", settings.snow);
+    const auto skin = json.find("skin");
+    if (skin != json.end() && std::ranges::find(kSkins, *skin) != kSkins.end()) settings.skin = *skin;
     return settings;
 }
 
@@ -48,7 +52,8 @@ Status saveSettings(const Settings& settings) {
                                          {"haptics", settings.hapticStrength},
                                          {"headphones", settings.headphones},
                                          {"captions", settings.captions},
-                                         {"snow", settings.snow}};
+                                         {"snow", settings.snow},
+                                         {"skin", settings.skin}};
     return writeFileWhole(settingsFile(), json.dump(2) + "\n");
 }
 

@@ -4,14 +4,21 @@
 
 #include "engine/core/Result.h"
 
+#include <array>
+#include <string>
+
 namespace shoal::app {
+
+// How hands can look: variants of their models.
+inline constexpr std::array kSkins = {"light", "medium", "dark", "glove"};
 
 struct Settings {
     float volume = 0.8f;      // 0 to 1
     float hapticStrength = 1; // 0 (off) to 1
     bool headphones = false;
     bool captions = true;
-    bool snow = true; // specks that drift in the water
+    bool snow = true;           // specks that drift in the water
+    std::string skin = "light"; // one of kSkins
 };
 
 // Defaults where there is no file. A file that cannot be used is left alone, and said so once in the log;

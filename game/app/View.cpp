@@ -112,6 +112,8 @@ Status Viewer::open() {
     auto loaded = scene::loadModel(options_.model);
     if (!loaded) return loaded.error();
     model_ = std::move(*loaded);
+    if (!options_.variant.empty() && !scene::wear(model_, options_.variant))
+        return Error{options_.model, "has no variant named " + options_.variant};
     auto clip = findClip(model_, options_.animation, options_.model);
     if (!clip) return clip.error();
     clip_ = *clip;

@@ -1,4 +1,4 @@
-"""Writes glTF 2.0 binary files: one buffer, embedded images, no extensions. Same input, same bytes."""
+"""Writes glTF 2.0 binary files: one buffer, embedded images. Same input, same bytes."""
 
 import json
 import struct
@@ -83,6 +83,13 @@ class Glb:
         small = len(part.positions) < 65535
         indices = self.accessor(part.triangles.reshape(-1), '<u2' if small else '<u4', 34963)
         return {'attributes': attributes, 'indices': indices, 'material': material}
+
+    def variants(self, names, primitive):
+        """The primitive wears material k as variant names[k] (KHR_materials_variants)."""
+        self.json['extensionsUsed'] = ['KHR_materials_variants']
+        self.json['extensions'] = {'KHR_materials_variants': {'variants': [{'name': name} for name in names]}}
+        primitive['extensions'] = {'KHR_materials_variants': {
+            'mappings': [{'material': k, 'variants': [k]} for k in range(len(names))]}}
 
     def node(self, name, parent=None, translation=None, rotation=None, **more):
         item = {'name': name, **more}

@@ -10,7 +10,7 @@ from surface import capsule, ellipsoid, smooth_max, smooth_min
 
 PARENTS = (1, -1, 1, 2, 3, 4, 1, 6, 7, 8, 9, 1, 11, 12, 13, 14, 1, 16, 17, 18, 19, 1, 21, 22, 23, 24)
 FINGERS = ('thumb', 'index', 'middle', 'ring', 'little')
-WRIST_END = 0.040  # where the forearm is cut, metres behind the wrist
+WRIST_END = 0.026  # where the arm ends, hidden in the sleeve, metres behind the wrist
 
 
 @dataclass

@@ -1,11 +1,32 @@
 """The skin of a hand, painted in space (right hand's rest pose): colour, relief and gloss at any point."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 import paint
 from hand_shape import FINGERS
 from mesh import unit
 from paint import bump, line, mix, rgb, step
+
+
+@dataclass(frozen=True)
+class Tone:
+    """A complexion: the back, the palm, where blood shows, folds, veins, specks, and the nails."""
+    back: str
+    palm: str
+    flush: str
+    fold: str
+    vein: str
+    speck: str
+    nail: str
+    moon: str
+
+
+TONES = {
+    'light': Tone('#d8ab94', '#e4b9a6', '#cc7867', '#9a5848', '#9a9c9c', '#a8735a', '#e2a99c', '#f0d6cc'),
+    'medium': Tone('#a9764f', '#cf9f7e', '#9c553c', '#6a3c28', '#7f6a58', '#7c4c30', '#cf9a84', '#e6c3b0'),
+    'dark': Tone('#5a3827', '#a5775e', '#63342a', '#331d15', '#4a3328', '#3c2318', '#b28270', '#cda592')}
 
 
 def rounded(points, times=3):
@@ -125,42 +146,45 @@ class HandSkin:
             total = np.maximum(total, bump(x + bend - x0 - slope * (z + 0.055), 0.0016))
         return total * step(-0.095, -0.080, z) * step(0.035, 0.0, z)
 
-    def colour(self, p, n_up):
-        x, y, z = p.T
-        palm = step(0.25, -0.45, n_up)
-        c = mix(rgb('#c9967a'), rgb('#dba88f'), palm)
-        large = paint.fbm(101, x * 60, y * 60, z * 60, octaves=3)
-        small = paint.fbm(102, x * 330, y * 330, z * 330, octaves=3)
-        c = c * (1 + 0.07 * large[:, None] * np.array([0.6, 1.0, 1.1]) + 0.055 * small[:, None] * np.array([0.5, 1, 1]))
-        red = np.zeros(len(p))
-        hand = self.hand
+    def flush(self, p, n_up):
+        """How much blood shows, 0..1: fingertips, knuckles, the heels of the palm."""
+        palm, red, hand = step(0.25, -0.45, n_up), np.zeros(len(p)), self.hand
         for finger in FINGERS:
             chain = hand.chain(finger)
-            tip = hand.positions[chain[-1]]
-            d = np.linalg.norm(p - tip, axis=1)
+            d = np.linalg.norm(p - hand.positions[chain[-1]], axis=1)
             red = np.maximum(red, 0.75 * step(0.022, 0.004, d))
             for k in chain[1:-1]:
                 d = np.linalg.norm(p - hand.positions[k], axis=1) / hand.radii[k]
                 red = np.maximum(red, (0.55 * step(0.0, 0.5, n_up) + 0.20 * palm) * step(2.0, 0.9, d))
         for centre, size in (((-0.030, -0.02, -0.035), 0.030), ((0.026, -0.02, -0.035), 0.028), ((0.004, -0.016, -0.086), 0.022)):
             red = np.maximum(red, 0.50 * palm * step(size, size * 0.3, np.linalg.norm(p - np.array(centre), axis=1)))
-        blotch = 0.75 + 0.5 * paint.fbm(103, x * 140, y * 140, z * 140, octaves=3)
-        c = mix(c, rgb('#c4705f'), 0.62 * np.clip(red * blotch, 0, 1))
-        c = mix(c, rgb('#8a8f8c'), 0.20 * step(0.0, 0.5, n_up) * self.veins(p))
-        fold = self.creases(p, n_up)
-        c = mix(c, rgb('#8d4d3c'), 0.42 * np.clip(fold, 0, 1))
-        speck = paint.noise(104, x * 420, y * 420, z * 420)
-        c = mix(c, rgb('#9b6448'), 0.20 * step(0.55, 0.85, speck) * step(0.0, 0.5, n_up))
-        for finger in FINGERS:
-            inside, across, along = self.nail_inside(finger, p)
-            c = mix(c, rgb('#a3584c'), 0.50 * bump(inside + 0.0001, 0.0006))
-            nail = mix(rgb('#dc9f92'), rgb('#e5b3a6'), step(0.3, 0.9, along))
-            moon = along - 0.20 + 0.30 * across ** 2
-            nail = mix(nail, rgb('#ecd0c4'), 0.7 * step(0.03, -0.03, moon))
-            nail = mix(nail, rgb('#eee3d2'), 0.9 * step(0.885, 0.915, along + 0.10 * across ** 2))
-            nail = nail * (1 + 0.02 * np.sin(across * 34))[:, None]
-            c = mix(c, nail, step(0.0, 0.0004, inside))
-        return c
+        return red * (0.75 + 0.5 * paint.fbm(103, *(p.T * 140), octaves=3))
+
+    def colours(self, p, n_up):
+        """Of every tone, by name."""
+        x, y, z = p.T
+        palm, back = step(0.25, -0.45, n_up), step(0.0, 0.5, n_up)
+        large = paint.fbm(101, x * 60, y * 60, z * 60, octaves=3)
+        small = paint.fbm(102, x * 330, y * 330, z * 330, octaves=3)
+        uneven = 1 + 0.07 * large[:, None] * np.array([0.6, 1.0, 1.1]) + 0.055 * small[:, None] * np.array([0.5, 1, 1])
+        red, veins, folds = self.flush(p, n_up), self.veins(p), np.clip(self.creases(p, n_up), 0, 1)
+        speck = step(0.55, 0.85, paint.noise(104, x * 420, y * 420, z * 420)) * back
+        nails = [self.nail_inside(finger, p) for finger in FINGERS]
+        out = {}
+        for name, tone in TONES.items():
+            c = mix(rgb(tone.back), rgb(tone.palm), palm) * uneven
+            c = mix(c, rgb(tone.flush), 0.60 * np.clip(red, 0, 1))
+            c = mix(c, rgb(tone.vein), 0.10 * back * veins)
+            c = mix(c, rgb(tone.fold), 0.42 * folds)
+            c = mix(c, rgb(tone.speck), 0.20 * speck)
+            for inside, across, along in nails:
+                c = mix(c, rgb(tone.fold), 0.40 * bump(inside + 0.0001, 0.0006))
+                nail = rgb(tone.nail) * (0.97 + 0.05 * step(0.3, 0.9, along))[:, None]
+                nail = mix(nail, rgb(tone.moon), 0.6 * step(0.03, -0.03, along - 0.20 + 0.30 * across ** 2))
+                nail = mix(nail, rgb('#eee3d2'), 0.85 * step(0.885, 0.915, along + 0.10 * across ** 2))
+                c = mix(c, nail * (1 + 0.02 * np.sin(across * 34))[:, None], step(0.0, 0.0004, inside))
+            out[name] = c
+        return out
 
     def rough(self, p, n_up):
         r = 0.50 + 0.03 * paint.fbm(105, *(p.T * 250), octaves=2) + 0.04 * step(0.2, -0.4, n_up)
@@ -168,23 +192,3 @@ class HandSkin:
             inside = self.nail_inside(finger, p)[0]
             r = mix(r, 0.34, step(0.0, 0.0005, inside))
         return r
-
-
-def pictures(skin, points, normals, u_axis, up_axis, mask):
-    """Colour, normal map and roughness of the texels whose points (h x w x 3) lie under mask."""
-    p, n = points[mask], unit(normals[mask])
-    up = n @ np.array([0.0, 1.0, 0.0])
-    colour = np.ones(points.shape) * rgb('#c99a80')
-    colour[mask] = skin.colour(p, up)
-    e = 1.2e-4
-    here = skin.relief(p, up)
-    t = unit(u_axis[mask] - n * (u_axis[mask] * n).sum(1, keepdims=True))
-    b = np.cross(n, t)
-    b = b * np.sign((b * up_axis[mask]).sum(1, keepdims=True))
-    slope = np.stack([-(skin.relief(p + e * t, up) - here) / e, -(skin.relief(p + e * b, up) - here) / e,
-                      np.ones(len(p))], -1)
-    normal = np.ones(points.shape) * [0.5, 0.5, 1.0]
-    normal[mask] = unit(slope) * 0.5 + 0.5
-    metal_rough = np.ones(points.shape) * [1, 0.5, 0]
-    metal_rough[mask, 1] = skin.rough(p, up)
-    return colour, normal, metal_rough

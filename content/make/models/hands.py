@@ -2,15 +2,18 @@
 
 import numpy as np
 
+import hand_sleeve
 import paint
 import surface
-from fish import facing, mirrored
 from glb import Glb
+from hand_glove import Glove
 from hand_shape import FINGERS, PARENTS, WRIST_END, hand_field, read_skeleton
-from hand_skin import HandSkin, pictures
-from mesh import Part, strongest_four, tangent_frame, unit
+from hand_skin import HandSkin
+from mesh import Part, facing, join, mirrored, strongest_four, tangent_frame, unit
 
 TEXELS = 1024
+HAND_TEXELS = 896  # of these; the sleeve has the strip at the right
+GAP = 4
 CELL = (0.0036, 0.0034, 0.0052)  # metres; fingers run along z
 
 
@@ -64,7 +67,7 @@ def weights(hand, p):
 
 
 def right_part(skeleton):
-    """The mesh and its three pictures."""
+    """The mesh, hand and sleeve, and where in space the texels of the hand lie."""
     field = hand_field(skeleton)
     # the grid starts where its points fall into the narrow gap between middle and ring finger
     points, quads = surface.surface_nets(field, (-0.0937, -0.045, -0.206), (0.066, 0.036, WRIST_END + 0.008), CELL)
@@ -72,12 +75,41 @@ def right_part(skeleton):
     points = surface.relax(field, points, quads)
     triangles = surface.split_quads(points, quads)
     normals = unit(surface.gradient(field, points, 4e-4))
-    old, triangles, uv, u_axis, up_axis = surface.unfold(points, triangles, normals, TEXELS)
+    old, triangles, uv, u_axis, up_axis = surface.unfold(points, triangles, normals, HAND_TEXELS)
     p, n = points[old], normals[old]
-    part = facing(Part(p, n, tangent_frame(n, u_axis, up_axis), uv, triangles))
+    part = facing(Part(p, n, tangent_frame(n, u_axis, up_axis), uv * (HAND_TEXELS / TEXELS), triangles))
     part.joints, part.weights = strongest_four(weights(skeleton, p))
-    baked, mask = surface.bake(uv, triangles, np.concatenate([p, n, u_axis, up_axis], 1), TEXELS)
-    return part, pictures(HandSkin(skeleton), baked[..., :3], baked[..., 3:6], baked[..., 6:9], baked[..., 9:12], mask)
+    sleeve = hand_sleeve.tube()
+    sleeve.uvs = (sleeve.uvs * [TEXELS - HAND_TEXELS - 2 * GAP, TEXELS - 2 * GAP] + [HAND_TEXELS + GAP, GAP]) / TEXELS
+    sleeve.joints = np.tile([skeleton.index('wrist'), 0, 0, 0], (len(sleeve.positions), 1))
+    sleeve.weights = np.tile(np.array([1, 0, 0, 0], '<f4'), (len(sleeve.positions), 1))
+    baked, mask = surface.bake(uv, triangles, np.concatenate([p, n, u_axis, up_axis], 1), HAND_TEXELS)
+    return join([part, sleeve]), baked, mask
+
+
+def painted(cover, baked, mask):
+    """Colours by look, normal map and roughness: a cover (skin or glove) on the hand, the sleeve beside it."""
+    p, n = baked[mask][:, :3], unit(baked[mask][:, 3:6])
+    up = n[:, 1]
+    sleeve = hand_sleeve.pictures(TEXELS - HAND_TEXELS, TEXELS)
+
+    def sheet(values, empty, beside):
+        picture = np.ones((TEXELS, TEXELS, 3)) * empty
+        picture[:HAND_TEXELS, :HAND_TEXELS][mask] = values
+        picture[:, HAND_TEXELS:] = beside
+        return picture
+    e = 1.2e-4
+    here = cover.relief(p, up)
+    u_axis, up_axis = baked[mask][:, 6:9], baked[mask][:, 9:12]
+    t = unit(u_axis - n * (u_axis * n).sum(1, keepdims=True))
+    b = np.cross(n, t)
+    b = b * np.sign((b * up_axis).sum(1, keepdims=True))
+    slope = unit(np.stack([-(cover.relief(p + e * t, up) - here) / e, -(cover.relief(p + e * b, up) - here) / e,
+                           np.ones(len(p))], -1))
+    rough = cover.rough(p, up)
+    gloss = np.stack([np.ones_like(rough), rough, 0 * rough], -1)
+    colours = {look: sheet(c, c.mean(0), sleeve[0]) for look, c in cover.colours(p, up).items()}
+    return colours, sheet(slope * 0.5 + 0.5, [0.5, 0.5, 1.0], sleeve[1]), sheet(gloss, [1, 0.5, 0], sleeve[2])
 
 
 def turn_to_quaternion(m):
@@ -92,8 +124,12 @@ def turn_to_quaternion(m):
 
 
 def write(folder, skeleton_file, names):
-    part, (colour, normal, metal_rough) = right_part(read_skeleton(skeleton_file))
-    encoded = (paint.jpeg(colour, 92), paint.jpeg(normal, 90), paint.jpeg(paint.shrink(metal_rough, 4), 90))
+    part, baked, mask = right_part(read_skeleton(skeleton_file))
+    looks = []  # name, colour, normal map and gloss, encoded
+    for cover in (HandSkin, Glove):
+        colours, normal, gloss = painted(cover(read_skeleton(skeleton_file)), baked, mask)
+        shared = paint.jpeg(normal, 88), paint.jpeg(paint.shrink(gloss, 4), 90)
+        looks += [(look, paint.jpeg(colour, 90), *shared) for look, colour in colours.items()]
     for name in names:
         left = name == 'hand_left'
         skeleton = read_skeleton(skeleton_file, left)
@@ -101,9 +137,12 @@ def write(folder, skeleton_file, names):
         if left:
             mine = mirrored(part)
             mine.joints, mine.weights = part.joints, part.weights
-        glb = Glb()
-        base, bumps, gloss = (glb.texture(e) for e in encoded)
-        material = glb.material('skin', base, bumps, gloss, metal=0.0)
+        glb, made = Glb(), {}
+        for look, *maps in looks:
+            for encoded in maps:
+                if encoded not in made:
+                    made[encoded] = glb.texture(encoded)
+            glb.material(look, *(made[encoded] for encoded in maps), metal=0.0)
         world = []
         for turn, at in zip(skeleton.turns, skeleton.positions):
             m = np.eye(4)
@@ -120,5 +159,7 @@ def write(folder, skeleton_file, names):
         binds = np.stack([np.linalg.inv(m) for m in world])
         binds[:, 3] = [0, 0, 0, 1]
         skin = glb.skin([nodes[i] for i in range(len(PARENTS))], binds, nodes[order[0]])
-        glb.node(name, mesh=glb.mesh(name, [glb.primitive(mine, material)]), skin=skin)
-        yield name, glb.save(folder / f'{name}.glb'), len(mine.triangles)
+        primitive = glb.primitive(mine, 0)
+        glb.variants([look for look, *_ in looks], primitive)
+        glb.node(name, mesh=glb.mesh(name, [primitive]), skin=skin)
+        yield name, glb.save(folder / f'{name}.glb'), len(mine.triangles), len(mine.positions)

@@ -14,7 +14,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
 
-ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'shark')
+ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'boxfish', 'idol', 'ray', 'shark')
 HANDS = ('hand_left', 'hand_right')
 
 
@@ -30,8 +30,9 @@ def main():
     wanted = options.names or ANIMALS + HANDS
     options.out.mkdir(parents=True, exist_ok=True)
 
-    def report(name, started, size, triangles):
-        print(f'{name}: {triangles} triangles, {size / 1e6:.2f} MB, {time.monotonic() - started:.1f} s')
+    def report(name, started, size, triangles, vertices):
+        print(f'{name}: {triangles} triangles, {vertices} vertices, {size / 1e6:.2f} MB, '
+              f'{time.monotonic() - started:.1f} s')
 
     for name in wanted:
         started = time.monotonic()
@@ -42,8 +43,8 @@ def main():
     if hands:
         started = time.monotonic()
         import hands as maker
-        for name, size, triangles in maker.write(options.out, models / 'hand_skeleton.json', hands):
-            report(name, started, size, triangles)
+        for name, *figures in maker.write(options.out, models / 'hand_skeleton.json', hands):
+            report(name, started, *figures)
 
 
 if __name__ == '__main__':

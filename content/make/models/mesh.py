@@ -68,6 +68,22 @@ def without_slivers(part):
     return part
 
 
+def facing(part):
+    """Turns triangles so that they face as the normals do."""
+    p = part.positions[part.triangles]
+    face = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    wrong = np.sum(face * part.normals[part.triangles].sum(1)) < 0
+    if wrong:
+        part.triangles = part.triangles[:, ::-1]
+    return part
+
+
+def mirrored(part):
+    f = np.array([-1.0, 1, 1])
+    t = np.concatenate([part.tangents[:, :3] * f, -part.tangents[:, 3:]], -1)
+    return Part(part.positions * f, part.normals * f, t, part.uvs, part.triangles[:, ::-1])
+
+
 def strongest_four(weights):
     """n x joints of weights -> (n x 4 joint indices, n x 4 weights that sum to one)."""
     order = np.argsort(-weights, axis=1, kind='stable')[:, :4]

@@ -65,6 +65,27 @@ def fbm(seed, *x, octaves=4, gain=0.5):
     return total / size
 
 
+def cells(seed, x, y, jitter=0.7):
+    """Distances to the nearest and second nearest of points scattered one to a unit cell, every other row shifted as
+    in a honeycomb, and a random number of the nearest."""
+    first, second = np.full(np.shape(x), 9.0), np.full(np.shape(x), 9.0)
+    which = np.zeros(np.shape(x))
+    row = np.floor(y)
+    for dy in (-1, 0, 1):
+        j = row + dy
+        shift = (j % 2) * 0.5
+        for dx in (-1, 0, 1):
+            i = np.floor(x - shift) + dx
+            cx = i + shift + 0.5 + jitter * (scatter(seed, i, j) - 0.5)
+            cy = j + 0.5 + jitter * (scatter(seed + 1, i, j) - 0.5)
+            d = np.hypot(x - cx, y - cy)
+            nearer = d < first
+            second = np.where(nearer, first, np.minimum(second, d))
+            which = np.where(nearer, scatter(seed + 2, i, j), which)
+            first = np.minimum(first, d)
+    return first, second, which
+
+
 def line(distance, half_width, soft):
     """1 on a line, 0 beyond half_width + soft."""
     return 1 - step(half_width, half_width + soft, np.abs(distance))
@@ -101,3 +122,11 @@ def jpeg(picture, quality=92):
 def shrink(picture, times):
     h, w = picture.shape[0] // times, picture.shape[1] // times
     return picture[:h * times, :w * times].reshape(h, times, w, times, *picture.shape[2:]).mean((1, 3))
+
+
+def bled(picture):
+    """RGBA: what was never painted takes the mean colour, so that smaller mip levels do not darken at edges."""
+    empty = (picture == 0).all(-1)
+    out = picture.copy()
+    out[empty, :3] = picture[~empty, :3].mean(0)
+    return out

@@ -1,6 +1,7 @@
 #include "HandClip.h"
 
 #include "engine/light/MakeLight.h"
+#include "engine/media/Pictures.h"
 #include "engine/render/PackedLight.h"
 
 #include <glm/geometric.hpp>
@@ -107,7 +108,7 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     if (!context) return context.error();
     clip.context_ = std::move(*context);
     const Path models = dataRoot() / "content/models";
-    auto cast = app::Cast::load({}, models / "hand_left.glb", models / "hand_right.glb",
+    auto cast = app::Cast::load({}, models / "hand_left.glb", models / "hand_right.glb", "",
                                 render::Reflectance::Coded, render::Detail::Full);
     if (!cast) return cast.error();
     clip.cast_ = std::move(*cast);
@@ -123,7 +124,9 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     render::PackedLight packed;
     render::packLight(made, render::MirrorMaps::Mirrors, packed);
     clip.surround_.emplace();
-    clip.surround_->uploadFrame({light.pixels.data(), light.width, light.height, light.width, false});
+    ImageRgba8 rgba;
+    media::toRgba(light, false, rgba);
+    clip.surround_->uploadFrame({rgba.pixels.data(), rgba.width, rgba.height, rgba.width});
     clip.surround_->uploadLight(packed);
     clip.target_.emplace(size.width, size.height, 4);
     clip.size_ = size;

@@ -75,6 +75,7 @@ TEST_F(Program, WrongWordsOnTheCommandLine) {
     expectOneSentence(run("play --xr --headless"), "--xr", 2);
     expectOneSentence(run("play --xr --stereo sbs"), "--xr", 2);
     expectOneSentence(run("play --headless --hands openxr"), "--xr");
+    expectOneSentence(run("play --skin scales"), "--skin", 2);
 }
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneSentence(run("play"), "--headless"); }

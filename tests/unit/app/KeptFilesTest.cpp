@@ -24,21 +24,27 @@ class KeptFiles : public testing::Test {
 
 TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(loadSettings().volume, Settings().volume);
-    ASSERT_TRUE(saveSettings(
-        {.volume = 0.25f, .hapticStrength = 0.5f, .headphones = true, .captions = false, .snow = false}));
+    ASSERT_TRUE(saveSettings({.volume = 0.25f,
+                              .hapticStrength = 0.5f,
+                              .headphones = true,
+                              .captions = false,
+                              .snow = false,
+                              .skin = "glove"}));
     const Settings settings = loadSettings();
     EXPECT_EQ(settings.volume, 0.25f);
     EXPECT_EQ(settings.hapticStrength, 0.5f);
     EXPECT_TRUE(settings.headphones);
     EXPECT_FALSE(settings.captions);
     EXPECT_FALSE(settings.snow);
+    EXPECT_EQ(settings.skin, "glove");
 }
 
 TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json",
-                               R"({"volume": 17, "captions": "yes", "haptics": null})"));
+                               R"({"volume": 17, "captions": "yes", "haptics": null, "skin": "scales"})"));
     EXPECT_EQ(loadSettings().volume, Settings().volume);
     EXPECT_TRUE(loadSettings().captions);
+    EXPECT_EQ(loadSettings().skin, Settings().skin);
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json", "{\"volume\": "));
     EXPECT_EQ(loadSettings().volume, Settings().volume);
 }

@@ -3,14 +3,17 @@
 import numpy as np
 
 import paint
-from fish import (Animal, Body, edge_alpha, flap, median_fin, paired_fin, ray_picture, tail_fin, thrash, wave,
-                  with_mirror)
+from animal import Animal
+from body import Body
+from eyes import fish_eye
+from fins import median_fin, membrane, paired_fin, tail_fin, with_mirror
+from motion import flap, thrash, wave
 from paint import bump, line, mix, rgb, step
 from skin import Skin
 
 LENGTH, END = 0.25, 0.80
 EYE = (0.138, 0.072, 0.0245)
-BLUE, NIGHT, YELLOW, SKY = '#20308f', '#0d1030', '#f3cf2e', '#3f8fe8'
+BLUE, NIGHT, YELLOW, SKY = '#20308f', '#0d1030', '#ffdd3a', '#4a9cf5'
 
 
 def displace(s, h, v):
@@ -47,7 +50,7 @@ def lines_of(s, h):
     return 1 - step(0.15, 0.22, f)
 
 
-def paint_body(body):
+def paint_body(body, pectoral):
     skin = Skin(body)
     at = skin.at
     tone = paint.fbm(51, at.s * 7, at.h * 7, octaves=3)
@@ -81,19 +84,24 @@ def paint_body(body):
     skin.gill([(-0.14, 0.150), (-0.075, 0.182), (0.0, 0.190), (0.05, 0.182)], dark=0.15, relief=0.002)
     # the cheek spine of its family
     spine = np.hypot(np.maximum(np.abs(at.s - 0.215) - 0.028, 0), (at.h + 0.128 + 0.2 * (at.s - 0.215)) * 1.0)
-    skin.tint('#bcd0f2', 0.8 * line(spine, 0.0035, 0.002))
+    skin.tint('#9db8ea', 0.6 * line(spine, 0.0025, 0.003))
     skin.height += 0.0006 * bump(spine, 0.005)
     skin.lateral_line([(0.26, 0.13), (0.40, 0.205), (0.55, 0.185), (0.68, 0.10), (0.76, 0.03), (0.79, 0.01)], 0.10)
-    skin.socket(EYE[0], EYE[1], EYE[2], '#07081a', 0.9)
+    skin.iridescence(54, ('#5a4fd0', '#2b8fd8'), 0.25, 1 - trunk * 0.5)
+    skin.mottle(55, 0.02, 0.10)
+    skin.socket(EYE[0], EYE[1], EYE[2], '#07081a', 0.7)
     skin.mouth((0.042, -0.024), tip_h=-0.006, droop=0.002, width=0.0022, lip=0.008, lip_colour='#dfe4e6')
     skin.nostril(0.085, 0.052, 0.003)
     skin.countershade(0.80, 1.12)
+    skin.grain()
+    skin.beneath_fin(pectoral)
     return skin.pictures()
 
 
 def fin_paint(kind, rays, spiny=0.0, seed=1):
     def picture(a, b):
-        ray = ray_picture(a, b, rays, spiny=spiny, seed=seed)
+        clear = dict(pectoral=0.14, dorsal=0.86, tail=0.66).get(kind, 0.80)
+        ray, alpha = membrane(a, b, rays, spiny, clear, 0.95, seed, 0.07)
         wob = 0.02 * paint.noise(seed, a * rays, b * 4)
         if kind == 'dorsal':
             stripes = 1 - step(0.13, 0.24, np.abs((b * 4.2 - a * 5.5 + 0.5) % 1.0 - 0.5))
@@ -113,9 +121,7 @@ def fin_paint(kind, rays, spiny=0.0, seed=1):
             colour = mix(rgb('#b9a87a'), rgb('#d9d0a8'), b) * np.ones(a.shape + (3,))
             colour = mix(colour, rgb('#2a2c50'), step(0.25, 0.0, b))
         colour = mix(colour, colour * 0.62, 0.55 * ray)
-        clear = dict(pectoral=0.30).get(kind, 0.80)
-        alpha = (clear + (0.95 - clear) * 0.8 * ray - 0.12 * step(0.5, 1, b) * (1 - ray)) * edge_alpha(a, b, rays, spiny, 0.07)
-        return colour, np.maximum(np.clip(alpha, 0, 1), step(0.12, 0.02, b)), 0.00028 * ray
+        return colour, alpha, 0.00028 * ray
     return picture
 
 
@@ -126,7 +132,7 @@ def make():
         lengths=[(0, 0.015), (0.06, 0.045), (0.30, 0.070), (0.55, 0.085), (0.75, 0.120), (0.86, 0.165), (0.93, 0.150),
                  (1, 0.050)],
         leans=[(0, 0.55), (0.4, 0.75), (0.75, 1.00), (0.9, 1.15), (1, 1.25)], tile=(0.02, 0.02, 0.96, 0.24),
-        ripple=0.0015, waves=2.0, columns=25, paint=fin_paint('dorsal', 34, 0.5, 2))
+        ripple=0.0015, waves=2.0, paint=fin_paint('dorsal', 34, 0.5, 2))
     anal = median_fin(
         body, 'anal', 'lower', 0.46, 0.762,
         lengths=[(0, 0.02), (0.10, 0.055), (0.45, 0.095), (0.75, 0.145), (0.88, 0.150), (1, 0.045)],
@@ -136,14 +142,14 @@ def make():
         body, lengths=[(0, 0.180), (0.1, 0.192), (0.5, 0.200), (0.9, 0.192), (1, 0.180)], spread=0.36,
         tile=(0.62, 0.29, 0.36, 0.32), ripple=0.0015, waves=1.2, columns=15, paint=fin_paint('tail', 17, 0, 6))
     pectoral = paired_fin(
-        body, 'pectoral', 0.285, (-0.035, -0.105), lengths=[(0, 0.120), (0.25, 0.155), (0.6, 0.150), (1, 0.075)],
-        first=(0.50, 0.30, -0.85), last=(0.45, -0.70, -0.60), tile=(0.02, 0.55, 0.42, 0.26), bend=(0, 0, -0.006),
-        ripple=0.001, waves=1.0, joint='pectoral_left', slant=0.012, columns=15, paint=fin_paint('pectoral', 17, 0, 8))
+        body, 'pectoral', 0.278, (-0.040, -0.095),
+        lengths=[(0, 0.070), (0.12, 0.135), (0.3, 0.158), (0.6, 0.150), (0.85, 0.100), (1, 0.035)],
+        first=(0.55, 0.50, -0.75), last=(0.45, -0.90, -0.40), tile=(0.02, 0.55, 0.42, 0.26), bend=(0, 0, -0.006),
+        joint='pectoral_left', slant=0.012, columns=13, flesh=0.010, paint=fin_paint('pectoral', 17, 0, 8))
     pelvic = paired_fin(
         body, 'pelvic', 0.32, (-0.238, -0.254), lengths=[(0, 0.170), (0.3, 0.160), (1, 0.06)],
         first=(0.16, -0.80, -0.58), last=(0.12, -0.40, -0.92), tile=(0.50, 0.66, 0.34, 0.30), slant=0.045,
         columns=11, paint=fin_paint('pelvic', 6, 0.16, 10))
-    colour, normal, metal_rough = paint_body(body)
     beat = (0.15, 1.0, 0.30)
     clips = [
         dict(name='swim', duration=1.2, keys=28, lateral=wave(0.50, 1.1), fins=flap(beat, 2, 0.60, 0.15),
@@ -152,4 +158,4 @@ def make():
         dict(name='struggle', duration=0.9, keys=32, lateral=thrash(0.8), fins=flap(beat, 6, 0.55),
              roll=lambda p: 0.30 * np.sin(2 * np.pi * 3 * p + 0.4))]
     return Animal('angelfish', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#3a2a14', '#c99a3a'), colour, normal, metal_rough, clips)
+                  EYE, fish_eye('#4a3414', '#e0ac44'), paint_body(body, pectoral), clips)

@@ -3,13 +3,16 @@
 import numpy as np
 
 import paint
-from fish import (Animal, Body, edge_alpha, flap, median_fin, paired_fin, ray_picture, tail_fin, thrash, wave,
-                  with_mirror)
+from animal import Animal
+from body import Body
+from eyes import fish_eye
+from fins import median_fin, membrane, paired_fin, tail_fin, with_mirror
+from motion import flap, thrash, wave
 from paint import bump, line, mix, rgb, step
 from skin import Skin
 
 LENGTH, END = 0.11, 0.79
-EYE = (0.105, 0.032, 0.0315)
+EYE = (0.105, 0.032, 0.0300)
 
 
 def displace(s, h, v):
@@ -42,7 +45,7 @@ BANDS = (
 ORANGE, DEEP, WHITE, BLACK = '#ef6c12', '#c63f06', '#f2f1ec', '#130d0b'
 
 
-def paint_body(body):
+def paint_body(body, pectoral):
     skin = Skin(body)
     at = skin.at
     flame = paint.fbm(11, at.s * 9, at.h * 9, octaves=3)
@@ -65,17 +68,19 @@ def paint_body(body):
     d, span = skin.gill([(-0.13, 0.170), (-0.06, 0.232), (0.02, 0.252), (0.08, 0.236), (0.12, 0.205)], dark=0.40)
     skin.gill([(-0.11, 0.120), (-0.05, 0.172), (0.03, 0.180), (0.07, 0.172)], dark=0.16, relief=0.002)
     skin.lateral_line([(0.24, 0.115), (0.40, 0.135), (0.55, 0.11), (0.64, 0.075), (0.66, 0.07)], 0.12)
-    skin.socket(EYE[0], EYE[1], EYE[2], '#2a1206', 0.75)
+    skin.socket(EYE[0], EYE[1], EYE[2], '#2a1206', 0.55)
     skin.mouth((0.062, -0.022), tip_h=-0.006, droop=0.004, width=0.0022, lip_colour='#f0a24a')
     skin.nostril(0.055, 0.036)
     skin.countershade(0.82, 1.10)
     skin.rough[:] += 0.02
+    skin.grain()
+    skin.beneath_fin(pectoral)
     return skin.pictures()
 
 
-def fin_paint(rays, spiny=0.0, base=ORANGE, seed=1, white_root=0.0, black=0.85, band=0.13):
+def fin_paint(rays, spiny=0.0, base=ORANGE, seed=1, white_root=0.0, black=0.85, band=0.13, clear=0.82):
     def picture(a, b):
-        ray = ray_picture(a, b, rays, spiny=spiny, seed=seed)
+        ray, alpha = membrane(a, b, rays, spiny, clear, 0.96, seed)
         colour = mix(rgb(base), rgb('#fb9c35'), step(0.1, 0.9, b) * 0.5)
         colour = mix(colour, rgb(DEEP), 0.40 * ray)
         if white_root:
@@ -84,8 +89,6 @@ def fin_paint(rays, spiny=0.0, base=ORANGE, seed=1, white_root=0.0, black=0.85, 
         wob = 0.02 * paint.noise(seed, a * rays, b * 4)
         colour = mix(colour, rgb(BLACK), black * step(0.965 - band - 0.05, 0.965 - band + 0.02, b + wob))
         colour = mix(colour, rgb('#f6ead8'), 0.55 * step(0.945, 0.975, b))
-        alpha = (0.80 + 0.18 * ray - 0.20 * step(0.4, 1, b) * (1 - ray)) * edge_alpha(a, b, rays, spiny)
-        alpha = np.maximum(alpha, step(0.12, 0.0, b))
         return colour, alpha, 0.00016 * ray
     return picture
 
@@ -97,7 +100,7 @@ def make():
         lengths=[(0, 0.015), (0.05, 0.055), (0.25, 0.080), (0.45, 0.072), (0.55, 0.070), (0.72, 0.112), (0.88, 0.110),
                  (0.96, 0.080), (1, 0.045)],
         leans=[(0, 0.75), (0.5, 0.80), (0.75, 0.95), (1, 1.15)], tile=(0.02, 0.02, 0.96, 0.20), ripple=0.0012,
-        waves=2.5, columns=25, paint=fin_paint(25, spiny=0.55, seed=2))
+        waves=2.5, paint=fin_paint(25, spiny=0.55, seed=2))
     anal = median_fin(
         body, 'anal', 'lower', 0.50, 0.735, lengths=[(0, 0.02), (0.12, 0.075), (0.5, 0.108), (0.85, 0.100), (1, 0.04)],
         leans=[(0, 0.7), (0.6, 0.9), (1, 1.15)], tile=(0.02, 0.26, 0.46, 0.20), ripple=0.001, waves=1.5,
@@ -107,14 +110,14 @@ def make():
         tile=(0.52, 0.26, 0.46, 0.34), ripple=0.0012, waves=1.5, columns=15,
         paint=fin_paint(17, seed=6, band=0.16))
     pectoral = paired_fin(
-        body, 'pectoral', 0.262, (-0.015, -0.085), lengths=[(0, 0.110), (0.25, 0.150), (0.6, 0.150), (1, 0.085)],
-        first=(0.55, 0.42, -0.80), last=(0.50, -0.70, -0.55), tile=(0.02, 0.50, 0.44, 0.30), bend=(0, 0, -0.004),
-        ripple=0.0006, waves=1.0, joint='pectoral_left', slant=0.01, paint=fin_paint(17, seed=8, band=0.14))
+        body, 'pectoral', 0.262, (-0.015, -0.085), lengths=[(0, 0.070), (0.15, 0.135), (0.4, 0.165), (0.7, 0.150), (0.9, 0.10), (1, 0.05)],
+        first=(0.60, 0.55, -0.70), last=(0.50, -0.85, -0.40), tile=(0.02, 0.50, 0.44, 0.30), bend=(0, 0, -0.004),
+        ripple=0.0006, waves=1.0, joint='pectoral_left', slant=0.01, columns=11, flesh=0.005,
+        paint=fin_paint(17, seed=8, band=0.14, clear=0.62))
     pelvic = paired_fin(
         body, 'pelvic', 0.315, (-0.150, -0.163), lengths=[(0, 0.115), (0.4, 0.140), (1, 0.06)],
         first=(0.30, -0.85, -0.45), last=(0.22, -0.42, -0.92), tile=(0.52, 0.64, 0.40, 0.28), slant=0.04,
         columns=11, paint=fin_paint(6, spiny=0.16, seed=10, band=0.22))
-    colour, normal, metal_rough = paint_body(body)
     clips = [
         dict(name='swim', duration=0.8, keys=24, lateral=wave(0.85, 0.9),
              fins=flap((0.2, 1.0, 0.25), 2, 0.55, 0.10), lift=lambda p: 0.0012 * np.sin(2 * np.pi * p),
@@ -123,4 +126,4 @@ def make():
         dict(name='struggle', duration=0.8, keys=32, lateral=thrash(1.0), fins=flap((0.2, 1.0, 0.25), 6, 0.6),
              roll=lambda p: 0.28 * np.sin(2 * np.pi * 3 * p + 0.4))]
     return Animal('clownfish', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#8a3a10', '#f4a23c'), colour, normal, metal_rough, clips)
+                  EYE, fish_eye('#7a3408', '#f0983a'), paint_body(body, pectoral), clips)

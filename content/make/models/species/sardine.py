@@ -3,7 +3,11 @@
 import numpy as np
 
 import paint
-from fish import Animal, Body, edge_alpha, flap, median_fin, paired_fin, ray_picture, tail_fin, thrash, wave, with_mirror
+from animal import Animal
+from body import Body
+from eyes import fish_eye
+from fins import median_fin, membrane, paired_fin, tail_fin, with_mirror
+from motion import flap, thrash, wave
 from paint import bump, line, mix, rgb, step
 from skin import Skin
 
@@ -27,8 +31,8 @@ def make_body():
         widest=[(0, 0.5), (0.3, 0.58), (END, 0.5)], keel=1.15, displace=displace)
 
 
-def paint_body(body):
-    skin = Skin(body, 1024, 256)
+def paint_body(body, pectoral):
+    skin = Skin(body, 512, 176)
     at = skin.at
     tone = paint.fbm(71, at.s * 10, at.h * 20, octaves=4)
     skin.colour = mix(rgb('#a9bcc4'), rgb('#e9eef0'), step(0.30, 0.62, at.v + 0.03 * tone))
@@ -50,16 +54,17 @@ def paint_body(body):
     skin.nostril(0.040, 0.014, 0.0025)
     skin.countershade(0.80, 1.04)
     skin.rough -= 0.03
+    skin.grain()
+    skin.beneath_fin(pectoral)
     return skin.pictures()
 
 
 def fin_paint(rays, seed, clear=0.30, dusk=0.2):
     def picture(a, b):
-        ray = ray_picture(a, b, rays, seed=seed)
+        ray, alpha = membrane(a, b, rays, 0, clear, 0.85, seed)
         colour = mix(rgb('#aab6b4'), rgb('#c8d0cc'), b) * np.ones(a.shape + (3,))
         colour = mix(colour, rgb('#4c5a5e'), np.clip(0.5 * ray + dusk * step(0.5, 1, b), 0, 1))
-        alpha = (clear + (0.85 - clear) * ray) * edge_alpha(a, b, rays)
-        return colour, np.maximum(np.clip(alpha, 0, 1), step(0.12, 0.02, b)), 0.0001 * ray
+        return colour, alpha, 0.0001 * ray
     return picture
 
 
@@ -79,11 +84,10 @@ def make():
     pelvic = paired_fin(body, 'pelvic', 0.43, (-0.086, -0.092), lengths=[(0, 0.055), (0.3, 0.05), (1, 0.02)],
                         first=(0.22, -0.65, -0.72), last=(0.16, -0.35, -0.92), tile=(0.52, 0.70, 0.3, 0.24), columns=5,
                         rows=4, paint=fin_paint(7, 10))
-    colour, normal, metal_rough = paint_body(body)
     beat = (0.1, 1.0, 0.2)
     clips = [dict(name='swim', duration=0.5, keys=20, lateral=wave(0.9, 0.9), fins=flap(beat, 1, 0.25, 0.1)),
              dict(name='dart', duration=0.4, keys=24, lateral=wave(1.5, 0.9, cycles=2)),
              dict(name='struggle', duration=0.6, keys=32, lateral=thrash(1.0), fins=flap(beat, 4, 0.4),
                   roll=lambda p: 0.25 * np.sin(2 * np.pi * 3 * p))]
     return Animal('sardine', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#9aa6a6', '#dfe6e2'), colour, normal, metal_rough, clips, rings=40, around=17, fin_size=256)
+                  EYE, fish_eye('#b9c3c3', '#e9efea'), paint_body(body, pectoral), clips, height=256, rings=32, around=13, fin_size=(256, 256))

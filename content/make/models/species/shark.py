@@ -3,8 +3,12 @@
 import numpy as np
 
 import paint
-from fish import (Animal, Body, facing, median_fin, mirrored, paired_fin, tail_fin, wave, with_mirror)
-from mesh import Curve, Part, grid_triangles, join, quaternion, tangent_frame, unit, without_slivers
+from animal import Animal
+from body import Body
+from eyes import slit_eye
+from fins import median_fin, paired_fin, tail_fin, with_mirror
+from mesh import Part, facing, grid_triangles, join, mirrored, quaternion, tangent_frame, unit, without_slivers
+from motion import wave
 from paint import bump, line, mix, rgb, step
 from skin import Skin
 
@@ -76,7 +80,7 @@ class SharkBody(Body):
         left = facing(without_slivers(left))
         jaw = np.concatenate([jaw.reshape(-1), self.jaw(self.s_of(uv[new, 0]), uv[new, 1])])
         whole = join([left, mirrored(left)])
-        whole.jaw = np.concatenate([jaw, jaw])
+        whole.follow = {'jaw': np.concatenate([jaw, jaw])}
         return whole
 
     def lips(self, count):
@@ -106,20 +110,29 @@ def mouth_inside(body):
     dv, du = np.gradient(p, axis=0), np.gradient(p, axis=1)
     n = np.cross(dv, du)
     n = unit(np.where(np.linalg.norm(n, axis=-1, keepdims=True) < 1e-12, [0.0, 0, 1], n))  # the throat is one point
+    n = n * -np.sign(n[1:4, ..., 1].mean())  # seen from inside: the palate looks down
     r, c = p.shape[:2]
-    part = Part(p.reshape(-1, 3), n.reshape(-1, 3), np.zeros((r * c, 4)), None, grid_triangles(r, c))
-    part.jaw = jaw.reshape(-1)
     depth = np.repeat([0.0, 0.25, 0.6, 0.9, 1, 1, 0.9, 0.55, 0.2, 0.0], c)
-    tint = mix(np.array([0.20, 0.075, 0.068]), np.array([0.040, 0.008, 0.008]), depth)
-    part.colours = np.concatenate([tint, np.ones((r * c, 1))], -1)
+    flat = np.tile([0.5, 0.5], (r * c, 1))
+    flat[:, 1] = depth
+    part = facing(without_slivers(Part(
+        p.reshape(-1, 3), n.reshape(-1, 3), tangent_frame(n, *np.gradient(p, axis=(1, 0))).reshape(-1, 4), flat,
+        grid_triangles(r, c))))
+    part.follow = {'jaw': jaw.reshape(-1)}
     return part
+
+
+def mouth_picture():
+    """Gums to throat, downwards."""
+    depth = np.linspace(0, 1, 32)[:, None] * np.ones((1, 24))
+    return mix(rgb('#7d4a46'), rgb('#1c0a0a'), depth)
 
 
 def teeth(body):
     lip, jaw = body.lips(60)
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(lip, axis=0), axis=1))])
     parts, jaws = [], []
-    for row, (count, size, inward) in enumerate(((25, 0.0125, 0.0135), (24, 0.0098, 0.0035))):
+    for row, (count, size, inward) in enumerate(((23, 0.0125, 0.0135), (22, 0.0098, 0.0035))):
         for k in range(count):
             where = along[-1] * (0.06 + 0.88 * (k + 0.5) / count)
             c = np.array([np.interp(where, along, lip[:, i]) for i in range(3)])
@@ -139,17 +152,13 @@ def teeth(body):
             points = np.array([root - across * wide - deep, root + across * wide - deep, root + across * wide + deep,
                                root - across * wide + deep, tip])
             faces = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
-            flat = points[faces].reshape(-1, 3)
-            middle = points.mean(0)
-            n = np.cross(flat[1::3] - flat[0::3], flat[2::3] - flat[0::3])
-            turn = np.sum(n * (flat.reshape(-1, 3, 3).mean(1) - middle), 1) < 0
-            tri = np.arange(12).reshape(-1, 3)
-            tri[turn] = tri[turn][:, ::-1]
-            n = unit(np.where(turn[:, None], -n, n))
-            parts.append(Part(flat, np.repeat(n, 3, 0), np.zeros((12, 4)), None, tri))
-            jaws.append(np.full(12, 0.0 if row == 0 else np.interp(where, along, jaw)))
+            out = unit(points - points.mean(0))
+            parts.append(facing(Part(points, out, tangent_frame(out, np.broadcast_to(across, out.shape),
+                                                                np.broadcast_to(up, out.shape)),
+                                     np.full((5, 2), 0.5), faces)))
+            jaws.append(np.full(5, 0.0 if row == 0 else np.interp(where, along, jaw)))
     whole = join(parts)
-    whole.jaw = np.concatenate(jaws)
+    whole.follow = {'jaw': np.concatenate(jaws)}
     return whole
 
 
@@ -165,11 +174,11 @@ def make_body():
         widest=[(0, 0.45), (0.10, 0.40), (0.25, 0.42), (0.5, 0.5), (END, 0.5)], displace=displace)
 
 
-GREY, DARK, PALE = '#6f7674', '#4b5251', '#dfe2de'
+GREY, DARK, PALE = '#828a87', '#59615f', '#eceee9'
 
 
 def paint_body(body):
-    skin = Skin(body)
+    skin = Skin(body, 1024, 576)
     at = skin.at
     tone = paint.fbm(111, at.s * 10, at.v * 6, octaves=4)
     wave_line = 0.60 + 0.035 * np.sin(at.s * 17) + 0.02 * tone - 0.10 * step(0.14, 0.0, at.s) + 0.04 * step(0.6, 0.75, at.s)
@@ -184,7 +193,7 @@ def paint_body(body):
     skin.mottle(114, 0.02, 0.04)
     # skin teeth too small to see one by one
     grain = paint.noise(115, at.s * 420, at.v * 260) + 0.7 * paint.noise(116, at.s * 700, at.v * 480)
-    skin.height += 0.00022 * grain
+    skin.height += 0.00012 * grain
     skin.shade(1 + 0.025 * grain)
     # five gill slits
     for k in range(5):
@@ -225,7 +234,9 @@ def fin_paint(kind, seed):
         fringe = step(0.45, 1.0, a) * 0.22
         if kind == 'tail':
             edge = step(0.80, 0.96, b + 0.03 * grain + 0.10 * step(0.1, 0.6, a))
-            colour = mix(colour, rgb('#171a1b'), 0.92 * edge)
+            colour = mix(colour, rgb('#1b1e1f'), 0.90 * edge)
+            skin = mix(rgb(GREY), rgb(PALE), step(0.62, 0.80, a))
+            colour = mix(colour, skin, step(0.42, 0.14, b))
         elif kind == 'dorsal':
             colour = mix(colour, rgb('#9aa09c'), 0.5 * step(0.88, 1.0, b + 0.02 * grain) + 0.3 * step(0.93, 1, a))
         else:
@@ -245,18 +256,6 @@ def under_paint(seed):
     return picture
 
 
-def shark_eye():
-    size = 128
-    y, x = np.mgrid[0:size, 0:size]
-    x, y = (x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1
-    r, g = np.hypot(x, y), np.arctan2(y, x)
-    spokes = paint.fbm(131, g * 8, r * 3, octaves=3)
-    c = mix(rgb('#7d7a62'), rgb('#3b3c34'), step(0.30, 0.80, r)) * (1 + 0.2 * spokes)[..., None]
-    slit = np.hypot(x / 0.30, y / 0.66)
-    c = mix(rgb('#050607'), c, step(0.90, 1.08, slit))
-    return mix(c, rgb('#14181a'), step(0.80, 0.95, r))
-
-
 def jaw_clip(angle):
     return lambda phase: {'jaw': quaternion([1, 0, 0], angle(phase))}
 
@@ -274,32 +273,31 @@ def steer(rest, swing):
 
 def make():
     body = make_body()
-    t = dict(columns=12, rows=7)
+    t, small = dict(columns=11, rows=6, foil='wing'), dict(columns=8, rows=4, foil='wing')
     first = median_fin(body, 'dorsal', 'upper', 0.315, 0.435,
                        lengths=[(0, 0.128), (0.12, 0.118), (0.3, 0.086), (0.55, 0.052), (0.8, 0.036), (1, 0.034)],
-                       leans=[(0, 0.72), (0.3, 0.82), (0.7, 1.15), (1, 1.52)], tile=(0.02, 0.02, 0.46, 0.30), sink=0.016,
-                       thickness=0.013, paint=fin_paint('dorsal', 141), **t)
+                       leans=[(0, 0.72), (0.3, 0.82), (0.7, 1.15), (1, 1.52)], tile=(0.430, 0.655, 0.25, 0.160), sink=0.016,
+                       thickness=0.0075, paint=fin_paint('dorsal', 141), **t)
     second = median_fin(body, 'dorsal2', 'upper', 0.618, 0.668, lengths=[(0, 0.040), (0.3, 0.030), (0.7, 0.018), (1, 0.024)],
-                        leans=[(0, 0.85), (0.5, 1.15), (1, 1.52)], tile=(0.52, 0.02, 0.20, 0.16), sink=0.008,
-                        thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 143))
+                        leans=[(0, 0.85), (0.5, 1.15), (1, 1.52)], tile=(0.62, 0.832, 0.16, 0.150), sink=0.008,
+                        thickness=0.004, paint=fin_paint('dark', 143), **small)
     anal = median_fin(body, 'anal', 'lower', 0.625, 0.675, lengths=[(0, 0.044), (0.3, 0.032), (0.7, 0.017), (1, 0.024)],
-                      leans=[(0, 0.80), (0.5, 1.1), (1, 1.52)], tile=(0.76, 0.02, 0.20, 0.16), sink=0.008,
-                      thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 145))
-    tail = tail_fin(body, lengths=[(0, 0.292), (0.04, 0.272), (0.08, 0.238), (0.12, 0.226), (0.20, 0.170), (0.28, 0.128),
-                                   (0.38, 0.094), (0.50, 0.068), (0.68, 0.078), (0.86, 0.118), (0.95, 0.132), (1, 0.128)],
-                    spread=0.74, turn=-0.06,
-                    tile=(0.02, 0.36, 0.56, 0.30), overlap=0.035, thickness=0.010, columns=25, rows=9,
-                    paint=fin_paint('tail', 147))
+                      leans=[(0, 0.80), (0.5, 1.1), (1, 1.52)], tile=(0.81, 0.832, 0.16, 0.150), sink=0.008,
+                      thickness=0.004, paint=fin_paint('dark', 145), **small)
+    tail = tail_fin(body, lengths=[(0, 0.290), (0.05, 0.258), (0.10, 0.208), (0.15, 0.172), (0.20, 0.142), (0.28, 0.106),
+                                   (0.38, 0.080), (0.50, 0.064), (0.66, 0.068), (0.80, 0.094), (0.92, 0.132), (1, 0.140)],
+                    spread=0.74, turn=-0.06, tile=(0.012, 0.655, 0.40, 0.160), overlap=0.045, columns=21, rows=7,
+                    thickness=0.016, paint=fin_paint('tail', 147))
+    tail.flesh = 0.0  # a shark's skin goes on over its tail
     pectoral = paired_fin(body, 'pectoral', 0.232, (-0.034, -0.046), lengths=[(0, 0.190), (0.06, 0.186), (0.25, 0.140),
                                                                              (0.5, 0.088), (0.75, 0.058), (1, 0.050)],
-                          first=(0.80, -0.36, -0.62), last=(0.30, -0.16, -0.95), tile=(0.02, 0.70, 0.46, 0.28),
-                          slant=0.075, sink=0.016, thickness=0.010, joint='pectoral_left', paint=fin_paint('dark', 149),
-                          under=(0.76, 0.70, 0.22, 0.28), paint_under=under_paint(153), **t)
+                          first=(0.80, -0.36, -0.62), last=(0.30, -0.16, -0.95), tile=(0.70, 0.655, 0.28, 0.160),
+                          slant=0.075, sink=0.016, thickness=0.0075, joint='pectoral_left', paint=fin_paint('dark', 149),
+                          under=(0.012, 0.832, 0.28, 0.150), paint_under=under_paint(153), **t)
     pelvic = paired_fin(body, 'pelvic', 0.515, (-0.034, -0.042), lengths=[(0, 0.062), (0.3, 0.055), (0.7, 0.035), (1, 0.034)],
-                        first=(0.70, -0.50, -0.55), last=(0.22, -0.15, -0.96), tile=(0.52, 0.70, 0.20, 0.20),
-                        slant=0.040, sink=0.010, thickness=0.006, columns=9, rows=5, paint=fin_paint('dark', 151),
-                        under=(0.52, 0.22, 0.20, 0.12), paint_under=under_paint(155))
-    colour, normal, metal_rough = paint_body(body)
+                        first=(0.70, -0.50, -0.55), last=(0.22, -0.15, -0.96), tile=(0.32, 0.832, 0.13, 0.150),
+                        slant=0.040, sink=0.010, thickness=0.004, paint=fin_paint('dark', 151),
+                        under=(0.47, 0.832, 0.13, 0.150), paint_under=under_paint(155), **small)
     hinge = np.array([0, HINGE[1] * LENGTH, (0.5 - HINGE[0]) * LENGTH])
 
     def snap(p):  # opens in the first half, closes fast, holds
@@ -312,8 +310,8 @@ def make():
         dict(name='bite', duration=0.8, keys=32, lateral=lambda s, p: wave(0.7, 1.0)(s, p) + 0.05 * (s - 0.3) * np.sin(
             4 * np.pi * p) * bump(p - 0.6, 0.15) * step(0.3, 0, s),
              fins=both(steer(-0.15, 0.04), jaw_clip(snap)))]
-    return Animal('shark', body, [first, second, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#000000', '#000000'), colour, normal, metal_rough, clips, rings=56, around=23,
-                  extra_joints=[('jaw', 0, hinge)], thick_fins=True, fin_rough=0.48, eye_picture=shark_eye(),
-                  extra_parts=[(mouth_inside(body), dict(name='mouth', base=[1, 1, 1, 1], rough=0.45, metal=0.0, double=True)),
-                               (teeth(body), dict(name='teeth', base=[0.80, 0.77, 0.68, 1], rough=0.3, metal=0.0))])
+    inside, ivory = mouth_picture(), mix(rgb('#e6e2d4'), rgb('#d8d2c0'), np.zeros((24, 24)))
+    return Animal('shark', body, [first, second, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)], EYE,
+                  slit_eye('#8d8a70', '#3f4138'), paint_body(body), clips, height=1024, rings=48, around=21,
+                  extra_joints=[('jaw', 0, hinge)], thick_fins=True, fin_rough=0.46,
+                  extra_parts=[(mouth_inside(body), inside), (teeth(body), ivory)])

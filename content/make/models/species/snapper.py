@@ -3,14 +3,17 @@
 import numpy as np
 
 import paint
-from fish import (Animal, Body, edge_alpha, flap, median_fin, paired_fin, ray_picture, tail_fin, thrash, wave,
-                  with_mirror)
+from animal import Animal
+from body import Body
+from eyes import fish_eye
+from fins import median_fin, membrane, paired_fin, tail_fin, with_mirror
+from motion import flap, thrash, wave
 from paint import bump, line, mix, rgb, step
 from skin import Skin
 
 LENGTH, END = 0.32, 0.745
-EYE = (0.112, 0.022, 0.0185)
-YELLOW = '#f2c51c'
+EYE = (0.110, 0.022, 0.0205)
+YELLOW = '#fbd428'
 
 
 def displace(s, h, v):
@@ -32,7 +35,7 @@ def make_body():
         widest=[(0, 0.5), (0.3, 0.48), (END, 0.5)], keel=1.05, displace=displace)
 
 
-def paint_body(body):
+def paint_body(body, pectoral):
     skin = Skin(body)
     at = skin.at
     tone = paint.fbm(61, at.s * 8, at.h * 14, octaves=4)
@@ -64,9 +67,12 @@ def paint_body(body):
     skin.rough -= 0.04 * pale
     skin.mottle(67, 0.05, 0.05)
     skin.gill([(-0.088, 0.150), (-0.04, 0.192), (0.01, 0.210), (0.05, 0.200), (0.085, 0.178)], dark=0.42)
-    skin.gill([(-0.070, 0.110), (-0.035, 0.146), (0.02, 0.152), (0.045, 0.148)], dark=0.20, relief=0.002)
+    skin.gill([(-0.070, 0.110), (-0.035, 0.146), (0.02, 0.152), (0.045, 0.148)], dark=0.12, relief=0.002)
+    skin.iridescence(68, ('#b9a7d8', '#8fd0cf'), 0.22, step(0.30, 0.45, at.v) * (1 - band))
+    # cheek and crown are scaled and blotched too
+    skin.mottle(69, 0.018, 0.10)
     skin.lateral_line([(0.205, 0.062), (0.35, 0.075), (0.5, 0.052), (0.64, 0.016), (0.72, 0.002), (0.745, 0.0)], 0.18)
-    skin.socket(EYE[0], EYE[1], EYE[2], '#3a3a30', 0.55)
+    skin.socket(EYE[0], EYE[1], EYE[2], '#30342f', 0.45)
     skin.mouth((0.066, -0.020), tip_h=-0.004, droop=0.003, width=0.0020, lip=0.0065, lip_colour='#a3aeb4')
     # the upper jaw's plate behind the mouth
     skin.height += 0.0006 * bump(np.hypot((at.s - 0.060) / 1.6, at.h + 0.020), 0.010)
@@ -74,16 +80,17 @@ def paint_body(body):
     skin.nostril(0.070, 0.030, 0.0018)
     skin.countershade(0.72, 1.06)
     skin.rough -= 0.04
+    skin.grain()
+    skin.beneath_fin(pectoral)
     return skin.pictures()
 
 
 def fin_paint(colours, rays, spiny=0.0, clear=0.45, seed=1, scallop=0.10):
     def picture(a, b):
-        ray = ray_picture(a, b, rays, spiny=spiny, seed=seed)
+        ray, alpha = membrane(a, b, rays, spiny, clear, 0.92, seed, scallop)
         colour = mix(rgb(colours[0]), rgb(colours[1]), step(0.0, 0.9, b))
-        colour = mix(colour, rgb(colours[2]), 0.6 * ray)
-        alpha = (clear + (0.92 - clear) * ray - 0.15 * step(0.5, 1, b) * (1 - ray)) * edge_alpha(a, b, rays, spiny, scallop)
-        return colour, np.maximum(np.clip(alpha, 0, 1), step(0.12, 0.02, b)), 0.0003 * ray
+        colour = mix(colour, rgb(colours[2]), 0.6 * ray) * (0.86 + 0.14 * step(0, 0.35, b))[..., None]
+        return colour, alpha, 0.0003 * ray
     return picture
 
 
@@ -93,8 +100,8 @@ def make():
         body, 'dorsal', 'upper', 0.225, 0.645,
         lengths=[(0, 0.010), (0.08, 0.050), (0.2, 0.075), (0.4, 0.066), (0.58, 0.048), (0.68, 0.050), (0.85, 0.046),
                  (1, 0.040)],
-        leans=[(0, 0.60), (0.5, 0.85), (1, 1.15)], tile=(0.02, 0.02, 0.96, 0.18), sink=0.010, columns=25,
-        ripple=0.0012, waves=2, paint=fin_paint(('#e9bd25', '#f3d75a', '#caa02a'), 24, 0.52, 0.50, 2))
+        leans=[(0, 0.60), (0.5, 0.85), (1, 1.15)], tile=(0.02, 0.02, 0.96, 0.18), sink=0.010,
+        ripple=0.0012, waves=2, paint=fin_paint(('#f6cf33', '#f8e070', '#d8ae34'), 24, 0.52, 0.50, 2))
     anal = median_fin(
         body, 'anal', 'lower', 0.485, 0.640, lengths=[(0, 0.02), (0.15, 0.062), (0.5, 0.052), (1, 0.035)],
         leans=[(0, 0.65), (1, 1.15)], tile=(0.02, 0.22, 0.40, 0.16), sink=0.010,
@@ -105,14 +112,15 @@ def make():
         tile=(0.44, 0.22, 0.54, 0.36), ripple=0.0015, waves=1, columns=21, rows=9,
         paint=fin_paint((YELLOW, '#f6d23c', '#c9960f'), 19, 0.0, 0.78, 6))
     pectoral = paired_fin(
-        body, 'pectoral', 0.222, (-0.018, -0.052), lengths=[(0, 0.100), (0.12, 0.150), (0.28, 0.160), (0.5, 0.125), (0.75, 0.075), (1, 0.035)],
-        first=(0.42, 0.05, -0.90), last=(0.34, -0.60, -0.65), tile=(0.02, 0.42, 0.38, 0.26), bend=(0, -0.004, -0.004),
-        joint='pectoral_left', slant=0.008, columns=13, paint=fin_paint(('#e8d9a8', '#f0e6c8', '#c9b37a'), 15, 0, 0.28, 8))
+        body, 'pectoral', 0.216, (-0.024, -0.052),
+        lengths=[(0, 0.060), (0.10, 0.150), (0.22, 0.175), (0.45, 0.150), (0.75, 0.090), (0.93, 0.050), (1, 0.022)],
+        first=(0.46, 0.16, -0.88), last=(0.36, -0.80, -0.48), tile=(0.02, 0.42, 0.38, 0.26), bend=(0, -0.004, -0.004),
+        joint='pectoral_left', slant=0.008, columns=11, flesh=0.010,
+        paint=fin_paint(('#e8d9a8', '#f0e6c8', '#d9c58e'), 15, 0, 0.14, 8))
     pelvic = paired_fin(
         body, 'pelvic', 0.255, (-0.090, -0.098), lengths=[(0, 0.098), (0.3, 0.100), (1, 0.04)],
         first=(0.26, -0.72, -0.62), last=(0.18, -0.35, -0.92), tile=(0.44, 0.62, 0.34, 0.26), slant=0.028, columns=9,
         paint=fin_paint(('#f1e6bd', '#f8f2da', '#d8c88e'), 6, 0.16, 0.45, 10))
-    colour, normal, metal_rough = paint_body(body)
     beat = (0.1, 1.0, 0.25)
     clips = [
         dict(name='swim', duration=0.9, keys=24, lateral=wave(0.80, 1.0), fins=flap(beat, 1, 0.20, 0.18)),
@@ -120,4 +128,4 @@ def make():
         dict(name='struggle', duration=0.8, keys=32, lateral=thrash(1.0), fins=flap(beat, 5, 0.40),
              roll=lambda p: 0.30 * np.sin(2 * np.pi * 3 * p + 0.4))]
     return Animal('snapper', body, [dorsal, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)],
-                  (*EYE, '#8a7a4a', '#e2c860'), colour, normal, metal_rough, clips)
+                  EYE, fish_eye('#a39a78', '#e8cf72'), paint_body(body, pectoral), clips)
