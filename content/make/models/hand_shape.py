@@ -63,7 +63,7 @@ def finger_field(hand, finger, p):
     for k in range(start, len(chain) - 1):
         i = chain[k]
         turn = hand.turns[i]
-        back, right = turn[:, 1], turn[:, 0]
+        back = turn[:, 1]
         last = k == len(chain) - 2
         a, b, ra, rb = at[k], at[k + 1], r[k], r[k + 1]
         if thumb and k == 0:

@@ -6,8 +6,7 @@ import numpy as np
 
 import paint
 from hand_shape import FINGERS
-from mesh import unit
-from paint import bump, line, mix, rgb, step
+from paint import bump, mix, rgb, step
 
 
 @dataclass(frozen=True)

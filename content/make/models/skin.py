@@ -48,7 +48,6 @@ class Skin:
         self.shade(1 - dark, step(-0.0015, 0.001, d) * step(width * 2.6, 0, d) * span * uneven)
         self.shade(1 - 0.35 * dark, step(0, 0.002, d) * step(width * 9, 0, d) * span)
         self.shade(1 + 0.25 * dark, bump(d + 0.006, 0.005) * span)  # the rim catches light
-        return d, span
 
     def mouth(self, corner, tip_h=0.0, droop=0.0, width=0.0030, lip=0.010, lip_colour=None):
         """A slit from the snout's tip to corner (s, h)."""

@@ -8,7 +8,7 @@ from body import Body
 from eyes import fish_eye
 from fins import median_fin, membrane, paired_fin, tail_fin, with_mirror
 from motion import flap, thrash, wave
-from paint import bump, line, mix, rgb, step
+from paint import bump, mix, rgb, step
 from skin import Skin
 
 LENGTH, END = 0.11, 0.79
@@ -65,7 +65,7 @@ def paint_body(body, pectoral):
     body_mask = step(0.17, 0.23, at.s)
     skin.scales(26, 0.00011, 0.35 + 0.65 * body_mask, edge=0.16, variety=0.10, metal=0.12)
     skin.mottle(31, 0.06, 0.05, warm=0.4)
-    d, span = skin.gill([(-0.13, 0.170), (-0.06, 0.232), (0.02, 0.252), (0.08, 0.236), (0.12, 0.205)], dark=0.40)
+    skin.gill([(-0.13, 0.170), (-0.06, 0.232), (0.02, 0.252), (0.08, 0.236), (0.12, 0.205)], dark=0.40)
     skin.gill([(-0.11, 0.120), (-0.05, 0.172), (0.03, 0.180), (0.07, 0.172)], dark=0.16, relief=0.002)
     skin.lateral_line([(0.24, 0.115), (0.40, 0.135), (0.55, 0.11), (0.64, 0.075), (0.66, 0.07)], 0.12)
     skin.socket(EYE[0], EYE[1], EYE[2], '#2a1206', 0.55)

@@ -8,7 +8,7 @@ from body import Body
 from eyes import fish_eye
 from fins import median_fin, membrane, paired_fin, tail_fin, with_mirror
 from motion import flap, thrash, wave
-from paint import bump, line, mix, rgb, step
+from paint import bump, mix, rgb, step
 from skin import Skin
 
 LENGTH, END = 0.12, 0.80
