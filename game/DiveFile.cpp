@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kMaxFish = 200;
 constexpr size_t kMaxVisits = 100;
+constexpr size_t kMaxShelters = 100;
 
 int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     std::string name;
@@ -58,6 +59,19 @@ SharkPlan readShark(TomlFile& file, const toml::table& entry, const SpeciesTable
     return shark;
 }
 
+Shelter readShelter(TomlFile& file, const toml::table& entry) {
+    TomlTable table(file, entry);
+    Shelter shelter;
+    table.need("from_s");
+    table.need("to_s");
+    table.number("from_s", shelter.from_s, 0, 36000);
+    table.number("to_s", shelter.to_s, 0, 36000);
+    table.number("amount", shelter.amount, 0, 1);
+    if (shelter.to_s <= shelter.from_s) table.complain("to_s", "must come after \"from_s\"");
+    table.finish();
+    return shelter;
+}
+
 } // namespace
 
 Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
@@ -73,6 +87,7 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
     root.number("duration", dive.duration_s, 5, 3600);
     root.number("exposure", dive.exposure_ev, -10, 10);
     root.number("floor", dive.floor_m, -3, -0.5f);
+    root.flag("water", dive.water);
     if (dive.video.find("..") != std::string::npos || dive.video.starts_with('/'))
         root.complain("video", "must name a file below content/");
 
@@ -94,6 +109,18 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             }
         }
     if (const auto* shark = root.table("shark")) dive.shark = readShark(file, *shark, known);
+    if (const auto* shelters = root.list("shelter"))
+        for (const toml::node& node : *shelters) {
+            if (!node.is_table()) {
+                file.complain(&node, "each shelter must be a table [[shelter]]");
+                break;
+            }
+            if (dive.shelter.size() == kMaxShelters) {
+                file.complain(&node, "more than 100 shelters");
+                break;
+            }
+            dive.shelter.push_back(readShelter(file, *node.as_table()));
+        }
     root.finish();
     if (auto status = file.status(); !status) return status.error();
     return dive;

@@ -1,6 +1,7 @@
 // One dive (a level): content/dives/NAME.toml.
 #pragma once
 
+#include "game/Shelter.h"
 #include "game/Species.h"
 
 #include <vector>
@@ -34,8 +35,13 @@ struct DiveFile {
     float duration_s = 90;
     float exposure_ev = 0;
     float floor_m = -1.1f; // fish stay above
+    bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
+    std::vector<Shelter> shelter; // of the video
+    // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
+    // video, or another.
+    double videoLength_s = 0;
 
     bool operator==(const DiveFile&) const = default;
 };

@@ -2,23 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace shoal::game {
 
 namespace {
 
 // Every constant of the feel, in one place.
-constexpr float kTouchLeast = 0.25f;   // amplitude of the gentlest touch
+constexpr float kTouchLeast = 0.15f;   // amplitude of the gentlest touch
 constexpr float kTouchFull_mps = 1.5f; // closing speed at which a touch is felt fully
 constexpr float kTouchDecay_s = 0.08f;
 constexpr float kTouchLow_Hz = 140, kTouchHigh_Hz = 260; // slow and fast touches
-constexpr float kPurr = 0.35f,
-                kPurrSwing = 0.2f; // amplitude of a held fish, and how far its wriggle swings it
-constexpr float kPurr_Hz = 48, kWriggle_Hz = 6;
+constexpr float kPress = 0.25f, kPressFull_m = 0.02f;    // steady pressing, and the depth at which it is full
+constexpr float kPress_Hz = 45;
+constexpr float kStroke = 0.5f, kStrokeFull_mps = 0.8f; // stroking along, and the speed at which it is full
+constexpr float kScale_m = 0.004f;                      // from scale to scale: so many pass a second
+constexpr float kStrokeLow_Hz = 40, kStrokeHigh_Hz = 240;
+constexpr float kHeld = 0.15f, kStruggle = 0.6f; // a fish in the hand at rest, and its struggle on top
+constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
 constexpr float kCatch = 0.8f, kCatchDecay_s = 0.18f, kCatch_Hz = 180;
 constexpr float kThump = 1, kThumpDecay_s = 0.25f, kThump_Hz = 40;
 constexpr float kNear = 0.3f, kNearDecay_s = 0.6f, kNear_Hz = 30;
+
+haptics::Actuation stronger(const haptics::Actuation& a, const haptics::Actuation& b) {
+    return b.amplitude > a.amplitude ? b : a;
+}
+
+// For as long as it touches: what lies under a finger.
+haptics::Actuation underFinger(const TouchView& touch, bool held) {
+    if (!touch.touches) return {};
+    const float press = std::clamp(touch.depth_m / kPressFull_m, 0.0f, 1.0f);
+    const float stroke = std::clamp(touch.slide_mps / kStrokeFull_mps, 0.0f, 1.0f);
+    haptics::Actuation out = stronger(
+        {kPress * press, kPress_Hz}, {kStroke * stroke * (0.5f + 0.5f * press),
+                                      std::clamp(touch.slide_mps / kScale_m, kStrokeLow_Hz, kStrokeHigh_Hz)});
+    if (held)
+        out = stronger(out, {kHeld + kStruggle * touch.struggle, kHeld_Hz + kStruggle_Hz * touch.struggle});
+    return out;
+}
 
 } // namespace
 
@@ -62,15 +82,13 @@ haptics::HapticFrame Feel::frame(const Snapshot& shown, std::span<const Event> e
             break;
         }
     }
-    purr_s_ = std::fmod(purr_s_ + dt_s, 1.0f); // a whole number of wriggles
-    const float wriggle = std::sin(2 * std::numbers::pi_v<float> * kWriggle_Hz * purr_s_);
     haptics::HapticFrame frame;
     for (int i = 0; i < haptics::kActuatorCount; ++i) {
         const Pulse& pulse = pulses_[static_cast<size_t>(i)];
-        haptics::Actuation out{pulse.amplitude, pulse.frequency_Hz};
-        const bool holds = shown.hands[static_cast<size_t>(i / haptics::kActuatorsPerHand)].holds >= 0;
-        const float purr = holds ? kPurr + kPurrSwing * wriggle : 0;
-        if (purr > out.amplitude) out = {purr, kPurr_Hz};
+        const HandView& hand = shown.hands[static_cast<size_t>(i / haptics::kActuatorsPerHand)];
+        const TouchView& touch = hand.touching[static_cast<size_t>(i % haptics::kActuatorsPerHand)];
+        haptics::Actuation out =
+            stronger({pulse.amplitude, pulse.frequency_Hz}, underFinger(touch, hand.holds >= 0));
         out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
         frame.actuators[static_cast<size_t>(i)] = out;
     }

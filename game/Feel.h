@@ -1,4 +1,6 @@
-// From what happens to what the fingers feel. Pure: time comes in, nothing is kept but decaying pulses.
+// From what happens, and from what lies under each finger, to what the fingers feel. A blow is a pulse that
+// fades; pressing, stroking and the struggle of a held fish last as long as the touch. Pure: time comes in,
+// nothing is kept but the pulses.
 #pragma once
 
 #include "game/Snapshot.h"
@@ -23,7 +25,6 @@ class Feel {
     void strike(int hand, int finger, const Pulse& pulse);
 
     std::array<Pulse, haptics::kActuatorCount> pulses_{};
-    float purr_s_ = 0;
 };
 
 } // namespace shoal::game

@@ -49,14 +49,14 @@ void Hear::play(Sound sound, const glm::vec3& position, float gain, bool everywh
     caption(sound, everywhere ? glm::vec3(0) : position);
 }
 
-void Hear::beds(float dt_s, bool paused) {
-    const float wanted = std::clamp(shelterWanted_, 0.0f, 1.0f);
+void Hear::beds(const Snapshot& shown, float dt_s) {
+    const float wanted = std::clamp(shown.shelter, 0.0f, 1.0f);
     shelter_ += std::clamp(wanted - shelter_, -dt_s / kCross_s, dt_s / kCross_s);
     const auto bed = [&](Sound sound, float share) {
         if (share <= 0) return;
         const auto index = static_cast<size_t>(sound);
         // Root: the powers of two unrelated sounds add to the same.
-        const float gain = kSounds[index].gain * std::sqrt(share) * (paused ? kPausedBed : 1);
+        const float gain = kSounds[index].gain * std::sqrt(share) * (shown.paused ? kPausedBed : 1);
         emitters_.push_back({.id = kBedId + static_cast<uint32_t>(index),
                              .clip = static_cast<int>(index),
                              .gain = gain,
@@ -132,7 +132,7 @@ void Hear::countDown(const Snapshot& shown) {
 void Hear::listen(const Snapshot& shown, std::span<const Event> events, float dt_s) {
     shots_.clear();
     emitters_.clear();
-    beds(dt_s, shown.paused);
+    beds(shown, dt_s);
     if (shown.paused) return;
     for (Caption& caption : captions_) caption.age_s += dt_s;
     std::erase_if(captions_, [](const Caption& caption) { return caption.age_s > kCaptionStay_s; });

@@ -95,9 +95,6 @@ class Hear {
     // shots() and captions() say what to play and show. Takes no memory once the creatures are known.
     void listen(const Snapshot& shown, std::span<const Event> events, float dt_s);
 
-    // How enclosed the place is: 0 open water, 1 a tunnel. The beds cross over within seconds.
-    void setShelter(float shelter) { shelterWanted_ = shelter; }
-
     std::span<const audio::Emitter> emitters() const { return emitters_; }
     std::span<const audio::Shot> shots() const { return shots_; }
     std::span<const Caption> captions() const { return captions_; } // newest first
@@ -106,7 +103,7 @@ class Hear {
     void play(Sound sound, const glm::vec3& position, float gain, bool everywhere = false, float pitch = 1,
               const glm::vec3& velocity = glm::vec3(0));
     void caption(Sound sound, const glm::vec3& position);
-    void beds(float dt_s, bool paused);
+    void beds(const Snapshot& shown, float dt_s);
     void passing(const CreatureView& creature, float& quiet_s);
     void struggling(const CreatureView& creature);
     void happened(const Event& event);
@@ -118,8 +115,8 @@ class Hear {
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // per creature: until it may be heard passing again
     float touchQuiet_s_ = 0;
-    float breath_s_; // until the next
-    float shelter_ = 0, shelterWanted_ = 0;
+    float breath_s_;      // until the next
+    float shelter_ = 0;   // of what is shown, but never in a step
     int countedDown_ = 0; // the last second that was counted
     Random random_;       // of pitches and breaths; the simulation's is not touched
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "input/hands/HandPose.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -21,6 +22,16 @@ enum class Phase { Diving, Results };
 enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
 constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
 
+// How a body is bent beyond its clip: what is left of the wave is the clip's own form.
+struct BodyShape {
+    float beats = 0;     // of the tail, left and right, since the dive began
+    float amplitude = 0; // half the tail's sweep, in body lengths
+    float bendLeft =
+        0; // curvature times length: the angle between head and tail, radians; both ends to the left
+    float bendUp = 0;   // the same, both ends up
+    float finsDown = 0; // how far the pectoral fins are lowered, radians
+};
+
 struct CreatureView {
     uint32_t id = 0;                     // stable during a dive; also its place in Snapshot::creatures
     int species = 0;                     // index into the species table
@@ -31,9 +42,18 @@ struct CreatureView {
     Motion motion = Motion::Swim;
     Motion before = Motion::Swim; // what it blends from
     float blend = 1;              // 0: all `before`, 1: all `motion`
-    float phase_s =
-        0;           // time inside the motion's clip, already sped up as the body swims; the shower wraps it
-    int heldBy = -1; // 0 left, 1 right, -1 free
+    float phase_s = 0;            // time inside the motion's clip, for all but the spine; the shower wraps it
+    BodyShape shape;              // the spine
+    int heldBy = -1;              // 0 left, 1 right, -1 free
+};
+
+// What one finger, or the palm, has under it.
+struct TouchView {
+    bool touches = false;
+    float depth_m = 0;   // how deep it presses
+    float press_mps = 0; // how fast it presses in
+    float slide_mps = 0; // how fast it strokes along
+    float struggle = 0;  // 0 to 1: how hard a held fish wriggles under it
 };
 
 struct HandView {
@@ -42,6 +62,7 @@ struct HandView {
     std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
     int holds = -1;                                        // creature id
     float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
+    std::array<TouchView, haptics::kActuatorsPerHand> touching{}; // five fingers and the palm
 };
 
 struct Snapshot {
@@ -50,6 +71,7 @@ struct Snapshot {
     Phase phase = Phase::Diving;
     bool paused = false;
     float timeLeft_s = 0;
+    float shelter = 0; // 0 open water to 1 a tunnel, where the video now is
     int score = 0;
     int caught = 0;
     int lost = 0;                        // to the shark

@@ -2,6 +2,8 @@
 
 #include "game/TomlRead.h"
 
+#include <algorithm>
+
 namespace shoal::game {
 
 namespace {
@@ -22,6 +24,16 @@ Species readOne(TomlFile& file, const toml::table& entry) {
     table.number("dart", s.dart_mps, 0.1f, kMaxSpeed_mps);
     table.number("turn", s.turn_radps, 0.2f, 10);
     table.number("shyness", s.shyness, 0, 3);
+    table.number("spacing", s.spacing, 0.6f, 5);
+    table.number("stride", s.stride, 0.2f, 1.5f);
+    table.flag("coasts", s.coasts);
+    std::string company = kCompanyNames[static_cast<size_t>(s.company)];
+    table.text("company", company);
+    const auto known = std::find(kCompanyNames.begin(), kCompanyNames.end(), company);
+    if (known == kCompanyNames.end())
+        table.complain("company", "must be \"alone\", \"pair\" or \"shoal\"");
+    else
+        s.company = static_cast<Company>(known - kCompanyNames.begin());
     int64_t points = s.shark ? 0 : s.points;
     table.whole("points", points, 0, 1000);
     s.points = static_cast<int>(points);

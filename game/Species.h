@@ -4,11 +4,16 @@
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace shoal::game {
+
+// How much kin mean to a fish: nothing, one partner, or all of its school.
+enum class Company { Alone, Pair, Shoal };
+constexpr std::array<const char*, 3> kCompanyNames = {"alone", "pair", "shoal"};
 
 struct Species {
     std::string name;           // "clownfish"
@@ -22,6 +27,10 @@ struct Species {
     float turn_radps = 2;  // how fast the heading turns while cruising
     float shyness = 1;     // scales the distance at which a fast hand frightens it; 0 to 3
     int points = 10;       // a catch
+    Company company = Company::Alone;
+    float spacing = 1.2f; // to the companions around it, body lengths, centre to centre
+    float stride = 0.65f; // body lengths it swims in one beat of the tail
+    bool coasts = false;  // beats in bursts and glides between them
 
     bool operator==(const Species&) const = default;
 };

@@ -39,17 +39,44 @@ inline glm::vec3 turnedTowards(glm::vec3 forward, glm::vec3 goal, float maxAngle
     return glm::normalize(forward + across * step);
 }
 
+// Towards the left of a body that looks along forward with +Y up.
+inline glm::vec3 leftOf(glm::vec3 forward) {
+    return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
+}
+
+// Turns the unit heading towards the unit goal as a body with inertia does: without a jump of its angular
+// velocity (spin, rad/s, world frame, never along forward) and, at rates below the limit, without overshoot:
+// a spring and a damper that are critical for a rate of `eager` 1/s. Returns the spin that it strives for.
+inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goal, float eager,
+                              float most_radps, float most_radps2, float dt) {
+    const float along = glm::dot(forward, goal);
+    glm::vec3 axis = glm::cross(forward, goal);
+    const float sine = glm::length(axis);
+    if (sine > 1e-4f)
+        axis /= sine;
+    else
+        axis = along > 0 ? glm::vec3(0) : kUp;
+    float angle = sine; // near enough
+    if (along < 0) {
+        // Round sideways, not over the top; straight behind either way is as good: the one under way.
+        const glm::vec3 left = leftOf(forward);
+        const float side = along < -0.5f && std::fabs(spin.y) > 0.05f ? spin.y : glm::dot(goal, left);
+        axis = glm::cross(forward, side < 0 ? -left : left);
+        angle = 2 - sine;
+    }
+    const glm::vec3 wish = axis * std::min(most_radps, eager * angle);
+    spin += limited((wish - spin) * std::min(1.0f, 4 * eager * dt), most_radps2 * dt);
+    spin -= forward * glm::dot(spin, forward);
+    forward = glm::normalize(forward + glm::cross(spin, forward) * dt);
+    return wish;
+}
+
 // Keeps a heading from pointing steeply up or down: |y| <= most, unit length.
 inline glm::vec3 levelled(glm::vec3 forward, float most) {
     if (std::fabs(forward.y) <= most) return forward;
     const glm::vec3 flat = normalizedOr({forward.x, 0, forward.z}, {0, 0, 1});
     const float y = forward.y > 0 ? most : -most;
     return glm::vec3(flat.x, 0, flat.z) * std::sqrt(1 - most * most) + glm::vec3(0, y, 0);
-}
-
-// Towards the left of a body that looks along forward with +Y up.
-inline glm::vec3 leftOf(glm::vec3 forward) {
-    return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
 }
 
 // Body frame: +Z along forward, +Y as upright as bank allows; bank is the tangent of the lean to the left.

@@ -13,6 +13,7 @@ namespace {
 template <class Visit, class Input> void visit(Input& input, Visit& io) {
     for (auto& hand : input.hands) {
         io.flag(hand.tracked);
+        io.flag(hand.solid);
         io.number(hand.confidence);
         io.number(hand.grip);
         io.number(hand.pinch);

@@ -20,7 +20,7 @@ struct TickInput {
 };
 
 // The input as bytes for a Recording: little-endian floats, fixed size.
-constexpr size_t kTickInputBytes = 2 * (3 * 4 + 1 + hands::kJointCount * 8 * 4) + 7 * 4 + 1;
+constexpr size_t kTickInputBytes = 2 * (3 * 4 + 2 + hands::kJointCount * 8 * 4) + 7 * 4 + 1;
 void toBytes(const TickInput&, std::span<uint8_t, kTickInputBytes> out);
 TickInput fromBytes(std::span<const uint8_t, kTickInputBytes>);
 

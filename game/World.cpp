@@ -21,9 +21,11 @@ World::World(SpeciesTable s, DiveFile f, uint64_t firstSeed) : species(std::move
     size_t count = 0;
     for (const School& school : file.schools) count += static_cast<size_t>(school.count);
     fish.reserve(count);
+    neighbours.resize(count);
     bodies.reserve(count + 1);
     movers.reserve(2 * hands::kJointCount);
-    contacts.reserve(1024);
+    contacts.reserve((count + 1) * movers.capacity());
+    lastContacts.reserve(contacts.capacity());
     begin(firstSeed);
 }
 
@@ -38,8 +40,9 @@ glm::vec3 randomAround(Random& random) {
     }
 }
 
-// Fish of one school mostly go round the same way.
-Fish spawn(const School& school, int schoolIndex, const Species& kind, float mainSense, Random& random) {
+// Fish of one school mostly go round the same way; companions start beside their leader.
+Fish spawn(const School& school, int schoolIndex, const Species& kind, float mainSense, const Fish* leader,
+           Random& random) {
     Fish fish;
     fish.species = school.species;
     fish.school = schoolIndex;
@@ -47,8 +50,22 @@ Fish spawn(const School& school, int schoolIndex, const Species& kind, float mai
     fish.height = random.between(school.heightLow_m, school.heightHigh_m);
     fish.cruise = kind.cruise_mps * random.between(0.8f, 1.25f);
     fish.sense = random.unit() < 0.8f ? mainSense : -mainSense;
-    const glm::vec3 outward = randomAround(random);
+    fish.wanderTicks = 1 + static_cast<int>(random.below(200));
+    fish.routeTicks = 600 + static_cast<int>(random.below(1200));
+    glm::vec3 outward = randomAround(random);
     fish.position = outward * fish.radius + glm::vec3(0, fish.height, 0);
+    if (leader) {
+        fish.radius = leader->radius;
+        fish.height = leader->height;
+        fish.sense = leader->sense;
+        fish.cruise = leader->cruise;
+        const float around = 2.2f * kind.spacing * kind.length_m;
+        fish.position =
+            leader->position +
+            around * glm::vec3(random.between(-1, 1), random.between(-0.7f, 0.7f), random.between(-1, 1));
+        fish.position.y = std::clamp(fish.position.y, school.heightLow_m, school.heightHigh_m);
+        outward = normalizedOr({fish.position.x, 0, fish.position.z}, outward);
+    }
     fish.forward = glm::cross(kUp, outward) * fish.sense;
     fish.speed = fish.cruise;
     fish.velocity = fish.forward * fish.speed;
@@ -70,22 +87,29 @@ void World::begin(uint64_t newSeed) {
         hand.holds = -1;
         hand.window = 0;
     }
+    contacts.clear();
     fish.clear();
     for (size_t i = 0; i < file.schools.size(); ++i) {
         const School& school = file.schools[i];
         const float mainSense = random.unit() < 0.5f ? 1.0f : -1.0f;
+        const Company company = species[school.species].company;
+        int leads = -1;
         for (int n = 0; n < school.count; ++n) {
+            const bool joins = company == Company::Shoal ? n > 0 : company == Company::Pair && n % 2;
+            const int index = static_cast<int>(fish.size());
+            if (!joins) leads = index;
             // A few tries for a place with room around it.
             Fish best;
             float bestRoom = -1;
             for (int attempt = 0; attempt < 12; ++attempt) {
-                Fish candidate =
-                    spawn(school, static_cast<int>(i), species[school.species], mainSense, random);
+                const Fish candidate = spawn(school, static_cast<int>(i), species[school.species], mainSense,
+                                             joins ? &fish[leads] : nullptr, random);
                 float room = 10;
                 for (const Fish& other : fish)
                     room = std::min(room, glm::distance(candidate.position, other.position));
                 if (room <= bestRoom) continue;
                 best = candidate;
+                best.leader = leads;
                 bestRoom = room;
             }
             fish.push_back(best);
@@ -136,6 +160,7 @@ void World::step(const TickInput& input, std::vector<Event>& out) {
     }
     readHands(input);
     frightenByHands(out);
+    followHands();
     touch(out);
     closeHands(out);
     swim();
@@ -145,9 +170,7 @@ void World::step(const TickInput& input, std::vector<Event>& out) {
     const auto lastTick = static_cast<uint32_t>(file.duration_s * sim::kTickRate_Hz);
     if (phase == Phase::Diving && tick >= lastTick) {
         for (int hand = 0; hand < 2; ++hand)
-            if (hands[hand].holds >= 0)
-                letGo(hand, fish[hands[hand].holds].counted ? Event::Kind::Release : Event::Kind::Escape,
-                      out);
+            if (hands[hand].holds >= 0) drop(hand, out);
         phase = Phase::Results;
         emit(out, Event::Kind::DiveOver);
     }

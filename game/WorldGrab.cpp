@@ -1,16 +1,13 @@
 // Closing a hand on a fish, holding it, letting it go.
+#include "game/Bones.h"
 #include "game/Steering.h"
 #include "game/World.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace shoal::game {
-
-namespace {
-
-constexpr float kSlip_mps = 6; // a fish slips out of a hand faster than this
-
-} // namespace
 
 float World::graspGap(const Fish& f, const Hand& hand) const {
     const Species& kind = species[f.species];
@@ -33,25 +30,39 @@ bool World::graspable(const Fish& f, const Hand& hand, int h) const {
            (touched(1) || touched(2) || touched(3) || touched(4)) && graspGap(f, hand) < 2 * kGraspRadius_m;
 }
 
+void World::drawIn(Fish& f, const Hand& hand) const {
+    const glm::vec3 wanted =
+        hand.calmVelocity +
+        limited((hollowOf(hand.joints[0], std::min(species[f.species].bodyRadius_m, physics::kEnclosed_m)) -
+                 f.position) *
+                    physics::kDrawRate_Hz,
+                physics::kDrawMost_mps);
+    f.push = limited(wanted, kMaxSpeed_mps) - f.forward * f.speed;
+}
+
+void World::drop(int h, std::vector<Event>& out) {
+    letGo(h, fish[hands[h].holds].counted ? Event::Kind::Release : Event::Kind::Escape, out);
+}
+
 void World::closeHands(std::vector<Event>& out) {
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         if (!hand.visible) {
-            if (hand.holds >= 0 && hand.untrackedTicks > kHandDropTicks)
-                letGo(h, fish[hand.holds].counted ? Event::Kind::Release : Event::Kind::Escape, out);
+            if (hand.holds >= 0 && hand.untrackedTicks > kHandDropTicks) drop(h, out);
             continue;
         }
-        if (hand.closed && hand.grip < kGripOpens) {
+        if (!hand.solid) continue;
+        if (hand.grip < kGripOpens) {
             hand.closed = false;
+            hand.firmest = kGripOpens;
             hand.window = 0;
-            if (hand.holds >= 0)
-                letGo(h, fish[hand.holds].counted ? Event::Kind::Release : Event::Kind::Escape, out);
-        } else if (!hand.closed && hand.grip > kGripCloses) {
-            hand.closed = true;
+        } else if (hand.grip > hand.firmest + physics::kFirmer) {
+            hand.firmest = hand.grip;
             hand.window = kCloseWindow;
         }
-        if (hand.holds >= 0 && glm::length(hand.velocity) > kSlip_mps)
-            letGo(h, fish[hand.holds].counted ? Event::Kind::Release : Event::Kind::Escape, out);
+        hand.closed = hand.closed || hand.grip > kGripCloses;
+        if (hand.holds >= 0) enclose(hand.holds, hand);
+        hand.encloses = hand.holds;
         if (hand.window == 0 || hand.holds >= 0 || phase != Phase::Diving) continue;
 
         int nearest = -1;
@@ -61,23 +72,49 @@ void World::closeHands(std::vector<Event>& out) {
             const float distance = graspGap(fish[i], hand);
             if (distance < gap) gap = distance, nearest = static_cast<int>(i);
         }
-        if (nearest >= 0)
-            grab(nearest, h, out);
-        else if (--hand.window == 0)
-            emit(out, Event::Kind::Miss, -1, h, -1, 0, hand.grasp);
+        if (nearest >= 0) {
+            enclose(nearest, hand);
+            hand.encloses = nearest;
+            if (holdOn(nearest, glm::vec3(0)).margin_N > physics::kFirm_N) {
+                grab(nearest, h, out);
+                continue;
+            }
+            drawIn(fish[nearest], hand);
+        }
+        if (--hand.window == 0 && hand.closed) emit(out, Event::Kind::Miss, -1, h, -1, 0, hand.grasp);
+    }
+    takeBetweenHands(out);
+}
+
+void World::takeBetweenHands(std::vector<Event>& out) {
+    if (phase != Phase::Diving || hands[0].holds >= 0 || hands[1].holds >= 0) return;
+    for (auto from = contacts.begin(); from != contacts.end();) {
+        const auto to =
+            std::find_if(from, contacts.end(), [&](const auto& c) { return c.body != from->body; });
+        const int id = static_cast<int>(from->body);
+        const bool both = from->group != std::prev(to)->group;
+        from = to;
+        if (!both || id == sharkId() || fish[id].heldBy >= 0 || fish[id].uncatchable_s > 0) continue;
+        if (holdOn(id, glm::vec3(0)).margin_N < physics::kFirm_N) continue;
+        const int h = graspGap(fish[id], hands[0]) < graspGap(fish[id], hands[1]) ? 0 : 1;
+        grab(id, h, out);
+        return;
     }
 }
 
 void World::grab(int index, int h, std::vector<Event>& out) {
     Fish& f = fish[index];
     Hand& hand = hands[h];
-    hand.holds = index;
+    hand.holds = hand.encloses = index;
     hand.window = 0;
+    hand.firmest = 1; // it takes hold anew only after it has opened
     f.mind = Fish::Mind::Held;
     f.heldBy = h;
     f.held_s = 0;
     f.counted = false;
-    f.push = glm::vec3(0);
+    f.push = f.slide = glm::vec3(0);
+    f.slid_m = 0;
+    f.unopposed = 0;
     f.gait.set(Motion::Struggle);
     const glm::quat palmFromWorld = glm::conjugate(hand.joints[0].orientation);
     f.palmFromBody = palmFromWorld * f.worldFromBody;
@@ -93,8 +130,10 @@ void World::grab(int index, int h, std::vector<Event>& out) {
 void World::letGo(int h, Event::Kind why, std::vector<Event>& out) {
     Hand& hand = hands[h];
     const int index = hand.holds;
-    hand.holds = -1;
+    hand.holds = hand.encloses = -1;
     Fish& f = fish[index];
+    f.struggle = 0;
+    f.loose_s = physics::kLoose_s;
     f.heldBy = -1;
     f.mind = Fish::Mind::Dart;
     f.dart_s = 1.2f;
@@ -109,39 +148,6 @@ void World::letGo(int h, Event::Kind why, std::vector<Event>& out) {
     f.push = limited(0.3f * hand.calmVelocity, 0.6f);
     f.velocity = f.forward * f.speed + f.push;
     emit(out, why, index, h, -1, f.held_s, f.position);
-}
-
-void World::carry(std::vector<Event>& out) {
-    for (int h = 0; h < 2; ++h) {
-        Hand& hand = hands[h];
-        if (hand.holds < 0) continue;
-        Fish& f = fish[hand.holds];
-        f.held_s += kDt;
-        const float settle = std::min(1.0f, f.held_s / 0.15f);
-        // The wriggle: a beat of 4 Hz, strongest at first.
-        const float wild = 0.3f * std::max(0.25f, 1 - 0.5f * f.held_s);
-        const float beat = std::sin(f.held_s * 25.0f) * wild;
-        const glm::quat wriggle(1, 0, 0.5f * beat, 0.2f * beat);
-        const glm::quat palm = hand.joints[0].orientation;
-        const glm::vec3 was = f.position;
-        f.worldFromBody =
-            glm::normalize(palm * blended(f.palmFromBody, f.palmFromBodyGoal, settle) * wriggle);
-        f.position =
-            hand.grasp + palm * (f.palmOffset * (1 - settle) + glm::vec3(0.012f * beat, 0, 0.02f * beat));
-        f.forward = f.worldFromBody * glm::vec3(0, 0, 1);
-        f.velocity = (f.position - was) / kDt;
-        f.bank = 0;
-        f.speed = 0;
-        f.gait.set(Motion::Struggle);
-        f.gait.advance(1.6f);
-        if (!f.counted && f.held_s >= kHoldToCatch_s + 0.5f * kDt) {
-            f.counted = true;
-            ++caught;
-            score += species[f.species].points;
-            emit(out, Event::Kind::Catch, hand.holds, h, -1, 1, f.position);
-        }
-        if (f.counted && f.held_s >= kHoldToCatch_s + kShowCatch_s) letGo(h, Event::Kind::Release, out);
-    }
 }
 
 } // namespace shoal::game

@@ -1,7 +1,9 @@
 // What the player's hands are this tick, and what they do to fish.
+#include "game/Bones.h"
 #include "game/Steering.h"
 #include "game/World.h"
 
+#include "engine/physics/Push.h"
 #include "input/hands/HandRig.h"
 
 namespace shoal::game {
@@ -18,19 +20,11 @@ bool sound(const glm::quat& q) {
     return norm > 0.9f && norm < 1.1f; // false for NaN
 }
 
-// Finger, or the palm, that the bone from kJointParent[joint] to the joint belongs to. The bones of the back
-// of the hand are the palm's.
-int partOfBone(int joint) {
-    if (joint < 2) return haptics::kPalm;
-    if (joint < 6) return joint == 2 ? haptics::kPalm : 0;
-    const int inFinger = (joint - 6) % 5;
-    return inFinger <= 1 ? haptics::kPalm : 1 + (joint - 6) / 5;
-}
-
-physics::Capsule bone(const std::array<hands::Joint, hands::kJointCount>& joints, int joint) {
-    const hands::Joint& from = joints[hands::kJointParent[joint]];
-    const hands::Joint& to = joints[joint];
-    return {from.position, to.position, std::min(from.radius, to.radius)};
+// It does not move as far as fish are concerned, and takes hold of nothing.
+void rest(Hand& hand) {
+    hand.velocity = hand.calmVelocity = hand.calmAcceleration = glm::vec3(0);
+    hand.velocities.fill(glm::vec3(0));
+    hand.window = 0;
 }
 
 } // namespace
@@ -54,10 +48,12 @@ void World::readHands(const TickInput& input) {
             ++hand.untrackedTicks;
         const bool appears = !hand.visible;
         hand.visible = hand.known && hand.untrackedTicks <= kKeepTicks;
+        hand.solid = hand.visible && hand.lastGood.solid;
+        hand.touching = {};
+        hand.pressCount = 0;
         if (!hand.visible) {
             hand.untrackedTicks = std::min(hand.untrackedTicks, 10 * kHandDropTicks);
-            hand.velocity = hand.calmVelocity = glm::vec3(0);
-            hand.window = 0;
+            rest(hand);
             continue;
         }
         if (!appears) hand.before = hand.joints;
@@ -66,15 +62,29 @@ void World::readHands(const TickInput& input) {
             hand.joints[j].position = headWorld + worldFromView * hand.joints[j].position;
             hand.joints[j].orientation = worldFromView * hand.joints[j].orientation;
         }
-        if (appears) hand.before = hand.joints;
-        hand.velocity = (hand.joints[0].position - hand.before[0].position) / kDt;
-        hand.calmVelocity += (hand.velocity - hand.calmVelocity) * (1.0f / 6);
-        if (appears) hand.calmVelocity = glm::vec3(0);
+        hand.shown = hand.joints;
         hand.grasp = hands::graspCentre(hand.joints);
         hand.grip = std::clamp(hand.lastGood.grip, 0.0f, 1.0f);
-        if (appears)
+        if (appears) {
             hand.closed =
                 hand.holds >= 0 || hand.grip > kGripCloses; // a fist that appears did not close here
+            hand.firmest = std::max(hand.grip, kGripOpens);
+        }
+        const bool replaced =
+            glm::distance(hand.joints[0].position, hand.before[0].position) > physics::kTeleport_m;
+        if (appears || replaced || !hand.solid) {
+            hand.before = hand.joints;
+            rest(hand);
+            continue;
+        }
+        hand.velocity = (hand.joints[0].position - hand.before[0].position) / kDt;
+        const glm::vec3 calmer = (hand.velocity - hand.calmVelocity) * (1.0f / 6);
+        hand.calmVelocity += calmer;
+        hand.calmAcceleration += (calmer / kDt - hand.calmAcceleration) * (1.0f / 6);
+        for (int j = 0; j < hands::kJointCount; ++j) {
+            const glm::vec3 now = (hand.joints[j].position - hand.before[j].position) / kDt;
+            hand.velocities[j] += (now - hand.velocities[j]) * (1.0f / 3);
+        }
     }
 }
 
@@ -97,7 +107,7 @@ void World::startle(int index, glm::vec3 from, std::vector<Event>& out) {
 
 void World::frightenByHands(std::vector<Event>& out) {
     for (const Hand& hand : hands) {
-        if (!hand.visible) continue;
+        if (!hand.solid) continue;
         for (size_t i = 0; i < fish.size(); ++i) {
             const Fish& f = fish[i];
             if (f.mind != Fish::Mind::Cruise || f.frightRest_s > 0) continue;
@@ -116,74 +126,113 @@ void World::frightenByHands(std::vector<Event>& out) {
 void World::touch(std::vector<Event>& out) {
     movers.clear();
     for (int h = 0; h < 2; ++h) {
-        if (!hands[h].visible) continue;
+        const Hand& hand = hands[h];
+        if (!hand.solid) continue;
+        const float give = hand.closed ? 1.0f : physics::kGive; // fingers of an open hand give way
         for (int j = 2; j < hands::kJointCount; ++j)
-            movers.push_back({bone(hands[h].before, j), bone(hands[h].joints, j), h, j});
+            movers.push_back({bone(hand.before, j), bone(hand.joints, j),
+                              give * hand.velocities[hands::kJointParent[j]], give * hand.velocities[j], h,
+                              j});
     }
     bodies.clear();
-    const auto near = [&](glm::vec3 position, float bound) {
-        for (const Hand& hand : hands) {
-            if (!hand.visible) continue;
+    const auto add = [&](int id, const auto& creature) {
+        const Species& kind = species[creature.species];
+        const auto near = [&](const Hand& hand) {
+            if (!hand.solid) return false;
             const glm::vec3 a = hand.before[0].position, b = hand.joints[0].position;
-            if (physics::separation({a, b, 0.25f}, {position, position, bound}) < 0) return true;
-        }
-        return false;
+            return physics::separation({a, b, 0.25f}, {creature.position, creature.position,
+                                                       kind.bodyHalf_m + kind.bodyRadius_m}) < 0;
+        };
+        if (!near(hands[0]) && !near(hands[1])) return;
+        const glm::vec3 reach = creature.forward * kind.bodyHalf_m, way = creature.velocity * kDt;
+        const glm::vec3 nose = creature.position + reach, tail = creature.position - reach;
+        bodies.push_back({static_cast<uint32_t>(id),
+                          {tail - way, nose - way, kind.bodyRadius_m},
+                          {tail, nose, kind.bodyRadius_m},
+                          creature.velocity});
     };
     for (size_t i = 0; i < fish.size(); ++i) {
-        const Fish& f = fish[i];
-        const Species& kind = species[f.species];
-        if (f.mind == Fish::Mind::Held || f.mind == Fish::Mind::Mouth) continue;
-        if (!near(f.position, kind.bodyHalf_m + kind.bodyRadius_m)) continue;
-        bodies.push_back({static_cast<uint32_t>(i), f.position, f.forward, f.velocity, kind.bodyRadius_m,
-                          kind.bodyHalf_m});
+        Fish& f = fish[i];
+        f.parting = glm::vec3(0);
+        if (f.mind == Fish::Mind::Mouth || (f.heldBy >= 0 && !hands[f.heldBy].solid)) continue;
+        f.loose_s = std::max(0.0f, f.loose_s - kDt);
+        if (f.loose_s > 0) continue;
+        add(static_cast<int>(i), f);
     }
-    if (shark.present) {
-        const Species& kind = species[shark.species];
-        if (near(shark.position, kind.bodyHalf_m + kind.bodyRadius_m))
-            bodies.push_back({static_cast<uint32_t>(sharkId()), shark.position, shark.forward, shark.velocity,
-                              kind.bodyRadius_m, kind.bodyHalf_m});
-    }
-    contactWorld.collide(bodies, movers, kDt, contacts);
+    if (shark.present) add(sharkId(), shark);
+    std::swap(contacts, lastContacts);
+    contactWorld.collide(bodies, movers, kDt, lastContacts, contacts);
 
-    int touchedBefore = -1;
-    for (const physics::Contact& contact : contacts) {
-        const int id = static_cast<int>(contact.body), h = contact.group;
-        const int part = partOfBone(contact.tag);
-        Hand& hand = hands[h];
-        if (id == sharkId()) {
-            if (shark.bumpRest_s > 0) continue;
-            const bool striking = shark.mind == Shark::Mind::Strike && hand.holds == shark.prey;
-            if (striking) continue; // its jaws come first; see swimShark
-            shark.bumpRest_s = 0.8f;
-            shark.visit_s = std::min(shark.visit_s, 1.0f); // it has had enough
-            emit(out, Event::Kind::SharkBump, id, h, part, contact.closingSpeed, contact.point);
-            if (hand.holds >= 0)
-                letGo(h, fish[hand.holds].counted ? Event::Kind::Release : Event::Kind::Escape, out);
-            continue;
+    for (auto from = contacts.begin(); from != contacts.end();) {
+        const auto to =
+            std::find_if(from, contacts.end(), [&](const auto& c) { return c.body != from->body; });
+        const std::span<const physics::Contact> own(from, to);
+        if (static_cast<int>(from->body) == sharkId())
+            bump(own, out);
+        else {
+            for (const physics::Contact& contact : own) feel(contact);
+            if (fish[from->body].heldBy < 0) pushFish(own, out);
         }
-        Fish& f = fish[id];
-        if (f.uncatchable_s > kUncatchable_s - 0.5f)
-            continue; // just let go: it slides out between the fingers
+        from = to;
+    }
+    for (Fish& f : fish) f.nervous_s = std::max(0.0f, f.nervous_s - 0.1f * kDt);
+}
+
+void World::bump(std::span<const physics::Contact> own, std::vector<Event>& out) {
+    for (const physics::Contact& contact : own) {
+        const int h = contact.group;
+        if (shark.bumpRest_s > 0) return;
+        const bool striking = shark.mind == Shark::Mind::Strike && hands[h].holds == shark.prey;
+        if (striking) continue; // its jaws come first; see swimShark
+        shark.bumpRest_s = 0.8f;
+        shark.visit_s = std::min(shark.visit_s, 1.0f); // it has had enough
+        emit(out, Event::Kind::SharkBump, sharkId(), h, partOfBone(contact.tag), contact.closingSpeed,
+             contact.point);
+        if (hands[h].holds >= 0) drop(h, out);
+    }
+}
+
+void World::feel(const physics::Contact& contact) {
+    const Fish& f = fish[contact.body];
+    const glm::vec3 relative = contact.moverVelocity - f.velocity;
+    const float along = glm::dot(relative, contact.normal);
+    TouchView& under = hands[contact.group].touching[partOfBone(contact.tag)];
+    under.touches = true;
+    if (hands[contact.group].encloses != static_cast<int>(contact.body))
+        under.depth_m = std::max(under.depth_m, contact.depth);
+    under.press_mps = std::max(under.press_mps, along);
+    under.slide_mps = std::max(under.slide_mps, glm::length(relative - along * contact.normal));
+    if (f.heldBy == contact.group) under.struggle = f.struggle;
+}
+
+void World::pushFish(std::span<const physics::Contact> own, std::vector<Event>& out) {
+    const int id = static_cast<int>(own.front().body);
+    Fish& f = fish[id];
+    f.nervous_s += kDt;
+    for (const physics::Contact& contact : own) {
+        const int h = contact.group, part = partOfBone(contact.tag);
         if (tick > f.touchedUntil[h][part])
             emit(out, Event::Kind::Touch, id, h, part, contact.closingSpeed, contact.point);
         f.touchedUntil[h][part] = tick + kTouchKept;
-
-        // An open hand lets it in between thumb and fingers, and closing fingers hold it: neither bats it
-        // away.
-        const bool beingGrasped =
-            graspGap(f, hand) < 1.5f * kGraspRadius_m && onPalmSide(f, hand) && !hand.closed;
+        const Hand& hand = hands[h];
         const float palmClosing = glm::dot(hand.velocity - f.velocity, contact.normal);
-        if (!beingGrasped) {
-            const float shove = std::min(0.6f * contact.closingSpeed + 0.04f, kMaxSpeed_mps);
-            const float already = glm::dot(f.push, contact.normal);
-            f.push += contact.normal * std::max(0.0f, shove - already);
-        }
-        if (id != touchedBefore) f.nervous_s += kDt; // contacts come sorted by body
-        touchedBefore = id;
         if (palmClosing > kGentle_mps || f.nervous_s > kPatience_s || (hand.closed && hand.window == 0))
             startle(id, hand.joints[0].position, out);
     }
-    for (Fish& f : fish) f.nervous_s = std::max(0.0f, f.nervous_s - 0.1f * kDt);
+    // Fingers that close around it hold it and do not bat it away; neither does an open hand that it swims
+    // into: a player's fingers would give way.
+    const auto bats = [&](int h) {
+        const Hand& hand = hands[h];
+        const bool lets = !hand.closed && onPalmSide(f, hand) && graspGap(f, hand) < 1.5f * kGraspRadius_m;
+        return hand.encloses != id && !lets;
+    };
+    const std::array<bool, 2> hits = {bats(0), bats(1)};
+    const auto from = std::find_if(own.begin(), own.end(), [&](const auto& c) { return hits[c.group]; });
+    const auto to = std::find_if(from, own.end(), [&](const auto& c) { return !hits[c.group]; });
+    const std::span<const physics::Contact> pushing(from, to);
+    const glm::vec3 kept = f.forward * f.speed + f.push; // without the parting, which leaves no speed
+    f.push = limited(f.push + physics::pushed(kept, pushing) - kept, kMaxSpeed_mps);
+    f.parting = physics::parting(pushing);
 }
 
 } // namespace shoal::game

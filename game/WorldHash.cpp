@@ -25,36 +25,51 @@ void add(Hash& hash, const Gait& gait) {
     hash.add(gait.phase_s);
 }
 
+void add(Hash& hash, const BodyShape& s) {
+    for (float v : {s.beats, s.amplitude, s.bendLeft, s.bendUp, s.finsDown}) hash.add(v);
+}
+
 void add(Hash& hash, const Fish& f) {
     hash.add(f.species);
     hash.add(f.school);
-    for (const glm::vec3& v :
-         {f.position, f.forward, f.push, f.velocity, f.wander, f.wanderGoal, f.flee, f.palmOffset})
+    hash.add(f.leader);
+    for (const glm::vec3& v : {f.position, f.forward, f.spin, f.push, f.parting, f.velocity, f.wander,
+                               f.wanderGoal, f.flee, f.palmOffset, f.slide})
         add(hash, v);
     for (const glm::quat& q : {f.worldFromBody, f.palmFromBody, f.palmFromBodyGoal}) add(hash, q);
-    for (float v : {f.bank, f.speed, f.radius, f.height, f.cruise, f.sense, f.dart_s, f.frightRest_s,
-                    f.nervous_s, f.uncatchable_s, f.held_s})
+    for (float v : {f.bank, f.speed, f.radius, f.height, f.cruise, f.sense, f.pace, f.dart_s, f.flight_s,
+                    f.flightSide, f.frightRest_s, f.struggle_s, f.nervous_s, f.uncatchable_s, f.held_s,
+                    f.slid_m, f.struggle, f.loose_s})
         hash.add(v);
     hash.add(f.wanderTicks);
+    hash.add(f.routeTicks);
+    hash.add(f.coasting);
+    hash.add(f.struggling);
+    hash.add(f.unopposed);
     hash.add(f.mind);
     hash.add(f.heldBy);
     hash.add(f.counted);
     for (const auto& hand : f.touchedUntil)
         for (uint32_t until : hand) hash.add(until);
     add(hash, f.gait);
+    add(hash, f.shape);
 }
 
 void add(Hash& hash, const Shark& s) {
     hash.add(s.present);
     hash.add(s.species);
-    for (const glm::vec3& v : {s.position, s.forward, s.velocity}) add(hash, v);
+    for (const glm::vec3& v : {s.position, s.forward, s.spin, s.velocity}) add(hash, v);
     add(hash, s.worldFromBody);
-    for (float v : {s.bank, s.speed, s.sense, s.mind_s, s.visit_s, s.interest, s.bumpRest_s}) hash.add(v);
+    for (float v :
+         {s.bank, s.speed, s.sense, s.mind_s, s.visit_s, s.interest, s.bumpRest_s, s.aimed_s, s.threatRest_s})
+        hash.add(v);
     hash.add(s.mind);
     hash.add(s.nextVisit);
     hash.add(s.prey);
     hash.add(s.mouth);
+    hash.add(s.watched);
     add(hash, s.gait);
+    add(hash, s.shape);
 }
 
 void add(Hash& hash, const hands::Joint& joint) {
@@ -70,11 +85,25 @@ void add(Hash& hash, const Hand& hand) {
     hash.add(hand.lastGood.grip);
     for (const hands::Joint& joint : hand.lastGood.joints) add(hash, joint);
     for (const hands::Joint& joint : hand.joints) add(hash, joint);
-    for (const glm::vec3& v : {hand.grasp, hand.velocity, hand.calmVelocity}) add(hash, v);
+    for (const glm::vec3& v : hand.velocities) add(hash, v);
+    for (const glm::vec3& v : {hand.grasp, hand.velocity, hand.calmVelocity, hand.calmAcceleration})
+        add(hash, v);
+    hash.add(hand.solid);
     hash.add(hand.grip);
+    hash.add(hand.firmest);
     hash.add(hand.closed);
     hash.add(hand.window);
     hash.add(hand.holds);
+    hash.add(hand.encloses);
+}
+
+void add(Hash& hash, const physics::Contact& c) {
+    hash.add(c.body);
+    hash.add(c.group);
+    hash.add(c.tag);
+    hash.add(c.lasting);
+    add(hash, c.normal);
+    hash.add(c.depth);
 }
 
 } // namespace
@@ -95,6 +124,7 @@ uint64_t World::hash() const {
     for (const Hand& hand : hands) add(all, hand);
     for (const Fish& f : fish) add(all, f);
     add(all, shark);
+    for (const physics::Contact& contact : contacts) add(all, contact);
     return all.value();
 }
 

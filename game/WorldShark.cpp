@@ -13,6 +13,15 @@ constexpr float kCarryTo_m = 3.6f;    // where it loses what it took
 constexpr float kTempted = 4;         // seconds of struggling that bring it early
 constexpr float kStrikeFrom_m = 3.0f; // farther away it does not try
 
+// It never strikes unannounced: first it points at a hand, slowly, in full view, for at least so long.
+constexpr float kAim_s = 1.1f;
+constexpr float kAimed = 0.92f;       // cosine of the angle within which it points at it
+constexpr float kThreat_s = 4.5f;     // then it breaks off
+constexpr float kThreatRest_s = 2.5f; // before the next
+constexpr float kThreatFrom_m = 2.6f; // from its mouth to the hand
+constexpr float kThreatRoom_m = 0.7f; // nearer than that it turns away
+constexpr float kWide_m = 2.6f;       // radius from which it begins the next approach
+
 } // namespace
 
 void World::setMind(Shark::Mind mind) {
@@ -39,6 +48,19 @@ void World::steal(int index, std::vector<Event>& out) {
     shark.gait.set(Motion::Bite);
 }
 
+// The hand that holds a fish, or else the one nearest to its mouth; -1 if there is none to be seen.
+int World::watchedHand() const {
+    int best = -1;
+    float least = 1e9f;
+    for (int h = 0; h < 2; ++h) {
+        if (!hands[h].visible) continue;
+        const float distance =
+            glm::distance(mouthPosition(), hands[h].grasp) - (hands[h].holds >= 0 ? 10.0f : 0.0f);
+        if (distance < least) least = distance, best = h;
+    }
+    return best;
+}
+
 void World::sharkMind(std::vector<Event>& out) {
     using Mind = Shark::Mind;
     shark.mind_s += kDt;
@@ -50,6 +72,7 @@ void World::sharkMind(std::vector<Event>& out) {
 
     const auto visit = [&] {
         setMind(Mind::Prowl);
+        shark.threatRest_s = 0;
         shark.visit_s = file.shark.visitLength_s;
         shark.interest = 0;
         emit(out, Event::Kind::SharkNear, sharkId(), -1, -1, 0, shark.position);
@@ -63,14 +86,39 @@ void World::sharkMind(std::vector<Event>& out) {
         if (phase == Phase::Diving && (due || (shark.interest > kTempted && shark.mind_s > 8))) visit();
         break;
     }
-    case Mind::Prowl:
+    case Mind::Prowl: {
         shark.visit_s -= kDt;
-        if (struggling >= 0 && glm::distance(mouthPosition(), fish[struggling].position) < kStrikeFrom_m) {
+        shark.threatRest_s -= kDt;
+        const int hand = watchedHand();
+        const float room = hand < 0 ? 0 : glm::distance(mouthPosition(), hands[hand].grasp);
+        const bool holds = struggling >= 0 && hand >= 0 && hands[hand].holds == struggling;
+        if (shark.visit_s <= 0)
+            setMind(Mind::Leave);
+        else if (hand >= 0 && room > 1.3f * kThreatRoom_m && room < kThreatFrom_m &&
+                 (holds || shark.threatRest_s <= 0)) {
+            setMind(Mind::Threaten);
+            shark.watched = hand;
+            shark.aimed_s = 0;
+        }
+        break;
+    }
+    case Mind::Threaten: {
+        shark.visit_s -= kDt;
+        const Hand& hand = hands[shark.watched];
+        const glm::vec3 to = hand.grasp - shark.position;
+        const bool aimed = glm::dot(shark.forward, normalizedOr(to, shark.forward)) > kAimed;
+        shark.aimed_s = aimed ? shark.aimed_s + kDt : 0;
+        const float room = glm::distance(mouthPosition(), hand.grasp);
+        const bool held = struggling >= 0 && hand.holds == struggling;
+        if (held && shark.aimed_s >= kAim_s && room < kStrikeFrom_m) {
             shark.prey = struggling;
             setMind(Mind::Strike);
-        } else if (shark.visit_s <= 0)
-            setMind(Mind::Leave);
+        } else if (!hand.visible || room < kThreatRoom_m || shark.mind_s > kThreat_s) {
+            shark.threatRest_s = kThreatRest_s;
+            setMind(shark.visit_s > 0 ? Mind::Prowl : Mind::Leave);
+        }
         break;
+    }
     case Mind::Strike:
         if (fish[shark.prey].mind != Fish::Mind::Held || fish[shark.prey].counted ||
             shark.mind_s > kStrikeTime_s) {
@@ -94,8 +142,11 @@ void World::sharkMove() {
     const glm::vec3 outward = radius > 1e-4f ? flat / radius : glm::vec3(0, 0, -1);
     const glm::vec3 along = glm::cross(kUp, outward) * shark.sense;
 
-    const float circle = shark.mind == Mind::Prowl ? file.shark.prowlRadius_m : file.shark.radius_m;
-    const float height = shark.mind == Mind::Prowl ? 0.5f * file.shark.height_m : file.shark.height_m;
+    // A visit is a row of approaches: close past the player, wide out, and in again.
+    const bool visits = shark.mind == Mind::Prowl;
+    const bool wide = shark.threatRest_s > 0 && shark.threatRest_s < 0.6f * kThreatRest_s;
+    const float circle = visits ? (wide ? kWide_m : file.shark.prowlRadius_m) : file.shark.radius_m;
+    const float height = visits ? 0.5f * file.shark.height_m : file.shark.height_m;
     glm::vec3 desired = along + outward * std::clamp(1.8f * (circle - radius), -1.4f, 1.4f) +
                         kUp * std::clamp(0.8f * (height - shark.position.y), -0.4f, 0.4f);
     float goalSpeed = kind.cruise_mps;
@@ -107,6 +158,12 @@ void World::sharkMove() {
         goalSpeed = radius > circle + 0.8f ? 1.6f * kind.cruise_mps : 1.15f * kind.cruise_mps;
         turn *= 1.4f;
         break;
+    case Mind::Threaten: {
+        desired = hands[shark.watched].grasp - shark.position;
+        goalSpeed = 0.4f * kind.cruise_mps;
+        turn = 1.8f;
+        break;
+    }
     case Mind::Strike: {
         const glm::vec3 to = fish[shark.prey].position - mouthPosition();
         const float distance = glm::length(to);
@@ -128,16 +185,18 @@ void World::sharkMove() {
     // Round the player's head, not through it.
     const glm::vec3 nose = mouthPosition();
     const float noseRoom = glm::length(nose);
-    if (noseRoom < 1.1f && shark.mind != Mind::Strike) {
+    const bool after = shark.mind == Mind::Strike || shark.mind == Mind::Threaten;
+    if (noseRoom < 1.1f && !after) {
         desired += nose / std::max(noseRoom, 0.05f) * (2.5f * (1.1f - noseRoom));
         if (glm::dot(shark.forward, nose) < 0) goalSpeed = std::min(goalSpeed, 0.5f * kind.cruise_mps);
     }
 
     const glm::vec3 goal = levelled(normalizedOr(desired, shark.forward), 0.35f);
-    const float across = glm::length(goal - shark.forward);
-    const glm::vec3 was = shark.forward;
-    shark.forward = levelled(turnedTowards(was, goal, std::min(turn, 2.5f * turn * across) * kDt), 0.35f);
-    const float yawRate = glm::dot(shark.forward - was, leftOf(was)) / kDt;
+    const bool strikes = shark.mind == Mind::Strike;
+    const glm::vec3 spin = turnSmoothly(shark.forward, shark.spin, goal, strikes ? 8.0f : 2.5f * turn, turn,
+                                        strikes ? 40.0f : 8.0f * turn, kDt);
+    shark.forward = levelled(shark.forward, 0.4f);
+    const float yawRate = glm::dot(shark.spin, kUp);
     shark.bank += (std::clamp(0.3f * yawRate, -0.6f, 0.6f) - shark.bank) * (3 * kDt);
     shark.speed = towards(shark.speed, goalSpeed, (goalSpeed > shark.speed ? 5.0f : 3.0f) * kDt);
 
@@ -153,6 +212,7 @@ void World::sharkMove() {
     shark.position.y = std::max(shark.position.y, file.floor_m + kind.bodyRadius_m + 0.05f);
     shark.velocity = (shark.position - from) / kDt;
     shark.worldFromBody = bodyTurn(shark.forward, shark.bank);
+    sharkBendAndBeat(spin);
 }
 
 void World::swimShark(std::vector<Event>& out) {
@@ -176,6 +236,8 @@ void World::swimShark(std::vector<Event>& out) {
         f.speed = 0;
         f.gait.set(Motion::Struggle);
         f.gait.advance(1.2f);
+        f.shape.beats += 4 * kDt;
+        f.shape.amplitude += (0.1f - f.shape.amplitude) * (5 * kDt);
         const float away = glm::length(glm::vec3(f.position.x, 0, f.position.z));
         if (away > kCarryTo_m || shark.mind == Shark::Mind::Circle) {
             // It wriggles free far out and comes back to its band.

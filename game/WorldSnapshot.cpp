@@ -24,8 +24,9 @@ void World::fill(Snapshot& out) const {
         HandView& view = out.hands[h];
         view.visible = hand.visible;
         view.grip = hand.grip;
-        view.joints = hand.joints;
+        view.joints = hand.shown;
         view.holds = hand.holds;
+        view.touching = hand.touching;
         view.holdProgress = hand.holds < 0 ? 0 : std::min(1.0f, fish[hand.holds].held_s / kHoldToCatch_s);
     }
     out.creatures.resize(fish.size() + (shark.present ? 1 : 0));
@@ -41,6 +42,7 @@ void World::fill(Snapshot& out) const {
         view.before = from.gait.before;
         view.blend = from.gait.blend;
         view.phase_s = from.gait.phase_s;
+        view.shape = from.shape;
         view.heldBy = heldBy;
     };
     for (size_t i = 0; i < fish.size(); ++i) show(i, fish[i], fish[i].heldBy);
@@ -77,6 +79,12 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
         c.velocity = glm::mix(a.velocity, b.velocity, alpha);
         c.worldFromBody = blended(a.worldFromBody, b.worldFromBody, alpha);
         c.phase_s = a.phase_s + (b.phase_s - a.phase_s) * alpha;
+        const auto between = [&](float BodyShape::*part) {
+            c.shape.*part = a.shape.*part + (b.shape.*part - a.shape.*part) * alpha;
+        };
+        for (auto part : {&BodyShape::beats, &BodyShape::amplitude, &BodyShape::bendLeft, &BodyShape::bendUp,
+                          &BodyShape::finsDown})
+            between(part);
         if (a.motion == b.motion) c.blend = a.blend + (b.blend - a.blend) * alpha;
     }
 }

@@ -7,38 +7,47 @@ namespace shoal::game {
 namespace {
 
 constexpr float kInner_m = 0.45f;     // no fish nearer to the vertical axis through the player
+constexpr float kEyeRoom_m = 0.35f;   // no part of a fish nearer to the eyes
+constexpr float kEyeShy_m = 0.45f;    // beyond that, it turns away
 constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish leaves its band
 constexpr float kCeiling_m = 1.3f;
 constexpr float kSharkShy_m = 0.95f;
+constexpr float kSteepest = 0.42f;    // sine of the pitch while cruising...
+constexpr float kSteepestDart = 0.6f; // ...and in flight
 
-// Distance at which two fish start to give way, centre to centre.
-float roomBetween(const Species& a, const Species& b) { return 0.45f * (a.length_m + b.length_m) + 0.08f; }
+// A fast start: the body snaps into a C, away from the threat, and only then drives off. Domenici & Blake
+// 1997, "The kinematics and performance of fish fast-start swimming": turns of 1 to 2 rad in 20 to 60 ms by
+// fish of this size, then 40 to 100 m/s^2; both slowed here so that an eye can follow.
+constexpr float kSnap_s = 0.07f;
 
-} // namespace
+// Where it wants to go and how fast. Velocities in m/s.
+struct Wish {
+    glm::vec3 way{0};
+    float speed = 0;
+};
 
-void World::keepApart(size_t index, glm::vec3& desired) {
-    Fish& f = fish[index];
-    const Species& kind = species[f.species];
-    for (size_t j = 0; j < fish.size(); ++j) {
-        const Fish& other = fish[j];
-        if (j == index || other.mind == Fish::Mind::Held || other.mind == Fish::Mind::Mouth) continue;
-        const float room = roomBetween(kind, species[other.species]);
-        const glm::vec3 apart = f.position - other.position;
-        const float squared = glm::dot(apart, apart);
-        // Look ahead as well: who will be too near in half a second?
-        const glm::vec3 soon = apart + 0.5f * (f.velocity - other.velocity);
-        const float soonSquared = glm::dot(soon, soon);
-        const float nearest = std::min(squared, soonSquared);
-        if (nearest >= room * room) continue;
-        const float distance = std::sqrt(squared);
-        const glm::vec3 away = distance > 1e-4f ? apart / distance : glm::vec3(0, index < j ? -1 : 1, 0);
-        const float urgency = 1 - std::sqrt(nearest) / room;
-        desired += away * (1.8f * urgency * std::max(kind.cruise_mps, f.speed));
-        // Steering comes too late for bodies that already touch: a soft push.
-        const float touching = 0.8f * room;
-        if (distance < touching) f.push += away * (6.0f * (1 - distance / touching) * kDt);
+// To its companions and along with them; how much faster to keep up.
+void accompany(const Fish& f, const Species& kind, const Neighbours& around, Wish& wish) {
+    if (around.aligned > 0) wish.way += normalizedOr(around.headings, f.forward) * (1.0f * f.cruise);
+    if (around.attracted > 0) {
+        const glm::vec3 towards = around.towards / static_cast<float>(around.attracted);
+        const float reach = 3 * kind.spacing * kind.length_m;
+        const glm::vec3 pull = limited(towards / reach, 1);
+        wish.way += pull * (1.2f * f.cruise);
+        // Who is behind hurries, who is ahead waits.
+        wish.speed *= 1 + 0.5f * glm::dot(pull, f.forward);
     }
 }
+
+// Round the player's head.
+void avoidEyes(const Fish& f, float length_m, Wish& wish) {
+    const float distance = glm::length(f.position);
+    const float room = distance - kEyeRoom_m - 0.5f * length_m;
+    if (room < kEyeShy_m && distance > 1e-4f)
+        wish.way += f.position / distance * (2.5f * (1 - room / kEyeShy_m) * std::max(f.cruise, f.speed));
+}
+
+} // namespace
 
 void World::keepInBounds(Fish& f) {
     const School& school = file.schools[f.school];
@@ -50,6 +59,8 @@ void World::keepInBounds(Fish& f) {
     const float kept = std::clamp(radius, kInner_m, outer);
     // Drawn back at no more than a brisk swim, so that nobody sees it jump.
     if (kept != radius) f.position += outward * std::clamp(kept - radius, -0.008f, 0.008f);
+    const float room = kEyeRoom_m + 0.5f * kind.length_m - glm::length(f.position);
+    if (room > 0) f.position += normalizedOr(f.position, outward) * std::min(room, 0.008f);
     const float low = file.floor_m + kind.bodyRadius_m + 0.04f;
     f.position.y = std::clamp(f.position.y, low, kCeiling_m);
 }
@@ -60,26 +71,27 @@ void World::steer(Fish& f, size_t index) {
     const glm::vec3 flat(f.position.x, 0, f.position.z);
     const float radius = glm::length(flat);
     const glm::vec3 outward = radius > 1e-4f ? flat / radius : glm::vec3(0, 0, -1);
+    const Neighbours& around = neighbours[index];
 
-    if (--f.wanderTicks <= 0) {
-        f.wanderGoal = {random.between(-1, 1), random.between(-0.6f, 0.6f), random.between(-1, 1)};
-        f.wanderTicks = 60 + static_cast<int>(random.below(180));
-    }
-    f.wander += (f.wanderGoal - f.wander) * (1.2f * kDt);
-
-    // Its circle: along it, and back to it.
-    const glm::vec3 along = glm::cross(kUp, outward) * f.sense;
-    glm::vec3 desired = along + outward * std::clamp(1.5f * (f.radius - radius), -0.9f, 0.9f) +
-                        kUp * std::clamp(1.5f * (f.height - f.position.y), -0.5f, 0.5f) + 0.3f * f.wander;
-    desired *= f.cruise;
-    float goalSpeed = f.cruise;
+    choose(f, index);
+    Wish wish;
     if (darting) {
-        desired = f.flee * kind.dart_mps + outward * (radius < 0.6f ? 0.8f : 0.0f);
-        goalSpeed = kind.dart_mps * std::min(1.0f, 0.35f + f.dart_s);
+        wish.way = f.flee * kind.dart_mps + outward * (radius < 0.6f ? 0.8f : 0.0f);
+        wish.speed = kind.dart_mps * std::min(1.0f, 0.35f + f.dart_s);
         const float outer = file.schools[f.school].radiusHigh_m + 0.6f * kOuterSlack_m;
-        if (radius > outer) desired -= outward * kind.dart_mps * 1.2f;
+        if (radius > outer) wish.way -= outward * kind.dart_mps * 1.2f;
+    } else {
+        // Its circle: along it, and back to it.
+        const float own = kind.company == Company::Alone ? 0.3f : 0.25f;
+        wish.way = glm::cross(kUp, outward) * f.sense +
+                   outward * std::clamp(1.5f * (f.radius - radius), -1.2f, 1.2f) +
+                   kUp * std::clamp(1.5f * (f.height - f.position.y), -0.7f, 0.7f) + own * f.wander;
+        wish.way *= f.cruise;
+        wish.speed = f.cruise * f.pace;
+        accompany(f, kind, around, wish);
     }
-    keepApart(index, desired);
+    f.push += around.push;
+    avoidEyes(f, kind.length_m, wish);
 
     // A slow hand is merely swum around.
     for (const Hand& hand : hands) {
@@ -87,8 +99,9 @@ void World::steer(Fish& f, size_t index) {
         const glm::vec3 apart = f.position - hand.grasp;
         const float distance = glm::length(apart);
         if (distance < 0.25f && distance > 1e-4f)
-            desired += apart / distance * (0.35f * f.cruise * (1 - distance / 0.25f));
+            wish.way += apart / distance * (0.7f * f.cruise * (1 - distance / 0.25f));
     }
+    bool afraid = darting;
     if (shark.present) {
         const float half = species[shark.species].bodyHalf_m;
         const float t = std::clamp(glm::dot(f.position - shark.position, shark.forward), -half, half);
@@ -96,42 +109,71 @@ void World::steer(Fish& f, size_t index) {
         const float distance = glm::length(apart);
         if (distance < kSharkShy_m && distance > 1e-4f) {
             const float fear = 1 - distance / kSharkShy_m;
-            desired += apart / distance * (2.5f * fear * kind.dart_mps);
-            goalSpeed = std::max(goalSpeed, std::min(kind.dart_mps, f.cruise + 2.2f * fear * kind.dart_mps));
+            wish.way += apart / distance * (2.5f * fear * kind.dart_mps);
+            wish.speed =
+                std::max(wish.speed, std::min(kind.dart_mps, f.cruise + 2.2f * fear * kind.dart_mps));
+            afraid = true;
         }
     }
+    wish.way += around.giveWay * (afraid ? 3.5f : 1.0f);
+    if (!afraid) // brakes for who is in its way
+        wish.speed =
+            std::max(0.3f * f.cruise, wish.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
     // Level out above the floor and below the ceiling before they are reached.
-    const float low = file.floor_m + 0.25f;
-    if (f.position.y < low) desired.y += 2 * (low - f.position.y);
-    if (f.position.y > kCeiling_m - 0.2f) desired.y -= 2 * (f.position.y - kCeiling_m + 0.2f);
+    const float firmly = 2 + 5 * f.speed;
+    const float low = file.floor_m + 0.25f, high = kCeiling_m - 0.25f;
+    if (f.position.y < low) wish.way.y += firmly * (low - f.position.y);
+    if (f.position.y > high) wish.way.y -= firmly * (f.position.y - high);
 
-    const float steepest = darting ? 0.6f : 0.42f;
-    const glm::vec3 goal = levelled(normalizedOr(desired, f.forward), steepest);
-    const float across = glm::length(goal - f.forward);
-    const float turn = darting ? 9.0f : kind.turn_radps;
-    const float eager = darting ? 14.0f : 3.0f; // 1/s: slower as it comes near, so headings do not tick
-    const glm::vec3 was = f.forward;
-    f.forward = levelled(turnedTowards(was, goal, std::min(turn, eager * across) * kDt), steepest);
+    const glm::vec3 goal = levelled(normalizedOr(wish.way, f.forward), darting ? kSteepestDart : kSteepest);
+    const bool snapping = f.flight_s > 0 && f.flight_s <= kSnap_s;
+    const float turn = snapping ? 26.0f : darting ? 9.0f : afraid ? 1.8f * kind.turn_radps : kind.turn_radps;
+    const float eager = snapping ? 24.0f : darting ? 14.0f : afraid ? 6.0f : 3.0f;
+    const glm::vec3 spin = turnSmoothly(f.forward, f.spin, goal, eager, turn,
+                                        snapping  ? 1200
+                                        : darting ? 250
+                                                  : 9 * turn,
+                                        kDt);
+    f.forward = levelled(f.forward, kSteepestDart);
+    if (f.flightSide == 0 && f.flight_s > 0)
+        f.flightSide = glm::dot(spin, kUp) < 0 || (glm::dot(spin, kUp) == 0 && index % 2) ? -1.0f : 1.0f;
 
-    const float yawRate = glm::dot(f.forward - was, leftOf(was)) / kDt;
-    const float bankGoal = std::clamp(0.35f * yawRate, -0.7f, 0.7f);
+    const float bankGoal = std::clamp(0.35f * glm::dot(f.spin, kUp), -0.7f, 0.7f);
     f.bank += (bankGoal - f.bank) * (5 * kDt);
 
-    f.speed = towards(f.speed, goalSpeed, (goalSpeed > f.speed ? 9.0f : 1.2f) * kDt);
+    // Bursts and glides: Weihs 1974, "Energetic advantages of burst swimming of fish".
+    if (afraid || !kind.coasts)
+        f.coasting = false;
+    else if (f.speed > 1.2f * wish.speed)
+        f.coasting = true;
+    else if (f.speed < 0.75f * wish.speed)
+        f.coasting = false;
+    if (snapping) return bendAndBeat(f, spin);
+    // Sharp turns are swum slowly.
+    if (!afraid) wish.speed *= 0.6f + 0.4f * std::max(0.0f, glm::dot(f.forward, goal));
+    if (kind.coasts && !afraid) wish.speed *= f.coasting ? 0.0f : 1.35f;
+    const float drag = f.coasting ? 0.9f * f.speed : std::max(1.2f, 0.8f * f.speed);
+    const float drive = darting ? 22.0f : afraid ? 9.0f : 2.5f * f.cruise;
+    f.speed = towards(f.speed, wish.speed, (wish.speed > f.speed ? drive : drag) * kDt);
+    bendAndBeat(f, spin);
 }
 
 void World::swim() {
+    lookAround();
     for (size_t i = 0; i < fish.size(); ++i) {
         Fish& f = fish[i];
         f.uncatchable_s = std::max(0.0f, f.uncatchable_s - kDt);
         f.frightRest_s = std::max(0.0f, f.frightRest_s - kDt);
+        if (f.mind == Fish::Mind::Held) struggle(f, hands[f.heldBy]);
         if (f.mind == Fish::Mind::Held || f.mind == Fish::Mind::Mouth) continue;
         if (f.mind == Fish::Mind::Dart && (f.dart_s -= kDt) <= 0) f.mind = Fish::Mind::Cruise;
+        f.flight_s = f.mind == Fish::Mind::Dart ? f.flight_s + kDt : 0;
+        if (f.flight_s == 0) f.flightSide = 0;
 
         steer(f, i);
         f.push *= 1 - 2.5f * kDt; // water stops what was pushed within a second
         f.push = limited(f.push, kMaxSpeed_mps);
-        const glm::vec3 goal = limited(f.forward * f.speed + f.push, kMaxSpeed_mps);
+        const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.parting, kMaxSpeed_mps);
         const glm::vec3 from = f.position;
         f.position += goal * kDt;
         keepInBounds(f);
@@ -140,8 +182,9 @@ void World::swim() {
 
         const bool hurried = f.mind == Fish::Mind::Dart || f.speed > 2.2f * f.cruise;
         f.gait.set(hurried ? Motion::Dart : Motion::Swim);
-        const float pace = f.speed / (hurried ? species[f.species].dart_mps : species[f.species].cruise_mps);
-        f.gait.advance(std::clamp(pace, 0.6f, 2.0f));
+        // Fins row while the body hovers or brakes, and rest while it glides.
+        const float pace = f.speed / species[f.species].cruise_mps;
+        f.gait.advance(f.coasting ? 0.5f : pace < 0.6f ? 1.4f : 1.0f);
     }
 }
 

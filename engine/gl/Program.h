@@ -49,6 +49,9 @@ class Program {
     void setArray(const char* name, std::span<const glm::vec2> values) const {
         glUniform2fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
     }
+    void setArray(const char* name, std::span<const glm::vec3> values) const {
+        glUniform3fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
+    }
     void setArray(const char* name, std::span<const glm::vec4> values) const {
         glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
     }

@@ -69,4 +69,11 @@ Status writePng(const Path& file, const ImageRgba8& image) {
     return writeColour(file, image, cv::COLOR_RGBA2BGRA);
 }
 
+void toRgba(const ImageRgb8& in, bool bgr, ImageRgba8& out) {
+    if (out.width != in.width || out.height != in.height) out = ImageRgba8(in.width, in.height);
+    const cv::Mat from(in.height, in.width, CV_8UC3, const_cast<uint8_t*>(in.pixels.data()));
+    cv::Mat to(out.height, out.width, CV_8UC4, out.pixels.data());
+    cv::cvtColor(from, to, bgr ? cv::COLOR_BGR2RGBA : cv::COLOR_RGB2RGBA);
+}
+
 } // namespace shoal::media

@@ -6,59 +6,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace shoal::physics {
 
 namespace {
 
 btVector3 toBullet(glm::vec3 v) { return {v.x, v.y, v.z}; }
-glm::vec3 fromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
 glm::vec3 middle(const Capsule& c) { return 0.5f * (c.a + c.b); }
 
-Capsule between(const Capsule& from, const Capsule& to, float t) {
-    return {glm::mix(from.a, to.a, t), glm::mix(from.b, to.b, t), to.radius};
-}
+auto key(const Contact& c) { return std::tuple(c.body, c.group, c.tag); }
 
-Capsule bodyAt(const Body& body, float untilEnd_s) {
-    const glm::vec3 centre = body.position - body.velocity * untilEnd_s;
-    return {centre - body.forward * body.halfLength, centre + body.forward * body.halfLength, body.radius};
-}
-
-// A shape whose core is the capsule's segment about its middle, along Bullet's Y, turned by place().
-btTransform place(const Capsule& c) {
-    const glm::vec3 along = c.b - c.a;
-    const float length = glm::length(along);
-    btTransform world;
-    world.setIdentity();
-    world.setOrigin(toBullet(middle(c)));
-    if (length > 1e-6f) {
-        const btVector3 y = toBullet(along / length);
-        const btVector3 pick = std::fabs(y.x()) < 0.7f ? btVector3(1, 0, 0) : btVector3(0, 1, 0);
-        const btVector3 x = y.cross(pick).normalized();
-        const btVector3 z = x.cross(y);
-        world.setBasis(btMatrix3x3(x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z()));
-    }
-    return world;
-}
-
-// Keeps the deepest point of a pair.
-struct Deepest : btCollisionWorld::ContactResultCallback {
-    bool hit = false;
-    btManifoldPoint point;
-    bool mover0 = false;
-    const btCollisionObject* mover = nullptr;
-
-    btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* first, int, int,
-                             const btCollisionObjectWrapper*, int, int) override {
-        if (!hit || p.getDistance() < point.getDistance()) {
-            point = p;
-            mover0 = first->getCollisionObject() == mover;
-            hit = true;
-        }
-        return 0;
-    }
+// A ball around the capsule's whole way.
+struct Ball {
+    glm::vec3 centre;
+    float radius;
 };
+
+Ball around(const Capsule& from, const Capsule& to) {
+    const glm::vec3 a = middle(from), b = middle(to);
+    const float half = 0.5f * std::max(glm::distance(from.a, from.b), glm::distance(to.a, to.b));
+    return {0.5f * (a + b), 0.5f * glm::distance(a, b) + half + to.radius};
+}
+
+bool meet(const Ball& p, const Ball& q) {
+    const glm::vec3 apart = p.centre - q.centre;
+    const float reach = p.radius + q.radius + kLift_m;
+    return glm::dot(apart, apart) < reach * reach;
+}
+
+bool teleported(const Mover& m) {
+    return std::max(glm::distance(m.before.a, m.after.a), glm::distance(m.before.b, m.after.b)) > kTeleport_m;
+}
+
+// Of the bone's end points' velocities, the one at a point of its core segment.
+glm::vec3 velocityAt(const Mover& mover, glm::vec3 onCore) {
+    const glm::vec3 along = mover.after.b - mover.after.a;
+    const float squared = glm::dot(along, along);
+    const float t =
+        squared > 1e-12f ? std::clamp(glm::dot(onCore - mover.after.a, along) / squared, 0.0f, 1.0f) : 0.0f;
+    return glm::mix(mover.velocityA, mover.velocityB, t);
+}
+
+// Turns the unit vector towards the other by at most kNormalTurn_rad.
+glm::vec3 turned(glm::vec3 from, glm::vec3 to) {
+    const float along = glm::dot(from, to);
+    const glm::vec3 across = to - from * along;
+    const float length = glm::length(across);
+    if (along > 0 && length <= kNormalTurn_rad) return to;
+    if (length < 1e-6f) return from;
+    return glm::normalize(from + across * (kNormalTurn_rad / length));
+}
 
 } // namespace
 
@@ -69,67 +68,68 @@ struct ContactWorld::Bullet {
     btCollisionWorld world{&dispatcher, &broadphase, &configuration};
     btCapsuleShape moverShape{1, 1}, bodyShape{1, 1};
     btCollisionObject mover, body;
+    std::vector<Ball> balls; // around the movers: scratch
 
     Bullet() {
         mover.setCollisionShape(&moverShape);
         body.setCollisionShape(&bodyShape);
     }
 
-    static void shapeTo(btCapsuleShape& shape, const Capsule& c) {
-        shape.setMargin(c.radius); // a capsule's margin is its radius
-        shape.setImplicitShapeDimensions({c.radius, 0.5f * glm::length(c.b - c.a), c.radius});
-    }
-
-    // First touch of the pair in the tick, if there is one.
-    bool firstTouch(const Body&, const Mover&, float dt_s, Contact& out);
+    // The way by which the body gets out of the mover soonest.
+    glm::vec3 wayOut(const Capsule& mover, const Capsule& body);
 };
 
-bool ContactWorld::Bullet::firstTouch(const Body& fish, const Mover& hand, float dt_s, Contact& out) {
-    const float travelA = glm::distance(hand.before.a, hand.after.a);
-    const float travelB = glm::distance(hand.before.b, hand.after.b);
-    const bool teleported = std::max(travelA, travelB) > kTeleport_m;
-    const float travel = teleported ? 0 : std::max(travelA, travelB) + glm::length(fish.velocity) * dt_s;
+namespace {
 
-    // Bounding spheres of the whole sweep: most pairs end here.
-    const Capsule& from = teleported ? hand.after : hand.before;
-    const Capsule fishEnd = bodyAt(fish, 0);
-    const float apart = glm::distance(0.5f * (middle(from) + middle(hand.after)), fish.position);
-    const float handBound = 0.5f * glm::distance(hand.after.a, hand.after.b) + hand.after.radius;
-    if (apart > handBound + fish.halfLength + fish.radius + travel + 0.01f) return false;
+void shapeTo(btCapsuleShape& shape, const Capsule& c) {
+    shape.setMargin(c.radius); // a capsule's margin is its radius
+    shape.setImplicitShapeDimensions({c.radius, 0.5f * glm::distance(c.a, c.b), c.radius});
+}
 
-    // Half the thinner radius a step: the deepest a first touch can be overlooked is less than that radius.
-    const float stride = 0.5f * std::min(fish.radius, 0.02f);
-    const int steps = std::clamp(static_cast<int>(std::ceil(travel / stride)), 1, 512);
-    for (int i = 1; i <= steps; ++i) {
-        const float t = static_cast<float>(i) / static_cast<float>(steps);
-        const Capsule bone = between(from, hand.after, t);
-        const Capsule flesh = i == steps ? fishEnd : bodyAt(fish, (1 - t) * dt_s);
-        if (separation(bone, flesh) > 0) continue;
+// A shape whose core is the capsule's segment about its middle, along Bullet's Y.
+btTransform place(const Capsule& c) {
+    const glm::vec3 along = c.b - c.a;
+    const float length = glm::length(along);
+    btTransform world;
+    world.setIdentity();
+    world.setOrigin(toBullet(middle(c)));
+    if (length > 1e-6f) world.setRotation(shortestArcQuat(btVector3(0, 1, 0), toBullet(along / length)));
+    return world;
+}
 
-        shapeTo(moverShape, bone);
-        shapeTo(bodyShape, flesh);
-        mover.setWorldTransform(place(bone));
-        body.setWorldTransform(place(flesh));
-        Deepest deepest;
-        deepest.mover = &mover;
-        world.contactPairTest(&mover, &body, deepest);
-        if (!deepest.hit) continue;
-        // Bullet's normal points from its second object to its first.
-        const btVector3 normalOnSecond = deepest.point.m_normalWorldOnB;
-        out.normal = fromBullet(deepest.mover0 ? -normalOnSecond : normalOnSecond);
-        out.point = fromBullet(deepest.mover0 ? deepest.point.getPositionWorldOnB()
-                                              : deepest.point.getPositionWorldOnA());
-        out.depth = std::max(0.0f, -static_cast<float>(deepest.point.getDistance()));
-        const glm::vec3 handVelocity =
-            teleported ? glm::vec3(0) : (middle(hand.after) - middle(hand.before)) / dt_s;
-        out.closingSpeed = std::max(0.0f, glm::dot(handVelocity - fish.velocity, out.normal));
-        out.time = t;
-        out.body = fish.id;
-        out.group = hand.group;
-        out.tag = hand.tag;
-        return true;
+// Keeps the deepest point of a pair.
+struct Deepest : btCollisionWorld::ContactResultCallback {
+    bool hit = false;
+    float distance = 0;
+    btVector3 fromSecond{0, 1, 0}; // Bullet's normal points from its second object to its first
+    const btCollisionObject* mover = nullptr;
+
+    btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* first, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+        if (!hit || p.getDistance() < distance) {
+            distance = p.getDistance();
+            fromSecond =
+                first->getCollisionObject() == mover ? -p.m_normalWorldOnB : btVector3(p.m_normalWorldOnB);
+            hit = true;
+        }
+        return 0;
     }
-    return false;
+};
+
+} // namespace
+
+glm::vec3 ContactWorld::Bullet::wayOut(const Capsule& bone, const Capsule& flesh) {
+    shapeTo(moverShape, bone);
+    shapeTo(bodyShape, flesh);
+    mover.setWorldTransform(place(bone));
+    body.setWorldTransform(place(flesh));
+    Deepest deepest;
+    deepest.mover = &mover;
+    world.contactPairTest(&mover, &body, deepest);
+    const btVector3 n = deepest.fromSecond;
+    const glm::vec3 way(n.x(), n.y(), n.z());
+    const float length = glm::length(way);
+    return length > 0.5f && length < 2 ? way / length : glm::vec3(0, 1, 0);
 }
 
 ContactWorld::ContactWorld() : bullet_(std::make_unique<Bullet>()) {}
@@ -137,47 +137,75 @@ ContactWorld::~ContactWorld() = default;
 ContactWorld::ContactWorld(ContactWorld&&) noexcept = default;
 ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
 
-void ContactWorld::collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
-                           std::vector<Contact>& out) {
-    out.clear();
-    Contact contact;
-    for (const Body& body : bodies)
-        for (const Mover& mover : movers)
-            if (bullet_->firstTouch(body, mover, dt_s, contact)) out.push_back(contact);
-    // By insertion nearly sorted; a total order, so the result does not depend on the callers' order.
-    std::sort(out.begin(), out.end(), [](const Contact& l, const Contact& r) {
-        if (l.body != r.body) return l.body < r.body;
-        if (l.group != r.group) return l.group < r.group;
-        return l.tag < r.tag;
-    });
+Mover moving(const Capsule& before, const Capsule& after, float dt_s, int group, int tag) {
+    return {before, after, (after.a - before.a) / dt_s, (after.b - before.b) / dt_s, group, tag};
 }
 
-float separation(const Capsule& p, const Capsule& q) {
-    const glm::vec3 d1 = p.b - p.a, d2 = q.b - q.a, r = p.a - q.a;
-    const float a = glm::dot(d1, d1), e = glm::dot(d2, d2), f = glm::dot(d2, r);
-    constexpr float kPoint = 1e-12f; // squared length of a segment that counts as a point
-    float s = 0, t = 0;
-    if (a <= kPoint && e > kPoint) {
-        t = std::clamp(f / e, 0.0f, 1.0f);
-    } else if (a > kPoint) {
-        const float c = glm::dot(d1, r);
-        if (e <= kPoint) {
-            s = std::clamp(-c / a, 0.0f, 1.0f);
-        } else {
-            const float b = glm::dot(d1, d2);
-            const float denominator = a * e - b * b;
-            if (denominator > kPoint) s = std::clamp((b * f - c * e) / denominator, 0.0f, 1.0f);
-            t = (b * s + f) / e;
-            if (t < 0) {
-                t = 0;
-                s = std::clamp(-c / a, 0.0f, 1.0f);
-            } else if (t > 1) {
-                t = 1;
-                s = std::clamp((b - c) / a, 0.0f, 1.0f);
+void ContactWorld::collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
+                           std::span<const Contact> last, std::vector<Contact>& out) {
+    out.clear();
+    std::vector<Ball>& balls = bullet_->balls;
+    balls.clear();
+    for (const Mover& mover : movers)
+        balls.push_back(around(teleported(mover) ? mover.after : mover.before, mover.after));
+    for (const Body& body : bodies) {
+        const Ball bodyBall = around(body.before, body.after);
+        for (size_t i = 0; i < movers.size(); ++i) {
+            if (!meet(balls[i], bodyBall)) continue;
+            const Mover& mover = movers[i];
+            const bool jumped = teleported(mover);
+            const Capsule& from = jumped ? mover.after : mover.before;
+
+            Contact c;
+            c.body = body.id;
+            c.group = mover.group;
+            c.tag = mover.tag;
+            const auto before =
+                std::lower_bound(last.begin(), last.end(), c,
+                                 [](const Contact& l, const Contact& r) { return key(l) < key(r); });
+            const bool lasted = before != last.end() && key(*before) == key(c) && before->lasting && !jumped;
+
+            const float radii = mover.after.radius + body.after.radius;
+            const Nearest at = nearest(mover.after, body.after);
+            const glm::vec3 apart = at.onSecond - at.onFirst;
+            const float distance = glm::length(apart);
+            if (lasted) {
+                c.normal = before->normal;
+                if (distance > kCoreShare * radii) {
+                    const float side = glm::dot(apart, c.normal) < 0 ? -1.0f : 1.0f;
+                    c.normal = turned(c.normal, apart * (side / distance));
+                }
+            } else {
+                c.fresh = true;
+                const Capsule& bodyFrom = jumped ? body.after : body.before;
+                const Nearest was = nearest(from, bodyFrom);
+                const glm::vec3 start = was.onSecond - was.onFirst;
+                const float room = glm::length(start);
+                if (room <= radii) { // inside one another, and nobody knows how
+                    c.normal = room > kCoreShare * radii ? start / room : bullet_->wayOut(from, bodyFrom);
+                } else {
+                    c.time = firstTouch(from, mover.after, bodyFrom, body.after);
+                    if (c.time > 1) continue;
+                    const Nearest met =
+                        nearest(between(from, mover.after, c.time), between(bodyFrom, body.after, c.time));
+                    const glm::vec3 way = met.onSecond - met.onFirst;
+                    c.normal = way / std::max(glm::length(way), 1e-9f); // both radii apart: never near 0
+                }
             }
+            // Beyond both radii on the far side the mover is through, and free.
+            const float along = glm::dot(apart, c.normal);
+            c.lasting = distance < radii + kLift_m && along > -radii;
+            if (!c.lasting && !c.fresh) continue;
+            c.depth = std::clamp(radii - along, 0.0f, 2 * radii);
+            c.point = at.onSecond - c.normal * body.after.radius;
+            c.moverVelocity = jumped ? glm::vec3(0) : velocityAt(mover, at.onFirst);
+            const glm::vec3 way = jumped ? glm::vec3(0) : (middle(mover.after) - middle(from)) / dt_s;
+            c.closingSpeed = std::max(0.0f, glm::dot(way - body.velocity, c.normal));
+            out.push_back(c);
         }
     }
-    return glm::distance(p.a + d1 * s, q.a + d2 * t) - p.radius - q.radius;
+    // A total order, so the result does not depend on the callers' order.
+    std::sort(out.begin(), out.end(), [](const Contact& l, const Contact& r) { return key(l) < key(r); });
 }
 
 } // namespace shoal::physics

@@ -2,6 +2,7 @@
 
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
+#include "engine/render/SetWater.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
@@ -30,8 +31,9 @@ enum FeatureBit : unsigned {
     kToneLinear = 1u << 12,
     kLean = 1u << 13,
     kVertexDiffuse = 1u << 14,
+    kVertexLit = 1u << 15,
 };
-constexpr std::array<const char*, 15> kDefines = {"SKINNED",
+constexpr std::array<const char*, 16> kDefines = {"SKINNED",
                                                   "BASE_COLOUR_MAP",
                                                   "METALLIC_ROUGHNESS_MAP",
                                                   "NORMAL_MAP",
@@ -45,7 +47,8 @@ constexpr std::array<const char*, 15> kDefines = {"SKINNED",
                                                   "TONE_ACES",
                                                   "TONE_LINEAR",
                                                   "LEAN",
-                                                  "VERTEX_DIFFUSE"};
+                                                  "VERTEX_DIFFUSE",
+                                                  "VERTEX_LIT"};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
@@ -61,10 +64,10 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
 }
 
 // Of a whole draw.
-unsigned featuresOf(const Exposure& exposure, const Water& water, Glossy glossy) {
+unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
     unsigned features = 0;
     if (glossy == Glossy::PhongRings) features |= kPhongRings;
-    if (water.clarity_m > 0) features |= kWater;
+    if (!water.none()) features |= kWater;
     if (exposure.curve == ToneCurve::Aces) features |= kToneAces;
     if (exposure.curve == ToneCurve::Linear) features |= kToneLinear;
     return features;
@@ -88,12 +91,12 @@ bool sees(const View& view, const Ball& ball) {
 }
 
 // World metres that no one sees at the ball's nearest point.
-float toleranceFor(const Ball& ball, const View& view) {
+float toleranceFor(const Ball& ball, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
-    constexpr float kUnseen_px = 0.5f;
+    const float unseen_px = detail == Detail::Lean ? 1.25f : 0.5f;
     const float distance = glm::distance(ball.centre, view.eyeWorld) - ball.radius;
     return std::max(distance, view.near_m) * 2 * view.halfExtent().y / static_cast<float>(view.heightPixels) *
-           kUnseen_px;
+           unseen_px;
 }
 
 // Whether relief and roughness could not be told apart from their means.
@@ -190,7 +193,7 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
 }
 
 Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view,
-                        const glm::mat3& envFromWorld, const Exposure& exposure, const Water& water,
+                        const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
                         Glossy glossy) {
     order_.clear();
     const float sign = part == Part::Opaque ? 1.0f : -1.0f;
@@ -216,12 +219,14 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     for (const auto& [distance, index] : order_) {
         const Item& item = items_[index];
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
-        if (glossy == Glossy::Prefiltered &&
-            item.primitive->leastRoughness < 0.99f * surround.smoothestFiltered())
+        const bool lean = detail_ == Detail::Lean;
+        const float smoothest = lean ? item.primitive->mean.roughness : item.primitive->leastRoughness;
+        if (glossy == Glossy::Prefiltered && smoothest < 0.99f * surround.smoothestFiltered())
             features |= kMirrors;
-        const bool plain = detail_ == Detail::Lean && isSmall(item.bound, view);
-        if (plain) features &= ~(kNormalMap | kMetallicRoughnessMap);
-        if (detail_ == Detail::Lean && !item.gpu->materialOf(*item.primitive).doubleSided)
+        if (lean) features &= ~kMetallicRoughnessMap;
+        if (lean && isSmall(item.bound, view))
+            features = (features & ~(kNormalMap | kOcclusionMap | kMirrors)) | kVertexLit;
+        else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= kVertexDiffuse;
         auto program = programFor(features);
         if (!program) return program.error();
@@ -236,8 +241,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             current->set("eyeWorld", view.eyeWorld);
             current->set("envFromWorld", envFromWorld);
             current->set("exposureScale", exposure.scale());
-            current->set("tint", water.tint);
-            current->set("clarity_m", water.clarity_m);
+            setWater(*current, water);
         }
         if (glossy == Glossy::PhongRings) {
             const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
@@ -246,7 +250,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
                 packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
             current->setArray("phongRings_angleWeight[0]", packed);
         }
-        drawItem(*current, item, view, plain);
+        drawItem(*current, item, view);
         ++drawCount_;
     }
     glDepthMask(GL_TRUE);
@@ -255,12 +259,14 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     return Done{};
 }
 
-void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view, bool plain) {
+void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);
-    program.set("metallic", plain ? item.primitive->mean.metallic : material.metallic);
-    program.set("roughness", plain ? item.primitive->mean.roughness : material.roughness);
+    const bool lean = detail_ == Detail::Lean;
+    program.set("metallic", lean ? item.primitive->mean.metallic : material.metallic);
+    program.set("roughness", lean ? item.primitive->mean.roughness : material.roughness);
+    program.set("twoSided", material.doubleSided ? 1.0f : 0.0f);
     program.set("normalScale", material.normalScale);
     program.set("occlusionStrength", material.occlusionStrength);
     program.set("alphaCutoff", material.alphaCutoff);
@@ -281,7 +287,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     }
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
-    const DetailGpu& detail = item.primitive->detail(toleranceFor(item.bound, view) / item.scale);
+    const DetailGpu& detail = item.primitive->detail(toleranceFor(item.bound, view, detail_) / item.scale);
     glBindVertexArray(detail.vertexArray.name());
     triangleCount_ += detail.indexCount / 3;
     glDrawElements(GL_TRIANGLES, detail.indexCount, GL_UNSIGNED_INT, nullptr);

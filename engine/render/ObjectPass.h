@@ -8,6 +8,7 @@
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
+#include "engine/water/Water.h"
 
 #include <array>
 #include <vector>
@@ -20,11 +21,6 @@ struct Ball {
 };
 
 enum class Glossy { Prefiltered, PhongRings }; // PhongRings: the thesis' 36 samples, for reference
-
-struct Water {
-    glm::vec3 tint{1};   // multiplies the light that objects send back
-    float clarity_m = 0; // distance at which 1/e of an object still shows; 0: no water
-};
 
 class ObjectPass {
   public:
@@ -41,7 +37,7 @@ class ObjectPass {
     enum class Part { Opaque, Blended };
     // Opaque objects front to back, before the backdrop; blended ones back to front, after it.
     Status draw(Part part, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
-                const Exposure& exposure, const Water& water, Glossy glossy);
+                const Exposure& exposure, const water::Water& water, Glossy glossy);
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -57,7 +53,7 @@ class ObjectPass {
     };
 
     Result<const gl::Program*> programFor(unsigned features);
-    void drawItem(const gl::Program& program, const Item& item, const View& view, bool plain);
+    void drawItem(const gl::Program& program, const Item& item, const View& view);
 
     gl::Variants programs_;
     Detail detail_ = Detail::Full;

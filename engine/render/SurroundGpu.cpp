@@ -46,14 +46,13 @@ SurroundGpu::SurroundGpu()
 
 void SurroundGpu::uploadFrame(const CodedFrame& frame) {
     glBindTexture(GL_TEXTURE_2D, frame_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, frame.rowPixels);
-    const GLenum order = frame.bgr ? GL_BGR : GL_RGB;
     if (!coded_ || frame.width != frameWidth_ || frame.height != frameHeight_)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, frame.width, frame.height, 0, order, GL_UNSIGNED_BYTE,
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, frame.width, frame.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                      frame.pixels);
     else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, frame.width, frame.height, order, GL_UNSIGNED_BYTE,
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE,
                         frame.pixels);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     coded_ = true;

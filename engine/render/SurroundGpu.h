@@ -10,12 +10,12 @@
 
 namespace shoal::render {
 
-// Display-coded rows of a frame or of one eye's part of it, 3 bytes a pixel.
+// Display-coded rows of a frame or of one eye's part of it: red, green, blue and a byte that is not looked
+// at. Drivers keep such texels as they come; three bytes a pixel they would turn into these first.
 struct CodedFrame {
     const uint8_t* pixels = nullptr;
     int width = 0, height = 0;
     int rowPixels = 0; // from one row to the next, in pixels
-    bool bgr = false;
 };
 
 class SurroundGpu {

@@ -11,6 +11,10 @@ namespace shoal::app {
 
 namespace {
 
+constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
+constexpr float kLeastSwing = 0.01f; // of a clip's tail, body lengths: below, it has no wave to scale
+constexpr float kMostScale = 2.5f;   // more would fold it
+
 // The clip's time for this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {
     if (clip.duration_s <= 0) return 0;
@@ -38,9 +42,15 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, render::Reflectance reflec
     scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
     for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
         actor.animations[motion] = actor.model.findAnimation(game::kMotionNames[motion]);
+    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
+        if (actor.animations[motion] >= 0)
+            actor.beats[motion] =
+                scene::measureBeat(actor.model, actor.spine, actor.animations[motion], actor.wave);
+    for (size_t side = 0; side < 2; ++side) actor.pectorals[side] = actor.model.findNode(kPectorals[side]);
     return actor;
 }
 
@@ -68,19 +78,45 @@ Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHan
     return cast;
 }
 
+// The clip moves fins and jaws in its own time. The spine's wave is the clip's too, but in the time of the
+// tail's beat and as wide as the snapshot says; the bend is added.
+void Cast::pose(const game::CreatureView& creature, Actor& actor) {
+    const game::BodyShape& shape = creature.shape;
+    scene::restPose(actor.model, actor.pose);
+    if (!actor.spine.joints.empty()) scene::restPose(actor.model, actor.wave);
+    const auto play = [&](game::Motion motion, float weight) {
+        const int index = actor.animations[static_cast<size_t>(motion)];
+        if (index < 0 || weight <= 0) return;
+        const scene::Animation& clip = actor.model.animations[static_cast<size_t>(index)];
+        scene::animate(actor.model, index, clipTime(clip, creature.phase_s), actor.pose, weight);
+        if (actor.spine.joints.empty()) return;
+        const scene::Beat& beat = actor.beats[static_cast<size_t>(motion)];
+        const float loops = shape.beats / beat.perLoop + beat.offset;
+        scene::animate(actor.model, index, clipTime(clip, loops * clip.duration_s), actor.wave, weight);
+    };
+    if (creature.blend < 1) play(creature.before, 1);
+    play(creature.motion, creature.blend);
+    for (const scene::Spine::Joint& joint : actor.spine.joints)
+        actor.pose.local[static_cast<size_t>(joint.node)] = actor.wave.local[static_cast<size_t>(joint.node)];
+    const auto swing = [&](game::Motion motion) {
+        return actor.beats[static_cast<size_t>(motion)].amplitude;
+    };
+    const float clips = glm::mix(swing(creature.before), swing(creature.motion), creature.blend);
+    if (clips > kLeastSwing)
+        scene::scaleWave(actor.spine, std::min(shape.amplitude / clips, kMostScale), actor.pose);
+    scene::bend(actor.spine, shape.bendLeft, shape.bendUp, actor.pose);
+    for (size_t side = 0; side < 2; ++side) {
+        if (actor.pectorals[side] < 0) continue;
+        glm::quat& fin = actor.pose.local[static_cast<size_t>(actor.pectorals[side])].rotation;
+        fin = glm::angleAxis(side == 0 ? -shape.finsDown : shape.finsDown, glm::vec3(0, 0, 1)) * fin;
+    }
+    scene::updateGlobals(actor.model, actor.pose);
+}
+
 void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
     for (const game::CreatureView& creature : snapshot.creatures) {
         Actor& actor = species_[static_cast<size_t>(creature.species)];
-        scene::restPose(actor.model, actor.pose);
-        const auto play = [&](game::Motion motion, float weight) {
-            const int index = actor.animations[static_cast<size_t>(motion)];
-            if (index < 0 || weight <= 0) return;
-            const scene::Animation& clip = actor.model.animations[static_cast<size_t>(index)];
-            scene::animate(actor.model, index, clipTime(clip, creature.phase_s), actor.pose, weight);
-        };
-        if (creature.blend < 1) play(creature.before, 1);
-        play(creature.motion, creature.blend);
-        scene::updateGlobals(actor.model, actor.pose);
+        pose(creature, actor);
         const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
                                                         glm::mat4_cast(creature.worldFromBody),
                                                     glm::vec3(creature.length / actor.length_m));

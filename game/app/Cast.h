@@ -5,6 +5,7 @@
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
+#include "engine/scene/Spine.h"
 #include "game/Snapshot.h"
 
 #include <array>
@@ -28,11 +29,15 @@ class Cast {
     struct Actor {
         scene::Model model;
         render::ModelGpu gpu;
-        scene::Pose pose;
-        float length_m = 1;                                      // of the rest pose along z
+        scene::Pose pose, wave; // the whole body; its spine, at another time of the clip
+        scene::Spine spine;
+        std::array<scene::Beat, game::kMotionNames.size()> beats{}; // by Motion
+        std::array<int, 2> pectorals{-1, -1};                       // nodes: left, right
+        float length_m = 1;                                         // of the rest pose along z
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
+    static void pose(const game::CreatureView& creature, Actor& actor);
     Result<Actor> loadActor(const Path& file, render::Reflectance reflectance, render::Detail detail);
 
     float leastRoughness_ = 1;

@@ -138,6 +138,13 @@ void addPlay(CLI::App& app, PlayOptions& options) {
         ->check(CLI::Range(0.0f, 1.0f))
         ->capture_default_str();
     app.add_flag("!--no-captions", options.captions, "Do not name sounds on the screen");
+    app.add_option(
+           "--water", options.water,
+           "Dims what is drawn with distance as the surround's water does: auto as the dive says, or, of "
+           "another video or photo, where the picture has lost its red; on; off")
+        ->check(CLI::IsMember({"auto", "on", "off"}))
+        ->capture_default_str();
+    app.add_flag("!--no-snow", options.snow, "No specks that drift in the water");
 }
 
 void addView(CLI::App& app, ViewOptions& options) {
@@ -207,6 +214,7 @@ int run(int argc, char** argv) {
     playOptions.hapticStrength = settings.hapticStrength;
     playOptions.headphones = settings.headphones;
     playOptions.captions = settings.captions;
+    playOptions.snow = settings.snow;
     ViewOptions viewOptions;
     LightOptions lightOptions;
     CheckOptions checkOptions;

@@ -17,6 +17,11 @@ struct SurroundOptions {
     float envYaw_deg = 0; // column u of the surround appears (u - 0.5) * 360 + this to the right of -Z
 };
 
+// The dive's own video is what is shown.
+inline bool isOwnVideo(const SurroundOptions& options) {
+    return options.video.empty() && options.photo.empty() && options.env.empty();
+}
+
 struct LookOptions {
     float exposure_ev = 0;
     std::string tone = "auto";  // auto, aces, linear
@@ -52,6 +57,8 @@ struct PlayOptions {
     float volume = 0.8f;
     float hapticStrength = 1;
     bool captions = true;
+    std::string water = "auto"; // auto, on, off
+    bool snow = true;           // specks that drift in the water
 };
 
 struct ViewOptions {

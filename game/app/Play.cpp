@@ -38,11 +38,14 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
-// The thesis tints its fish slightly blue, because saturated light from above has lost its colour; the
-// clarity is that of a fair day on a reef, short for one metre of water looks like several on a screen.
-constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
 constexpr float kHintTime_s = 7;
 constexpr double kSlowestFrame_s = 0.5;
+
+Immersed immersedIn(const PlayOptions& options, const game::DiveFile& dive) {
+    if (options.water != "auto") return options.water == "on" ? Immersed::Yes : Immersed::No;
+    if (!isOwnVideo(options.surround)) return Immersed::IfItLooksSo;
+    return dive.water ? Immersed::Yes : Immersed::No;
+}
 
 // The program while it plays.
 struct Player {
@@ -75,7 +78,8 @@ struct Player {
     Status playThrough(bool measured);
     Status drawFrame(const Run& run, glm::ivec2 size);
     Status drawHeadset(const Run& run, glm::ivec2 size);
-    Status drawScene(int eye, const render::View& view);
+    render::Exposure exposure() const;
+    render::Glossy glossy() const;
     HudInfo hudInfo(const Run& run, const render::View& view) const;
     const platform::WindowInput& readKeys(Run& run, double now_s);
     void govern(Clock::time_point frameBegan);
@@ -102,6 +106,7 @@ Status Player::open() {
     }
     statistics.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     const bool software = gl::rendersInSoftware();
+    gl::spreadRasterThreads();
     const render::Detail detail = software ? render::Detail::Lean : render::Detail::Full;
     samples = options.look.samples > 0 ? options.look.samples : software ? 1 : 4;
 
@@ -118,14 +123,19 @@ Status Player::open() {
     auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb",
                            reflectanceIn(options.surround), detail);
     if (!cast) return cast.error();
-    auto opened = Surround::open({.options = options.surround,
-                                  .defaultVideo = dataRoot() / "content" / plan.dive.video,
-                                  .bothEyes = stereo() || options.xr,
-                                  .pyramid = options.look.glossy == "phong36",
-                                  .leastRoughness = cast->leastRoughness()});
+    const bool own = isOwnVideo(options.surround);
+    auto opened =
+        Surround::open({.options = options.surround,
+                        .defaultVideo = dataRoot() / "content" / plan.dive.video,
+                        .bothEyes = stereo() || options.xr,
+                        .pyramid = options.look.glossy == "phong36",
+                        .leastRoughness = cast->leastRoughness(),
+                        .immersed = immersedIn(options, plan.dive),
+                        .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt});
     if (!opened) return opened.error();
     surround = std::move(*opened);
-    auto madeStage = Stage::make(std::move(*cast), detail);
+    if (own) plan.dive.videoLength_s = surround->length_s();
+    auto madeStage = Stage::make(std::move(*cast), detail, options.snow);
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();
@@ -142,14 +152,15 @@ Status Player::open() {
     return Done{};
 }
 
-Status Player::drawScene(int eye, const render::View& view) {
-    const render::Exposure exposure{options.look.tone == "aces"     ? render::ToneCurve::Aces
-                                    : options.look.tone == "linear" ? render::ToneCurve::Linear
-                                                                    : surround->naturalTone(),
-                                    plan.dive.exposure_ev + options.look.exposure_ev};
-    const render::Glossy glossy =
-        options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
-    return stage->draw(*surround, eye, view, exposure, kWater, glossy);
+render::Exposure Player::exposure() const {
+    return {options.look.tone == "aces"     ? render::ToneCurve::Aces
+            : options.look.tone == "linear" ? render::ToneCurve::Linear
+                                            : surround->naturalTone(),
+            plan.dive.exposure_ev + options.look.exposure_ev};
+}
+
+render::Glossy Player::glossy() const {
+    return options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
 }
 
 HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
@@ -183,7 +194,10 @@ Status Player::drawHeadset(const Run& run, glm::ivec2 size) {
     };
     const Quality quality = governor ? governor->quality() : Quality();
     Status drawn = headset->draw(
-        {.scene = [&](int eye, const render::View& view) { return drawScene(eye, view); },
+        {.scene =
+             [&](int eye, const render::View& view) {
+                 return stage->draw(*surround, eye, view, exposure(), surround->water(), glossy());
+             },
          .marks = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Marks, view, pixels); },
          .panel = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Panel, view, pixels); }},
         quality.scale, size);
@@ -230,8 +244,20 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         view.heightPixels = drawnSize.y;
         const gl::Target& target = targets[static_cast<size_t>(eye)];
         const bool enlarge = !coarse.empty();
-        (enlarge ? coarse[static_cast<size_t>(eye)] : target).bind();
-        if (Status drawn = drawScene(eye, view); !drawn) return drawn;
+        const std::vector<gl::Target>& canvas = enlarge ? coarse : targets;
+        canvas[static_cast<size_t>(eye)].bind();
+        // The backdrop is infinitely far: parallel eyes see the same of it, and copying is quicker than
+        // drawing.
+        const bool shared = eyes == 2 && samples == 1 && surround->eyesSeeTheSame();
+        if (!shared || eye == 0)
+            if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure()); !drawn) return drawn;
+        if (shared && eye == 0) {
+            canvas[0].blitTo(canvas[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
+            canvas[0].bind();
+        }
+        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure(), surround->water(), glossy());
+            !drawn)
+            return drawn;
         if (enlarge) {
             coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
             target.bind();
@@ -346,7 +372,6 @@ Status Player::playThrough(bool measured) {
     const bool keep = !options.record.empty();
     const Clock::time_point began = Clock::now();
     Clock::time_point last = began;
-    double video_s = 0;
     for (uint64_t frame = 0; !leaving; ++frame) {
         if (headset) {
             if (Status waited = headset->wait(); !waited) return waited;
@@ -382,10 +407,10 @@ Status Player::playThrough(bool measured) {
             if (Status felt = headset->feel(outputs->felt(), run.paused); !felt) return felt;
         keepScore(run);
 
-        if (!run.paused) video_s += elapsed_s;
+        // The video begins with the dive, pauses with it, and begins anew with it.
         const bool exact = !window && !options.timedemo;
-        const bool fresh =
-            surround->update(options.timedemo ? secondsBetween(began, Clock::now()) : video_s, exact);
+        const bool fresh = surround->update(
+            options.timedemo ? secondsBetween(began, Clock::now()) : run.shown.time_s, exact);
         if (fresh && measured) {
             statistics.light_ms.add(static_cast<double>(surround->light_ms()));
             statistics.decode_ms.add(static_cast<double>(surround->decode_ms()));

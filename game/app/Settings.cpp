@@ -39,6 +39,7 @@ Settings loadSettings() {
     readShare(json, "haptics", settings.hapticStrength);
     readSwitch(json, "headphones", settings.headphones);
     readSwitch(json, "captions", settings.captions);
+    readSwitch(json, "snow", settings.snow);
     return settings;
 }
 
@@ -46,7 +47,8 @@ Status saveSettings(const Settings& settings) {
     const nlohmann::ordered_json json = {{"volume", settings.volume},
                                          {"haptics", settings.hapticStrength},
                                          {"headphones", settings.headphones},
-                                         {"captions", settings.captions}};
+                                         {"captions", settings.captions},
+                                         {"snow", settings.snow}};
     return writeFileWhole(settingsFile(), json.dump(2) + "\n");
 }
 

@@ -11,6 +11,7 @@ struct Settings {
     float hapticStrength = 1; // 0 (off) to 1
     bool headphones = false;
     bool captions = true;
+    bool snow = true; // specks that drift in the water
 };
 
 // Defaults where there is no file. A file that cannot be used is left alone, and said so once in the log;

@@ -5,6 +5,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 #include "engine/media/VideoPlayer.h"
+#include "engine/water/WaterOverTime.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -67,14 +68,23 @@ struct Surround::State {
 
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
-    std::vector<render::PackedLight> lights;
+    struct Prepared {
+        render::PackedLight light;
+        water::WaterEstimate water;
+    };
+    std::vector<Prepared> prepared;
+    std::vector<ImageRgba8> pictures; // the frames as they are uploaded
     std::optional<light::LightMaker> maker;
-    light::EnvironmentLight made; // before it is packed
-    render::PackedLight packed;   // the newest, while light is not made for every frame
+    std::optional<water::WaterEstimator> waterEstimator; // empty: dry
+    light::EnvironmentLight made;                        // before it is packed
+    Prepared newest;                                     // while light is not made for every frame
     std::atomic<int> lightEvery = 1;
     int sinceLight = 0;
     std::optional<media::VideoPlayer> player;
     int64_t shownFrame = -1;
+    Immersed immersed = Immersed::No;
+    water::WaterOverTime water;
+    double lastUpdate_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
     std::string notice;
 
@@ -84,13 +94,14 @@ struct Surround::State {
     }
 
     // All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
-    void uploadPicture(const ImageRgb8& frame, bool bgr, const render::PackedLight& light) {
+    void uploadPicture(size_t slot) {
+        const ImageRgba8& frame = pictures[slot];
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
             const EyePart part = partOf(frame.width, frame.height, layout, eye);
             gpu[static_cast<size_t>(eye)].uploadFrame(
-                {frame.at(part.x, part.y), part.width, part.height, frame.width, bgr});
+                {frame.at(part.x, part.y), part.width, part.height, frame.width});
         }
-        uploadLight(light);
+        uploadLight(prepared[slot].light);
     }
 
     void uploadLight(const render::PackedLight& light) {
@@ -100,14 +111,20 @@ struct Surround::State {
 
     void makeLight(const light::FrameView& frame, size_t slot) {
         const int every = lightEvery.load(std::memory_order_relaxed);
-        if (++sinceLight < every && !packed.places.empty()) {
-            lights[slot] = packed;
+        if (++sinceLight < every && !newest.light.places.empty()) {
+            prepared[slot] = newest;
             return;
         }
         sinceLight = 0;
         maker->make(frame, made);
-        render::packLight(made, mirrors, lights[slot]);
-        if (every > 1) packed = lights[slot];
+        render::packLight(made, mirrors, prepared[slot].light);
+        if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
+        if (every > 1) newest = prepared[slot];
+    }
+
+    void followWater(const water::WaterEstimate& estimate, float dt_s) {
+        if (!waterEstimator) return;
+        water.follow(estimate, immersed == Immersed::Yes ? 1 : estimate.evidence, dt_s);
     }
 
     Status openVideo(const Path& file, media::Layout wish, light::LightQuality quality);
@@ -122,12 +139,14 @@ Status Surround::State::openVideo(const Path& file, media::Layout wish, light::L
     const EyePart part = partOf(info->width, info->height, layout, 0);
     const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
     maker.emplace(light::LightOptions{most, leastRoughness, quality});
-    lights.resize(kSlots);
+    prepared.resize(kSlots);
+    pictures.resize(kSlots);
     auto opened = media::VideoPlayer::open(
         file, {.layout = layout,
                .slots = kSlots,
                .prepare = [this, part](const media::VideoFrame& frame, int slot) {
                    makeLight(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
+                   media::toRgba(frame.pixelsBgr, true, pictures[static_cast<size_t>(slot)]);
                }});
     if (!opened) return opened.error();
     player = std::move(*opened);
@@ -142,11 +161,14 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     setLayout(wish);
     const EyePart part = partOf(picture->width, picture->height, layout, 0);
     maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
-    lights.resize(1);
+    prepared.resize(1);
+    pictures.resize(1);
     const auto began = std::chrono::steady_clock::now();
     makeLight(viewOf(*picture, part, false), 0);
     light_ms = millisecondsSince(began);
-    uploadPicture(*picture, false, lights[0]);
+    media::toRgba(*picture, false, pictures[0]);
+    uploadPicture(0);
+    followWater(prepared[0].water, 0);
     return Done{};
 }
 
@@ -155,17 +177,17 @@ Status Surround::State::openEnv(const Path& file) {
     if (!picture) return picture.error();
     hdr = true;
     maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
-    lights.resize(1);
+    prepared.resize(1);
     const auto began = std::chrono::steady_clock::now();
     const size_t mended = static_cast<size_t>(picture->repaired) +
                           maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
-    render::packLight(made, mirrors, lights[0]);
+    render::packLight(made, mirrors, prepared[0].light);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
                   file.string(), mended);
     gpu[0].uploadFrame(picture->radianceLin);
-    uploadLight(lights[0]);
+    uploadLight(prepared[0].light);
     return Done{};
 }
 
@@ -181,6 +203,8 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
                      : setup.leastRoughness < light::kLeastFilteredRoughness ? render::MirrorMaps::Mirrors
                                                                              : render::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
+    state->immersed = setup.immersed;
+    if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
     const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
@@ -207,21 +231,31 @@ bool Surround::update(double time_s, bool exact) {
         log::warn("{}", status);
         s.notice = std::move(status);
     }
+    const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
+    // With every picture and not only with new frames: smoother than the video.
+    s.followWater(prepared.water, static_cast<float>(time_s - s.lastUpdate_s));
+    s.lastUpdate_s = time_s;
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
     const auto began = std::chrono::steady_clock::now();
-    s.uploadPicture(frame->pixelsBgr, true, s.lights[static_cast<size_t>(s.player->slotOf(*frame))]);
+    s.uploadPicture(static_cast<size_t>(s.player->slotOf(*frame)));
     s.upload_ms = millisecondsSince(began);
     s.light_ms = static_cast<float>(frame->prepare_ms);
     s.decode_ms = static_cast<float>(frame->decode_ms);
     return true;
 }
 
+water::Water Surround::water() const { return state_->water.water(); }
+
+double Surround::length_s() const { return state_->player ? state_->player->info().duration_s : 0; }
+
 void Surround::setLightEvery(int frames) { state_->lightEvery.store(frames, std::memory_order_relaxed); }
 
 const render::SurroundGpu& Surround::gpu(int eye) const {
     return state_->gpu[state_->twoPictures ? static_cast<size_t>(eye) : 0];
 }
+
+bool Surround::eyesSeeTheSame() const { return !state_->twoPictures; }
 
 glm::mat3 Surround::envFromWorld() const {
     // About +Y, positive angles turn towards the left: what lies yaw to the right comes ahead.

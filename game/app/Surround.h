@@ -6,16 +6,21 @@
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
+#include "engine/water/Water.h"
 #include "game/app/Options.h"
 
 #include <glm/mat3x3.hpp>
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace shoal::app {
+
+// Whether the surround lies under water.
+enum class Immersed { No, IfItLooksSo, Yes };
 
 struct SurroundSetup {
     SurroundOptions options;
@@ -24,6 +29,8 @@ struct SurroundSetup {
     bool still = false;       // one picture for good: as much light quality as a second buys
     bool pyramid = false;     // keep the radiance pyramid too, for the thesis' glossy lookup
     float leastRoughness = 0; // of all that will be drawn: no light is made for smoother things
+    Immersed immersed = Immersed::No; // an HDR picture never is
+    std::optional<float> eyeHeight_m; // of the camera above the floor, where known
 };
 
 // The space that the light is in, known before anything is opened.
@@ -42,10 +49,17 @@ class Surround {
     // changed.
     bool update(double time_s, bool exact);
 
+    // Between the eye and all that is drawn, as of the last update(); none where the surround is dry.
+    water::Water water() const;
+
+    // Of a video, before it begins anew; 0: a still.
+    double length_s() const;
+
     // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
     void setLightEvery(int frames);
 
     const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
+    bool eyesSeeTheSame() const;                   // no picture for each
     glm::mat3 envFromWorld() const;
     render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
 

@@ -59,6 +59,7 @@ struct Joint {
 
 struct HandPose {
     bool tracked = false;
+    bool solid = true;    // may touch and push; false while it glides to where tracking came back
     float confidence = 0; // 0 to 1
     float grip = 0;       // 0 open to 1 fist
     float pinch = 0;      // 0 open to 1 thumb and index touch

@@ -16,22 +16,24 @@ uniform float roughness;
 uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
-uniform vec3 tint;            // what the water between has left of the light, 1 in air
 uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Karis 2013), z: their sum's white albedo
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
 
+#ifdef VERTEX_LIT
+in vec3 perBaseLin, besidesLin;
+#else
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 worldTangent;
+#endif
 in vec4 vertexUv;
 in vec4 vertexColourLin;
 #ifdef VERTEX_DIFFUSE
 in vec3 diffuseLin;
 #endif
 #ifdef WATER
-in vec3 waterLin;
-in float shown;
+in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
 out vec4 colour;
 
@@ -48,6 +50,9 @@ void main() {
 #ifndef ALPHA_BLEND
     base.a = 1.0;
 #endif
+#ifdef VERTEX_LIT
+    vec3 radiance = base.rgb * perBaseLin + besidesLin;
+#else
     float metal = metallic, rough = roughness;
 #ifdef METALLIC_ROUGHNESS_MAP
     vec4 mr = texture(metallicRoughnessMap, uvOf(metallicRoughnessUv));
@@ -96,16 +101,17 @@ void main() {
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
-    vec3 radiance = (single * mirrored * openMirrored + (multiple + matte) * around * open) * tint;
+    vec3 radiance = single * mirrored * openMirrored + (multiple + matte) * around * open;
+#endif
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
     radiance += emitted;
-#ifdef WATER
-    radiance = mix(waterLin, radiance, shown);
-#endif
     vec3 display = displayValue(radiance);
+#ifdef WATER
+    display = sqrt(display * display * waterLeft + waterVeiled);
+#endif
 #ifdef ALPHA_BLEND
     colour = vec4(display * base.a, base.a);
 #else

@@ -12,27 +12,35 @@ layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
-#if defined(WATER) || defined(VERTEX_DIFFUSE)
+#if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
+uniform mat3 envFromWorld;
+#endif
+#if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
-uniform mat3 envFromWorld;
 #endif
 #ifdef VERTEX_DIFFUSE
 out vec3 diffuseLin;
 #endif
-#ifdef WATER
-// Water between eye and object: what it takes away it replaces by its own glow, which is what the surround shows there,
-// blurred. Both change so slowly that a vertex will do.
+#ifdef VERTEX_LIT
+#include "render/VertexLight.glsl"
+#ifndef WATER
 uniform vec3 eyeWorld;
-uniform float clarity_m; // distance at which 1/e of an object shows
-out vec3 waterLin;
-out float shown;
-const int kWaterMap = 4; // roughness 0.56
+#endif
+uniform float twoSided; // 1: the normal turns to whoever looks
+out vec3 perBaseLin, besidesLin; // what is sent back is base colour times the first, plus the second
+#endif
+#ifdef WATER
+#include "render/Output.glsl"
+#include "render/Water.glsl"
+out vec3 waterLeft, waterVeiled;
 #endif
 
+#ifndef VERTEX_LIT
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec4 worldTangent;
+#endif
 out vec4 vertexUv; // set 0 in xy, set 1 in zw
 out vec4 vertexColourLin;
 
@@ -44,22 +52,26 @@ void main() {
     mat4 worldFromMesh = worldFromJoint[0];
 #endif
     vec4 world = worldFromMesh * vec4(position, 1.0);
-    worldPosition = world.xyz;
     mat3 m = mat3(worldFromMesh);
     // The cofactor matrix turns normals rightly under any scale, without a division.
     mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
-    worldNormal = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
-    worldTangent = vec4(m * tangent.xyz, tangent.w);
+    vec3 n = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
+#ifdef VERTEX_LIT
+    vec3 v = normalize(eyeWorld - world.xyz);
+    if (twoSided * dot(n, v) < 0.0) n = -n;
+    lightVertex(n, v, perBaseLin, besidesLin);
+#else
+    worldPosition = world.xyz;
+    worldNormal = n;
+    worldTangent = vec4(m * tangent.xyz, tangent.w);
+#endif
 #ifdef VERTEX_DIFFUSE
-    diffuseLin = diffuseRadiance(envFromWorld * worldNormal);
+    diffuseLin = diffuseRadiance(envFromWorld * n);
 #endif
 #ifdef WATER
-    vec3 fromEye = world.xyz - eyeWorld;
-    float distance_m = length(fromEye);
-    shown = exp(-distance_m / clarity_m);
-    waterLin = filteredRadiance(latLongFromDirection(envFromWorld * fromEye / distance_m), min(kWaterMap, int(smoothestMap)));
+    throughWater(world.xyz - eyeWorld, envFromWorld, waterLeft, waterVeiled);
 #endif
     gl_Position = clipFromWorld * world;
 }

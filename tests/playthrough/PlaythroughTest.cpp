@@ -28,7 +28,17 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     ASSERT_TRUE(rig) << rig.error().sentence();
 
     std::string story;
+    double sharkNear_s = -1e9;
     const auto watch = [&](const Snapshot& now, const std::vector<Event>& events) {
+        for (const Event& event : events) {
+            if (event.kind == Event::Kind::DiveStart) sharkNear_s = -1e9;
+            if (event.kind == Event::Kind::SharkNear) sharkNear_s = now.time_s;
+            // Nobody is taken by surprise: a second's notice, of this visit.
+            if (event.kind == Event::Kind::SharkSteal || event.kind == Event::Kind::SharkBump) {
+                EXPECT_GE(now.time_s - sharkNear_s, 1);
+                EXPECT_LE(now.time_s - sharkNear_s, files->dive.shark.visitLength_s + 15);
+            }
+        }
         for (const Event& event : events)
             if (event.kind != Event::Kind::Touch && event.kind != Event::Kind::Startle)
                 story += std::to_string(now.time_s) + " " + kEventNames[static_cast<size_t>(event.kind)] +

@@ -24,13 +24,14 @@ class KeptFiles : public testing::Test {
 
 TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(loadSettings().volume, Settings().volume);
-    ASSERT_TRUE(
-        saveSettings({.volume = 0.25f, .hapticStrength = 0.5f, .headphones = true, .captions = false}));
+    ASSERT_TRUE(saveSettings(
+        {.volume = 0.25f, .hapticStrength = 0.5f, .headphones = true, .captions = false, .snow = false}));
     const Settings settings = loadSettings();
     EXPECT_EQ(settings.volume, 0.25f);
     EXPECT_EQ(settings.hapticStrength, 0.5f);
     EXPECT_TRUE(settings.headphones);
     EXPECT_FALSE(settings.captions);
+    EXPECT_FALSE(settings.snow);
 }
 
 TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {

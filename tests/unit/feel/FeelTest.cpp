@@ -47,19 +47,62 @@ TEST(Feel, FasterTouchesAreStrongerAndQuicker) {
     EXPECT_LT(a.frequency_Hz, b.frequency_Hz);
 }
 
-TEST(Feel, AHeldFishPurrsInThatHandAlone) {
-    Feel feel;
+Snapshot touching(int hand, int finger, const TouchView& touch, int holds = -1) {
     Snapshot shown;
-    shown.hands[0].holds = 3;
-    float low = 1, high = 0;
-    for (int i = 0; i < 120; ++i) {
-        const auto frame = feel.frame(shown, {}, kTick_s, 1);
-        low = std::min(low, amplitude(frame, 0, 4));
-        high = std::max(high, amplitude(frame, 0, 4));
-        ASSERT_EQ(amplitude(frame, 1, 4), 0);
+    shown.hands[static_cast<size_t>(hand)].holds = holds;
+    shown.hands[static_cast<size_t>(hand)].touching[static_cast<size_t>(finger)] = touch;
+    return shown;
+}
+
+TEST(Feel, AHeldFishIsFeltWhereItTouchesAndWithItsStruggle) {
+    Feel feel;
+    const auto with = [&](float struggle) {
+        return feel.frame(touching(0, 2, {.touches = true, .depth_m = 0.01f, .struggle = struggle}, 3), {},
+                          kTick_s, 1);
+    };
+    const auto calm = with(0), wild = with(1);
+    EXPECT_GT(amplitude(calm, 0, 2), 0.1f);                         // it is there
+    EXPECT_GT(amplitude(wild, 0, 2), amplitude(calm, 0, 2) + 0.4f); // and it wriggles
+    for (int hand = 0; hand < 2; ++hand)
+        for (int finger = 0; finger < haptics::kActuatorsPerHand; ++finger)
+            if (hand != 0 || finger != 2) {
+                EXPECT_EQ(amplitude(wild, hand, finger), 0) << hand << " " << finger;
+            }
+}
+
+TEST(Feel, AStrokeLastsAsLongAsItTouchesAndHumsFasterAsItGoesFaster) {
+    Feel feel;
+    const TouchView slow{.touches = true, .depth_m = 0.003f, .slide_mps = 0.2f};
+    TouchView quick = slow;
+    quick.slide_mps = 0.6f;
+    for (int i = 0; i < 240; ++i) {
+        const haptics::Actuation felt = feel.frame(touching(1, 1, slow), {}, kTick_s, 1).actuators[7];
+        ASSERT_GT(felt.amplitude, 0.02f);
+        ASSERT_NEAR(felt.frequency_Hz, 50, 1e-3f); // 0.2 m/s over scales of 4 mm
     }
-    EXPECT_GT(low, 0.1f);        // steady
-    EXPECT_GT(high - low, 0.2f); // and wriggling
+    EXPECT_NEAR(feel.frame(touching(1, 1, quick), {}, kTick_s, 1).actuators[7].frequency_Hz, 150, 1e-3f);
+    EXPECT_EQ(feel.frame({}, {}, kTick_s, 1).actuators[7].amplitude, 0) << "over when it no longer touches";
+}
+
+TEST(Feel, AGentleStrokeIsFarWeakerThanABlow) {
+    Feel feel;
+    const TouchView gentle{.touches = true, .depth_m = 0.002f, .press_mps = 0.05f, .slide_mps = 0.15f};
+    const float stroke = amplitude(feel.frame(touching(1, 1, gentle), {}, kTick_s, 1), 1, 1);
+    const Event blow = touch(1, 1, 2);
+    const float struck = amplitude(feel.frame(touching(1, 1, gentle), {&blow, 1}, kTick_s, 1), 1, 1);
+    EXPECT_GT(stroke, 0.02f);
+    EXPECT_GT(struck, 5 * stroke);
+}
+
+TEST(Feel, PressingDeeperIsFeltStronger) {
+    Feel feel;
+    float before = 0;
+    for (float depth : {0.002f, 0.006f, 0.012f, 0.02f}) {
+        const float felt =
+            amplitude(feel.frame(touching(0, 4, {.touches = true, .depth_m = depth}), {}, kTick_s, 1), 0, 4);
+        EXPECT_GT(felt, before);
+        before = felt;
+    }
 }
 
 TEST(Feel, StaysWithinBoundsAndObeysTheSetting) {

@@ -39,9 +39,12 @@ TEST(Allocation, ATickTakesNoMemory) {
     for (int i = 0; i < 6000; ++i) {
         if (i == 120) counting = true; // Bullet's pools and our scratch have their size
         events.clear();
-        // A hand that swings and closes, so that contacts and grabs happen.
+        // Hands that swing and close, so that contacts and grabs happen; one of them gets lost at times.
         const float x = static_cast<float>(i % 240) / 240 - 0.5f;
         input.hands[1] = test::handAt({x, -0.1f, -0.8f}, i % 90 < 45 ? 0.0f : 1.0f);
+        input.hands[0] = test::handAt({-x, 0, -0.7f}, i % 70 < 45 ? 0.0f : 1.0f, 0);
+        input.hands[0].tracked = i % 400 > 60;
+        input.hands[0].solid = i % 400 > 90;
         dive.step(input, events);
         b = a;
         dive.snapshot(a);

@@ -329,7 +329,19 @@ TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
     OneFish one(true);
     one.moveGrip(kPlace, 0, 0);
     one.rest();
-    placeShark(one.world, {0.3f, -0.1f, -2.9f}, kPlace);
+    placeShark(one.world, {0.3f, -0.1f, -3.6f}, kPlace);
+    // It points at the open hand before anything is in it.
+    int threatened = 0;
+    while (one.world.shark.mind != Shark::Mind::Threaten || one.world.shark.aimed_s < 1.1f) {
+        one.step();
+        one.rest();
+        ASSERT_LT(++threatened, 400);
+    }
+    const glm::vec3 toHand = one.world.hands[1].grasp - one.world.shark.position;
+    EXPECT_GT(glm::dot(one.world.shark.forward, glm::normalize(toHand)), 0.9f);
+    EXPECT_LT(one.world.shark.speed, 0.5f * one.world.species[one.world.shark.species].cruise_mps);
+    EXPECT_GT(one.world.shark.shape.finsDown, 0.5f) << "fins lowered";
+    EXPECT_GT(one.world.shark.shape.bendUp, 0.3f) << "back arched";
     one.moveGrip(kPlace, 0, 1);
     ASSERT_EQ(one.world.hands[1].holds, 0);
     one.step(115);
@@ -345,6 +357,37 @@ TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
     EXPECT_EQ(one.world.shark.mouth, -1);
     EXPECT_EQ(one.fish().mind, Fish::Mind::Cruise) << "it got away and came back";
     EXPECT_EQ(count(one.events, Kind::SharkSteal), 1);
+}
+
+// A fish held in front of a shark that has not threatened yet is safe: at least a second passes first.
+TEST(SharkRules, NeverStrikesUnannounced) {
+    for (const glm::vec3 at : {glm::vec3(0.3f, -0.1f, -2.9f), glm::vec3(1.6f, -0.1f, -1.2f)}) {
+        OneFish one(true);
+        one.moveGrip(kPlace, 0, 0);
+        one.rest();
+        one.moveGrip(kPlace, 0, 1);
+        ASSERT_EQ(one.world.hands[1].holds, 0);
+        placeShark(one.world, at, kPlace);
+        int aimed = 0;
+        for (int i = 0; i < 600; ++i) {
+            one.step();
+            if (one.world.hands[1].holds < 0) { // another one, at once
+                one.moveGrip(kPlace, 1, 0);
+                one.rest();
+                one.fish().uncatchable_s = 0;
+                one.moveGrip(kPlace, 0, 1);
+            }
+            if (one.world.shark.mind == Shark::Mind::Strike) break;
+            const glm::vec3 to = one.world.hands[1].grasp - one.world.shark.position;
+            const bool points = one.world.shark.mind == Shark::Mind::Threaten &&
+                                glm::dot(one.world.shark.forward, glm::normalize(to)) > 0.9f;
+            aimed = points ? aimed + 1 : 0;
+        }
+        if (one.world.shark.mind == Shark::Mind::Strike) {
+            EXPECT_GE(aimed, 60);
+        }
+        EXPECT_TRUE(count(one.events, Kind::SharkSteal) == 0 || aimed >= 60);
+    }
 }
 
 TEST(SharkRules, ABumpDropsWhatTheHandHolds) {

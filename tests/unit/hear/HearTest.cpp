@@ -53,6 +53,36 @@ TEST(Hear, EveryKindOfEventIsHeardWhereItHappens) {
     }
 }
 
+// No sound is made in vain: a dive in which everything happens plays each of them.
+TEST(Hear, EverySoundIsPlayedOfSomething) {
+    Hear hear;
+    Snapshot shown;
+    shown.creatures.resize(3);
+    shown.creatures[0].heldBy = 0;
+    shown.creatures[1] = {.id = 1, .position = {-2, 0, -0.5f}, .velocity = {1, 0, 0}, .length = 0.2f};
+    shown.creatures[2] = {.id = 2, .position = {-4, 0, -1.5f}, .velocity = {1, 0, 0}, .length = 2.5f};
+    std::set<int> heard;
+    const auto note = [&] {
+        for (const audio::Shot& shot : hear.shots()) heard.insert(shot.clip);
+        for (const audio::Emitter& emitter : hear.emitters()) heard.insert(emitter.clip);
+    };
+    for (size_t kind = 0; kind < kEventNames.size(); ++kind) {
+        const Event event{.kind = static_cast<Event::Kind>(kind), .strength = 1};
+        hear.listen(shown, {&event, 1}, kFrame_s);
+        note();
+    }
+    shown.timeLeft_s = 10; // breaths, passes, the tunnel, the last seconds
+    for (int i = 0; i < 10 * 120; ++i) {
+        shown.timeLeft_s -= kFrame_s;
+        shown.shelter = 0.5f;
+        for (size_t c = 1; c < 3; ++c) shown.creatures[c].position += shown.creatures[c].velocity * kFrame_s;
+        hear.listen(shown, {}, kFrame_s);
+        note();
+    }
+    for (size_t sound = 0; sound < kSounds.size(); ++sound)
+        EXPECT_TRUE(heard.contains(static_cast<int>(sound))) << kSounds[sound].file;
+}
+
 TEST(Hear, TheTablesOrderIsTheEnumerations) {
     // Named once each, so that a row that slipped shows.
     const auto file = [](Sound sound) { return std::string_view(kSounds[static_cast<size_t>(sound)].file); };
@@ -104,11 +134,12 @@ TEST(Hear, TheBedNeverEnds) {
 
 TEST(Hear, TheBedsCrossOverInATunnel) {
     Hear hear;
-    hear.listen({}, {}, kFrame_s);
+    Snapshot shown;
+    hear.listen(shown, {}, kFrame_s);
     EXPECT_FALSE(find(hear, Sound::BedTunnel));
-    hear.setShelter(1);
+    shown.shelter = 1;
     for (int i = 0; i < 120; ++i) { // half way: both, and their powers still add to one
-        hear.listen({}, {}, kFrame_s);
+        hear.listen(shown, {}, kFrame_s);
         const auto power = [&](Sound sound) {
             const audio::Emitter* bed = find(hear, sound);
             const float full = kSounds[static_cast<size_t>(sound)].gain;
@@ -117,7 +148,7 @@ TEST(Hear, TheBedsCrossOverInATunnel) {
         ASSERT_NEAR(power(Sound::BedOpen) + power(Sound::BedTunnel), 1, 1e-5);
     }
     EXPECT_TRUE(find(hear, Sound::BedOpen) && find(hear, Sound::BedTunnel));
-    for (int i = 0; i < 240; ++i) hear.listen({}, {}, kFrame_s);
+    for (int i = 0; i < 240; ++i) hear.listen(shown, {}, kFrame_s);
     EXPECT_FALSE(find(hear, Sound::BedOpen));
 }
 

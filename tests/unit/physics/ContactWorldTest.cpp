@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace shoal::physics {
 namespace {
@@ -15,32 +16,26 @@ constexpr float kDt = 1.0f / 120;
 // Single precision on lengths below 1 m, a handful of operations.
 constexpr float kTol = 1e-5f;
 
-Mover still(Capsule c, int tag = 0) { return {c, c, 0, tag}; }
+Mover still(Capsule c, int tag = 0) { return moving(c, c, kDt, 0, tag); }
 
-Mover moving(glm::vec3 from, glm::vec3 to, float radius) {
-    return {{from, from, radius}, {to, to, radius}, 0, 0};
+Mover ball(glm::vec3 from, glm::vec3 to, float radius) {
+    return moving({from, from, radius}, {to, to, radius}, kDt);
 }
 
-TEST(Separation, MatchesClosedForms) {
-    const auto point = [](glm::vec3 p, float r) { return Capsule{p, p, r}; };
-    EXPECT_NEAR(separation(point({0, 0, 0}, 0.1f), point({1, 0, 0}, 0.2f)), 0.7f, kTol);
-    // A point beside the middle of a segment, and beyond its end.
-    const Capsule bar{{-1, 0, 0}, {1, 0, 0}, 0.1f};
-    EXPECT_NEAR(separation(point({0.3f, 0.5f, 0}, 0.1f), bar), 0.3f, kTol);
-    EXPECT_NEAR(separation(point({4, 4, 0}, 0.1f), bar), 5 - 0.2f, kTol);
-    // Crossed bars, parallel bars, crossing bars.
-    EXPECT_NEAR(separation(bar, {{0, 0.7f, -1}, {0, 0.7f, 1}, 0.1f}), 0.5f, kTol);
-    EXPECT_NEAR(separation(bar, {{-1, 0.4f, 0}, {1, 0.4f, 0}, 0.1f}), 0.2f, kTol);
-    EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kTol);
+// A body along z that has been moving at that velocity.
+Body fishAt(glm::vec3 at, float radius, float half, glm::vec3 velocity = glm::vec3(0), uint32_t id = 0,
+            float dt_s = kDt) {
+    const glm::vec3 reach(0, 0, half), way = velocity * dt_s;
+    return {id, {at - reach - way, at + reach - way, radius}, {at - reach, at + reach, radius}, velocity};
 }
 
 TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
     ContactWorld world;
-    const Body fish{5, {0, 0, 0}, {0, 0, 1}, {0, 0, 0}, 0.03f, 0.05f};
+    const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {0, 0, 0}, 5);
     // A ball of 1 cm, 3.5 cm left of the axis: 5 mm deep.
-    const Mover ball = still({{-0.035f, 0, 0.02f}, {-0.035f, 0, 0.02f}, 0.01f}, 7);
+    const Mover tip = still({{-0.035f, 0, 0.02f}, {-0.035f, 0, 0.02f}, 0.01f}, 7);
     std::vector<Contact> contacts;
-    world.collide({&fish, 1}, {&ball, 1}, kDt, contacts);
+    world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     ASSERT_EQ(contacts.size(), 1u);
     const Contact& c = contacts[0];
     EXPECT_EQ(c.body, 5u);
@@ -53,29 +48,29 @@ TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
 
 TEST(ContactWorld, ClosingSpeedIsRelative) {
     ContactWorld world;
-    const Body fish{0, {0, 0, 0}, {0, 0, 1}, {-0.5f, 0, 0}, 0.03f, 0.05f};
-    const Mover ball = moving({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
+    const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {-0.5f, 0, 0});
+    const Mover tip = ball({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
     std::vector<Contact> contacts;
-    world.collide({&fish, 1}, {&ball, 1}, kDt, contacts);
+    world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].closingSpeed, 4.1f, 1e-3f);
-    // They meet when the gap of 40 mm less 20 mm... is used up: from -60 + 36 t mm against 0.5 m/s the other
-    // way.
-    EXPECT_GT(contacts[0].time, 0.3f);
-    EXPECT_LT(contacts[0].time, 0.9f);
+    // From 60 mm and another 4.17 mm that the body comes, 40 mm of radii: 24.17 mm of gap closing 34.17 mm a
+    // tick. The gap counts as closed at kTouchGap_m.
+    EXPECT_NEAR(contacts[0].time, 24.17f / 34.17f, kTouchGap_m / 0.034f);
+    EXPECT_TRUE(contacts[0].fresh);
 }
 
 TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
     ContactWorld world;
     std::vector<Contact> contacts;
-    const Body fish{0, {0, 0, 0}, {0, 0, 1}, {0, 0, 0}, 0.02f, 0.03f};
+    const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
     for (float speed : {1.0f, 5.0f, 20.0f, 60.0f, 150.0f})
         for (float offset : {0.1f, 0.35f, 0.5f, 0.77f, 0.9f}) // where in the tick it passes
             for (float aside : {0.0f, 0.012f}) {
                 const float way = speed * kDt;
                 const Mover tip =
-                    moving({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
-                world.collide({&fish, 1}, {&tip, 1}, kDt, contacts);
+                    ball({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
+                world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
                 EXPECT_EQ(contacts.size(), 1u) << speed << " m/s, offset " << offset << ", aside " << aside;
             }
 }
@@ -83,9 +78,9 @@ TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
 TEST(ContactWorld, ATeleportTouchesNothingOnItsWay) {
     ContactWorld world;
     std::vector<Contact> contacts;
-    const Body fish{0, {0, 0, 0}, {0, 0, 1}, {0, 0, 0}, 0.02f, 0.03f};
-    const Mover tip = moving({-1, 0, 0}, {1, 0, 0}, 0.006f);
-    world.collide({&fish, 1}, {&tip, 1}, kDt, contacts);
+    const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
+    const Mover tip = ball({-1, 0, 0}, {1, 0, 0}, 0.006f);
+    world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     EXPECT_TRUE(contacts.empty());
 }
 
@@ -93,9 +88,9 @@ TEST(ContactWorld, ResultIsSortedAndIndependentOfOrderAndHistory) {
     std::vector<Body> bodies;
     std::vector<Mover> movers;
     for (uint32_t i = 0; i < 6; ++i)
-        bodies.push_back({i, {0.03f * static_cast<float>(i), 0, 0}, {0, 0, 1}, {0, 0, 0}, 0.03f, 0.04f});
+        bodies.push_back(fishAt({0.03f * static_cast<float>(i), 0, 0}, 0.03f, 0.04f, {0, 0, 0}, i));
     for (int i = 0; i < 6; ++i) {
-        Mover m = moving({-0.1f, 0.01f * static_cast<float>(i), 0}, {0.15f, 0.01f, 0}, 0.008f);
+        Mover m = ball({-0.1f, 0.01f * static_cast<float>(i), 0}, {0.15f, 0.01f, 0}, 0.008f);
         m.group = i % 2;
         m.tag = i;
         movers.push_back(m);
@@ -106,14 +101,101 @@ TEST(ContactWorld, ResultIsSortedAndIndependentOfOrderAndHistory) {
     };
     ContactWorld first, second;
     std::vector<Contact> forwards, backwards;
-    first.collide(bodies, movers, kDt, forwards);
+    first.collide(bodies, movers, kDt, {}, forwards);
     ASSERT_GT(forwards.size(), 10u);
     for (size_t i = 1; i < forwards.size(); ++i) EXPECT_LT(key(forwards[i - 1]), key(forwards[i]));
     std::reverse(bodies.begin(), bodies.end());
     std::reverse(movers.begin(), movers.end());
-    for (int round = 0; round < 3; ++round) second.collide(bodies, movers, kDt, backwards);
+    for (int round = 0; round < 3; ++round) second.collide(bodies, movers, kDt, {}, backwards);
     ASSERT_EQ(forwards.size(), backwards.size());
     for (size_t i = 0; i < forwards.size(); ++i) EXPECT_TRUE(same(forwards[i], backwards[i])) << i;
+}
+
+// Four times the tick: the same touch at the same place of the way.
+TEST(ContactWorld, TicksOfAThirtiethOfASecondTouchAsTicksOf120Do) {
+    ContactWorld world;
+    std::vector<Contact> contacts;
+    constexpr float kSlow = 1.0f / 30;
+    for (float speed : {0.5f, 3.0f, 20.0f}) {
+        const Body fish = fishAt({0, 0, 0}, 0.024f, 0.03f);
+        const glm::vec3 from(-0.6f * speed * kSlow - 0.03f, 0.005f, 0), way(speed * kSlow, 0, 0);
+        const Mover slow = moving({from, from, 0.008f}, {from + way, from + way, 0.008f}, kSlow);
+        world.collide({&fish, 1}, {&slow, 1}, kSlow, {}, contacts);
+        ASSERT_EQ(contacts.size(), 1u) << speed;
+        const glm::vec3 met = from + way * contacts[0].time;
+        EXPECT_NEAR(contacts[0].closingSpeed, speed * contacts[0].normal.x, 1e-3f * speed);
+        bool found = false;
+        for (int i = 0; i < 4 && !found; ++i) {
+            const glm::vec3 a = from + way * (0.25f * static_cast<float>(i)), b = a + 0.25f * way;
+            const Mover quick = moving({a, a, 0.008f}, {b, b, 0.008f}, kDt);
+            std::vector<Contact> own;
+            world.collide({&fish, 1}, {&quick, 1}, kDt, {}, own);
+            if (own.empty()) continue;
+            found = true;
+            // Both stop within kTouchGap_m of the surface, met at most a little askew.
+            EXPECT_NEAR(glm::distance(a + 0.25f * way * own[0].time, met), 0, 3 * kTouchGap_m) << speed;
+            EXPECT_NEAR(own[0].closingSpeed, contacts[0].closingSpeed, 0.01f * speed);
+        }
+        EXPECT_TRUE(found) << speed;
+    }
+}
+
+// A finger that presses on past the axis keeps pushing the way it came from.
+TEST(ContactWorld, ALastingContactNeverFlipsHoweverDeepItGoes) {
+    ContactWorld world;
+    const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
+    std::vector<Contact> last, now;
+    float depth = 0;
+    for (int i = 0; i < 60; ++i) {
+        const auto x = [](int step) { return -0.045f + 0.001f * static_cast<float>(step); };
+        const Mover tip = ball({x(i), 0.002f, 0.01f}, {x(i + 1), 0.002f, 0.01f}, 0.008f);
+        world.collide({&fish, 1}, {&tip, 1}, kDt, last, now);
+        if (!now.empty()) {
+            EXPECT_GT(now[0].normal.x, 0.7f) << "step " << i;
+            EXPECT_GE(now[0].depth, depth);
+            // No jump: as deep as it went, and what the tilt of the normal makes of it.
+            EXPECT_LT(now[0].depth - depth, 0.003f) << "step " << i;
+            depth = now[0].depth;
+            const glm::vec3 was = last.empty() ? now[0].normal : last[0].normal;
+            EXPECT_GT(glm::dot(now[0].normal, was), 0.97f);
+        } else
+            EXPECT_LT(i, 7) << "contact lost";
+        std::swap(last, now);
+    }
+    EXPECT_NEAR(depth, 0.038f + 0.015f, 0.002f); // both radii, and 15 mm past the axis
+}
+
+TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
+    ContactWorld world;
+    const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
+    std::vector<Contact> last, now;
+    int touching = 0;
+    for (int i = 0; i < 40; ++i) {
+        const float a = -0.1f + 0.005f * static_cast<float>(i);
+        const Mover tip = ball({a, 0.002f, 0}, {a + 0.005f, 0.002f, 0}, 0.008f);
+        world.collide({&fish, 1}, {&tip, 1}, kDt, last, now);
+        touching += !now.empty();
+        std::swap(last, now);
+    }
+    EXPECT_TRUE(last.empty());
+    EXPECT_GT(touching, 10);
+}
+
+// A hand that appears in a fish has no past; even where the core segments cross there is a way out.
+TEST(ContactWorld, WhatAppearsInsideGetsAWayOut) {
+    ContactWorld world;
+    const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
+    std::vector<Contact> contacts;
+    for (glm::vec3 across : {glm::vec3(0.03f, 0, 0), glm::vec3(0, 0.03f, 0), glm::vec3(0.01f, 0, 0.03f)}) {
+        const Mover tip = still({-across, across, 0.008f});
+        world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+        ASSERT_EQ(contacts.size(), 1u);
+        EXPECT_NEAR(glm::length(contacts[0].normal), 1, kTol);
+        // Crossed at the middles, the shortest way is across both.
+        EXPECT_NEAR(glm::dot(contacts[0].normal, glm::normalize(across)), 0, 0.05f);
+        EXPECT_EQ(contacts[0].closingSpeed, 0);
+        EXPECT_NEAR(contacts[0].depth, 0.038f, 1e-4f);
+    }
 }
 
 } // namespace

@@ -1,0 +1,31 @@
+// Capsules: how near they are, and when moving ones first touch. The closed forms under all contacts.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace shoal::physics {
+
+// World frame, metres.
+
+struct Capsule {
+    glm::vec3 a{0}, b{0}; // ends of the core segment; may coincide (a sphere)
+    float radius = 0.01f;
+};
+
+// Nearest points of the two core segments. Ericson 2005, "Real-Time Collision Detection", 5.1.9.
+struct Nearest {
+    glm::vec3 onFirst{0}, onSecond{0};
+};
+Nearest nearest(const Capsule&, const Capsule&);
+
+// Distance between the surfaces; negative when they overlap.
+float separation(const Capsule&, const Capsule&);
+
+// End points on straight lines between two places; t 0 to 1.
+Capsule between(const Capsule& from, const Capsule& to, float t);
+
+// Share of the way, 0 to 1, at which two capsules that start apart first touch (come within kTouchGap_m);
+// above 1 if they do not. Conservative advancement, see ContactModel.h.
+float firstTouch(const Capsule& from, const Capsule& to, const Capsule& otherFrom, const Capsule& otherTo);
+
+} // namespace shoal::physics

@@ -1,0 +1,86 @@
+// How hands and what swims meet: the model, its sources, its constants.
+//
+// A hand is 24 kinematic capsules, one a bone, moved by the velocities that a device's joints show: nothing
+// stops it. A body (a fish) is one capsule with a velocity of its own. A tick goes through five steps.
+//
+// 1. First touch (Capsule.h). End points of bones and bodies move on straight lines through the tick; the
+//    time of first touch is found by conservative advancement: Mirtich 1996, "Impulse-based Dynamic
+//    Simulation of Rigid Body Systems", 2.3. The gap d between two convex shapes, measured along the line n
+//    of their nearest points, shrinks no faster than the fastest pair of end points closes along n, so time
+//    may advance by d over that speed without passing a touch; where nothing closes along n there is no touch
+//    to come. For capsules d and n have closed forms (Ericson 2005, "Real-Time Collision Detection", 5.1.9),
+//    so nothing is missed at any speed, and a hand that only passes by touches nothing.
+// 2. Lasting touch (ContactWorld.h). A contact keeps the side on which it began while the bone sinks in, as
+//    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
+//    the depth grows on past the body's axis, and no push ever flips. Only a pair found inside one another
+//    without a past (a hand that appears in a body) has no side; where their cores all but cross, Bullet's
+//    GJK and EPA give the shortest way out.
+// 3. Pushing (Push.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as fast as the
+//    bone comes, never faster. Contacts that contradict one another (a fish between two hands) share by
+//    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What
+//    overlaps is parted by a velocity of its own that is not kept (a split impulse), so parting adds no
+//    energy.
+// 4. Wrapping (Finger.h). Fingers that close around a body are shown, and grip, as fingers that it stops:
+//    straightened, then bent knuckle by knuckle as the device bends them until they rest on it, as the
+//    underactuated fingers of grippers close (Birglen, Laliberte and Gosselin 2008, "Underactuated Robotic
+//    Hands"). How far the device's finger would still go is how hard it presses.
+// 5. Gripping (Grip.h). Each contact can push along its normal with as much as it presses, and across by
+//    Coulomb friction. The forces that all contacts together can give form a convex set; a body is held while
+//    that set contains the force that its struggle, the water's drag and the hand's acceleration ask for.
+//    With no force asked this is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"; Ponce and
+//    Faverjon 1995, "On Computing Three-Finger Force-Closure Grasps of Polygonal Objects"): the contacts
+//    oppose each other around it. The margin is the set's distance to that force, the worst case over all
+//    directions of Ferrari and Canny 1992, "Planning Optimal Grasps". Where it is negative the body slides,
+//    the way the contacts cannot stop it. Torques are left out: a hand touches with a dozen bones.
+#pragma once
+
+namespace shoal::physics {
+
+// clang-format off
+
+// -- Touching ---------------------------------------------------------------------------------------------
+constexpr float kTouchGap_m        = 1e-4f;   // surfaces this near touch
+constexpr int   kAdvances          = 24;      // steps of conservative advancement; 3 are usual
+constexpr float kLift_m            = 0.0015f; // a lasting contact ends when the gap exceeds this
+constexpr float kTeleport_m        = 1.5f;    // a bone that goes farther in a tick was not moved but replaced
+constexpr float kCoreShare         = 0.3f;    // of both radii: nearer to the axis a normal is not renewed
+constexpr float kNormalTurn_rad    = 0.2f;    // of a lasting contact's normal, a tick, at most
+
+// -- Pushing ----------------------------------------------------------------------------------------------
+constexpr int   kSweeps            = 10;      // of Gauss-Seidel over a body's contacts
+constexpr float kSoftness          = 0.05f;   // regularisation: a lone bone gives 1 / 1.05 of its speed
+constexpr float kGive              = 0.6f;    // an open hand's fingers push with so much of their speed
+constexpr float kPartRate_Hz       = 12;      // share of an overlap parted a second...
+constexpr float kPartMost_mps      = 0.45f;   // ...and how fast at most
+constexpr float kPartSlop_m        = 0.001f;  // overlap that is let be
+
+// -- Gripping ---------------------------------------------------------------------------------------------
+constexpr float kEnclosed_m        = 0.03f;   // radius that fingers close around: what is thicker gives way
+constexpr float kStiffness_Npm     = 250;     // of the flesh under a bone of a finger: force by depth...
+constexpr float kForceMost_N       = 4;       // ...and at most
+constexpr float kPalmStiffness_Npm = 2000;    // of the palm, which holds against what fingers press...
+constexpr float kPalmForce_N       = 10;      // ...and at most, a bone
+constexpr float kFriction          = 0.45f;   // wet skin on scales
+constexpr float kFirm_N            = 0.3f;    // a grip begins when it bears so much from every side
+constexpr float kFirmer            = 0.01f;   // a hand whose grip (0 to 1) has grown by so much is closing
+constexpr float kDrawRate_Hz       = 20;      // closing fingers draw what is among them into the hollow...
+constexpr float kDrawMost_mps      = 1.5f;    // ...of the hand, and how fast at most
+constexpr float kSettle_s          = 0.15f;   // in which a body comes to lie across the palm
+
+// -- Struggling and slipping ------------------------------------------------------------------------------
+constexpr float kDensity_kgpm3     = 420;     // of a body's capsule: a fish fills two fifths of it
+constexpr float kStruggle_mps2     = 9;       // a fresh fish's thrust, by its mass
+constexpr float kBeat_radps        = 25;      // of its tail
+constexpr float kTires_Hz          = 0.5f;    // how soon it tires...
+constexpr float kTiredOut          = 0.25f;   // ...down to this share
+constexpr float kWater_kgpm3       = 1025;    // sea water
+constexpr float kDragShape         = 0.25f;   // drag coefficient of a fish sheltered by a hand
+constexpr float kSlideMost_mps     = 1.5f;    // how fast it slides out of a hand
+constexpr float kSlideGrip         = 0.7f;    // of a slide is left a tick after the grip has become firm
+constexpr float kSlideOut_m        = 0.05f;   // having slid so far it is out
+constexpr int   kUnopposed         = 8;       // ticks without force closure after which it is free
+constexpr float kLoose_s           = 0.4f;    // in which fingers do not push what they let go
+
+// clang-format on
+
+} // namespace shoal::physics

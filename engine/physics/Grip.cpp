@@ -1,0 +1,83 @@
+#include "engine/physics/Grip.h"
+
+#include "engine/physics/ContactModel.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::physics {
+
+namespace {
+
+// Corners, edge middles of an icosahedron: 42 directions.
+const std::array<glm::vec3, 42>& directions() {
+    static const std::array<glm::vec3, 42> all = [] {
+        std::array<glm::vec3, 42> d{};
+        const float g = std::numbers::phi_v<float>;
+        size_t n = 0;
+        for (float x : {-1.0f, 1.0f})
+            for (float y : {-g, g}) {
+                d[n++] = {0, x, y};
+                d[n++] = {x, y, 0};
+                d[n++] = {y, 0, x};
+            }
+        for (size_t i = 0; i < 12; ++i)
+            for (size_t j = 0; j < i; ++j)
+                if (glm::distance(d[i], d[j]) < 2.1f) d[n++] = 0.5f * (d[i] + d[j]); // edges have length 2
+        for (glm::vec3& v : d) v = glm::normalize(v);
+        return d;
+    }();
+    return all;
+}
+
+// How much force, along the unit vector d, the presses can give beyond what is needed there: the support
+// function of all that they can give, less the need's part. A cone of friction reaches farthest along d at
+// its edge.
+float beyond(std::span<const Press> presses, glm::vec3 need_N, glm::vec3 d) {
+    float sum = -glm::dot(need_N, d);
+    for (const Press& press : presses) {
+        const float along = glm::dot(press.normal, d);
+        const float across = std::sqrt(std::max(0.0f, 1 - along * along));
+        sum += press.force_N * std::max(0.0f, along + kFriction * across);
+    }
+    return sum;
+}
+
+} // namespace
+
+Hold hold(std::span<const Press> presses, glm::vec3 asked_N) {
+    Hold result;
+    for (const Press& press : presses) result.squeeze_N += press.force_N;
+    const glm::vec3 need = -asked_N;
+    glm::vec3 worst(0, 1, 0);
+    result.margin_N = beyond(presses, need, worst);
+    const auto consider = [&](glm::vec3 d) {
+        const float value = beyond(presses, need, d);
+        if (value >= result.margin_N) return;
+        result.margin_N = value;
+        worst = d;
+    };
+    for (const glm::vec3& d : directions()) consider(d);
+    // Downhill from there, by ever smaller steps around it.
+    for (float step = 0.17f; step > 0.01f; step *= 0.5f) {
+        const glm::vec3 middle = worst;
+        const glm::vec3 pick = std::fabs(middle.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+        const glm::vec3 u = glm::normalize(glm::cross(middle, pick)), v = glm::cross(middle, u);
+        for (const glm::vec3& side : {u, -u, v, -v}) consider(glm::normalize(middle + side * step));
+    }
+    result.gives = -worst;
+    return result;
+}
+
+float pressForce_N(float depth_m) { return std::min(kStiffness_Npm * std::max(0.0f, depth_m), kForceMost_N); }
+
+float mass_kg(float radius_m, float halfLength_m) {
+    const float pi = std::numbers::pi_v<float>;
+    return kDensity_kgpm3 * pi * radius_m * radius_m * (2 * halfLength_m + 4.0f / 3 * radius_m);
+}
+
+} // namespace shoal::physics

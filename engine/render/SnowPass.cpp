@@ -1,0 +1,67 @@
+#include "engine/render/SnowPass.h"
+
+#include "engine/render/SetWater.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr GLsizei kSpecks = 600;
+constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
+constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
+constexpr double kSwell_s = 7; // a sway to and fro
+
+constexpr std::array<const char*, 2> kDefines = {"TONE_ACES", "TONE_LINEAR"};
+
+unsigned featuresOf(const Exposure& exposure) {
+    return exposure.curve == ToneCurve::Aces ? 1u : exposure.curve == ToneCurve::Linear ? 2u : 0u;
+}
+
+} // namespace
+
+Result<SnowPass> SnowPass::make() {
+    SnowPass pass;
+    pass.programs_ = gl::Variants("render/Snow", kDefines);
+    pass.nothing_ = gl::VertexArray::make();
+    if (auto program = pass.programs_.get(0); !program) return program.error();
+    return pass;
+}
+
+Status SnowPass::draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+                      const Exposure& exposure, const water::Water& water, double time_s) {
+    auto found = programs_.get(featuresOf(exposure));
+    if (!found) return found.error();
+    const gl::Program& program = **found;
+    program.use();
+    surround.bindLight(program);
+    setWater(program, water);
+    program.set("eyeWorld", view.eyeWorld);
+    program.set("clipFromWorld", view.clipFromWorld());
+    program.set("envFromWorld", envFromWorld);
+    program.set("exposureScale", exposure.scale());
+    // Wrapped here: floats would lose a dive of hours.
+    program.set("drift_m", glm::vec3(glm::mod(kDrift_mps * time_s, static_cast<double>(kCube_m))));
+    program.set("swell", static_cast<float>(std::fmod(time_s / kSwell_s, 1.0) * 2 * std::numbers::pi));
+    program.set("cube_m", kCube_m);
+    program.set("pixelsPerSlope", static_cast<float>(view.heightPixels) / (2 * view.halfExtent().y));
+
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glBindVertexArray(nothing_.name());
+    glDrawArrays(GL_POINTS, 0, kSpecks);
+    glBindVertexArray(0);
+    glDisable(GL_PROGRAM_POINT_SIZE);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    return Done{};
+}
+
+} // namespace shoal::render

@@ -1,0 +1,26 @@
+// Marine snow: specks that drift between the viewer and what swims. Pairs with shaders/render/Snow.
+#pragma once
+
+#include "engine/gl/Objects.h"
+#include "engine/gl/Variants.h"
+#include "engine/render/SurroundGpu.h"
+#include "engine/render/View.h"
+#include "engine/water/Water.h"
+
+namespace shoal::render {
+
+class SnowPass {
+  public:
+    static Result<SnowPass> make();
+
+    // After all that is drawn: near things hide specks. time_s places every speck, so equal times give equal
+    // pictures.
+    Status draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+                const Exposure& exposure, const water::Water& water, double time_s);
+
+  private:
+    gl::Variants programs_;
+    gl::VertexArray nothing_; // specks come from their numbers
+};
+
+} // namespace shoal::render

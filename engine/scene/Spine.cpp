@@ -1,0 +1,177 @@
+#include "engine/scene/Spine.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::scene {
+
+namespace {
+
+constexpr float kCentreOfMass = 0.4f; // of the length behind the snout, as in most fish
+constexpr size_t kFewest = 3;
+
+struct Rigid { // scale plays no part along a spine
+    glm::quat turn{1, 0, 0, 0};
+    glm::vec3 move{0};
+};
+
+Rigid rigid(const Transform& t) { return {t.rotation, t.translation}; }
+Rigid operator*(const Rigid& a, const Rigid& b) { return {a.turn * b.turn, a.move + a.turn * b.move}; }
+Rigid inverse(const Rigid& a) {
+    const glm::quat back = glm::conjugate(a.turn);
+    return {back, -(back * a.move)};
+}
+
+// From the frame that the first joint hangs in.
+Rigid upTo(const Spine& spine, size_t joint, const Pose& pose) {
+    Rigid all;
+    for (size_t i = 0; i <= joint; ++i)
+        all = all * rigid(pose.local[static_cast<size_t>(spine.joints[i].node)]);
+    return all;
+}
+
+glm::quat rotationOf(const glm::mat4& m) {
+    return glm::quat_cast(glm::mat3(glm::normalize(glm::vec3(m[0])), glm::normalize(glm::vec3(m[1])),
+                                    glm::normalize(glm::vec3(m[2]))));
+}
+
+} // namespace
+
+Spine findSpine(const Model& model, float length_m, float low_m) {
+    Pose pose;
+    restPose(model, pose);
+    std::vector<bool> isJoint(model.nodes.size(), false);
+    for (const Skin& skin : model.skins)
+        for (const int joint : skin.joints) isJoint[static_cast<size_t>(joint)] = true;
+    const auto place = [&](int node) { return glm::vec3(pose.modelFromNode[static_cast<size_t>(node)][3]); };
+    const auto along = [&](int node, int child, float way) {
+        const glm::vec3 step = place(child) - place(node);
+        return way * step.z > 0.7f * glm::length(step);
+    };
+    // Longest line from each joint on; children come after their parents in the order.
+    std::vector<int> best;
+    for (const float way : {-1.0f, 1.0f}) {
+        std::vector<size_t> steps(model.nodes.size(), 0);
+        std::vector<int> next(model.nodes.size(), -1);
+        int first = -1;
+        for (auto it = model.order.rbegin(); it != model.order.rend(); ++it) {
+            const auto node = static_cast<size_t>(*it);
+            if (!isJoint[node]) continue;
+            steps[node] = 1;
+            for (const int child : model.nodes[node].children) {
+                const auto c = static_cast<size_t>(child);
+                if (!isJoint[c] || !along(*it, child, way) || steps[c] + 1 <= steps[node]) continue;
+                steps[node] = steps[c] + 1;
+                next[node] = child;
+            }
+            if (first < 0 || steps[node] > steps[static_cast<size_t>(first)]) first = *it;
+        }
+        std::vector<int> line;
+        for (int node = first; node >= 0; node = next[static_cast<size_t>(node)]) line.push_back(node);
+        if (line.size() > best.size()) best = std::move(line);
+    }
+    Spine spine;
+    spine.length_m = length_m;
+    if (best.size() < kFewest) return spine;
+
+    const bool tailwards = place(best.back()).z < place(best.front()).z;
+    const float high_m = low_m + length_m;
+    const float centre_m = high_m - kCentreOfMass * length_m;
+    float total = 0;
+    for (size_t i = 0; i < best.size(); ++i) {
+        Spine::Joint joint;
+        joint.node = best[i];
+        joint.rest = model.nodes[static_cast<size_t>(best[i])].parentFromNode;
+        joint.nodeFromModel = glm::conjugate(rotationOf(pose.modelFromNode[static_cast<size_t>(best[i])]));
+        // Each joint takes half of the segments before and behind it; one that carries the whole body, none.
+        const float z = place(best[i]).z;
+        const float after =
+            i + 1 < best.size() ? std::abs(z - place(best[i + 1]).z) : (tailwards ? z - low_m : high_m - z);
+        const float before = i > 0 ? std::abs(z - place(best[i - 1]).z) : 0;
+        joint.share = i > 0 ? 0.5f * (before + std::max(after, 0.0f)) : 0;
+        total += joint.share;
+        spine.joints.push_back(joint);
+        if (std::abs(z - centre_m) < std::abs(place(best[spine.middle]).z - centre_m)) spine.middle = i;
+    }
+    // To the left is towards +x: a turn about +y carries what lies behind to the right.
+    for (Spine::Joint& joint : spine.joints) joint.share *= (tailwards ? -1.0f : 1.0f) / total;
+    spine.last = tailwards ? best.size() - 1 : 0;
+    const glm::mat4& tail = pose.modelFromNode[static_cast<size_t>(best[spine.last])];
+    spine.tipInLast = glm::vec3(glm::inverse(tail) * glm::vec4(tail[3].x, tail[3].y, low_m, 1));
+    return spine;
+}
+
+Beat measureBeat(const Model& model, const Spine& spine, int animation, Pose& scratch) {
+    constexpr int kSamples = 64, kMostBeats = 8;
+    constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+    Beat beat;
+    if (spine.joints.empty()) return beat;
+    std::array<float, kSamples> left{};
+    const float duration_s = model.animations[static_cast<size_t>(animation)].duration_s;
+    float mean = 0;
+    for (int i = 0; i < kSamples; ++i) {
+        restPose(model, scratch);
+        animate(model, animation, duration_s * static_cast<float>(i) / kSamples, scratch);
+        updateGlobals(model, scratch);
+        const auto tail = static_cast<size_t>(spine.joints[spine.last].node);
+        left[static_cast<size_t>(i)] = (scratch.modelFromNode[tail] * glm::vec4(spine.tipInLast, 1)).x;
+        mean += left[static_cast<size_t>(i)] / kSamples;
+    }
+    float power = 0;
+    for (float& x : left) {
+        x -= mean;
+        power += x * x / kSamples;
+    }
+    beat.amplitude = std::sqrt(2 * power) / spine.length_m;
+
+    // left(t) = c cos(2 pi n t) + s sin(2 pi n t) for the strongest n: it passes 0, rising, at atan2(-c, s).
+    float strongest = 0;
+    for (int n = 1; n <= kMostBeats; ++n) {
+        float c = 0, s = 0;
+        for (int i = 0; i < kSamples; ++i) {
+            const float angle = kTurn * static_cast<float>(n * i) / kSamples;
+            c += left[static_cast<size_t>(i)] * glm::cos(angle);
+            s += left[static_cast<size_t>(i)] * glm::sin(angle);
+        }
+        if (c * c + s * s <= strongest) continue;
+        strongest = c * c + s * s;
+        beat.perLoop = static_cast<float>(n);
+        beat.offset = std::atan2(-c, s) / (kTurn * static_cast<float>(n));
+    }
+    return beat;
+}
+
+void scaleWave(const Spine& spine, float factor, Pose& pose) {
+    for (const Spine::Joint& joint : spine.joints) {
+        Transform& local = pose.local[static_cast<size_t>(joint.node)];
+        local.rotation = glm::normalize(glm::slerp(joint.rest.rotation, local.rotation, factor));
+        local.translation = glm::mix(joint.rest.translation, local.translation, factor);
+    }
+}
+
+void bend(const Spine& spine, float left, float up, Pose& pose) {
+    if (spine.joints.empty() || (left == 0 && up == 0)) return;
+    const Rigid before = upTo(spine, spine.middle, pose);
+    // Up: what lies behind is lifted by a turn about +x, where a turn about +y carries it to the right.
+    const glm::vec3 turn(-up, left, 0);
+    const float angle = glm::length(turn);
+    for (const Spine::Joint& joint : spine.joints) {
+        if (joint.share == 0) continue;
+        glm::quat& local = pose.local[static_cast<size_t>(joint.node)].rotation;
+        local =
+            glm::normalize(local * glm::angleAxis(angle * joint.share, joint.nodeFromModel * (turn / angle)));
+    }
+    const Rigid after = upTo(spine, spine.middle, pose);
+    Transform& root = pose.local[static_cast<size_t>(spine.joints[0].node)];
+    const Rigid corrected = before * inverse(after) * rigid(root);
+    root.rotation = glm::normalize(corrected.turn);
+    root.translation = corrected.move;
+}
+
+} // namespace shoal::scene

@@ -1,0 +1,209 @@
+#include "engine/water/EstimateWater.h"
+
+#include "engine/math/Colour.h"
+#include "engine/math/LatLong.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace shoal::water {
+
+namespace {
+
+// The frame is read at this many places: nothing here is finer.
+constexpr int kRows = 256, kPerSector = 8;
+
+constexpr float kHorizon_deg = 8;                        // above and below: what counts as the horizon
+constexpr float kVeilTop_deg = 40, kVeilBottom_deg = 60; // above: the surface seen from below, at 41 degrees
+                                                         // its window to the sky
+constexpr float kVeilBand_deg = 10;
+constexpr float kFloorFar_deg = 2.5f, kFloorNear_deg = 45; // nearer than that the camera's own shadow and rig
+constexpr float kLostRed =
+    0.5f; // of green or blue, whichever is more: white cameras' horizons in air keep more
+
+int rowAt(float elevation_deg) {
+    return std::clamp(static_cast<int>(std::lround((0.5f - elevation_deg / 180) * kRows)), 0, kRows);
+}
+
+const std::array<float, 256>& linearOfByte() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> made{};
+        for (size_t i = 0; i < made.size(); ++i)
+            made[i] = math::linearFromSrgb(static_cast<float>(i) / 255.0f);
+        return made;
+    }();
+    return table;
+}
+
+glm::vec3 squaredCoded(const glm::vec3& lin) {
+    const glm::vec3 coded(math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y),
+                          math::srgbFromLinear(lin.z));
+    return coded * coded;
+}
+
+struct VeilCell {
+    std::array<float, kVeilTerms> terms;
+    glm::vec3 seen; // squared coded values
+    float weight;
+};
+
+// Solves the symmetric positive definite a x = b in place (Cholesky).
+void solve(std::array<std::array<double, kVeilTerms>, kVeilTerms>& a, std::array<double, kVeilTerms>& b) {
+    for (size_t i = 0; i < kVeilTerms; ++i) {
+        for (size_t j = 0; j <= i; ++j) {
+            double sum = a[i][j];
+            for (size_t k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
+            a[i][j] = i == j ? std::sqrt(std::max(sum, 1e-12)) : sum / a[j][j];
+        }
+        for (size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
+        b[i] /= a[i][i];
+    }
+    for (size_t i = kVeilTerms; i-- > 0;) {
+        for (size_t k = i + 1; k < kVeilTerms; ++k) b[i] -= a[k][i] * b[k];
+        b[i] /= a[i][i];
+    }
+}
+
+// Below what the cells show: what is darker than the fit counts in full, what is brighter the less the
+// brighter (Lorentz' weights). level: of the horizon, where the search begins.
+std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int channel, double level) {
+    constexpr int kRounds = 8;
+    constexpr double kTolerance = 0.1; // of the level: brighter by that counts half
+    // Against flat: bands 1 and 2 are no more than the cells insist on, as shares of all weights.
+    constexpr std::array<double, kVeilTerms> kStiff = {0, 0.004, 0.004, 0.004, 0.02, 0.02, 0.02, 0.02, 0.02};
+    std::array<double, kVeilTerms> fit{level};
+    for (int round = 0; round < kRounds; ++round) {
+        std::array<std::array<double, kVeilTerms>, kVeilTerms> a{};
+        std::array<double, kVeilTerms> b{};
+        double weights = 0;
+        for (const VeilCell& cell : cells) {
+            const auto seen = static_cast<double>(cell.seen[channel]);
+            double fitted = 0;
+            for (size_t i = 0; i < kVeilTerms; ++i) fitted += fit[i] * static_cast<double>(cell.terms[i]);
+            const double above = std::max(seen - fitted, 0.0) / (kTolerance * level + 1e-4);
+            const double weight = static_cast<double>(cell.weight) / (1 + above * above);
+            weights += weight;
+            for (size_t i = 0; i < kVeilTerms; ++i) {
+                const double term = weight * static_cast<double>(cell.terms[i]);
+                for (size_t j = 0; j <= i; ++j) a[i][j] += term * static_cast<double>(cell.terms[j]);
+                b[i] += term * seen;
+            }
+        }
+        for (size_t i = 0; i < kVeilTerms; ++i) a[i][i] += weights * kStiff[i] + 1e-9;
+        solve(a, b);
+        fit = b;
+    }
+    return fit;
+}
+
+} // namespace
+
+void WaterEstimator::sample(const light::FrameView& frame) {
+    const auto& table = linearOfByte();
+    cellsLin_.assign(static_cast<size_t>(kRows * kSectors), glm::vec3(0));
+    const int first = frame.bgr ? 2 : 0, last = 2 - first;
+    for (int row = rowAt(kVeilTop_deg); row < rowAt(-kVeilBottom_deg); ++row) {
+        const uint8_t* line =
+            frame.pixels + (static_cast<int64_t>(2 * row + 1) * frame.height / (2 * kRows)) * frame.rowStride;
+        for (int sector = 0; sector < kSectors; ++sector) {
+            glm::vec3 sum(0);
+            for (int i = 0; i < kPerSector; ++i) {
+                const int64_t column = static_cast<int64_t>(2 * (sector * kPerSector + i) + 1) * frame.width /
+                                       (2 * kSectors * kPerSector);
+                const uint8_t* pixel = line + 3 * column;
+                sum += glm::vec3(table[pixel[first]], table[pixel[1]], table[pixel[last]]);
+            }
+            cellsLin_[static_cast<size_t>(row * kSectors + sector)] = sum / static_cast<float>(kPerSector);
+        }
+    }
+}
+
+glm::vec3 WaterEstimator::meanLin(int sector, int firstRow, int lastRow) const {
+    glm::vec3 sum(0);
+    for (int row = firstRow; row < lastRow; ++row)
+        sum += cellsLin_[static_cast<size_t>(row * kSectors + sector)];
+    return sum / static_cast<float>(lastRow - firstRow);
+}
+
+void WaterEstimator::sortSectors(int firstRow, int lastRow) {
+    std::array<std::pair<float, int>, kSectors> byColour;
+    for (int sector = 0; sector < kSectors; ++sector) {
+        const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
+        byColour[static_cast<size_t>(sector)] = {mean.x - std::max(mean.y, mean.z), sector};
+    }
+    std::sort(byColour.begin(), byColour.end());
+    for (size_t i = 0; i < byColour.size(); ++i) openFirst_[i] = byColour[i].second;
+}
+
+glm::vec3 WaterEstimator::across(int sectors, int firstRow, int lastRow) const {
+    std::array<std::array<float, kSectors>, 3> values;
+    const auto count = static_cast<size_t>(sectors);
+    for (size_t i = 0; i < count; ++i) {
+        const glm::vec3 mean = meanLin(openFirst_[i], firstRow, lastRow);
+        for (size_t c = 0; c < 3; ++c) values[c][i] = mean[static_cast<int>(c)];
+    }
+    glm::vec3 median;
+    for (int c = 0; c < 3; ++c) {
+        auto& of = values[static_cast<size_t>(c)];
+        std::sort(of.begin(), of.begin() + sectors);
+        median[c] = 0.5f * (of[(count - 1) / 2] + of[count / 2]);
+    }
+    return median;
+}
+
+float WaterEstimator::redIsLost(int firstRow, int lastRow) const {
+    int lost = 0;
+    for (int sector = 0; sector < kSectors; ++sector) {
+        const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
+        lost += mean.x < kLostRed * std::max(mean.y, mean.z);
+    }
+    // A cave mouth or a diver may hide a third of it; of a dry place it is never a third.
+    const float share = static_cast<float>(lost) / kSectors;
+    return glm::smoothstep(0.35f, 0.65f, share);
+}
+
+WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
+    sample(frame);
+    WaterEstimate result;
+    const int horizonTop = rowAt(kHorizon_deg), horizonBottom = rowAt(-kHorizon_deg);
+    result.evidence = redIsLost(horizonTop, horizonBottom);
+    sortSectors(horizonTop, rowAt(0));
+    // Towards the floor it is no longer endless: the upper half of the horizon.
+    const glm::vec3 veilLin = across(kOpenSectors, horizonTop, rowAt(0));
+
+    floor_.clear();
+    if (eyeHeight_m_)
+        for (int row = rowAt(-kFloorFar_deg); row < rowAt(-kFloorNear_deg); ++row) {
+            const float below = ((static_cast<float>(row) + 0.5f) / kRows - 0.5f) * std::numbers::pi_v<float>;
+            // Equal steps of the distance's logarithm count equally, but the last rows are few.
+            floor_.push_back({*eyeHeight_m_ / std::sin(below), std::min(1 / std::tan(below), 8.0f),
+                              across(kOpenSectors, row, row + 1)});
+        }
+    result.water.attenuation_perM = fitAttenuation(floor_, veilLin);
+
+    std::array<VeilCell, kSectors* static_cast<size_t>((kVeilTop_deg + kVeilBottom_deg) / kVeilBand_deg)>
+        cells;
+    size_t count = 0;
+    for (float top = kVeilTop_deg; top > -kVeilBottom_deg + 1; top -= kVeilBand_deg)
+        for (int sector = 0; sector < kSectors; ++sector, ++count) {
+            const float middle = top - kVeilBand_deg / 2;
+            const glm::vec3 dir = directionFromLatLong(
+                glm::vec2((static_cast<float>(sector) + 0.5f) / kSectors, 0.5f - middle / 180));
+            // Below the horizon there is mostly floor: it bounds the veil, and says no more.
+            const float weight = std::cos(glm::radians(middle)) * (middle > -15 ? 1.0f : 0.3f);
+            cells[count] = {veilTerms(dir),
+                            squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
+        }
+    // From all sides: in a tunnel the water is as dark as its walls, however bright the sea beyond its end.
+    const glm::vec3 level = squaredCoded(across(kSectors, horizonTop, rowAt(0)));
+    for (int c = 0; c < 3; ++c) {
+        const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));
+        for (size_t i = 0; i < kVeilTerms; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);
+    }
+    return result;
+}
+
+} // namespace shoal::water

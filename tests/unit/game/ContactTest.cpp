@@ -1,0 +1,531 @@
+// Where the physics of hands among fish fails, if it fails. The rules of catching are in RulesTest.
+#include "Fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <limits>
+
+namespace shoal::game {
+namespace {
+
+using Kind = Event::Kind;
+using test::count;
+using test::first;
+using test::handAt;
+using test::OneFish;
+using test::reef;
+
+constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
+
+bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// Everything that must hold of every fish at every tick. Returns the fastest free one.
+float checkAll(const World& world, const char* where) {
+    float fastest = 0;
+    for (const Fish& f : world.fish) {
+        EXPECT_TRUE(finite(f.position) && finite(f.velocity) && finite(f.forward)) << where;
+        EXPECT_NEAR(glm::length(f.worldFromBody), 1, 1e-3f) << where;
+        if (f.heldBy < 0 && f.mind != Fish::Mind::Mouth) fastest = std::max(fastest, glm::length(f.velocity));
+    }
+    EXPECT_LE(fastest, kMaxSpeed_mps + 1e-3f) << where;
+    return fastest;
+}
+
+DiveFile crowd(int fish) {
+    DiveFile file = OneFish::lonely(false);
+    file.schools[0].count = fish;
+    return file;
+}
+
+// A generator of its own, so that tests do not depend on the game's.
+glm::vec3 somewhere(Random& random, float most) {
+    return {random.between(-most, most), random.between(-most, most), random.between(-most, most)};
+}
+
+TEST(Contact, AHandThatJumpsThroughAFishBetweenTwoTicksPushesIt) {
+    for (float speed : {5.0f, 20.0f, 60.0f})
+        for (float offset : {0.2f, 0.5f, 0.8f}) {
+            OneFish one;
+            const glm::vec3 way(speed / 120, 0, 0);
+            one.fish().position = kPlace + glm::vec3(0, 2, 0);
+            one.input.hands[1] = handAt(kPlace - way * offset, 1);
+            one.step();
+            one.rest();
+            one.events.clear();
+            one.input.hands[1] = handAt(kPlace + way * (1 - offset), 1);
+            one.step();
+            EXPECT_GE(count(one.events, Kind::Touch), 1) << speed << " m/s, offset " << offset;
+            EXPECT_GT(glm::length(one.fish().push), 0.2f) << speed << " m/s, offset " << offset;
+            checkAll(one.world, "jump");
+        }
+}
+
+TEST(Contact, AHandAt20MetresASecondNeitherMissesNorFlingsAFish) {
+    int touched = 0, rounds = 0;
+    for (int direction = 0; direction < 3; ++direction)
+        for (int phase = 0; phase < 8; ++phase) {
+            OneFish one;
+            glm::vec3 way(0);
+            way[direction] = 20.0f / 120;
+            const glm::vec3 start =
+                kPlace - way * (3 + 0.125f * static_cast<float>(phase)) + glm::vec3(0.01f, 0.005f, 0.01f);
+            one.input.hands[1] = handAt(start, 1);
+            one.step();
+            one.rest();
+            one.events.clear();
+            for (int i = 1; i < 8; ++i) {
+                one.input.hands[1] = handAt(start + way * static_cast<float>(i), 1);
+                one.step();
+                checkAll(one.world, "20 m/s");
+            }
+            touched += count(one.events, Kind::Touch) > 0;
+            ++rounds;
+            for (int i = 0; i < 60; ++i) {
+                one.step();
+                checkAll(one.world, "after 20 m/s");
+            }
+        }
+    EXPECT_EQ(touched, rounds);
+}
+
+// The hands close in from both sides, faster than the fish could part from either, and stay.
+TEST(Contact, AFishPressedBetweenTwoHandsStaysBetweenThem) {
+    OneFish one;
+    const auto hands = [&](float apart) {
+        one.input.hands[0] = handAt(kPlace + glm::vec3(-apart, 0, 0), 0, 0);
+        one.input.hands[1] = handAt(kPlace + glm::vec3(apart, 0, 0), 0, 1);
+    };
+    hands(0.2f);
+    one.step();
+    one.rest();
+    float fastest = 0, farthest = 0;
+    glm::vec3 was = one.fish().velocity;
+    int reversals = 0;
+    for (int i = 0; i < 240; ++i) {
+        hands(std::max(0.03f, 0.2f - 0.003f * static_cast<float>(i)));
+        one.step();
+        fastest = std::max(fastest, checkAll(one.world, "pressed"));
+        farthest = std::max(farthest, glm::distance(one.fish().position, kPlace));
+        if (one.fish().heldBy < 0 && glm::dot(was, one.fish().velocity) < -0.04f) ++reversals;
+        was = one.fish().velocity;
+    }
+    EXPECT_LT(fastest, 2.2f) << "it may flee, it is not shot out";
+    EXPECT_LT(reversals, 12) << "it does not rattle between them";
+    EXPECT_TRUE(finite(one.fish().position));
+}
+
+// Two flat palms facing one another hold a fish without any fist: contacts oppose each other around it.
+TEST(Contact, TwoPalmsHoldAFishBetweenThem) {
+    OneFish one;
+    const auto palms = [&](float apart) {
+        for (int side = 0; side < 2; ++side) {
+            hands::HandShape flat;
+            hands::WristPose wrist;
+            // Fingers ahead, palms towards each other: the right hand's -Y points to the left.
+            const float roll = side == 1 ? -1.0f : 1.0f;
+            wrist.orientation = glm::angleAxis(roll * 1.5707963f, glm::vec3(0, 0, 1));
+            wrist.position = kPlace + glm::vec3((side == 1 ? 1 : -1) * apart, 0, 0.09f);
+            one.input.hands[side] =
+                test::rig().pose(side == 0 ? hands::Side::Left : hands::Side::Right, flat, wrist);
+        }
+    };
+    palms(0.2f);
+    one.step();
+    one.rest();
+    one.fish().forward = {0, 0, -1};
+    bool held = false;
+    for (int i = 0; i < 160 && !held; ++i) {
+        palms(std::max(0.028f, 0.2f - 0.002f * static_cast<float>(i)));
+        if (one.fish().heldBy < 0) one.fish().forward = {0, 0, -1};
+        if (i < 80) one.rest();
+        one.step();
+        held = one.fish().heldBy >= 0;
+        checkAll(one.world, "palms");
+    }
+    EXPECT_TRUE(held);
+}
+
+TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
+    World world(reef().species, crowd(40), 5);
+    TickInput input;
+    std::vector<Event> events;
+    input.hands[1] = handAt(kPlace);
+    world.step(input, events);
+    Random random(11, 1);
+    for (Fish& f : world.fish) {
+        f.position = kPlace + somewhere(random, 0.03f);
+        f.velocity = f.push = glm::vec3(0);
+        f.speed = 0;
+    }
+    for (int i = 1; i <= 240; ++i) {
+        input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
+        world.step(input, events);
+        checkAll(world, "forty");
+        int held = 0;
+        for (const Fish& f : world.fish) held += f.heldBy >= 0;
+        ASSERT_LE(held, 1);
+    }
+    EXPECT_EQ(count(events, Kind::Grab), 1);
+    EXPECT_EQ(world.caught, 1);
+    // The others have left the fist.
+    int inside = 0;
+    for (const Fish& f : world.fish) inside += glm::distance(f.position, kPlace) < 0.06f;
+    EXPECT_LE(inside, 4);
+}
+
+TEST(Contact, AFistClosedOnAnEmptyPlaceCatchesNothingThatSwimsIn) {
+    for (float closed : {0.6f, 0.8f, 1.0f})
+        for (int from = 0; from < 6; ++from) {
+            OneFish one;
+            one.rest(kPlace + glm::vec3(0, 2, 0));
+            one.moveGrip(kPlace, 0, closed);
+            one.rest(kPlace + glm::vec3(0, 2, 0));
+            one.step(60);
+            one.events.clear();
+            glm::vec3 side(0);
+            side[from / 2] = from % 2 ? 0.15f : -0.15f;
+            for (int i = 0; i < 180; ++i) { // again and again, at 0.5 m/s
+                if (i % 60 == 0) one.rest(kPlace + side);
+                one.fish().forward = -glm::normalize(side);
+                one.fish().speed = 0.5f;
+                one.step();
+                checkAll(one.world, "swims in");
+            }
+            EXPECT_EQ(count(one.events, Kind::Grab), 0) << closed << " from side " << from;
+        }
+}
+
+// A camera's hand comes at 30 Hz: still for three ticks, then four ticks' way in one. It pushes as the same
+// hand at 120 Hz does, not four times as hard.
+TEST(Contact, AHandThatComesAt30HzPushesAsOneAt120Hz) {
+    const auto fastestPushed = [](int every) {
+        OneFish one;
+        const glm::vec3 start = kPlace + glm::vec3(-0.25f, 0, 0);
+        one.input.hands[1] = handAt(start, 1);
+        one.step();
+        one.rest();
+        float fastest = 0;
+        for (int i = 1; i <= 90; ++i) { // 0.6 m/s
+            if (i % every == 0)
+                one.input.hands[1] = handAt(start + glm::vec3(0.6f * static_cast<float>(i) / 120, 0, 0), 1);
+            one.fish().speed = 0;
+            one.fish().mind = Fish::Mind::Cruise;
+            one.fish().frightRest_s = 1; // pushed, not fleeing
+            one.step();
+            fastest = std::max(fastest, glm::length(one.fish().push));
+        }
+        return fastest;
+    };
+    const float smooth = fastestPushed(1), coarse = fastestPushed(4);
+    EXPECT_GT(smooth, 0.4f);
+    EXPECT_LT(smooth, 0.9f);
+    // The smoothing over 25 ms leaves a ripple of a half of the hand's speed.
+    EXPECT_NEAR(coarse, smooth, 0.5f * 0.6f + 0.1f);
+}
+
+TEST(Contact, NoAbsurdJointsReachTheFish) {
+    const float bad[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                         -std::numeric_limits<float>::infinity(), 1e30f, -40.0f};
+    Random random(17, 1);
+    OneFish one;
+    one.input.hands[1] = handAt(kPlace + glm::vec3(0.3f, 0, 0));
+    one.step(2);
+    for (int round = 0; round < 400; ++round) {
+        TickInput input = one.input;
+        hands::HandPose& hand = input.hands[1];
+        hands::Joint& joint = hand.joints[random.below(hands::kJointCount)];
+        const float value = bad[random.below(std::size(bad))];
+        switch (random.below(6)) {
+        case 0:
+            joint.position[static_cast<int>(random.below(3))] = value;
+            break;
+        case 1:
+            joint.orientation[static_cast<int>(random.below(4))] = value;
+            break;
+        case 2:
+            joint.radius = value;
+            break;
+        case 3:
+            hand.grip = std::isfinite(value) ? std::numeric_limits<float>::quiet_NaN() : value;
+            break;
+        case 4:
+            joint.position = glm::vec3(value);
+            break;
+        default:
+            joint.orientation = {0, 0, 0, 0};
+            break;
+        }
+        one.world.step(input, one.events);
+        checkAll(one.world, "absurd");
+    }
+    EXPECT_FALSE(one.world.hands[1].visible) << "for so long without a sound pose it counts as untracked";
+    one.step();
+    EXPECT_TRUE(one.world.hands[1].visible) << "the first sound pose brings it back";
+    EXPECT_EQ(count(one.events, Kind::Touch), 0);
+}
+
+TEST(Contact, BothHandsInTheSamePlaceShareNothingAndBreakNothing) {
+    OneFish one;
+    one.input.hands = {handAt(kPlace, 0, 0), handAt(kPlace, 0, 1)};
+    one.step();
+    one.rest();
+    for (int i = 1; i <= 200; ++i) {
+        const float closed = std::min(1.0f, static_cast<float>(i) / 15);
+        one.input.hands = {handAt(kPlace, closed, 0), handAt(kPlace, closed, 1)};
+        one.step();
+        checkAll(one.world, "same place");
+        EXPECT_FALSE(one.world.hands[0].holds == 0 && one.world.hands[1].holds == 0);
+    }
+    EXPECT_GE(count(one.events, Kind::Grab), 1);
+    EXPECT_EQ(one.world.caught, 1);
+}
+
+// A hand that glides back to where tracking found it again goes through fish as if it were not there.
+TEST(Contact, AHandThatIsNotSolidTouchesNothing) {
+    OneFish gliding, without;
+    const glm::vec3 start = kPlace + glm::vec3(-0.3f, 0, 0);
+    gliding.input.hands[1] = handAt(start);
+    gliding.input.hands[1].solid = false;
+    gliding.step(2);
+    gliding.rest();
+    gliding.events.clear();
+    for (int i = 1; i <= 60; ++i) { // 1.2 m/s, closing on the way
+        gliding.input.hands[1] =
+            handAt(start + glm::vec3(0.01f * static_cast<float>(i), 0, 0), static_cast<float>(i) / 60);
+        gliding.input.hands[1].solid = false;
+        gliding.step();
+        EXPECT_EQ(gliding.fish().push, glm::vec3(0));
+        EXPECT_EQ(gliding.fish().parting, glm::vec3(0));
+    }
+    EXPECT_TRUE(gliding.events.empty()) << kEventNames[static_cast<size_t>(gliding.events[0].kind)];
+    EXPECT_EQ(gliding.fish().heldBy, -1);
+    EXPECT_EQ(gliding.fish().mind, Fish::Mind::Cruise);
+}
+
+// It becomes solid in the middle of a fish: the fish is let out gently, and no speed comes of the glide.
+TEST(Contact, AHandThatBecomesSolidInsideAFishLetsItOutGently) {
+    OneFish one;
+    one.input.hands[1] = handAt(kPlace + glm::vec3(-0.3f, 0, 0), 1);
+    one.input.hands[1].solid = false;
+    one.step(2);
+    one.rest();
+    one.input.hands[1] = handAt(kPlace, 1); // 36 m/s
+    one.input.hands[1].solid = false;
+    one.step();
+    one.rest();
+    one.input.hands[1].solid = true;
+    for (int i = 0; i < 120; ++i) {
+        one.fish().speed = 0;
+        one.fish().frightRest_s = 1;
+        one.fish().mind = Fish::Mind::Cruise;
+        const glm::vec3 was = one.fish().position;
+        one.step();
+        // Its own speed and the parting; a fish at rest turns and starts at 3 m/s2 at most.
+        EXPECT_LE(glm::distance(was, one.fish().position) * 120, 1.1f * physics::kPartMost_mps + 0.1f) << i;
+    }
+    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+}
+
+TEST(Contact, ALooseGripLosesABigFishAndAFirmOneKeepsIt) {
+    const auto heldFor = [](float closed) {
+        OneFish one;
+        one.fish().species = findSpecies(one.world.species, "snapper");
+        one.input.hands[1] = handAt(kPlace);
+        one.step();
+        one.rest();
+        for (int i = 1; i <= 15; ++i) {
+            one.input.hands[1] = handAt(kPlace, closed * static_cast<float>(i) / 15);
+            one.step();
+        }
+        int ticks = 0;
+        for (int i = 0; i < 110; ++i) {
+            ticks += one.fish().heldBy >= 0;
+            one.step();
+        }
+        return ticks;
+    };
+    EXPECT_GT(heldFor(1), 100);
+    EXPECT_LT(heldFor(0.45f), 60);
+}
+
+// The struggle makes it slip: the same grip that holds a quiet fish gives when it is waved about.
+TEST(Contact, AFishIsTornFromAHandThatGoesTooFast) {
+    const auto caughtAt = [](float speed) {
+        OneFish one;
+        one.fish().species = findSpecies(one.world.species, "snapper");
+        one.moveGrip(kPlace, 0, 0);
+        one.rest();
+        one.moveGrip(kPlace, 0, 1);
+        EXPECT_EQ(one.world.hands[1].holds, 0);
+        for (int i = 0; i < 40 && one.world.hands[1].holds == 0; ++i) {
+            const float eased = std::min(1.0f, static_cast<float>(i) / 20); // of the speed
+            one.input.hands[1] =
+                handAt(kPlace + glm::vec3(0, 0.5f * eased * speed * static_cast<float>(i) / 120, 0), 1);
+            one.step();
+            checkAll(one.world, "torn");
+        }
+        return one.world.hands[1].holds == 0;
+    };
+    EXPECT_TRUE(caughtAt(0.5f));
+    EXPECT_FALSE(caughtAt(10.0f));
+}
+
+// Fingers that tremble by 2 mm about the grip that just holds: one grab, and no flutter of grab and escape.
+TEST(Contact, ATremblingGripHasHysteresis) {
+    OneFish one;
+    Random random(23, 1);
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 0.7f);
+    ASSERT_EQ(count(one.events, Kind::Grab), 1);
+    for (int i = 0; i < 100; ++i) {
+        one.input.hands[1] = handAt(kPlace, 0.7f);
+        for (hands::Joint& joint : one.input.hands[1].joints) joint.position += somewhere(random, 0.002f);
+        one.step();
+    }
+    EXPECT_EQ(count(one.events, Kind::Grab), 1);
+    EXPECT_EQ(count(one.events, Kind::Escape), 0);
+}
+
+TEST(Contact, FingersRestOnAHeldFishAndDoNotEnterIt) {
+    OneFish one;
+    one.moveGrip(kPlace, 0, 0);
+    one.rest();
+    one.moveGrip(kPlace, 0, 1);
+    ASSERT_EQ(one.world.hands[1].holds, 0);
+    one.step(40);
+    Snapshot now;
+    one.world.fill(now);
+    const physics::Capsule flesh = one.world.body(one.fish());
+    const auto& shown = now.hands[1].joints;
+    const auto& given = one.world.hands[1].joints;
+    float deepestShown = 0, deepestGiven = 0;
+    for (int j = 7; j < hands::kJointCount; ++j) {
+        if ((j - 6) % 5 < 2) continue; // of the palm
+        const auto depth = [&](const auto& joints) {
+            const hands::Joint &a = joints[hands::kJointParent[j]], &b = joints[j];
+            return -physics::separation({a.position, b.position, std::min(a.radius, b.radius)}, flesh);
+        };
+        deepestShown = std::max(deepestShown, depth(shown));
+        deepestGiven = std::max(deepestGiven, depth(given));
+    }
+    EXPECT_GT(deepestGiven, 0.01f) << "a bare fist would go through it";
+    EXPECT_LT(deepestShown, 0.004f);
+    // What touches is felt, and with it the struggle.
+    int touching = 0;
+    for (const TouchView& touch : now.hands[1].touching)
+        if (touch.touches) {
+            ++touching;
+            EXPECT_GT(touch.struggle, 0);
+        }
+    EXPECT_GE(touching, 3);
+}
+
+TEST(Contact, AGentleStrokeIsFeltForAsLongAsItLasts) {
+    OneFish one;
+    const glm::vec3 left = kPlace - glm::vec3(0.3f, 0, 0.02f);
+    one.input.hands[1] = handAt(left);
+    one.step();
+    one.rest();
+    int felt = 0;
+    float fastest = 0;
+    for (int i = 0; i <= 160; ++i) {
+        one.input.hands[1] = handAt(left + glm::vec3(0.2f * static_cast<float>(i) / 120, 0, 0));
+        one.rest();
+        one.step();
+        for (const TouchView& touch : one.world.hands[1].touching) {
+            if (!touch.touches) continue;
+            ++felt;
+            fastest = std::max(fastest, touch.press_mps);
+            EXPECT_EQ(touch.struggle, 0) << "it is not held";
+        }
+    }
+    EXPECT_GT(felt, 10);
+    EXPECT_LT(fastest, 0.3f) << "as slow as the hand";
+}
+
+// Ten minutes of two hands thrashing about among all fish: every speed bounded, and what the last minute has
+// of kinetic energy is what the second had. Then the hands leave, and the fish calm down to their cruising.
+TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {
+    DiveFile file = reef().dive;
+    file.shark.species = -1;
+    file.duration_s = 1e6f;
+    World world(reef().species, file, 3);
+    const auto energy = [&] {
+        double sum = 0;
+        for (const Fish& f : world.fish) {
+            const Species& kind = world.species[f.species];
+            const double mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
+            sum += 0.5 * mass * glm::dot(f.velocity, f.velocity);
+        }
+        return sum;
+    };
+    const double calm = energy();
+    Random random(29, 1);
+    std::array<glm::vec3, 2> at{kPlace, kPlace}, goal{kPlace, kPlace};
+    std::array<float, 10> minutes{};
+    TickInput input;
+    std::vector<Event> events;
+    for (int tick = 0; tick < 10 * 60 * 120; ++tick) {
+        for (int h = 0; h < 2; ++h) {
+            if (tick % 40 == 20 * h) goal[h] = somewhere(random, 1.1f) * glm::vec3(1, 0.5f, 1);
+            at[h] += (goal[h] - at[h]) * 0.15f; // up to 20 m/s
+            const float closed = (tick / (h ? 90 : 130)) % 2 ? 1.0f : 0.0f;
+            input.hands[h] = handAt(at[h], closed, h);
+        }
+        events.clear();
+        world.step(input, events);
+        if (tick % 4 == 0) checkAll(world, "thrashing");
+        minutes[tick / 7200] += static_cast<float>(energy() / 7200);
+    }
+    const float later = *std::max_element(minutes.begin() + 2, minutes.end());
+    EXPECT_LT(later, 2 * minutes[1]);
+    input.hands[0].tracked = input.hands[1].tracked = false;
+    for (int i = 0; i < 8 * 120; ++i) world.step(input, events);
+    EXPECT_LT(energy(), 2 * calm);
+}
+
+// Every bit of the state, with both hands among the fish and one of them not solid at times.
+TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
+    // Each hand goes for the nearest fish on its side of the view, and closes and opens on the way.
+    const auto inputAt = [](int tick, const Snapshot& now) {
+        TickInput input;
+        for (int h = 0; h < 2; ++h) {
+            glm::vec3 goal = kPlace;
+            float best = 10;
+            for (const CreatureView& c : now.creatures)
+                if ((c.position.x > 0) == (h == 1) && c.position.z < -0.3f && c.motion != Motion::Cruise &&
+                    glm::length(c.position) < best)
+                    best = glm::length(c.position), goal = c.position;
+            const glm::vec3 at = hands::graspCentre(now.hands[h].joints);
+            const glm::vec3 to = now.hands[h].visible ? at + 0.04f * (goal - at) : kPlace;
+            const int beat = tick % 180;
+            input.hands[h] = handAt(to, std::clamp(static_cast<float>(beat - 60) / 15, 0.0f, 1.0f), h);
+        }
+        input.hands[1].solid = tick % 700 > 40;
+        return input;
+    };
+    Dive first(reef().species, reef().dive, 6), second(reef().species, reef().dive, 6);
+    sim::Recording recording(headerFor(first));
+    Snapshot now;
+    std::vector<Event> events;
+    std::array<uint8_t, kTickInputBytes> bytes;
+    for (int tick = 0; tick < 3600; ++tick) {
+        first.snapshot(now);
+        const TickInput input = inputAt(tick, now);
+        first.step(input, events);
+        second.step(input, events);
+        ASSERT_EQ(first.stateHash(), second.stateHash()) << "tick " << tick;
+        toBytes(input, bytes);
+        recording.add(bytes, first.stateHash());
+    }
+    EXPECT_GT(count(events, Kind::Touch), 50);
+    EXPECT_GT(count(events, Kind::Grab), 0);
+    const Status same = replay(recording, reef());
+    EXPECT_TRUE(same) << same.error().sentence();
+}
+
+} // namespace
+} // namespace shoal::game

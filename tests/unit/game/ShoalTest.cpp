@@ -1,0 +1,203 @@
+// Who keeps company: shoals, pairs and those who live alone, told apart by what can be measured in a tank.
+#include "Fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cstdio>
+
+namespace shoal::game {
+namespace {
+
+using test::reef;
+
+// Of one school at one moment. Lengths in body lengths.
+struct Order {
+    float polarisation = 0; // length of the mean heading: 1 all alike, 0 all ways (Couzin et al. 2002)
+    float nearest = 1e9f;   // neighbour, centre to centre, of any fish
+    float meanNearest = 0;  // of all
+    float farthest = 0;     // from the school's middle
+};
+
+Order orderOf(const World& world, int school) {
+    Order order;
+    glm::vec3 heading(0), middle(0);
+    int count = 0;
+    float length_m = 1;
+    for (const Fish& a : world.fish) {
+        if (a.school != school) continue;
+        length_m = world.species[a.species].length_m;
+        heading += a.forward;
+        middle += a.position;
+        ++count;
+        float nearest = 1e9f;
+        for (const Fish& b : world.fish)
+            if (&a != &b && b.school == school)
+                nearest = std::min(nearest, glm::distance(a.position, b.position) / length_m);
+        order.nearest = std::min(order.nearest, nearest);
+        order.meanNearest += nearest;
+    }
+    const auto n = static_cast<float>(count);
+    order.polarisation = glm::length(heading) / n;
+    order.meanNearest /= n;
+    for (const Fish& a : world.fish)
+        if (a.school == school)
+            order.farthest = std::max(order.farthest, glm::distance(a.position, middle / n) / length_m);
+    return order;
+}
+
+DiveFile calm() { // nothing to fear
+    DiveFile file = reef().dive;
+    file.shark.species = -1;
+    return file;
+}
+
+void run(World& world, float seconds, const TickInput& input = {}) {
+    std::vector<Event> events;
+    for (int i = 0; i < static_cast<int>(seconds * 120); ++i) world.step(input, events);
+}
+
+class Company_ : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(Company_, ShoalsAlignAndStayTogetherAndApart) {
+    World world(reef().species, calm(), GetParam());
+    run(world, 20);
+    const auto& schools = world.file.schools;
+    std::vector<double> polarisation(schools.size(), 0), nearest(schools.size(), 0);
+    int samples = 0, shoals = 0;
+    for (; samples < 200; ++samples) {
+        run(world, 0.2f);
+        for (size_t s = 0; s < schools.size(); ++s) {
+            const Order order = orderOf(world, static_cast<int>(s));
+            polarisation[s] += order.polarisation;
+            nearest[s] += order.meanNearest;
+            if (world.species[schools[s].species].company != Company::Shoal) continue;
+            EXPECT_GT(order.nearest, 0.5f);
+            // One that turns as a whole is out of order for a moment, but together.
+            EXPECT_LT(order.farthest, 6);
+        }
+    }
+    for (size_t s = 0; s < schools.size(); ++s) {
+        const Species& kind = world.species[schools[s].species];
+        const double order = polarisation[s] / samples, apart = nearest[s] / samples;
+        std::printf("seed %d, %s: polarisation %.3f, nearest neighbour %.2f body lengths\n",
+                    static_cast<int>(GetParam()), kind.name.c_str(), order, apart);
+        if (kind.company == Company::Shoal) {
+            ++shoals;
+            EXPECT_GT(order, 0.9) << kind.name;
+            EXPECT_LT(apart, 1.5 * kind.spacing) << kind.name;
+        } else
+            EXPECT_LT(order, 0.8) << kind.name;
+        if (kind.company == Company::Alone) {
+            EXPECT_GT(apart, 2.0) << kind.name;
+        }
+    }
+    EXPECT_GE(shoals, 2);
+}
+
+TEST_P(Company_, PairsKeepTogetherTwoByTwo) {
+    World world(reef().species, calm(), GetParam());
+    run(world, 20);
+    int near = 0, all = 0;
+    for (int i = 0; i < 100; ++i) {
+        run(world, 0.2f);
+        for (size_t a = 0; a < world.fish.size(); ++a) {
+            const Fish& fish = world.fish[a];
+            const Species& kind = world.species[fish.species];
+            if (kind.company != Company::Pair || fish.leader == static_cast<int>(a)) continue;
+            const Fish& partner = world.fish[static_cast<size_t>(fish.leader)];
+            EXPECT_EQ(partner.species, fish.species);
+            ++all;
+            near += glm::distance(fish.position, partner.position) < 3 * kind.length_m;
+        }
+    }
+    ASSERT_GT(all, 0);
+    EXPECT_GT(near, 0.9 * all);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Company_, testing::Values(1, 2, 3));
+
+TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
+    World world(reef().species, calm(), 4);
+    run(world, 5);
+    std::vector<Event> events;
+    int school = 0;
+    for (size_t i = 0; i < world.fish.size(); ++i) {
+        const Fish& fish = world.fish[i];
+        if (world.species[fish.species].company != Company::Shoal) continue;
+        school = fish.school;
+        // From its own side each: they burst apart.
+        const glm::vec3 from(i % 3 ? 0.2f : -0.2f, 0, i % 2 ? 0.2f : -0.2f);
+        world.startle(static_cast<int>(i), fish.position + from, events);
+    }
+    float widest = 0;
+    for (int i = 0; i < 20; ++i) {
+        run(world, 0.1f);
+        widest = std::max(widest, orderOf(world, school).farthest);
+    }
+    run(world, 18);
+    EXPECT_GT(widest, 4);
+    EXPECT_LT(orderOf(world, school).farthest, 4);
+    EXPECT_GT(orderOf(world, school).polarisation, 0.8f);
+}
+
+// As full as a reef may get: seven kinds, two shoals, forty fish, one of them a ray: a large, slow, solitary
+// species like any other.
+TEST(Reef, OfSevenKindsAndFortyFishKeepsApart) {
+    SpeciesTable species = reef().species;
+    DiveFile file = reef().dive;
+    const auto add = [&](Species kind, int count) {
+        School school = file.schools[0];
+        school.species = static_cast<int>(species.size());
+        school.count = count;
+        school.radiusLow_m = 1.2f;
+        school.radiusHigh_m = 2.6f;
+        species.push_back(std::move(kind));
+        file.schools.push_back(school);
+    };
+    for (School& school : file.schools)
+        if (species[school.species].company != Company::Shoal) school.count -= 3;
+    Species boxy = species[0];
+    boxy.name = "boxfish";
+    boxy.cruise_mps = 0.15f;
+    Species longFinned = species[1];
+    longFinned.name = "lionfish";
+    longFinned.company = Company::Alone;
+    Species ray;
+    ray.name = "ray";
+    ray.length_m = 0.9f;
+    ray.bodyRadius_m = 0.18f;
+    ray.bodyHalf_m = 0.15f;
+    ray.cruise_mps = 0.35f;
+    ray.dart_mps = 0.9f;
+    ray.turn_radps = 0.7f;
+    add(boxy, 4);
+    add(longFinned, 2);
+    add(ray, 1);
+    EXPECT_EQ(file.schools.size(), 7u);
+    World world(species, file, 8);
+    EXPECT_EQ(world.fish.size(), 40u);
+    float nearest = 1;
+    int touching = 0, pairs = 0;
+    for (int i = 0; i < 600; ++i) {
+        run(world, 0.1f);
+        for (size_t a = 0; a < world.fish.size(); ++a)
+            for (size_t b = 0; b < a; ++b) {
+                const auto body = [&](const Fish& f) {
+                    const Species& kind = species[f.species];
+                    const glm::vec3 half = f.forward * kind.bodyHalf_m;
+                    return physics::Capsule{f.position - half, f.position + half, kind.bodyRadius_m};
+                };
+                const float gap = physics::separation(body(world.fish[a]), body(world.fish[b]));
+                nearest = std::min(nearest, gap);
+                touching += gap < 0;
+                ++pairs;
+            }
+    }
+    std::printf("nearest %.3f m, touching %.4f %%\n", nearest, 100.0 * touching / pairs);
+    EXPECT_LT(touching, pairs / 5000);
+}
+
+} // namespace
+} // namespace shoal::game

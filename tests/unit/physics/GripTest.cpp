@@ -1,0 +1,121 @@
+#include "engine/physics/Grip.h"
+
+#include "engine/core/Random.h"
+#include "engine/physics/ContactModel.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace shoal::physics {
+namespace {
+
+// Directions are refined to 0.01 rad; forces of 10 N then err by up to 0.1 N.
+constexpr float kTol_N = 0.1f;
+
+Press press(glm::vec3 normal, float force_N) { return {glm::normalize(normal), force_N}; }
+
+TEST(Hold, NothingHoldsNothing) {
+    EXPECT_EQ(hold({}, glm::vec3(0)).margin_N, 0);
+    EXPECT_LT(hold({}, {0, -1, 0}).margin_N, -0.9f);
+}
+
+TEST(Hold, OneSideAloneHoldsNothingHoweverHardItPresses) {
+    const std::vector<Press> palm = {press({0, -1, 0}, 100), press({0.2f, -1, 0}, 100),
+                                     press({0, -1, 0.2f}, 100)};
+    EXPECT_LE(hold(palm, glm::vec3(0)).margin_N, 0);
+}
+
+// Two opposed fingers of force F. Along d, at an angle a from their line, they give F (cos a + mu sin a), and
+// from tan a = 1 / mu on 2 mu F sin a, both by friction. The least is at that angle: sin a = 1 / sqrt(1 +
+// mu^2).
+TEST(Hold, TwoOpposedFingersHoldAsTheClosedFormSays) {
+    const float force = 10, edge = 1 / std::sqrt(1 + kFriction * kFriction);
+    const std::vector<Press> pinch = {press({1, 0, 0}, force), press({-1, 0, 0}, force)};
+    EXPECT_NEAR(hold(pinch, glm::vec3(0)).margin_N, 2 * kFriction * force * edge, kTol_N);
+    // Pulled across their line: friction less the pull.
+    EXPECT_NEAR(hold(pinch, {0, 6, 0}).margin_N, (2 * kFriction * force - 6) * edge, 2 * kTol_N);
+    const Hold slips = hold(pinch, {0, 12, 0});
+    EXPECT_NEAR(slips.margin_N, 2 * kFriction * force - 12, kTol_N);
+    EXPECT_GT(slips.gives.y, 0.98f) << "it slips the way it is pulled";
+}
+
+// Nguyen 1988: two fingers close when the line between them lies in both cones of friction.
+TEST(Hold, TwoFingersCloseWhileTheirAngleIsWithinBothCones) {
+    const float cone = std::atan(kFriction);
+    for (float askew : {0.0f, 0.5f * cone, 0.9f * cone, 1.1f * cone, 2 * cone}) {
+        // Both lean the same way from the line that joins them.
+        const std::vector<Press> pinch = {press({std::cos(askew), std::sin(askew), 0}, 10),
+                                          press({-std::cos(askew), std::sin(askew), 0}, 10)};
+        const float margin = hold(pinch, glm::vec3(0)).margin_N;
+        EXPECT_EQ(margin > kTol_N, askew < cone) << askew / cone << ": " << margin;
+    }
+}
+
+// Three fingers around: every 120 degrees in a plane. Ponce and Faverjon 1995: their cones span the plane.
+TEST(Hold, ThreeFingersAroundHoldFromEverySide) {
+    std::vector<Press> around;
+    for (int i = 0; i < 3; ++i) {
+        const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / 3;
+        around.push_back(press({std::cos(a), std::sin(a), 0}, 5));
+    }
+    EXPECT_GT(hold(around, glm::vec3(0)).margin_N, 4);
+    around.pop_back();
+    EXPECT_LE(hold(around, glm::vec3(0)).margin_N, 0.5f) << "two at 120 degrees lie just beside their cones";
+}
+
+TEST(Hold, LooseFingersGiveLessThanFirmOnes) {
+    const auto margin = [](float force) {
+        const std::vector<Press> pinch = {press({1, 0, 0}, force), press({-1, 0, 0}, force)};
+        return hold(pinch, {0, 3, 0}).margin_N;
+    };
+    EXPECT_LT(margin(2), 0);
+    EXPECT_GT(margin(6), 0);
+}
+
+// The search over directions against twenty thousand of them.
+TEST(Hold, FindsTheWorstDirection) {
+    Random random(7, 1);
+    const auto unit = [&] {
+        for (;;) {
+            const glm::vec3 v(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+            const float squared = glm::dot(v, v);
+            if (squared > 0.01f && squared < 1) return v / std::sqrt(squared);
+        }
+    };
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Press> presses;
+        const int count = 2 + static_cast<int>(random.below(12));
+        for (int i = 0; i < count; ++i) presses.push_back({unit(), random.between(0.2f, 4)});
+        const glm::vec3 asked = unit() * random.between(0, 4);
+        const Hold found = hold(presses, asked);
+        float truth = 1e9f;
+        for (int i = 0; i < 20'000; ++i) {
+            const glm::vec3 d = unit();
+            float sum = glm::dot(asked, d);
+            for (const Press& p : presses) {
+                const float along = glm::dot(p.normal, d);
+                sum += p.force_N *
+                       std::max(0.0f, along + kFriction * std::sqrt(std::max(0.0f, 1 - along * along)));
+            }
+            truth = std::min(truth, sum);
+        }
+        EXPECT_GT(found.margin_N, truth - 0.02f * (found.squeeze_N + 1)) << round;
+        EXPECT_LT(found.margin_N, truth + 0.05f * (found.squeeze_N + 1)) << round;
+    }
+}
+
+TEST(Hold, ForcesAreBounded) {
+    EXPECT_EQ(pressForce_N(-1), 0);
+    EXPECT_EQ(pressForce_N(100), kForceMost_N);
+    EXPECT_NEAR(pressForce_N(0.004f), 0.004f * kStiffness_Npm, 1e-6f);
+    // A ball of 3 cm.
+    EXPECT_NEAR(mass_kg(0.03f, 0), kDensity_kgpm3 * 1.131e-4f, 1e-4f);
+}
+
+} // namespace
+} // namespace shoal::physics
