@@ -42,19 +42,24 @@ haptics::Actuation underFinger(const TouchView& touch, bool held) {
 
 } // namespace
 
+void Feel::strike(Pulse& own, const Pulse& pulse) {
+    if (pulse.amplitude >= own.amplitude) own = pulse;
+}
+
 void Feel::strike(int hand, int finger, const Pulse& pulse) {
     if (hand < 0 || hand > 1 || finger < 0 || finger >= haptics::kActuatorsPerHand) return;
-    Pulse& own = pulses_[static_cast<size_t>(hand * haptics::kActuatorsPerHand + finger)];
-    if (pulse.amplitude >= own.amplitude) own = pulse;
+    strike(pulses_[static_cast<size_t>(hand * haptics::kActuatorsPerHand + finger)], pulse);
 }
 
 haptics::HapticFrame Feel::frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
                                  float strength) {
     if (shown.paused || shown.phase == Phase::Results) {
         pulses_ = {};
+        body_ = {};
         return {};
     }
     for (Pulse& pulse : pulses_) pulse.amplitude *= std::exp(-dt_s / pulse.decay_s);
+    body_.amplitude *= std::exp(-dt_s / body_.decay_s);
     for (const Event& event : events) {
         const auto wholeHand = [&](const Pulse& pulse) {
             for (int finger = 0; finger < haptics::kActuatorsPerHand; ++finger)
@@ -73,10 +78,10 @@ haptics::HapticFrame Feel::frame(const Snapshot& shown, std::span<const Event> e
         case Event::Kind::SharkBump:
         case Event::Kind::SharkSteal:
             wholeHand({kThump, kThump_Hz, kThumpDecay_s});
+            strike(body_, {kThump, kThump_Hz, kThumpDecay_s});
             break;
         case Event::Kind::SharkNear:
-            for (int hand = 0; hand < 2; ++hand)
-                strike(hand, haptics::kPalm, {kNear, kNear_Hz, kNearDecay_s});
+            strike(body_, {kNear, kNear_Hz, kNearDecay_s});
             break;
         default:
             break;
@@ -92,6 +97,7 @@ haptics::HapticFrame Feel::frame(const Snapshot& shown, std::span<const Event> e
         out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
         frame.actuators[static_cast<size_t>(i)] = out;
     }
+    frame.body = {std::clamp(body_.amplitude * strength, 0.0f, 1.0f), body_.frequency_Hz};
     return frame;
 }
 

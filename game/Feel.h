@@ -22,9 +22,11 @@ class Feel {
         float frequency_Hz = 0;
         float decay_s = 1; // to 1/e
     };
+    static void strike(Pulse& own, const Pulse& pulse);
     void strike(int hand, int finger, const Pulse& pulse);
 
     std::array<Pulse, haptics::kActuatorCount> pulses_{};
+    Pulse body_;
 };
 
 } // namespace shoal::game

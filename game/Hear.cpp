@@ -72,7 +72,8 @@ void Hear::struggling(const CreatureView& creature) {
                          .clip = static_cast<int>(index),
                          .position = creature.position,
                          .gain = kSounds[index].gain,
-                         .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f)}); // large ones beat slower
+                         .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f), // large ones beat slower
+                         .velocity = creature.velocity});
     // It goes on, so its caption stays where it is among the others.
     for (Caption& shown : captions_)
         if (shown.text == kSounds[index].caption) {

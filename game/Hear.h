@@ -95,6 +95,9 @@ class Hear {
     // shots() and captions() say what to play and show. Takes no memory once the creatures are known.
     void listen(const Snapshot& shown, std::span<const Event> events, float dt_s);
 
+    // How enclosed the beds sound, 0 to 1: follows the snapshot's shelter within seconds.
+    float shelter() const { return shelter_; }
+
     std::span<const audio::Emitter> emitters() const { return emitters_; }
     std::span<const audio::Shot> shots() const { return shots_; }
     std::span<const Caption> captions() const { return captions_; } // newest first

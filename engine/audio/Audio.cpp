@@ -1,5 +1,6 @@
 #include "engine/audio/Audio.h"
 
+#include "engine/audio/Along.h"
 #include "engine/audio/Device.h"
 #include "engine/audio/Voices.h"
 #include "engine/core/Log.h"
@@ -14,19 +15,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
+constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
 
 } // namespace
 
 struct Audio::State {
     AudioOptions options;
     std::vector<Clip> clips;
-    bool paused = false;
+    // Pausing, all first glides to silence, and then stands still.
+    bool paused = false, standing = false;
     double pausedAt_s = 0, pausedFor_s = 0; // on the device's clock, which goes on meanwhile
     Clock::time_point retry;
 
     Device device;
     std::vector<ALuint> buffers;
     Voices voices;
+    Along along;
+    Accompaniment accompaniment;
 
     ~State() { close(); }
 
@@ -38,15 +43,27 @@ struct Audio::State {
         buffers.push_back(buffer);
     }
 
-    void setVolume() { alListenerf(AL_GAIN, std::clamp(options.volume, 0.0f, 1.0f)); }
+    void setVolume() {
+        alListenerf(AL_GAIN, paused ? 0 : std::clamp(options.volume, 0.0f, 1.0f));
+        voices.setSilent(paused);
+    }
+
+    void standStill() {
+        if (standing || device.played_s() - pausedAt_s < kGlide_s) return;
+        standing = true;
+        pausedAt_s = device.played_s();
+        voices.setPaused(true);
+    }
 
     Status open() {
         auto opened = Device::open(options.loopback, options.headphones);
         if (!opened) return opened.error();
         device = std::move(*opened);
         pausedAt_s = pausedFor_s = 0; // a new device, a new clock
+        standing = false;
         device.makeCurrent();
-        voices.setUp();
+        voices.setUp(options.doppler);
+        along.setUp();
         for (const Clip& clip : clips) addBuffer(clip);
         setVolume();
         return Done{};
@@ -55,6 +72,7 @@ struct Audio::State {
     void close() {
         if (!device) return;
         device.makeCurrent();
+        along.tearDown();
         voices.tearDown();
         if (!buffers.empty()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
         buffers.clear();
@@ -112,9 +130,25 @@ void Audio::update(const Listener& listener, std::span<const Emitter> emitters, 
     const std::array<ALfloat, 6> facing = {ahead.x, ahead.y, ahead.z, up.x, up.y, up.z};
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
-    if (s.paused) return;
+    if (s.paused) return s.standStill();
+    s.voices.setShelter(listener.shelter);
     s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
                     s.device.played_s() - s.pausedFor_s);
+}
+
+void Audio::setAccompaniment(Accompaniment sound) {
+    state_->accompaniment = std::move(sound);
+    if (!state_->device) return;
+    state_->device.makeCurrent();
+    state_->along.stop();
+}
+
+double Audio::accompany(double position_s, float gain, bool paused) {
+    State& s = *state_;
+    if (!s.device || s.accompaniment.length <= 0) return 0;
+    s.device.makeCurrent();
+    s.along.update(s.accompaniment, position_s, gain, paused || s.paused);
+    return s.along.ahead_s();
 }
 
 void Audio::setVolume(float volume) {
@@ -127,13 +161,17 @@ void Audio::setVolume(float volume) {
 void Audio::setPaused(bool paused) {
     if (state_->paused == paused) return;
     state_->paused = paused;
-    if (!state_->device) return;
-    state_->device.makeCurrent();
-    state_->voices.setPaused(paused);
-    if (paused)
-        state_->pausedAt_s = state_->device.played_s();
-    else
-        state_->pausedFor_s += state_->device.played_s() - state_->pausedAt_s;
+    State& s = *state_;
+    if (!s.device) return;
+    s.device.makeCurrent();
+    s.setVolume();
+    if (paused) {
+        s.pausedAt_s = s.device.played_s();
+    } else if (s.standing) {
+        s.standing = false;
+        s.pausedFor_s += s.device.played_s() - s.pausedAt_s;
+        s.voices.setPaused(false);
+    }
 }
 
 bool Audio::headphones() const { return state_->device.headphones(); }

@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,15 +15,22 @@
 
 namespace shoal::audio {
 
+// Sound is so quick in water (1500 m/s) that what swims by hardly changes its pitch: a shark at 3 m/s by 3.5
+// cents, less than anybody hears. Ears learnt the effect in air (343 m/s), and expect of what rushes past
+// what it does there: 15 cents, just felt.
+constexpr float kDopplerAsInAir = 1500.0f / 343;
+
 struct AudioOptions {
-    bool headphones = false; // HRTF
-    bool loopback = false;   // renders to memory: render() below; no device is touched
-    float volume = 1;        // 0 to 1
+    bool headphones = false;         // HRTF
+    bool loopback = false;           // renders to memory: render() below; no device is touched
+    float volume = 1;                // 0 to 1
+    float doppler = kDopplerAsInAir; // times water's own; 0: none
 };
 
 struct Listener {
     glm::vec3 position{0};
     glm::quat worldFromHead{1, 0, 0, 0}; // looks along -Z, +Y up
+    float shelter = 0; // how enclosed the place is: 0 open water, 1 a tunnel; it reverberates accordingly
 };
 
 // A sound that goes on, looping, for as long as it is listed.
@@ -44,6 +52,13 @@ struct Shot {
     glm::vec3 velocity{0}; // m/s; it moves on by itself while it sounds
 };
 
+// A sound to be heard in step with something seen: the video's own. Read piece by piece, stereo at 48 kHz.
+struct Accompaniment {
+    int64_t length = 0;                             // frames; then it begins again
+    std::function<void(int64_t frame)> seek;        // the next read begins there
+    std::function<size_t(std::span<int16_t>)> read; // interleaved; frames that were ready, without waiting
+};
+
 class Audio {
   public:
     // Fails where there is no sound device.
@@ -63,9 +78,17 @@ class Audio {
     void update(const Listener& listener, std::span<const Emitter> emitters, std::span<const Shot> shots);
     static constexpr int kSources = 32;
 
+    // Plays this sound from now on; an empty one ends it. Its functions are called within accompany() alone.
+    void setAccompaniment(Accompaniment sound);
+
+    // Once a frame: what is seen now belongs to that second of the sound (modulo its length), and moves on at
+    // its own pace until the next call. Paused it is silent and stands still. How far the sound is ahead of
+    // the picture; 0 while it is silent.
+    double accompany(double position_s, float gain, bool paused);
+
     void setVolume(float volume); // 0 to 1
 
-    // While paused every sound stands still and update() starts none.
+    // While paused all is silent, every sound stands still and update() starts none.
     void setPaused(bool paused);
 
     // Closes the device and opens the present default one; shots end, emitters start again. On failure all is

@@ -7,10 +7,8 @@ namespace shoal::audio {
 
 namespace {
 
-constexpr float kSpeed_mps = 1480; // of sound in water, 4.3 times that in air
-// True doppler of a fish at 3 m/s is 3.5 cents, which nobody hears; four times that is just felt.
-constexpr float kDopplerFactor = 4;
-constexpr float kReverbSend = 0.35f;
+constexpr float kSpeed_mps = 1500;                         // of sound in water, 4.4 times that in air
+constexpr float kReverbOpen = 0.12f, kReverbTunnel = 0.8f; // of what is sent to the reverberation
 
 template <class Function> bool load(Function& function, const char* name) {
     function = reinterpret_cast<Function>(alGetProcAddress(name));
@@ -19,20 +17,21 @@ template <class Function> bool load(Function& function, const char* name) {
 
 } // namespace
 
-float highGain(float distance_m) { return kHighNear * std::exp(-distance_m / kHighFade_m); }
+float highGain(float distance_m) {
+    return std::max(kHighNear * std::exp(-distance_m / kHighFade_m), kHighLeast);
+}
 
 float distanceGain(float distance_m) { return kReference_m / std::max(distance_m, kReference_m); }
 
-void Medium::setUp() {
+void Medium::setUp(float doppler) {
     alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
     alSpeedOfSound(kSpeed_mps);
-    alDopplerFactor(kDopplerFactor);
+    alDopplerFactor(std::max(doppler, 0.0f));
     LPALGENEFFECTS genEffects{};
     LPALEFFECTI effecti{};
     LPALEFFECTF effectf{};
     LPALGENAUXILIARYEFFECTSLOTS genSlots{};
     LPALAUXILIARYEFFECTSLOTI sloti{};
-    LPALAUXILIARYEFFECTSLOTF slotf{};
     if (!load(filteri_, "alFilteri") || !load(filterf_, "alFilterf") ||
         !load(deleteFilters_, "alDeleteFilters") || !load(genFilters_, "alGenFilters")) {
         genFilters_ = nullptr;
@@ -40,16 +39,36 @@ void Medium::setUp() {
     }
     if (!load(genEffects, "alGenEffects") || !load(effecti, "alEffecti") || !load(effectf, "alEffectf") ||
         !load(genSlots, "alGenAuxiliaryEffectSlots") || !load(sloti, "alAuxiliaryEffectSloti") ||
-        !load(slotf, "alAuxiliaryEffectSlotf"))
+        !load(slotf_, "alAuxiliaryEffectSlotf"))
         return;
     genEffects(1, &reverb_);
     effecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
-    effectf(reverb_, AL_REVERB_DECAY_TIME, 1.6f);
+    effectf(reverb_, AL_REVERB_DECAY_TIME, 2.2f);
     effectf(reverb_, AL_REVERB_DECAY_HFRATIO, 0.3f);
     effectf(reverb_, AL_REVERB_GAINHF, 0.15f);
     genSlots(1, &slot_);
     sloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
-    slotf(slot_, AL_EFFECTSLOT_GAIN, kReverbSend);
+    setEcho();
+}
+
+// Geometrically between open water and tunnel, because that is how loudness is heard.
+void Medium::setEcho() const {
+    if (slot_)
+        slotf_(slot_, AL_EFFECTSLOT_GAIN,
+               silent_ ? 0 : kReverbOpen * std::pow(kReverbTunnel / kReverbOpen, shelter_));
+}
+
+void Medium::setShelter(float shelter) {
+    shelter = std::clamp(shelter, 0.0f, 1.0f);
+    if (shelter == shelter_) return;
+    shelter_ = shelter;
+    setEcho();
+}
+
+void Medium::setSilent(bool silent) {
+    if (silent == silent_) return;
+    silent_ = silent;
+    setEcho();
 }
 
 ALuint Medium::makeFilter() const {

@@ -27,8 +27,8 @@ Shot asShot(const Emitter& e) { return {e.clip, e.position, e.gain, e.pitch, e.e
 
 } // namespace
 
-void Voices::setUp() {
-    medium_.setUp();
+void Voices::setUp(float doppler) {
+    medium_.setUp(doppler);
     for (Voice& voice : voices_) {
         alGetError();
         alGenSources(1, &voice.source);

@@ -10,7 +10,7 @@ namespace shoal::audio {
 
 class Voices {
   public:
-    void setUp(); // fewer than kSources where the device has fewer
+    void setUp(float doppler); // fewer than kSources where the device has fewer
     void tearDown();
 
     // One frame. now_s: the device's clock, less the time spent paused.
@@ -21,6 +21,8 @@ class Voices {
     void update(const Clips& clips, const glm::vec3& listener, std::span<const Emitter> emitters,
                 std::span<const Shot> shots, double now_s);
 
+    void setShelter(float shelter) { medium_.setShelter(shelter); } // 0 to 1
+    void setSilent(bool silent) { medium_.setSilent(silent); } // no echo; the listener's gain does the rest
     void setPaused(bool paused);
     int sounding() const;
 

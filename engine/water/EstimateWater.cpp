@@ -16,13 +16,13 @@ namespace {
 // The frame is read at this many places: nothing here is finer.
 constexpr int kRows = 256, kPerSector = 8;
 
-constexpr float kHorizon_deg = 8;                        // above and below: what counts as the horizon
-constexpr float kVeilTop_deg = 40, kVeilBottom_deg = 60; // above: the surface seen from below, at 41 degrees
-                                                         // its window to the sky
-constexpr float kVeilBand_deg = 10;
-constexpr float kFloorFar_deg = 2.5f, kFloorNear_deg = 45; // nearer than that the camera's own shadow and rig
-constexpr float kLostRed =
-    0.5f; // of green or blue, whichever is more: white cameras' horizons in air keep more
+constexpr float kHorizon_deg = 8; // above and below: what counts as the horizon
+// Where the veil is looked for. From 41 degrees up the surface is a window to the sky (Snell).
+constexpr float kVeilTop_deg = 40, kVeilBottom_deg = 60, kVeilBand_deg = 10;
+// Where the floor is: steeper down are the camera's own shadow and mount.
+constexpr float kFloorFar_deg = 2.5f, kFloorNear_deg = 45;
+// Red below this share of green or blue, whichever is more, is lost; blue skies and their haze keep more.
+constexpr float kLostRed = 0.5f;
 
 int rowAt(float elevation_deg) {
     return std::clamp(static_cast<int>(std::lround((0.5f - elevation_deg / 180) * kRows)), 0, kRows);

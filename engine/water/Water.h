@@ -2,7 +2,7 @@
 // there instead. Free of OpenGL.
 //
 // I = J exp(-beta d) + B (1 - exp(-beta d)), for each channel: Schechner and Karpel 2005, "Recovery of
-// Underwater Visibility and Structure by Polarization Analysis", eq. 5 with one beta for both terms; Akkaynak
+// Underwater Visibility and Structure by Polarization Analysis", with one beta for both terms; Akkaynak
 // and Treibitz 2018, "A Revised Underwater Image Formation Model", say how far that carries (beta depends on
 // distance and on the object; at the few metres of a dive by some tens of percent).
 //

@@ -134,6 +134,15 @@ void addPlay(CLI::App& app, PlayOptions& options) {
     app.add_option("--volume", options.volume, "Sound volume, 0 to 1")
         ->check(CLI::Range(0.0f, 1.0f))
         ->capture_default_str();
+    app.add_option("--video-sound", options.videoSound, "Volume of the video's own sound, 0 to 1")
+        ->check(CLI::Range(0.0f, 1.0f))
+        ->capture_default_str();
+    app.add_option(
+           "--doppler", options.doppler,
+           "How much what swims past changes its pitch, in times of water's own effect: 0 not at all, 1 "
+           "as in water, where it is hardly heard; 4.4 as ears know it from air")
+        ->check(CLI::Range(0.0f, 20.0f))
+        ->capture_default_str();
     app.add_option("--haptics", options.hapticStrength, "Strength of haptics, 0 (off) to 1")
         ->check(CLI::Range(0.0f, 1.0f))
         ->capture_default_str();

@@ -6,39 +6,80 @@
 #include "engine/xr/Headset.h"
 #include "input/haptics/Rack.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 namespace shoal::app {
 
 namespace {
 
-using haptics::HapticFrame;
+using Clock = std::chrono::steady_clock;
 
-void pulse(const haptics::HidBus& bus) {
-    haptics::Rack rack(bus);
-    double now_s = 0;
-    const auto feel = [&](float amplitude, float frequency_Hz) {
-        HapticFrame frame;
-        frame.actuators[0] = {amplitude, frequency_Hz};
-        rack.step(frame, now_s);
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        now_s += 0.3;
-    };
-    feel(1, 40);
-    feel(0, 40);
-    feel(1, 250);
-    feel(0, 250);
+double secondsSince(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
-void sound() {
+// Lets the rack feel a frame for a while, at its own pace.
+void feel(haptics::Rack& rack, const haptics::HapticFrame& frame, Clock::time_point began, double for_s) {
+    const Clock::time_point start = Clock::now();
+    for (double left_s = for_s; left_s > 0; left_s = for_s - secondsSince(start))
+        std::this_thread::sleep_for(
+            std::chrono::duration<double>(std::min(left_s, rack.step(frame, secondsSince(began)))));
+}
+
+// Each actuator in turn, by its name, first low and then high; then the body.
+void pulseEach(haptics::Rack& rack, Clock::time_point began) {
+    constexpr double kPulse_s = 0.2, kPause_s = 0.15;
+    for (size_t i = 0; i <= haptics::kActuatorCount; ++i) {
+        const bool body = i == haptics::kActuatorCount;
+        std::printf("  now: %s\n", body ? "body" : haptics::kActuatorNames[i]);
+        std::fflush(stdout);
+        for (const float frequency_Hz : {40.0f, 250.0f}) {
+            haptics::HapticFrame frame;
+            (body ? frame.body : frame.actuators[i]) = {1, frequency_Hz};
+            feel(rack, frame, began, kPulse_s);
+        }
+        feel(rack, {}, began, kPause_s);
+    }
+}
+
+void haptic(bool test) {
+    std::printf("Haptics\n");
+    const Clock::time_point began = Clock::now();
+    haptics::Rack rack(haptics::hidapiBus());
+    rack.step({}, 0);
+    const auto devices = rack.list();
+    for (const haptics::Rack::Listed& device : devices)
+        std::printf("  %s at %s, %s: %s\n", device.name.c_str(), device.path.c_str(), device.motors,
+                    device.trouble.empty() ? "ready" : device.trouble.c_str());
+    if (devices.empty()) std::printf("  none plugged in\n");
+    if (test && rack.ready() > 0) pulseEach(rack, began);
+}
+
+void sound(bool test) {
+    std::printf("Sound\n");
+    const auto outputs = audio::listOutputs();
+    for (const std::string& output : outputs) std::printf("  %s\n", output.c_str());
+    if (outputs.empty()) std::printf("  none\n");
     auto audio = audio::Audio::open({});
+    if (!audio) {
+        std::printf("  the default output: %s\n", audio.error().sentence().c_str());
+        return;
+    }
+    std::printf("  the default output: ready%s\n", audio->headphones() ? ", for headphones" : "");
     auto clip = audio::readClip(dataRoot() / "content/sounds/catch.flac");
-    if (!audio || !clip) return;
-    const audio::Shot left{.clip = audio->add(*clip), .position = {-1, 0, -1}};
-    audio->update({}, {}, {&left, 1});
-    std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+    if (!test || !clip) return;
+    const int catching = audio->add(std::move(*clip));
+    for (const auto& [name, side] : {std::pair{"left", -1.0f}, std::pair{"right", 1.0f}}) {
+        std::printf("  now: %s\n", name);
+        std::fflush(stdout);
+        const audio::Shot shot{.clip = catching, .position = {side, 0, -0.3f}};
+        audio->update({}, {}, {&shot, 1});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+    }
 }
 
 } // namespace
@@ -48,27 +89,8 @@ int devices(const DevicesOptions& options) {
     const auto runtime = xr::activeRuntime();
     std::printf("  openxr: %s\n",
                 runtime ? (*runtime + "; play with --xr").c_str() : runtime.error().reason.c_str());
-    std::printf("Haptics\n");
-    const haptics::HidBus bus = haptics::hidapiBus();
-    bool any = false;
-    for (const haptics::HidInfo& info : bus.list()) {
-        const haptics::Controller* controller = haptics::findController(info.vendor, info.product);
-        if (!controller) continue;
-        any = true;
-        auto handle = bus.open(info.path);
-        std::printf("  %s at %s: %s\n", controller->name, info.path.c_str(),
-                    handle ? "ready" : handle.error().reason.c_str());
-        if (handle) bus.close(*handle);
-    }
-    if (!any) std::printf("  none plugged in\n");
-    std::printf("Sound\n");
-    const auto outputs = audio::listOutputs();
-    for (const std::string& output : outputs) std::printf("  %s\n", output.c_str());
-    if (outputs.empty()) std::printf("  none\n");
-    if (options.test) {
-        pulse(bus);
-        sound();
-    }
+    haptic(options.test);
+    sound(options.test);
     return 0;
 }
 

@@ -2,6 +2,8 @@
 // only there.
 #pragma once
 
+#include "engine/audio/Audio.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -55,6 +57,8 @@ struct PlayOptions {
     bool mute = false;
     bool headphones = false;
     float volume = 0.8f;
+    float videoSound = 0.8f; // of the video's own sound, 0 to 1
+    float doppler = audio::kDopplerAsInAir;
     float hapticStrength = 1;
     bool captions = true;
     std::string water = "auto"; // auto, on, off

@@ -47,6 +47,12 @@ Immersed immersedIn(const PlayOptions& options, const game::DiveFile& dive) {
     return dive.water ? Immersed::Yes : Immersed::No;
 }
 
+// The video that is shown; empty for a still.
+Path videoIn(const SurroundOptions& options, const std::string& divesVideo) {
+    if (!options.photo.empty() || !options.env.empty()) return {};
+    return options.video.empty() ? dataRoot() / "content" / divesVideo : Path(options.video);
+}
+
 // The program while it plays.
 struct Player {
     const PlayOptions& options;
@@ -145,7 +151,11 @@ Status Player::open() {
                              .haptics = options.hapticStrength > 0 && !options.headless,
                              .headphones = options.headphones,
                              .volume = options.volume,
-                             .hapticStrength = options.hapticStrength});
+                             .hapticStrength = options.hapticStrength,
+                             .doppler = options.doppler,
+                             .video = videoIn(options.surround, plan.dive.video),
+                             .videoLength_s = surround->length_s(),
+                             .videoSound = options.videoSound});
     if (options.quality == "auto" && !options.xr && ((window && !options.timedemo) || options.load_ms > 0))
         governor.emplace(window ? 1000 / window->refreshRate_Hz() : 1000.0 / 60);
     best = bestScore(plan.dive.name);
@@ -402,7 +412,8 @@ Status Player::playThrough(bool measured) {
         const Clock::time_point simBegan = Clock::now();
         run.advance(elapsed_s, keep);
         times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
-        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s));
+        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s),
+                       headset || !input || input->focused, surround->videoPosition_s());
         if (headset)
             if (Status felt = headset->feel(outputs->felt(), run.paused); !felt) return felt;
         keepScore(run);

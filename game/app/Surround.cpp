@@ -85,6 +85,7 @@ struct Surround::State {
     Immersed immersed = Immersed::No;
     water::WaterOverTime water;
     double lastUpdate_s = 0;
+    double videoPosition_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
     std::string notice;
 
@@ -235,6 +236,7 @@ bool Surround::update(double time_s, bool exact) {
     // With every picture and not only with new frames: smoother than the video.
     s.followWater(prepared.water, static_cast<float>(time_s - s.lastUpdate_s));
     s.lastUpdate_s = time_s;
+    s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
     const auto began = std::chrono::steady_clock::now();
@@ -248,6 +250,8 @@ bool Surround::update(double time_s, bool exact) {
 water::Water Surround::water() const { return state_->water.water(); }
 
 double Surround::length_s() const { return state_->player ? state_->player->info().duration_s : 0; }
+
+double Surround::videoPosition_s() const { return state_->videoPosition_s; }
 
 void Surround::setLightEvery(int frames) { state_->lightEvery.store(frames, std::memory_order_relaxed); }
 

@@ -55,6 +55,10 @@ class Surround {
     // Of a video, before it begins anew; 0: a still.
     double length_s() const;
 
+    // Of the video, 0 for stills: what the last update() asked to be seen, counted from the first picture of
+    // its pass.
+    double videoPosition_s() const;
+
     // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
     void setLightEvery(int frames);
 

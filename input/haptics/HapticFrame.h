@@ -1,4 +1,4 @@
-// What the player should feel now, for every device alike. A device keeps what it can show.
+// What the player should feel now, for every device alike. A device shows of it what it can.
 #pragma once
 
 #include <array>
@@ -10,6 +10,10 @@ constexpr int kActuatorsPerHand = 6;
 constexpr int kActuatorCount = 2 * kActuatorsPerHand;
 constexpr int kPalm = 5; // index within a hand, after thumb, index, middle, ring, little
 
+constexpr std::array<const char*, kActuatorCount> kActuatorNames = {
+    "left thumb",  "left index",  "left middle",  "left ring",  "left little",  "left palm",
+    "right thumb", "right index", "right middle", "right ring", "right little", "right palm"};
+
 struct Actuation {
     float amplitude = 0;      // 0 to 1
     float frequency_Hz = 160; // 10 to 500
@@ -17,6 +21,7 @@ struct Actuation {
 
 struct HapticFrame {
     std::array<Actuation, kActuatorCount> actuators{}; // [hand * kActuatorsPerHand + finger]
+    Actuation body;
 };
 
 } // namespace shoal::haptics

@@ -9,17 +9,19 @@
 
 namespace shoal::haptics {
 
+// A frame is felt for so long unless a newer one comes: when the program stalls, the motors stop.
+constexpr double kFelt_s = 0.25;
+
 class HapticOutput {
   public:
     explicit HapticOutput(HidBus bus);
     HapticOutput(HapticOutput&&) noexcept;
     HapticOutput& operator=(HapticOutput&&) noexcept;
-    ~HapticOutput(); // stops every motor
+    ~HapticOutput(); // stops every motor; takes at most a few writings' time
 
     // What to feel from now on; only the newest frame counts. One thread; neither waits nor allocates.
+    // Written at once unless the device had its last report too short a time ago.
     void submit(const HapticFrame& frame);
-
-    int ready() const; // devices being written to
 
   private:
     struct State;

@@ -1,22 +1,88 @@
 #include "input/haptics/HidBus.h"
 
+#include "input/haptics/CrashStop.h"
+
 #include <hidapi/hidapi.h>
 
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 namespace shoal::haptics {
 
 namespace {
 
-struct Hidapi {
-    std::vector<hid_device*> devices; // by handle; null once closed
-    Hidapi() { hid_init(); }
-    ~Hidapi() {
-        for (hid_device* device : devices)
-            if (device) hid_close(device);
-        hid_exit();
+namespace fs = std::filesystem;
+
+struct Opened {
+    hid_device* device = nullptr;
+    std::string path;
+    int guard = -1;
+
+    void close() {
+        if (guard >= 0) crash::unguard(guard);
+        if (device) hid_close(device);
+        *this = {};
     }
 };
+
+struct Hidapi {
+    std::vector<Opened> devices; // by handle
+    std::vector<HidInfo> found;
+    fs::file_time_type listed = fs::file_time_type::min();
+
+    Hidapi() {
+        hid_init();
+        crash::install();
+    }
+    ~Hidapi() {
+        for (Opened& opened : devices) opened.close();
+        hid_exit();
+    }
+    Opened& at(int handle) { return devices[static_cast<size_t>(handle)]; }
+
+    // The list costs milliseconds, so it is made anew only when a device node came or went since the last;
+    // and for a while after, because a device is not set up in one moment.
+    bool isListStale() {
+        constexpr std::chrono::seconds kSettles{3};
+        std::error_code code;
+        const auto changed = fs::last_write_time("/dev", code);
+        const auto now = fs::file_time_type::clock::now();
+        if (!code && listed > changed + kSettles && listed <= now) return false;
+        listed = now;
+        return true;
+    }
+
+    void list() {
+        found.clear();
+        hid_device_info* first = hid_enumerate(0, 0);
+        for (const hid_device_info* info = first; info; info = info->next) {
+            if (!info->path || std::any_of(found.begin(), found.end(), [&](const HidInfo& other) {
+                    return other.path == info->path; // one entry for each usage of a device
+                }))
+                continue;
+            std::string name;
+            for (const wchar_t* c = info->product_string; c && *c; ++c)
+                name += *c > 31 && *c < 127 ? static_cast<char>(*c) : '?';
+            found.push_back({info->path, info->vendor_id, info->product_id,
+                             info->bus_type == HID_API_BUS_USB         ? Transport::Usb
+                             : info->bus_type == HID_API_BUS_BLUETOOTH ? Transport::Bluetooth
+                                                                       : Transport::Any,
+                             std::move(name)});
+        }
+        hid_free_enumeration(first);
+    }
+};
+
+// hidapi 0.13 has no call for it; the system keeps it as a file.
+std::vector<uint8_t> readDescriptor(const std::string& path) {
+    std::ifstream file(fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device/report_descriptor",
+                       std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 } // namespace
 
@@ -24,36 +90,32 @@ HidBus hidapiBus() {
     auto hidapi = std::make_shared<Hidapi>();
     HidBus bus;
     bus.list = [hidapi] {
-        std::vector<HidInfo> found;
-        hid_device_info* first = hid_enumerate(0, 0);
-        for (const hid_device_info* info = first; info; info = info->next)
-            if (info->path) found.push_back({info->path, info->vendor_id, info->product_id});
-        hid_free_enumeration(first);
-        return found;
+        if (hidapi->isListStale()) hidapi->list();
+        return hidapi->found;
     };
+    bus.descriptor = readDescriptor;
     bus.open = [hidapi](const std::string& path) -> Result<int> {
         hid_device* device = hid_open_path(path.c_str());
-        if (!device)
-            return Error{
-                path,
-                "may not be opened; copy content/udev/70-shoal-haptics.rules to /etc/udev/rules.d and plug "
-                "the controller in again"};
-        for (size_t i = 0; i < hidapi->devices.size(); ++i)
-            if (!hidapi->devices[i]) {
-                hidapi->devices[i] = device;
-                return static_cast<int>(i);
-            }
-        hidapi->devices.push_back(device);
-        return static_cast<int>(hidapi->devices.size() - 1);
+        if (!device) return Error{path, "may not be opened"};
+        auto& devices = hidapi->devices;
+        auto free = std::find_if(devices.begin(), devices.end(), [](const Opened& o) { return !o.device; });
+        if (free == devices.end()) free = devices.emplace(devices.end());
+        *free = {device, path};
+        return static_cast<int>(free - devices.begin());
     };
     bus.write = [hidapi](int handle, std::span<const uint8_t> report) {
-        return hid_write(hidapi->devices[static_cast<size_t>(handle)], report.data(), report.size()) >= 0;
+        const crash::Writing writing;
+        return writing.allowed() && hid_write(hidapi->at(handle).device, report.data(), report.size()) >= 0;
     };
-    bus.close = [hidapi](int handle) {
-        hid_device*& device = hidapi->devices[static_cast<size_t>(handle)];
-        hid_close(device);
-        device = nullptr;
+    bus.readFeature = [hidapi](int handle, std::span<uint8_t> report) {
+        const int got = hid_get_feature_report(hidapi->at(handle).device, report.data(), report.size());
+        return got > 0 ? static_cast<size_t>(got) : 0;
     };
+    bus.guard = [hidapi](int handle, std::span<const uint8_t> stop) {
+        Opened& opened = hidapi->at(handle);
+        opened.guard = crash::guard(opened.path, stop);
+    };
+    bus.close = [hidapi](int handle) { hidapi->at(handle).close(); };
     return bus;
 }
 

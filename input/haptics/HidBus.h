@@ -11,15 +11,25 @@
 
 namespace shoal::haptics {
 
+enum class Transport { Any, Usb, Bluetooth };
+
 struct HidInfo {
     std::string path; // names it to open()
     uint16_t vendor = 0, product = 0;
+    Transport transport = Transport::Any;
+    std::string name; // as the device calls itself; may be empty
 };
 
 struct HidBus {
-    std::function<std::vector<HidInfo>()> list;               // of all devices; may take some milliseconds
-    std::function<Result<int>(const std::string& path)> open; // a handle, 0 or above
-    std::function<bool(int handle, std::span<const uint8_t> report)> write; // false: the device is gone
+    // All devices, each path once; may take some milliseconds, unless nothing was plugged in or out.
+    std::function<std::vector<HidInfo>()> list;
+    std::function<std::vector<uint8_t>(const std::string& path)> descriptor; // of its reports; empty: unknown
+    std::function<Result<int>(const std::string& path)> open;                // a handle, 0 or above
+    std::function<bool(int handle, std::span<const uint8_t> report)> write;  // false: the device is gone
+    // Fills the buffer, whose first byte is the report's id; how many bytes, id counted, or 0.
+    std::function<size_t(int handle, std::span<uint8_t> report)> readFeature;
+    // From now until close(): should the program die by a signal, this report is still written.
+    std::function<void(int handle, std::span<const uint8_t> stop)> guard;
     std::function<void(int handle)> close;
 };
 

@@ -1,56 +1,151 @@
 #include "input/haptics/Rack.h"
 
+#include "input/haptics/Motors.h"
+
 #include <algorithm>
+#include <cstdio>
 
 namespace shoal::haptics {
 
-void Rack::look() {
+namespace {
+
+constexpr float kStroke = 0.1f; // of growth is worth a stroke
+
+float strongestOf(const HapticFrame& frame) {
+    return std::max(strongestFrom(frame.actuators, 0).amplitude, frame.body.amplitude);
+}
+
+std::string describe(const Recognised& recognised, const HidInfo& info) {
+    return recognised.name + (info.transport == Transport::Bluetooth ? " over Bluetooth"
+                              : info.transport == Transport::Usb     ? " on USB"
+                                                                     : "");
+}
+
+// What a person must do to be let in, with the rule for just this device.
+std::string notLetIn(const HidInfo& info) {
+    char rule[160];
+    std::snprintf(rule, sizeof rule, "KERNEL==\"hidraw*\", KERNELS==\"*:%04X:%04X.*\", TAG+=\"uaccess\"",
+                  info.vendor, info.product);
+    return std::string(
+               "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev has "
+               "it for every device known) lets you in once it is plugged in again: ") +
+           rule;
+}
+
+} // namespace
+
+// What is wrong, empty if nothing.
+std::string Rack::add(const HidInfo& info, const Recognised& recognised, double now_s) {
+    auto handle = bus_.open(info.path);
+    if (!handle) return notLetIn(info);
+    auto driver = driverOf(recognised, info.transport,
+                           [&](std::span<uint8_t> report) { return bus_.readFeature(*handle, report); });
+    if (!driver) {
+        bus_.close(*handle);
+        return "names no waveform that can be used";
+    }
+    Device device{.listed = {describe(recognised, info), info.path, recognised.motors, ""},
+                  .driver = std::move(*driver),
+                  .handle = *handle};
+    device.silent = device.sent = device.driver.encode({});
+    bus_.guard(device.handle, device.driver.sealed({}, 0).view());
+    for (Report greeting : device.driver.greeting) {
+        if (device.driver.seal) device.driver.seal(greeting, device.sequence++);
+        device.sent_s = now_s;
+        if (bus_.write(device.handle, greeting.view())) continue;
+        bus_.close(device.handle);
+        return "does not answer";
+    }
+    devices_.push_back(std::move(device));
+    return {};
+}
+
+void Rack::look(double now_s) {
+    refused_.clear();
     for (const HidInfo& info : bus_.list()) {
-        const Controller* controller = findController(info.vendor, info.product);
-        const bool known = std::any_of(devices_.begin(), devices_.end(),
-                                       [&](const Device& d) { return d.path == info.path; });
-        if (!controller || known) continue;
-        auto handle = bus_.open(info.path);
-        if (handle) {
-            devices_.push_back({info.path, controller, *handle});
-            refused_.erase(info.path);
-        } else if (!std::exchange(refused_[info.path], true)) {
-            complaints_.push_back(std::string(controller->name) + ": " + handle.error().sentence());
+        if (std::any_of(devices_.begin(), devices_.end(),
+                        [&](const Device& device) { return device.listed.path == info.path; }))
+            continue;
+        const auto recognised = recognise(info, bus_.descriptor);
+        if (!recognised) continue;
+        const std::string trouble = add(info, *recognised, now_s);
+        if (trouble.empty()) {
+            complained_.erase(info.path);
+            continue;
         }
+        refused_.push_back({describe(*recognised, info), info.path, recognised->motors, trouble});
+        if (complained_.insert(info.path).second)
+            complaints_.push_back(describe(*recognised, info) + " at " + info.path + ": " + trouble);
     }
 }
 
-void Rack::step(const HapticFrame& frame, double now_s) {
+bool Rack::write(Device& device, const Report& unsealed, double now_s) {
+    Report report = unsealed;
+    if (device.driver.seal) device.driver.seal(report, device.sequence++);
+    device.sent = unsealed;
+    device.sent_s = now_s;
+    return bus_.write(device.handle, report.view());
+}
+
+bool Rack::wants(Device& device, const Report& report, float strongest, double now_s) const {
+    if (device.driver.strikes) {
+        device.level = std::min(device.level, strongest);
+        return strongest > device.level + kStroke;
+    }
+    const bool refresh = report != device.silent && now_s - device.sent_s >= device.driver.refresh_s;
+    return report != device.sent || refresh;
+}
+
+double Rack::step(const HapticFrame& frame, double now_s) {
     if (now_s - looked_s_ >= kLook_s) {
         looked_s_ = now_s;
-        look();
+        look(now_s);
     }
-    const Motors motors = motorsOf(frame);
+    const float strongest = strongestOf(frame);
+    double next_s = looked_s_ + kLook_s;
     std::erase_if(devices_, [&](Device& device) {
-        const bool changed = device.sentAny ? motors != device.sent : motors != Motors{};
-        const bool stale = device.sentAny && device.sent != Motors{} && now_s - device.sent_s >= kRefresh_s;
-        if (!(changed && now_s - device.sent_s >= kLeastWrite_s) && !stale) return false;
-        const Report report = device.controller->encode(motors);
-        if (!bus_.write(device.handle, std::span(report.bytes).first(report.size))) {
-            bus_.close(device.handle);
-            return true;
+        const Report report = device.driver.encode(frame);
+        const double free_s = device.sent_s + device.driver.leastWrite_s;
+        if (wants(device, report, strongest, now_s)) {
+            if (now_s < free_s) {
+                next_s = std::min(next_s, free_s);
+                return false;
+            }
+            device.level = strongest;
+            if (!write(device, report, now_s)) {
+                // Gone, or deaf for the moment: if it still hears, let it be still.
+                bus_.write(device.handle, device.driver.sealed({}, device.sequence).view());
+                bus_.close(device.handle);
+                return true;
+            }
         }
-        device.sent = motors;
-        device.sent_s = now_s;
-        device.sentAny = true;
+        if (!device.driver.strikes && device.sent != device.silent)
+            next_s = std::min(next_s, device.sent_s + device.driver.refresh_s);
         return false;
+    });
+    return std::max(next_s - now_s, 0.0);
+}
+
+bool Rack::still() const {
+    return std::all_of(devices_.begin(), devices_.end(), [](const Device& device) {
+        return device.driver.strikes || device.sent == device.silent;
     });
 }
 
 void Rack::silence() {
     for (Device& device : devices_) {
-        if (device.sent != Motors{}) {
-            const Report report = device.controller->encode({});
-            bus_.write(device.handle, std::span(report.bytes).first(report.size));
-        }
+        if (device.sent != device.silent) write(device, device.silent, device.sent_s);
         bus_.close(device.handle);
     }
     devices_.clear();
+    looked_s_ = -1e9; // those that are still there are found at the next step
+}
+
+std::vector<Rack::Listed> Rack::list() const {
+    std::vector<Listed> all;
+    for (const Device& device : devices_) all.push_back(device.listed);
+    all.insert(all.end(), refused_.begin(), refused_.end());
+    return all;
 }
 
 } // namespace shoal::haptics

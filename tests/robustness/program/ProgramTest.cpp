@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace shoal {
 namespace {
@@ -27,7 +28,7 @@ class Program : public testing::Test {
     Path folder_;
     void SetUp() override {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = Path(testing::TempDir()) / (std::string("shoal_") + info->name());
+        folder_ = Path(testing::TempDir()) / ("shoal_" + std::to_string(getpid()) + "_" + info->name());
         fs::remove_all(folder_);
         fs::create_directories(folder_);
     }

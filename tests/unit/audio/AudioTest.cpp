@@ -1,6 +1,8 @@
 // Sound rendered to memory, so it can be measured.
 #include "Heard.h"
 
+#include "engine/core/Files.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,6 +84,129 @@ TEST(Audio, WaterTakesTheHighTonesOfWhatIsFar) {
     EXPECT_LT(ratio(6), 0.6 * ratio(0.7f));
 }
 
+// Level of a band around some frequencies, left and right: a windowed sum of Goertzel's kind over the second
+// half of what was rendered.
+Loudness bandOf(std::span<const float> stereo, std::initializer_list<double> frequencies_Hz) {
+    Loudness sum;
+    const size_t frames = stereo.size() / 2, begin = frames / 4;
+    for (const double frequency_Hz : frequencies_Hz)
+        for (int ear = 0; ear < 2; ++ear) {
+            double re = 0, im = 0;
+            for (size_t i = begin; i < frames; ++i) {
+                const double turn = 2 * std::numbers::pi * frequency_Hz * static_cast<double>(i) / 48000;
+                re += static_cast<double>(stereo[2 * i + static_cast<size_t>(ear)]) * std::cos(turn);
+                im += static_cast<double>(stereo[2 * i + static_cast<size_t>(ear)]) * std::sin(turn);
+            }
+            (ear ? sum.right : sum.left) += (re * re + im * im) / static_cast<double>(frames * frames);
+        }
+    return {std::sqrt(sum.left), std::sqrt(sum.right)};
+}
+
+// Sums of sines in whole cycles per half second, so that each falls into its own bin.
+Clip chord(std::initializer_list<float> frequencies_Hz) {
+    Clip sum = tone(0, 1);
+    for (const float frequency_Hz : frequencies_Hz) {
+        const Clip one = tone(frequency_Hz, 1);
+        for (size_t i = 0; i < sum.samples.size(); ++i)
+            sum.samples[i] = static_cast<int16_t>(sum.samples[i] + one.samples[i] / 4);
+    }
+    return sum;
+}
+
+TEST(Audio, WaterLeavesTheCuesOfDirection) {
+    // What tells directions in HRTF, at the same bearings near and far: how much louder the near ear is in
+    // the high tones, and how front and back differ there. The water's filter takes from all alike.
+    const auto at = [](glm::vec3 direction, float distance_m) {
+        const auto samples = render(chord({6000, 7000, 8000, 9000}), {.position = direction * distance_m}, {},
+                                    {.headphones = true});
+        return bandOf(samples, {6000, 7000, 8000, 9000});
+    };
+    const auto dB = [](double a, double b) { return 20 * std::log10(a / b); };
+    for (const float distance_m : {3.0f, 8.0f}) {
+        const Loudness nearSide = at({-1, 0, 0}, 1), farSide = at({-1, 0, 0}, distance_m);
+        EXPECT_GT(dB(nearSide.left, nearSide.right), 6); // there is a cue to be kept
+        // The reverberation fills the far ear a little.
+        EXPECT_NEAR(dB(farSide.left, farSide.right), dB(nearSide.left, nearSide.right), 2) << distance_m;
+        const double near = dB(at({0, 0, -1}, 1).both(), at({0, 0, 1}, 1).both());
+        const double far = dB(at({0, 0, -1}, distance_m).both(), at({0, 0, 1}, distance_m).both());
+        EXPECT_NEAR(far, near, 2) << distance_m;
+    }
+    // And at any distance the high tones stay within hearing of the low ones: -16 dB (Medium.h) and a margin.
+    const auto far = render(chord({300, 8000}), {.position = {0, 0, -20}}, {}, {});
+    EXPECT_GT(dB(bandOf(far, {8000}).both(), bandOf(far, {300}).both()), -22);
+}
+
+// What comes after a sound that lasts a tenth of a second, against the sound itself.
+double echo(float shelter) {
+    auto audio = Audio::open({.loopback = true});
+    EXPECT_TRUE(audio);
+    audio->add(tone(400, 0.1f));
+    const Shot shot{.position = {0, 0, -2}};
+    std::vector<float> during(9600), after(48000);
+    audio->update({.shelter = shelter}, {}, {&shot, 1});
+    audio->render(during);
+    audio->render(after);
+    return loudness(after).both() / loudness(during).both();
+}
+
+TEST(Audio, ATunnelReverberatesAndOpenWaterHardly) {
+    const double open = echo(0), half = echo(0.5f), tunnel = echo(1);
+    EXPECT_NEAR(tunnel / open, 0.8 / 0.12,
+                0.15 * 0.8 / 0.12); // the sends of Medium.cpp; the sound itself is in both
+    EXPECT_NEAR(half / open, std::sqrt(0.8 / 0.12), 0.15 * std::sqrt(0.8 / 0.12)); // geometrically between
+    EXPECT_EQ(echo(7), tunnel);
+    EXPECT_EQ(echo(-1), open);
+}
+
+TEST(Audio, EnteringATunnelDoesNotClick) {
+    auto audio = Audio::open({.loopback = true});
+    ASSERT_TRUE(audio);
+    audio->add(tone(200, 1));
+    const Emitter emitter{.id = 1, .position = {0, 0, -1}};
+    std::vector<float> samples(2 * 800);
+    float steepest = 0, before = 0, limit = 0;
+    for (int frame = 0; frame < 120; ++frame) {
+        audio->update({.shelter = frame < 60 ? 0.0f : 1.0f}, {&emitter, 1}, {});
+        audio->render(samples);
+        steepest = 0;
+        for (size_t i = 0; i < samples.size(); i += 2) {
+            if (frame > 0 || i > 0) steepest = std::max(steepest, std::abs(samples[i] - before));
+            before = samples[i];
+        }
+        if (frame > 30 && frame < 60) limit = std::max(limit, steepest);
+        // The echo of a tunnel may double a tone; a click would be far steeper than twice 200 Hz.
+        if (frame >= 60) {
+            EXPECT_LT(steepest, 3 * limit) << frame;
+        }
+    }
+}
+
+TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
+    // A busy moment of the game: a bed, eight creatures within reach, a bite. Below full scale, tunnel or
+    // not.
+    for (const float shelter : {0.0f, 1.0f}) {
+        auto audio = Audio::open({.loopback = true});
+        ASSERT_TRUE(audio);
+        for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small"})
+            audio->add(*readClip(dataRoot() / "content/sounds" / (std::string(name) + ".flac")));
+        std::vector<Emitter> emitters{{.id = 100, .clip = 0, .gain = 0.45f, .everywhere = true}};
+        for (uint32_t i = 0; i < 2; ++i)
+            emitters.push_back(
+                {.id = i, .clip = 1, .position = {i ? 0.4f : -0.4f, -0.2f, -0.5f}, .gain = 0.8f});
+        std::vector<Shot> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
+        for (int i = 0; i < 3; ++i)
+            shots.push_back(
+                {.clip = 3, .position = {0.5f * static_cast<float>(i - 1), 0, -0.8f}, .gain = 0.8f});
+        std::vector<float> samples(2 * 48000);
+        audio->update({.shelter = shelter}, emitters, shots);
+        audio->render(samples);
+        float most = 0;
+        for (const float sample : samples) most = std::max(most, std::abs(sample));
+        EXPECT_LT(most, 1) << shelter;
+        EXPECT_GT(most, 0.1f);
+    }
+}
+
 TEST(Audio, VolumeScales) {
     const Shot shot{.position = {0, 0, -1}};
     const double full = hear(tone(300, 1), shot).both();
@@ -106,17 +231,20 @@ TEST(Audio, AStereoBedComesOutAsItIs) {
 }
 
 TEST(Audio, WhatComesNearerSoundsHigher) {
-    // Cycles counted by zero crossings. Doppler: f' = f c / (c - k v), c = 1480 m/s, k = 4 (Medium.cpp),
-    // v = 20 m/s towards the head: 1.057. Half a second counts 500 half cycles at 500 Hz: one is 0.2 %.
-    const auto crossings = [](float velocity_mps) {
-        const auto samples =
-            render(tone(500, 1), {.position = {0, 0, -20}, .velocity = {0, 0, velocity_mps}}, {}, {});
+    // Cycles counted by zero crossings. Doppler: f' = f c / (c - k v), c = 1500 m/s, v = 20 m/s towards the
+    // head: as in air (k = 4.37) 1.062, as in water 1.0135. Half a second counts 500 half cycles at 500 Hz:
+    // one is 0.2 %.
+    const auto crossings = [](float velocity_mps, float doppler = kDopplerAsInAir) {
+        const auto samples = render(tone(500, 1), {.position = {0, 0, -20}, .velocity = {0, 0, velocity_mps}},
+                                    {}, {.doppler = doppler});
         int count = 0;
         for (size_t i = 9600; i + 2 < samples.size(); i += 2)
             count += (samples[i] < 0) != (samples[i + 2] < 0);
         return static_cast<double>(count);
     };
-    EXPECT_NEAR(crossings(20) / crossings(0), 1480.0 / (1480 - 80), 0.008);
+    EXPECT_NEAR(crossings(20) / crossings(0), 343.0 / (343 - 20), 0.008);
+    EXPECT_NEAR(crossings(20, 1) / crossings(0), 1500.0 / (1500 - 20), 0.005);
+    EXPECT_EQ(crossings(20, 0), crossings(0));
     EXPECT_LT(crossings(-20), crossings(0));
 }
 

@@ -134,6 +134,30 @@ TEST(Voices, PauseStandsStill) {
     EXPECT_GT(stage.level(), 0.1);
 }
 
+TEST(Voices, APauseIsSilenceAndDoesNotClick) {
+    Stage stage;
+    for (int i = 0; i < 30; ++i) stage.frame({&kAhead, 1});
+    const float steepest = stage.steepest();
+    for (const bool paused : {true, false}) {
+        stage.audio.setPaused(paused);
+        for (int i = 0; i < 30; ++i) {
+            stage.frame({&kAhead, 1});
+            EXPECT_LT(stage.steepest(), 1.1f * steepest) << paused << i; // as where an emitter ends
+        }
+        EXPECT_EQ(stage.level() > 0, !paused);
+    }
+    stage.audio.setPaused(true);
+    stage.audio.setVolume(0.7f); // turned while paused: still silent
+    for (int i = 0; i < 10; ++i) stage.frame({&kAhead, 1});
+    EXPECT_EQ(stage.level(), 0);
+    stage.audio.setPaused(false); // and back before anything stood still
+    stage.audio.setPaused(true);
+    stage.audio.setPaused(false);
+    for (int i = 0; i < 10; ++i) stage.frame({&kAhead, 1});
+    EXPECT_GT(stage.level(), 0.05);
+    EXPECT_EQ(stage.audio.sounding(), 1);
+}
+
 TEST(Voices, AReopenedDeviceGoesOnWithWhatIsListed) {
     Stage stage;
     stage.frame({&kAhead, 1});

@@ -115,6 +115,19 @@ TEST(Feel, StaysWithinBoundsAndObeysTheSetting) {
     EXPECT_EQ(amplitude(feel.frame({}, storm, kTick_s, 0), 0, 0), 0);
 }
 
+TEST(Feel, TheSharkIsFeltByTheBody) {
+    for (const Event::Kind kind : {Event::Kind::SharkNear, Event::Kind::SharkBump, Event::Kind::SharkSteal}) {
+        Feel feel;
+        const Event event{.kind = kind, .hand = 0};
+        EXPECT_GT(feel.frame({}, {&event, 1}, kTick_s, 1).body.amplitude, 0.2f);
+        haptics::HapticFrame later;
+        for (int i = 0; i < 600; ++i) later = feel.frame({}, {}, kTick_s, 1); // 5 s, 8 decays at least
+        EXPECT_LT(later.body.amplitude, 1e-3f);
+        feel.frame({}, {&event, 1}, kTick_s, 1);
+        EXPECT_EQ(feel.frame({.paused = true}, {}, kTick_s, 1).body.amplitude, 0);
+    }
+}
+
 TEST(Feel, PausedHandsAreStill) {
     Feel feel;
     const Event event = touch(0, 0, 1);

@@ -1,0 +1,36 @@
+#include "input/haptics/Glove.h"
+
+#include "input/haptics/glove/GloveCore.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::haptics {
+
+static_assert(glove::kActuators == kActuatorCount);
+
+bool isGlove(const ReportLayout& layout) {
+    return layout.bytes(ReportKind::Output, 0) == glove::kReportBytes &&
+           std::any_of(layout.fields.begin(), layout.fields.end(), [](const ReportField& field) {
+               return field.kind == ReportKind::Output &&
+                      field.isWithin(usage(glove::kUsagePage, glove::kUsage));
+           });
+}
+
+// 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies.
+Report encodeGlove(const HapticFrame& frame) {
+    Report report{.size = 1 + glove::kReportBytes};
+    for (size_t i = 0; i < kActuatorCount; ++i) {
+        Actuation felt = frame.actuators[i];
+        if (i % kActuatorsPerHand == kPalm && frame.body.amplitude > felt.amplitude) felt = frame.body;
+        if (!(felt.amplitude > 0)) continue; // NaN too
+        report.bytes[2 + i] = static_cast<uint8_t>(std::lround(std::min(felt.amplitude, 1.0f) * 255));
+        report.bytes[2 + kActuatorCount + i] = static_cast<uint8_t>(
+            std::lround(std::clamp(felt.frequency_Hz / static_cast<float>(glove::kHzPerStep), 1.0f, 255.0f)));
+    }
+    return report;
+}
+
+void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
+
+} // namespace shoal::haptics

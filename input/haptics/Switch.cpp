@@ -1,0 +1,78 @@
+#include "input/haptics/Switch.h"
+
+#include "input/haptics/Motors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::haptics {
+
+namespace {
+
+constexpr size_t kUsbBytes = 64, kBluetoothBytes = 49;
+constexpr float kHighFrom_Hz = 160; // a hand's strongest actuation from there on is its high tone
+constexpr int kSafeIndex = 100;     // beyond it the tables warn of damage
+
+int frequencyIndex(float frequency_Hz) {
+    return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));
+}
+
+Report tones(const HapticFrame& frame, size_t size) {
+    Report report{.size = size};
+    report.bytes[0] = 0x10;
+    for (int hand = 0; hand < 2; ++hand) {
+        std::array<Actuation, kActuatorsPerHand + 1> felt; // the hand, and the body in both
+        const auto fingers = handOf(frame, hand);
+        std::copy(fingers.begin(), fingers.end(), felt.begin());
+        felt.back() = frame.body;
+        const auto bytes =
+            encodeSwitchTones(strongestFrom(felt, kHighFrom_Hz), strongestBelow(felt, kHighFrom_Hz));
+        std::copy(bytes.begin(), bytes.end(), report.bytes.begin() + 2 + 4 * hand);
+    }
+    return report;
+}
+
+Report enable(size_t size) {
+    Report report = tones({}, size);
+    report.bytes[0] = 0x01; // a subcommand, behind tones of its own
+    report.bytes[10] = 0x48;
+    report.bytes[11] = 0x01;
+    return report;
+}
+
+} // namespace
+
+// The tables grow by a factor in each of three ranges: 2^(1/4) below 16, 2^(1/16) below 32, 2^(1/32) above;
+// 119.6, 17.03 and 8.7 fit their entries to the last place.
+int switchAmplitudeIndex(float amplitude) {
+    if (!(amplitude > 0)) return 0; // NaN too
+    const auto index = [&](float perOctave, float factor) {
+        return static_cast<int>(std::lround(perOctave * std::log2(std::min(amplitude, 2.0f) * factor)));
+    };
+    if (amplitude >= 0.2274f) return std::min(index(32, 8.7f), kSafeIndex);
+    if (amplitude >= 0.1150f) return index(16, 17.03f);
+    return std::max(index(4, 119.6f), 1);
+}
+
+std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation& low) {
+    const int highIndex = switchAmplitudeIndex(high.amplitude),
+              lowIndex = switchAmplitudeIndex(low.amplitude);
+    const float high_Hz = highIndex > 0 ? high.frequency_Hz : 320,
+                low_Hz = lowIndex > 0 ? low.frequency_Hz : 160;
+    const int highTone = 4 * (std::clamp(frequencyIndex(high_Hz), 0x61, 0xDF) - 0x60); // 0x004 to 0x1FC
+    const int lowTone = std::clamp(frequencyIndex(low_Hz), 0x41, 0xBF) - 0x40;         // 0x01 to 0x7F
+    // Nine bits of frequency and seven of amplitude; seven of frequency, and an amplitude whose last bit
+    // stands before the others.
+    return {static_cast<uint8_t>(highTone), static_cast<uint8_t>(2 * highIndex + (highTone >> 8)),
+            static_cast<uint8_t>(lowTone + (lowIndex % 2 ? 0x80 : 0)),
+            static_cast<uint8_t>(0x40 + lowIndex / 2)};
+}
+
+Report encodeSwitchUsb(const HapticFrame& frame) { return tones(frame, kUsbBytes); }
+Report encodeSwitchBluetooth(const HapticFrame& frame) { return tones(frame, kBluetoothBytes); }
+Report switchEnableUsb() { return enable(kUsbBytes); }
+Report switchEnableBluetooth() { return enable(kBluetoothBytes); }
+
+void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
+
+} // namespace shoal::haptics
