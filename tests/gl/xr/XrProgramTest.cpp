@@ -1,5 +1,6 @@
 // `shoal --xr` from its start to its exit status, in a headset that does what the test says.
 #include "engine/core/Log.h"
+#include "engine/xr/Headset.h"
 #include "game/Playback.h"
 #include "game/TickInput.h"
 #include "game/app/Commands.h"
@@ -307,6 +308,8 @@ TEST_F(XrProgram, WithoutARuntimeItSaysWhatToDo) {
 TEST_F(XrProgram, WithoutOpenGlItSaysSo) {
     fake.extensions = {XR_EXT_HAND_TRACKING_EXTENSION_NAME};
     expectOneSentence(run(options()), "OpenGL");
+    // With an instance the loader lets go of the runtime, and of the extensions that it has noted.
+    EXPECT_TRUE(xr::activeRuntime());
 }
 TEST_F(XrProgram, ADriverTooOldIsNamed) {
     fake.leastOpenGl = XR_MAKE_VERSION(9, 1, 0);
