@@ -85,8 +85,7 @@ struct Player {
     Status drawFrame(const Run& run, glm::ivec2 size);
     Status drawHeadset(const Run& run, glm::ivec2 size);
     render::Exposure exposure() const;
-    Status drawObjects(int eye, const render::View& view);
-    Status drawScene(int eye, const render::View& view);
+    render::Glossy glossy() const;
     HudInfo hudInfo(const Run& run, const render::View& view) const;
     const platform::WindowInput& readKeys(Run& run, double now_s);
     void govern(Clock::time_point frameBegan);
@@ -170,15 +169,8 @@ render::Exposure Player::exposure() const {
             plan.dive.exposure_ev + options.look.exposure_ev};
 }
 
-Status Player::drawObjects(int eye, const render::View& view) {
-    return stage->drawObjects(*surround, eye, view, exposure(), surround->water(),
-                              options.look.glossy == "phong36" ? render::Glossy::PhongRings
-                                                               : render::Glossy::Prefiltered);
-}
-
-Status Player::drawScene(int eye, const render::View& view) {
-    if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure()); !drawn) return drawn;
-    return drawObjects(eye, view);
+render::Glossy Player::glossy() const {
+    return options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
 }
 
 HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
@@ -213,7 +205,10 @@ Status Player::drawHeadset(const Run& run, glm::ivec2 size) {
     };
     const Quality quality = governor ? governor->quality() : Quality();
     Status drawn = headset->draw(
-        {.scene = [&](int eye, const render::View& view) { return drawScene(eye, view); },
+        {.scene =
+             [&](int eye, const render::View& view) {
+                 return stage->draw(*surround, eye, view, exposure(), surround->water(), glossy());
+             },
          .marks = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Marks, view, pixels); },
          .panel = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Panel, view, pixels); }},
         quality.scale, size);
@@ -271,7 +266,9 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
             canvas[0].blitTo(canvas[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
             canvas[0].bind();
         }
-        if (Status drawn = drawObjects(eye, view); !drawn) return drawn;
+        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure(), surround->water(), glossy());
+            !drawn)
+            return drawn;
         if (enlarge) {
             coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
             target.bind();
@@ -416,8 +413,8 @@ Status Player::playThrough(bool measured) {
         const Clock::time_point simBegan = Clock::now();
         run.advance(elapsed_s, keep);
         times.sim_ms = static_cast<float>(secondsBetween(simBegan, Clock::now()) * 1e3);
-        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s), !input || input->focused,
-                       surround->videoPosition_s());
+        outputs->frame(run.shown, run.events, static_cast<float>(elapsed_s),
+                       headset || !input || input->focused, surround->videoPosition_s());
         if (headset)
             if (Status felt = headset->feel(outputs->felt(), run.paused); !felt) return felt;
         keepScore(run);

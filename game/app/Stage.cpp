@@ -24,6 +24,12 @@ void Stage::set(const game::Snapshot& snapshot, bool backdropOnly) {
     backdropOnly_ = backdropOnly;
 }
 
+Status Stage::draw(const Surround& surround, int eye, const render::View& view,
+                   const render::Exposure& exposure, const water::Water& water, render::Glossy glossy) {
+    if (Status s = drawBackdrop(surround, eye, view, exposure); !s) return s;
+    return drawObjects(surround, eye, view, exposure, water, glossy);
+}
+
 Status Stage::drawBackdrop(const Surround& surround, int eye, const render::View& view,
                            const render::Exposure& exposure) {
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.

@@ -19,8 +19,11 @@ class Stage {
     // Once a frame, before draw().
     void set(const game::Snapshot& snapshot, bool backdropOnly);
 
-    // Once an eye (0 left, 1 right), into the bound framebuffer, whose viewport is set: first the backdrop,
-    // which eyes may share, then the rest.
+    // Once an eye (0 left, 1 right), into the bound framebuffer, whose viewport is set.
+    Status draw(const Surround& surround, int eye, const render::View& view, const render::Exposure& exposure,
+                const water::Water& water, render::Glossy glossy);
+
+    // Its two halves, for eyes that share a backdrop.
     Status drawBackdrop(const Surround& surround, int eye, const render::View& view,
                         const render::Exposure& exposure);
     Status drawObjects(const Surround& surround, int eye, const render::View& view,

@@ -11,6 +11,7 @@ Actuation vibrationOf(const HapticFrame& frame, int hand) {
         const Actuation& one = frame.actuators[static_cast<size_t>(hand * kActuatorsPerHand + i)];
         if (one.amplitude > strongest.amplitude) strongest = one;
     }
+    if (frame.body.amplitude > strongest.amplitude) strongest = frame.body;
     strongest.amplitude = std::min(strongest.amplitude, 1.0f);
     return strongest;
 }

@@ -5,8 +5,8 @@
 
 namespace shoal::haptics {
 
-// The strongest of a hand's actuators, so that many fingers are not felt as one blow. hand: 0 left, 1 right.
-// Amplitude 0 to 1; what is no number is nothing.
+// The strongest of a hand's actuators and the body's, so that many fingers are not felt as one blow. hand: 0
+// left, 1 right. Amplitude 0 to 1; what is no number is nothing.
 Actuation vibrationOf(const HapticFrame& frame, int hand);
 
 // Tells what a motor must be told when: news at once, what goes on again before it would run out.

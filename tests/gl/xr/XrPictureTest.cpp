@@ -13,8 +13,6 @@
 namespace shoal::app {
 namespace {
 
-constexpr render::Water kWater{{0.88f, 0.96f, 1.0f}, 9.0f};
-
 class XrPicture : public test::WithFakeRuntime {
   protected:
     std::optional<platform::Window> window_;
@@ -36,15 +34,15 @@ class XrPicture : public test::WithFakeRuntime {
         for (const game::Species& species : plan_->species)
             models.push_back(dataRoot() / "content" / species.model);
         const Path folder = dataRoot() / "content" / "models";
-        auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", reflectanceIn({}),
-                               render::Detail::Lean);
+        auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
+                               reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(cast) << cast.error().sentence();
         auto surround = Surround::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
                                         .bothEyes = true,
                                         .leastRoughness = cast->leastRoughness()});
         ASSERT_TRUE(surround) << surround.error().sentence();
         surround_ = std::move(*surround);
-        auto stage = Stage::make(std::move(*cast), render::Detail::Lean);
+        auto stage = Stage::make(std::move(*cast), render::Detail::Lean, true);
         ASSERT_TRUE(stage) << stage.error().sentence();
         stage_ = std::move(*stage);
         run_.emplace(*plan_);
@@ -63,7 +61,7 @@ class XrPicture : public test::WithFakeRuntime {
 
     Status draw(int eye, const render::View& view) {
         return stage_->draw(*surround_, eye, view, {surround_->naturalTone(), plan_->dive.exposure_ev},
-                            kWater, render::Glossy::Prefiltered);
+                            surround_->water(), render::Glossy::Prefiltered);
     }
     // Frames until nothing is dark any more, then one in which the scene stands as it is.
     void show(XrPlay& headset, float scale) {
