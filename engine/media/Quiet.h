@@ -1,4 +1,4 @@
-// Internal to this room: how OpenCV and FFmpeg are set up.
+// How OpenCV and FFmpeg are set up: for this room and the webcam's.
 #pragma once
 
 #include <mutex>

@@ -1,4 +1,4 @@
-// Internal to this room: one video file being decoded, frame by frame. Owned by one thread at a time.
+// For this room and the webcam's: one video file being decoded, frame by frame. Owned by one thread at a time.
 #pragma once
 
 #include "engine/media/VideoInfo.h"

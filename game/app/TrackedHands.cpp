@@ -4,8 +4,6 @@
 #include "engine/core/Log.h"
 #include "engine/sim/FixedStep.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -43,7 +41,8 @@ hands::WebcamOptions webcamFrom(const std::string& which, bool live) {
 
 } // namespace
 
-TrackedHands::TrackedHands(const HandOptions& options, const hands::HandRig& rig, bool live) {
+TrackedHands::TrackedHands(const HandOptions& options, const hands::HandRig& rig, bool live)
+    : asked_(options.source != "auto") {
     const auto time = live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps;
     const auto add = [&](HandDevice device) {
         seats_.push_back(std::make_unique<Seat>(Seat{std::move(device), hands::DeviceHands(time), {}, 0}));
@@ -82,7 +81,7 @@ void TrackedHands::announce() {
     if (present_ != hands::HandChoice::kMouse) {
         const Seat& seat = *seats_[static_cast<size_t>(present_)];
         said_ = "Hands: " + nameOf(seat.device) + ", " + seat.state.words;
-    } else {
+    } else if (asked_) { // why not the one asked for
         for (const auto& seat : seats_) said_ += "; " + nameOf(seat->device) + ": " + seat->state.words;
     }
     log::info("{}", said_);
@@ -117,30 +116,6 @@ Status checkHandSource(const HandOptions& options) {
     }
     return Error{"--hands " + options.source,
                  "is not auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE or replay:FILE"};
-}
-
-void listHandSources(const HandOptions& options) {
-    std::printf("Hands\n  mouse: always\n");
-    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    if (!rig) return;
-    hands::LeapHands leap({options.leapHost, options.leapPort, false}, *rig);
-    leap.stream().wait(std::chrono::milliseconds(500)); // a service that is there answers at once
-    const hands::DeviceState state = leap.stream().state();
-    std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.words.c_str());
-    // Their names only: to open one would turn it on.
-    bool any = false;
-    std::error_code code;
-    std::vector<Path> cameras;
-    for (const auto& entry : std::filesystem::directory_iterator("/sys/class/video4linux", code))
-        cameras.push_back(entry.path());
-    std::sort(cameras.begin(), cameras.end());
-    for (const Path& camera : cameras) {
-        const auto index = readText(camera / "index", 64), name = readText(camera / "name", 4096);
-        if (!index || !name || index->substr(0, 1) != "0") continue; // others give no pictures
-        any = true;
-        std::printf("  webcam:%s: %s", camera.filename().string().substr(5).c_str(), name->c_str());
-    }
-    if (!any) std::printf("  webcam: none plugged in\n");
 }
 
 } // namespace shoal::app

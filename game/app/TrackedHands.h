@@ -43,6 +43,7 @@ class TrackedHands {
     std::vector<std::unique_ptr<Seat>> seats_; // the best first
     std::vector<const hands::DeviceHands*> order_;
     hands::HandChoice choice_;
+    bool asked_; // for one device, not for whichever is there
     static constexpr int kNothing = -2;
     int present_ = hands::HandChoice::kMouse; // the best device that is there
     int announced_ = kNothing;
@@ -50,8 +51,7 @@ class TrackedHands {
     double played_s_ = 0, saidAt_s_ = 0;
 };
 
-// Whether options.source names devices (or the mouse), so that a person plays; fails with the reason if what
-// it names cannot be: Error of the command line.
+// Fails where options.source names no mouse or device, or a clip that is not there.
 Status checkHandSource(const HandOptions& options);
 
 // For `shoal devices`: every source of hands and its state, a line each.

@@ -210,6 +210,8 @@ LeapHands::LeapHands(const LeapOptions& options, const HandRig& rig)
     info.protocols = protocols;
     info.gid = info.uid = static_cast<decltype(info.gid)>(-1);
     info.user = state_.get();
+    // No way through a proxy that the environment may name: the service is on this machine, or near it.
+    info.http_proxy_address = "";
     state_->context = lws_create_context(&info);
     state_->say(false, "no service at " + state_->place());
     if (!state_->context) {

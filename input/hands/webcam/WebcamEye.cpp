@@ -149,7 +149,8 @@ HandFrame WebcamEye::look(const cv::Mat& bgr, double time_s) {
     HandFrame frame;
     frame.time_us = static_cast<int64_t>(time_s * 1e6);
     hands_ = {};
-    if (bgr.empty() || bgr.type() != CV_8UC3) return frame;
+    // Of all shapes that a camera has; others would grow, not shrink.
+    if (bgr.empty() || bgr.type() != CV_8UC3 || bgr.rows > 3 * bgr.cols) return frame;
     cv::resize(bgr, small_, {kWidth, std::max(1, kWidth * bgr.rows / bgr.cols)}, 0, 0, cv::INTER_AREA);
     cv::cvtColor(small_, ycc_, cv::COLOR_BGR2YCrCb);
     cv::GaussianBlur(ycc_, ycc_, {}, 0.8);

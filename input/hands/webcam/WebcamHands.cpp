@@ -1,12 +1,13 @@
 #include "input/hands/webcam/WebcamHands.h"
 
 #include "engine/core/Threads.h"
+#include "engine/media/Quiet.h"
+#include "engine/media/VideoSource.h"
 #include "input/hands/webcam/WebcamEye.h"
 
 #include <opencv2/videoio.hpp>
 
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -17,7 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{1};
-constexpr int kMostPixels = 8192 * 8192;
 
 } // namespace
 
@@ -56,49 +56,50 @@ struct WebcamHands::State {
     std::string place() const {
         return options.file.empty() ? "camera " + std::to_string(options.index) : options.file;
     }
-    bool open(cv::VideoCapture& capture) const {
-        if (!options.file.empty()) return capture.open(options.file);
-        if (!capture.open(options.index)) return false;
-        capture.set(cv::CAP_PROP_FRAME_WIDTH, 640);
-        capture.set(cv::CAP_PROP_FRAME_HEIGHT, 480);
-        return true;
+    void see(WebcamEye& eye, const cv::Mat& picture, double time_s) {
+        stream.push(eye.look(picture, time_s));
+        stream.setState(
+            {true, eye.calibrated() ? place() : place() + ", learning your hand's colour", eye.asks()});
     }
 
-    void watch(cv::VideoCapture& capture) {
+    // Says how it ended.
+    std::string watchClip() {
+        auto source = media::VideoSource::open(options.file);
+        if (!source) return source.error().sentence();
         WebcamEye eye(rig);
-        const double stated_Hz = capture.get(cv::CAP_PROP_FPS);
-        const double rate_Hz = stated_Hz >= 1 && stated_Hz <= 240 ? stated_Hz : 30;
         const Clock::time_point began = Clock::now();
-        cv::Mat picture;
-        for (int64_t number = 0; !gone(); ++number) {
-            if (!capture.read(picture) || picture.empty() || picture.total() > kMostPixels) return;
-            double time_s = std::chrono::duration<double>(Clock::now() - began).count();
-            if (!options.file.empty()) {
-                time_s = static_cast<double>(number) / rate_Hz;
-                const auto due = began + std::chrono::duration_cast<Clock::duration>(
-                                             std::chrono::duration<double>(time_s));
-                if (options.live && !restUntil(due)) return;
-            }
-            const HandFrame frame = eye.look(picture, time_s);
-            stream.push(frame);
-            stream.setState(
-                {true, eye.calibrated() ? place() : place() + ", learning your hand's colour", eye.asks()});
+        ImageRgb8 picture(source->info().width, source->info().height);
+        for (int64_t number = 0; !gone() && source->grab() && source->retrieve(picture); ++number) {
+            const std::chrono::duration<double> time(static_cast<double>(number) / source->info().fps);
+            if (options.live && !restUntil(began + std::chrono::duration_cast<Clock::duration>(time))) break;
+            see(eye, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()), time.count());
         }
+        return options.file + " is over";
+    }
+
+    std::string watchCamera() {
+        try {
+            cv::VideoCapture camera;
+            if (!camera.open(options.index)) return place() + " is not there, or lets nobody in";
+            camera.set(cv::CAP_PROP_FRAME_WIDTH, 640);
+            camera.set(cv::CAP_PROP_FRAME_HEIGHT, 480);
+            WebcamEye eye(rig);
+            const Clock::time_point began = Clock::now();
+            cv::Mat picture;
+            while (!gone() && camera.read(picture))
+                see(eye, picture, std::chrono::duration<double>(Clock::now() - began).count());
+        } catch (const cv::Exception&) { // of a driver: as good as unplugged
+        }
+        return place() + " gives no pictures";
     }
 
     void run() {
         stepBack();
-        for (;;) {
-            try {
-                cv::VideoCapture capture;
-                if (open(capture)) watch(capture);
-            } catch (const cv::Exception&) {
-                // As good as not there.
-            }
-            stream.setState(
-                {false, options.file.empty() ? place() + " gives no pictures" : place() + " is over", {}});
-            if (!options.file.empty()) break;
-            if (!restUntil(Clock::now() + kRetry)) break;
+        if (!options.file.empty()) {
+            stream.setState({false, watchClip(), {}});
+        } else {
+            do stream.setState({false, watchCamera(), {}});
+            while (restUntil(Clock::now() + kRetry));
         }
         stream.close();
     }
@@ -106,6 +107,7 @@ struct WebcamHands::State {
 
 WebcamHands::WebcamHands(const WebcamOptions& options, const HandRig& rig)
     : state_(std::make_unique<State>(options, rig)) {
+    media::setUpDecoders();
     state_->stream.setState({false, state_->place() + " is being opened", {}});
     state_->thread = std::thread([s = state_.get()] { s->run(); });
 }

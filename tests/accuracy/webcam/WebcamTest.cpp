@@ -1,17 +1,22 @@
 // Hands before a webcam, drawn by ourselves, so that the truth is known: where the palm is, and which
 // gesture. Prints a table.
 #include "HandClip.h"
+#include "engine/sim/Recording.h"
+#include "game/TickInput.h"
 #include "input/hands/webcam/WebcamEye.h"
+#include "input/hands/webcam/WebcamHands.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace shoal::hands {
 namespace {
@@ -159,6 +164,107 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
         // changes at 0.12 m/s, 12 mm more; a hand tilted by 0.15 seems 1 % smaller, 6 mm.
         EXPECT_LT(quantile(errors.depth_mm, 0.95), 20 + 12 + 6) << test::kBehindNames[behind];
     }
+}
+
+// As a clip, which a codec has been at: through the device's own thread, and through the program.
+class WebcamClip : public testing::Test {
+  protected:
+    Path folder_ = Path(testing::TempDir()) / "shoal_webcam_clip";
+    Path clipFile() const { return folder_ / "hands.avi"; }
+    size_t frames_ = 0;
+
+    void SetUp() override {
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+        auto clip = HandClip::make({480, 270}, kWebcamFov);
+        if (!clip) GTEST_SKIP() << clip.error().sentence();
+        cv::VideoWriter writer(clipFile().string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_Hz,
+                               {480, 270});
+        if (!writer.isOpened()) GTEST_SKIP() << "needs a codec to write clips with";
+        for (const Moment& moment : session()) {
+            std::array<std::optional<HandPose>, 2> poses;
+            for (size_t side = 0; side < 2; ++side)
+                if (moment.hands[side])
+                    poses[side] =
+                        test::shownHand(rig(), side == 0 ? Side::Left : Side::Right, *moment.hands[side]);
+            writer.write(clip->picture(clip->hands(poses), test::Behind::Room));
+            ++frames_;
+        }
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+};
+
+TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
+    WebcamHands hands({clipFile().string(), 0, false}, rig());
+    HandFrame frame;
+    size_t frames = 0, rights = 0, lefts = 0, fists = 0, pinches = 0;
+    std::vector<std::string> asked;
+    int64_t last_us = -1;
+    while (hands.stream().wait(std::chrono::seconds(20)) && hands.stream().take(frame)) {
+        ++frames;
+        EXPECT_GT(frame.time_us, last_us);
+        last_us = frame.time_us;
+        lefts += frame.hands[0].tracked;
+        rights += frame.hands[1].tracked;
+        fists += frame.hands[1].grip > 0.5f;
+        pinches += frame.hands[1].pinch > 0.5f;
+        EXPECT_FALSE(frame.hands[1].grip > 0.5f && frame.hands[1].pinch > 0.5f);
+        const std::string asks = hands.stream().state().asks;
+        if (!asks.empty() && (asked.empty() || asked.back() != asks)) asked.push_back(asks);
+    }
+    EXPECT_EQ(frames, frames_);
+    EXPECT_NEAR(static_cast<double>(last_us) * 1e-6, static_cast<double>(frames_ - 1) / kRate_Hz, 0.01);
+    EXPECT_GE(rights, 170u); // of 180
+    EXPECT_GE(lefts, 85u);   // of 90
+    EXPECT_NEAR(static_cast<double>(fists), 60, 8);
+    EXPECT_NEAR(static_cast<double>(pinches), 60, 8);
+    EXPECT_GE(asked.size(), 2u);
+    EXPECT_FALSE(hands.stream().state().present) << "a clip that is over shows no hands";
+}
+
+TEST_F(WebcamClip, PlaysTheGame) {
+    const Path replay = folder_ / "run.replay";
+    char at[16];
+    std::snprintf(at, sizeof at, "%.2f", static_cast<double>(frames_) / kRate_Hz);
+    const std::string command =
+        std::string("env -u DISPLAY -u WAYLAND_DISPLAY timeout 250 '") + SHOAL_PROGRAM +
+        "' play --headless --size 64x36 --backdrop-only --hands webcam:" + clipFile().string() + " --at " +
+        at + " --record " + replay.string() + " 2>" + (folder_ / "err.txt").string();
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_NE(readText(folder_ / "err.txt").value().find("Hands: Webcam"), std::string::npos);
+    const auto recording = sim::readRecording(replay);
+    ASSERT_TRUE(recording) << recording.error().sentence();
+    size_t fromWebcam = 0, closed = 0;
+    for (size_t tick = 0; tick < recording->ticks(); ++tick) {
+        const auto input = game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+        fromWebcam += input.hands[1].tracked && input.hands[1].time_us > 0;
+        closed += input.hands[1].tracked && input.hands[1].grip > 0.5f && input.hands[1].time_us > 0;
+    }
+    EXPECT_GT(fromWebcam, 600u); // of the 720 ticks in which the hand is shown and known
+    EXPECT_NEAR(static_cast<double>(closed), 240, 60);
+}
+
+TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
+    const Path file = Path(testing::TempDir()) / "shoal_no_clip.avi";
+    ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));
+    WebcamHands hands({file.string(), 0, false}, rig());
+    EXPECT_FALSE(hands.stream().wait(std::chrono::seconds(20)));
+    EXPECT_FALSE(hands.stream().state().present);
+    std::filesystem::remove(file);
+}
+
+TEST(WebcamEye, OddPicturesAreSurvived) {
+    WebcamEye eye(rig());
+    double t = 0;
+    for (const cv::Size size :
+         {cv::Size(1, 1), cv::Size(2000, 3), cv::Size(3, 2000), cv::Size(320, 180), cv::Size(640, 480)})
+        for (int value : {0, 255, 128})
+            for (int i = 0; i < 30; ++i) {
+                const HandFrame frame = eye.look(cv::Mat(size, CV_8UC3, cv::Scalar::all(value)), t += 0.03);
+                EXPECT_FALSE(frame.hands[0].tracked && !plausible(frame.hands[0]));
+            }
+    EXPECT_FALSE(eye.look(cv::Mat(), t).hands[0].tracked);
+    EXPECT_FALSE(eye.look(cv::Mat(9, 9, CV_8UC1, cv::Scalar(0)), t).hands[0].tracked);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <cstdlib>
 #include <limits>
 
 namespace shoal::hands {
@@ -48,6 +49,16 @@ TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
     next(hands);
     EXPECT_THAT(server.paths(), ElementsAre("/v6.json"));
     EXPECT_THAT(server.heard(), ElementsAre("{\"background\":true}", "{\"focused\":true}"));
+}
+
+// A proxy for the web, set for the whole session, knows nothing of this machine's own services.
+TEST(LeapHands, GoesThroughNoProxy) {
+    setenv("http_proxy", "http://127.0.0.1:9", 1);
+    Server server;
+    LeapHands hands = connectTo(server);
+    server.say(frameAt(5));
+    EXPECT_EQ(next(hands).time_us, 5);
+    unsetenv("http_proxy");
 }
 
 TEST(LeapHands, OnAHeadsetItSaysSo) {

@@ -23,7 +23,8 @@ json unpacked(const json& schema, const json& row) {
             out[schema[i].get<std::string>()] = row[i];
             continue;
         }
-        const auto& [key, inner] = *schema[i].items().begin();
+        const std::string& key = schema[i].begin().key();
+        const json& inner = schema[i].begin().value();
         const bool list = inner.size() == 1 && inner[0].is_array();
         if (!list) {
             out[key] = unpacked(inner, row[i]);
