@@ -17,58 +17,72 @@ constexpr float kPi = std::numbers::pi_v<float>;
 // Beyond it neighbouring frames' parallax is a fraction of a pixel.
 constexpr float kStill = 12;
 
+// Where `drawn` has the point at `metres` from `camera` along dir: pixels, and the distance it should have
+// there.
+struct Place {
+    vec2 pixel{0};
+    float away = 0;
+};
+
+Place placeIn(const Drawn& drawn, const vec3& camera, const vec3& dir, float metres) {
+    const vec3 d = camera + dir * metres - drawn.camera;
+    const float away = glm::length(d);
+    return {latLongFromDirection(d / away) * vec2(drawn.radianceLin.width, drawn.radianceLin.height) - 0.5f,
+            away};
+}
+
 struct Seen {
     vec3 radiance{0};
     float mismatch = 0; // of the distance found from that expected, relative
 };
 
-// What `drawn` holds of the point at `metres` from `camera` along dir.
-Seen seen(const Drawn& drawn, const vec3& camera, const vec3& dir, float metres) {
+Seen seen(const Drawn& drawn, const vec2& pixel, float away) {
     const int width = drawn.radianceLin.width, height = drawn.radianceLin.height;
-    const vec3 d = camera + dir * metres - drawn.camera;
-    const float away = glm::length(d);
-    const vec2 p = latLongFromDirection(d / away) * vec2(width, height) - 0.5f, base = glm::floor(p),
-               f = p - base;
+    const vec2 base = glm::floor(pixel), f = pixel - base;
     const int x0 = (static_cast<int>(base.x) + width) % width, x1 = (x0 + 1) % width;
     const int y0 = std::clamp(static_cast<int>(base.y), 0, height - 1), y1 = std::min(y0 + 1, height - 1);
-    const auto look = [&](int x, int y) {
-        const float* c = drawn.radianceLin.at(x, y);
-        return vec3(c[0], c[1], c[2]);
-    };
-    const float found =
-        drawn.distance[static_cast<size_t>((f.y < 0.5f ? y0 : y1) * width + (f.x < 0.5f ? x0 : x1))];
-    return {(look(x0, y0) * (1 - f.x) + look(x1, y0) * f.x) * (1 - f.y) +
-                (look(x0, y1) * (1 - f.x) + look(x1, y1) * f.x) * f.y,
-            std::fabs(found - away) / away};
+    const float w[4] = {(1 - f.x) * (1 - f.y), f.x * (1 - f.y), (1 - f.x) * f.y, f.x * f.y};
+    const int at[4] = {y0 * width + x0, y0 * width + x1, y1 * width + x0, y1 * width + x1};
+    Seen out;
+    for (int i = 0; i < 4; ++i) {
+        const float* c = drawn.radianceLin.pixels.data() + 3 * at[i];
+        out.radiance += w[i] * vec3(c[0], c[1], c[2]);
+    }
+    const float found = drawn.distance[static_cast<size_t>(at[(f.y < 0.5f ? 0 : 2) + (f.x < 0.5f ? 0 : 1)])];
+    out.mismatch = std::fabs(found - away) / away;
+    return out;
 }
 
 } // namespace
 
+// Four neighbours go together: where one of them lies is found, the others lie beside it.
 Drawn Filming::between(const Drawn& a, const Drawn& b, float share, float turn) const {
     const int width = a.radianceLin.width, height = a.radianceLin.height;
     Drawn out{ImageRgbF(width, height), share < 0.5f ? a.distance : b.distance, route_.at(turn)};
 #pragma omp parallel for schedule(static)
-    for (int y = 0; y < height; ++y) {
-        const float latitude = (0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(height)) * kPi;
-        for (int x = 0; x < width; ++x) {
-            const size_t i = static_cast<size_t>(y * width + x);
-            const float *from = a.radianceLin.at(x, y), *to = b.radianceLin.at(x, y);
-            float* into = out.radianceLin.at(x, y);
-            if (a.distance[i] > kStill && b.distance[i] > kStill) {
-                for (int c = 0; c < 3; ++c) into[c] = from[c] * (1 - share) + to[c] * share;
-                continue;
+    for (int y = 0; y < height; y += 2)
+        for (int x = 0; x < width; x += 2) {
+            const auto index = [&](int part) { return (y + part / 2) * width + x + part % 2; };
+            float metres = 1e9f;
+            for (int part = 0; part < 4; ++part)
+                metres = std::min(metres, out.distance[static_cast<size_t>(index(part))]);
+            const vec2 middle(static_cast<float>(x) + 1, static_cast<float>(y) + 1);
+            Place first{middle - 0.5f, metres}, second = first;
+            if (metres < kStill) {
+                const vec3 dir = directionFromLatLong(middle / vec2(width, height));
+                first = placeIn(a, out.camera, dir, metres);
+                second = placeIn(b, out.camera, dir, metres);
             }
-            const float longitude =
-                            ((static_cast<float>(x) + 0.5f) / static_cast<float>(width) - 0.5f) * 2 * kPi,
-                        ring = std::cos(latitude);
-            const vec3 dir(ring * std::sin(longitude), std::sin(latitude), -ring * std::cos(longitude));
-            const float metres = share < 0.5f ? a.distance[i] : b.distance[i];
-            const Seen first = seen(a, out.camera, dir, metres), second = seen(b, out.camera, dir, metres);
-            const float wa = (1 - share) / (0.03f + first.mismatch), wb = share / (0.03f + second.mismatch);
-            const vec3 mixed = (first.radiance * wa + second.radiance * wb) / (wa + wb);
-            for (int c = 0; c < 3; ++c) into[c] = mixed[c];
+            for (int part = 0; part < 4; ++part) {
+                const vec2 beside(static_cast<float>(part % 2) - 0.5f, static_cast<float>(part / 2) - 0.5f);
+                const Seen from = seen(a, first.pixel + beside, first.away),
+                           to = seen(b, second.pixel + beside, second.away);
+                const float wa = (1 - share) / (0.03f + from.mismatch), wb = share / (0.03f + to.mismatch);
+                const vec3 mixed = (from.radiance * wa + to.radiance * wb) / (wa + wb);
+                for (int c = 0; c < 3; ++c)
+                    out.radianceLin.pixels[static_cast<size_t>(3 * index(part) + c)] = mixed[c];
+            }
         }
-    }
     return out;
 }
 

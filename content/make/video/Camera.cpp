@@ -3,6 +3,7 @@
 #include "content/make/video/Noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -67,6 +68,26 @@ float toned(float x) {
     return y <= 0.0031308f ? 12.92f * y : 1.055f * std::pow(y, 1 / 2.4f) - 0.055f;
 }
 
+// The same by table: finer where it is dark, as the eye is.
+class ToneTable {
+  public:
+    ToneTable() {
+        for (size_t i = 0; i < kSize; ++i) {
+            const float root = static_cast<float>(i) / (kSize - 1);
+            codes_[i] = 255 * toned(root * root * kWhite);
+        }
+    }
+    float at(float x) const {
+        const float p = std::sqrt(std::clamp(x / kWhite, 0.0f, 1.0f)) * (kSize - 1);
+        return codes_[static_cast<size_t>(p + 0.5f)];
+    }
+
+  private:
+    static constexpr size_t kSize = 4096;
+    static constexpr float kWhite = 1.3f; // beyond the clip
+    std::array<float, kSize> codes_;
+};
+
 } // namespace
 
 float meterReading(const ImageRgbF& image) {
@@ -104,6 +125,7 @@ float Exposure::at(float turn) const {
 ImageRgb8 develop(const CameraData& camera, const ImageRgbF& image, float exposure, int frame) {
     const int width = image.width, height = image.height;
     const ImageRgbF spread = glow(image);
+    const ToneTable tones;
     ImageRgb8 out(width, height);
 #pragma omp parallel for schedule(static)
     for (int y = 0; y < height; ++y) {
@@ -138,7 +160,7 @@ ImageRgb8 develop(const CameraData& camera, const ImageRgbF& image, float exposu
                 const float noisy =
                     signal + 2.4f * camera.noise * dice * std::sqrt(std::min(signal, 1.0f) + 0.02f);
                 out.at(x, y)[c] =
-                    static_cast<uint8_t>(std::clamp(toned(noisy) * 255 + 0.5f + 0.5f * dice, 0.0f, 255.0f));
+                    static_cast<uint8_t>(std::clamp(tones.at(noisy) + 0.5f + 0.5f * dice, 0.0f, 255.0f));
             }
         }
     }

@@ -128,7 +128,7 @@ Drawn Filming::draw(float turn, int width, bool edges) {
     camera_ = route_.at(turn);
     sea_.advance(turn);
     caustics_.advance(sea_);
-    world_.advance(turn);
+    world_.advance(turn, camera_);
     veil_.fill(scene_, world_, caustics_, camera_);
     const float pixelAngle = kPi / static_cast<float>(height);
     std::vector<std::vector<Sample>> rows(static_cast<size_t>(height));

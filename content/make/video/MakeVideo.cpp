@@ -1,10 +1,9 @@
-// Films the reef (Reef.toml).
-//     make_video_frames FOLDER draw                     radiance and distances, into FOLDER, at times through
-//     the film; what is there stays make_video_frames FOLDER film                     all frames, raw, 3
-//     bytes a pixel, sRGB-coded, to standard output make_video_frames FOLDER truth TO FRAME...
-//     TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml make_video_frames FOLDER
-//     shelter FILE.toml        when the camera is sheltered from the open sea, and how much make_video_frames
-//     FOLDER look WIDTH FRAME...      PNGs of some frames in FOLDER, to be looked at
+// Films the reef (Reef.toml): make_video_frames FOLDER TASK [-- TASK]..., where a task is
+//     draw                     radiance and distances, into FOLDER, at times through the film; what is there
+//     stays film                     all frames, raw, 3 bytes a pixel, sRGB-coded, to standard output truth
+//     TO FRAME...        TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml shelter
+//     FILE.toml        when the camera is sheltered from the open sea, and how much look WIDTH FRAME... PNGs
+//     of some frames in FOLDER, to be looked at
 // FOLDER keeps what was lit once, for the next run.
 #include "content/make/video/Camera.h"
 #include "content/make/video/Frame.h"
@@ -17,6 +16,7 @@
 #include <cstdlib>
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
 #include <ctime>
 #include <optional>
 
@@ -25,7 +25,7 @@ namespace {
 using namespace shoal;
 using namespace shoal::reef;
 
-constexpr int kTruthWidth = 512;
+constexpr int kTruthWidth = 512, kMeterWidth = 128;
 
 struct Studio {
     const Scene& scene;
@@ -34,8 +34,10 @@ struct Studio {
     const Route& route;
     Path folder;
 
+    // Of a frame of the film, counted from its start.
     float turn(int frame) const {
-        return (static_cast<float>(frame) + 0.5f) / static_cast<float>(scene.film.frames);
+        const int onPath = (frame + scene.film.start) % scene.film.frames;
+        return (static_cast<float>(onPath) + 0.5f) / static_cast<float>(scene.film.frames);
     }
 };
 
@@ -82,25 +84,23 @@ Result<Drawn> recall(const Studio& studio, int time) {
     return drawn;
 }
 
-// The meter is read every two and a half seconds, on small pictures.
-Exposure meter(const Studio& studio) {
-    constexpr int kReadings = 24;
-    std::vector<float> readings;
-    for (int i = 0; i < kReadings; ++i)
-        readings.push_back(
-            meterReading(studio.filming.draw(static_cast<float>(i) / kReadings, 128, false).radianceLin));
-    return {studio.scene.camera, readings};
+// The times that are drawn, in frames.
+std::vector<int> drawnTimes(const Studio& studio) {
+    std::vector<int> times;
+    for (int time = 0; time < studio.scene.film.frames; time += studio.scene.film.every)
+        if (std::filesystem::exists(keptAt(studio, time))) times.push_back(time);
+    return times;
 }
 
-// The finest spacing that all times are drawn at, in frames: 0 if none is.
-int drawnSpacing(const Studio& studio) {
-    for (int spacing = studio.scene.film.every; spacing <= kCoarsest; spacing *= 2) {
-        bool all = true;
-        for (int time = 0; time < studio.scene.film.frames; time += spacing)
-            all = all && std::filesystem::exists(keptAt(studio, time));
-        if (all) return spacing;
+// The meter is read every two seconds.
+Result<Exposure> meter(const Studio& studio) {
+    std::vector<float> readings;
+    for (int time = 0; time < studio.scene.film.frames; time += 2 * studio.scene.film.fps) {
+        const auto drawn = recall(studio, time);
+        if (!drawn) return drawn.error();
+        readings.push_back(meterReading(reduced(drawn->radianceLin, kMeterWidth)));
     }
-    return 0;
+    return Exposure{studio.scene.camera, readings};
 }
 
 // All that are missing, coarsely first: a run that is stopped leaves a film that can be shown already.
@@ -123,29 +123,27 @@ Status drawAll(const Studio& studio) {
 // Frames lie half a frame off the times that were drawn, or further: none is drawn itself, so that all are
 // equally soft.
 Status film(const Studio& studio) {
-    const Film& film = studio.scene.film;
-    const int spacing = drawnSpacing(studio);
-    if (!spacing) return Error{studio.folder.string(), "lacks drawn frames; run draw first"};
-    const Exposure exposure = meter(studio);
+    const Film& cut = studio.scene.film;
+    const std::vector<int> times = drawnTimes(studio);
+    const auto exposure = meter(studio);
+    if (!exposure) return exposure.error();
     std::optional<Drawn> before, after;
-    int at = -1;
-    for (int frame = 0; frame < film.frames; ++frame) {
-        const int time = frame / spacing * spacing;
-        if (time != at) {
-            if (at >= 0) before = std::move(after);
-            for (auto* each : {&before, &after}) {
-                if (each == &before && at >= 0) continue;
-                auto read = recall(studio, (each == &before ? time : time + spacing) % film.frames);
-                if (!read) return read.error();
-                *each = std::move(*read);
-            }
-            at = time;
+    int from = -1;
+    for (int frame = 0; frame < cut.frames; ++frame) {
+        const int onPath = (frame + cut.start) % cut.frames;
+        const auto next = std::upper_bound(times.begin(), times.end(), onPath);
+        const int earlier = *(next - 1), later = next == times.end() ? cut.frames : *next;
+        if (earlier != from) {
+            auto first = recall(studio, earlier), second = recall(studio, later % cut.frames);
+            if (!first) return first.error();
+            if (!second) return second.error();
+            before = std::move(*first), after = std::move(*second), from = earlier;
         }
         const float turn = studio.turn(frame),
-                    share = (static_cast<float>(frame - time) + 0.5f) / static_cast<float>(spacing);
+                    share = (static_cast<float>(onPath - from) + 0.5f) / static_cast<float>(later - from);
         Drawn shown = studio.filming.between(*before, *after, share, turn);
         studio.filming.addSnow(shown, turn);
-        const ImageRgb8 image = develop(studio.scene.camera, shown.radianceLin, exposure.at(turn), frame);
+        const ImageRgb8 image = develop(studio.scene.camera, shown.radianceLin, exposure->at(turn), onPath);
         if (std::fwrite(image.pixels.data(), 1, image.pixels.size(), stdout) != image.pixels.size())
             return Error{"", "the encoder stopped listening"};
     }
@@ -186,14 +184,15 @@ Status shelter(const Studio& studio, const Path& to) {
 }
 
 Status look(const Studio& studio, int width, const std::vector<int>& frames) {
-    const Exposure exposure = meter(studio);
+    const auto exposure = meter(studio);
+    if (!exposure) return exposure.error();
     std::fprintf(stderr, "path %.1f m\n", static_cast<double>(studio.route.length()));
     for (const int frame : frames) {
         const std::clock_t start = std::clock();
         Drawn picture = studio.filming.draw(studio.turn(frame), width, true);
         studio.filming.addSnow(picture, studio.turn(frame));
         const std::clock_t drawn = std::clock();
-        const float factor = exposure.at(studio.turn(frame));
+        const float factor = exposure->at(studio.turn(frame));
         const ImageRgb8 image = develop(studio.scene.camera, picture.radianceLin, factor, frame);
         std::fprintf(stderr, "frame %d: %.2f + %.2f core seconds, exposure %.2f\n", frame,
                      static_cast<double>(drawn - start) / CLOCKS_PER_SEC,
@@ -205,10 +204,22 @@ Status look(const Studio& studio, int width, const std::vector<int>& frames) {
     return Done{};
 }
 
+// words: a task's name and what it wants.
+Status perform(const Studio& studio, const std::vector<std::string>& words) {
+    const std::string task = words.empty() ? "" : words[0];
+    if (task == "draw") return drawAll(studio);
+    if (task == "film") return film(studio);
+    if (words.size() < 2) return Error{task, "is no task, or wants more words"};
+    std::vector<int> frames;
+    for (size_t i = 2; i < words.size(); ++i) frames.push_back(std::atoi(words[i].c_str()));
+    if (task == "truth") return truth(studio, words[1], frames);
+    if (task == "shelter") return shelter(studio, words[1]);
+    if (task == "look") return look(studio, std::atoi(words[1].c_str()), frames);
+    return Error{task, "is no task"};
+}
+
 Status run(int argc, char** argv) {
-    if (argc < 3 || (argc < 4 && std::string(argv[2]) != "draw" && std::string(argv[2]) != "film"))
-        return Error{"",
-                     "wants FOLDER and draw, film, truth TO FRAME..., shelter FILE, or look WIDTH FRAME..."};
+    if (argc < 3) return Error{"", "wants FOLDER and tasks"};
     const auto scene = readScene(dataRoot() / "content/make/video/Reef.toml");
     if (!scene) return scene.error();
     const Route route(scene->path);
@@ -216,15 +227,16 @@ Status run(int argc, char** argv) {
     World world(*scene, route, folder / "lit.bin");
     Filming filming(*scene, route, world);
     const Studio studio{*scene, filming, world, route, folder};
-    const std::string task = argv[2];
-    std::vector<int> frames;
-    for (int i = 4; i < argc; ++i) frames.push_back(std::atoi(argv[i]));
-    if (task == "draw") return drawAll(studio);
-    if (task == "film") return film(studio);
-    if (task == "truth") return truth(studio, argv[3], frames);
-    if (task == "shelter") return shelter(studio, argv[3]);
-    if (task == "look") return look(studio, std::atoi(argv[3]), frames);
-    return Error{task, "is no task"};
+    std::vector<std::string> words;
+    for (int i = 2; i <= argc; ++i) {
+        if (i < argc && std::string(argv[i]) != "--") {
+            words.emplace_back(argv[i]);
+            continue;
+        }
+        if (Status done = perform(studio, words); !done) return done;
+        words.clear();
+    }
+    return Done{};
 }
 
 } // namespace

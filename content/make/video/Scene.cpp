@@ -88,8 +88,8 @@ Scene fromTable(const toml::table& root) {
     Scene scene;
     const toml::table& film = part(root, "film");
     scene.film = {static_cast<int>(number(film, "frames")), static_cast<int>(number(film, "fps")),
-                  static_cast<int>(number(film, "width")), static_cast<int>(number(film, "drawn")),
-                  static_cast<int>(number(film, "every"))};
+                  static_cast<int>(number(film, "width")),  static_cast<int>(number(film, "drawn")),
+                  static_cast<int>(number(film, "start")),  static_cast<int>(number(film, "every"))};
     for (const toml::node& node : list(part(root, "path"), "places")) scene.path.push_back(vec<3>(node));
     const toml::table& water = part(root, "water");
     scene.water = {vec<3>(must(water, "attenuation")), vec<3>(must(water, "scattered")),

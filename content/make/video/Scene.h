@@ -39,6 +39,7 @@ struct Waves {
 struct Film {
     int frames = 0, fps = 0, width = 0;
     int drawn = 0; // the width that rays are traced at; the encoder is given it enlarged
+    int start = 0; // frames after the path's own beginning: where the film is cut open
     int every = 1; // rays are traced for each so many frames
 };
 

@@ -143,7 +143,7 @@ Caustics::Caustics(const Scene& scene)
     : toSun_(scene.sun.toSunWater), toSunAir_(scene.sun.toSunAir), tile_(scene.waves.tile),
       layers_(kDepths.size(), std::vector<float>(kSide * kSide)) {}
 
-// Each texel's four photons go straight from the surface to each depth, in the frame that the level sea's ray
+// Each texel's two photons go straight from the surface to each depth, in the frame that the level sea's ray
 // stays still in.
 void Caustics::advance(const Sea& sea) {
     const vec2 level(-toSun_.x / toSun_.y, -toSun_.z / toSun_.y);
@@ -159,25 +159,21 @@ void Caustics::advance(const Sea& sea) {
         std::fill(map.begin(), map.end(), 0.0f);
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x)
-                for (int part = 0; part < 4; ++part) {
-                    const float fx = (part & 1) ? 0.5f : 0.0f, fy = (part >> 1) ? 0.5f : 0.0f;
+                for (int part = 0; part < 2; ++part) {
                     const auto at = [&](int i, int j) {
                         return drift[static_cast<size_t>(wrapped(y + j, kSide) * kSide +
                                                          wrapped(x + i, kSide))];
                     };
-                    vec2 d = at(0, 0);
-                    if (part == 1) d = 0.5f * (d + at(1, 0));
-                    if (part == 2) d = 0.5f * (d + at(0, 1));
-                    if (part == 3) d = 0.25f * (d + at(1, 0) + at(0, 1) + at(1, 1));
-                    const vec2 p = vec2(x, y) + vec2(fx, fy) + d * kDepths[layer];
+                    const vec2 d = part ? 0.25f * (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)) : at(0, 0);
+                    const vec2 p = vec2(x, y) + (part ? 0.5f : 0.0f) + d * kDepths[layer];
                     const vec2 base = glm::floor(p), f = p - base;
                     const int x0 = wrapped(static_cast<int>(base.x), kSide), x1 = wrapped(x0 + 1, kSide);
                     const int y0 = wrapped(static_cast<int>(base.y), kSide), y1 = wrapped(y0 + 1, kSide);
                     float *upper = map.data() + y0 * kSide, *lower = map.data() + y1 * kSide;
-                    upper[x0] += 0.25f * (1 - f.x) * (1 - f.y);
-                    upper[x1] += 0.25f * f.x * (1 - f.y);
-                    lower[x0] += 0.25f * (1 - f.x) * f.y;
-                    lower[x1] += 0.25f * f.x * f.y;
+                    upper[x0] += 0.5f * (1 - f.x) * (1 - f.y);
+                    upper[x1] += 0.5f * f.x * (1 - f.y);
+                    lower[x0] += 0.5f * (1 - f.x) * f.y;
+                    lower[x1] += 0.5f * f.x * f.y;
                 }
         // The sun's disc and the water's small-angle scattering blur what the waves focus; 1 2 1 both ways.
         for (int pass = 0; pass < 2; ++pass) {

@@ -17,6 +17,7 @@ namespace {
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr float kShadowTexel = 0.02f;
 constexpr int kShadowSide = 1800;
+constexpr float kSwayingSeen = 9; // metres: beyond it the water hides so little motion
 
 bool traceRay(RTCScene scene, const vec3& origin, const vec3& dir, float furthest, RTCRayHit& ray) {
     RTCIntersectContext context;
@@ -54,6 +55,7 @@ World::World(const Scene& scene, const Route& route, const Path& cache)
         light();
         save(cache, key);
     }
+    for (int pass = 0; pass < 4; ++pass) smooth(0);
 }
 
 void World::raise(Mesh&& still, Mesh&& swaying) {
@@ -82,14 +84,14 @@ void World::raise(Mesh&& still, Mesh&& swaying) {
 }
 
 // The surge moves all to and fro together, a little later and less regularly from place to place.
-void World::advance(float turn) {
+void World::advance(float turn, const vec3& camera) {
     const Mesh& mesh = parts_[1];
     const auto cycles = [&](float period) { return std::round(duration_ / period); };
     const float slow = cycles(5.4f), quick = cycles(2.3f), flutter = cycles(1.1f);
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vertex& v = mesh.vertices[i];
-        if (v.sway == 0) continue;
+        if (v.sway == 0 || glm::distance(v.p, camera) > kSwayingSeen) continue;
         const float place = v.p.x * 0.55f + v.p.z * 0.35f, here = v.p.x * 2.3f - v.p.z * 3.1f;
         const float a =
             std::sin(kTurn * slow * turn - place) + 0.35f * std::sin(kTurn * quick * turn - 2.1f * here);

@@ -24,8 +24,8 @@ class World {
     // Grows, and lights all once; that is read from `cache` if it holds it, and kept there if not.
     World(const Scene& scene, const Route& route, const Path& cache);
 
-    // Moves what sways. turn: 0..1.
-    void advance(float turn);
+    // Moves what sways near the camera. turn: 0..1.
+    void advance(float turn, const vec3& camera);
 
     bool trace(const vec3& origin, const vec3& dir, float furthest, Hit& hit) const;
     // The share of the sun that solid things leave at a place.
