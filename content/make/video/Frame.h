@@ -1,0 +1,51 @@
+// One frame's radiance, before any camera.
+#pragma once
+
+#include "content/make/video/Noise.h"
+#include "content/make/video/Sea.h"
+#include "content/make/video/Veil.h"
+#include "content/make/video/World.h"
+
+#include "engine/core/Image.h"
+
+namespace shoal::reef {
+
+// What was drawn at one time, with what is needed to see it from a little beside.
+struct Drawn {
+    ImageRgbF radianceLin;
+    std::vector<float> distance; // metres, a pixel each
+    vec3 camera{0};
+};
+
+class Filming {
+  public:
+    Filming(const Scene& scene, const Route& route, World& world);
+    // Lat-long, env frame = world frame moved to the camera. turn: time in films. edges: more rays where
+    // neighbours differ. Without snow.
+    Drawn draw(float turn, int width, bool edges);
+    // The picture at a time between two that were drawn, share of the way from a to b: each moved as its
+    // distances tell, then mixed.
+    Drawn between(const Drawn& a, const Drawn& b, float share, float turn) const;
+    // Marine snow.
+    void addSnow(Drawn& drawn, float turn) const;
+
+  private:
+    struct Sample {
+        vec3 radiance{0};
+        float distance = 0;
+    };
+    Sample look(const vec2& uv, float pixelAngle) const;
+    vec3 surfaceFromBelow(const vec3& dir, float distance, float pixelAngle) const;
+    vec3 shade(Hit& hit, float footprint) const;
+
+    const Scene& scene_;
+    const Route& route_;
+    World& world_;
+    Sea sea_;
+    Caustics caustics_;
+    Veil veil_;
+    NoiseVolume lumps_{NoiseVolume::Kind::Lumps}, cells_{NoiseVolume::Kind::Cells};
+    vec3 camera_{0};
+};
+
+} // namespace shoal::reef

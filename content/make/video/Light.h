@@ -1,0 +1,22 @@
+// What falls into the water from above, and what a level sea shows from below.
+#pragma once
+
+#include "content/make/video/Scene.h"
+
+namespace shoal::reef {
+
+// Of the sky without the sun's disc, direction in air.
+vec3 skyRadiance(const Scene& scene, const vec3& dirAir);
+
+// Upward through a surface with this normal: the share let through, and the direction in air (unset if
+// nothing is).
+struct Window {
+    float through = 0;
+    vec3 dirAir{0};
+};
+Window throughSurface(const vec3& dirWater, const vec3& normal);
+
+// Irradiance of the sun on a plane that faces it at this depth (metres), under a level sea.
+vec3 sunAtDepth(const Scene& scene, float depth);
+
+} // namespace shoal::reef

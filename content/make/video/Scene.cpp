@@ -1,0 +1,136 @@
+#include "content/make/video/Scene.h"
+
+#include <toml++/toml.h>
+
+#include <numbers>
+
+namespace shoal::reef {
+
+namespace {
+
+// Reads what must be there; the first thing missing ends the reading.
+struct Missing {
+    std::string what;
+};
+
+const toml::node& must(const toml::table& table, std::string_view key) {
+    const toml::node* node = table.get(key);
+    if (!node) throw Missing{"wants \"" + std::string(key) + "\""};
+    return *node;
+}
+
+float number(const toml::node& node) {
+    const auto value = node.value<double>();
+    if (!value) throw Missing{"wants a number where it has something else"};
+    return static_cast<float>(*value);
+}
+
+float number(const toml::table& table, std::string_view key) { return number(must(table, key)); }
+
+template <int kCount> glm::vec<kCount, float> vec(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (!list || list->size() != kCount)
+        throw Missing{"wants " + std::to_string(kCount) + " numbers in a list"};
+    glm::vec<kCount, float> out;
+    for (int i = 0; i < kCount; ++i) out[i] = number(*list->get(static_cast<size_t>(i)));
+    return out;
+}
+
+const toml::array& list(const toml::table& table, std::string_view key) {
+    const toml::array* out = must(table, key).as_array();
+    if (!out) throw Missing{"wants a list \"" + std::string(key) + "\""};
+    return *out;
+}
+
+const toml::table& part(const toml::table& table, std::string_view key) {
+    const toml::table* out = must(table, key).as_table();
+    if (!out) throw Missing{"wants a table \"" + std::string(key) + "\""};
+    return *out;
+}
+
+vec3 refractedDown(const vec3& toSunAir) {
+    const vec3 down = glm::refract(-toSunAir, vec3(0, 1, 0), 1 / kWaterIndex);
+    return -glm::normalize(down);
+}
+
+Rock rock(const toml::table& table) {
+    Rock out;
+    out.voxel = number(table, "voxel");
+    for (const toml::node& node : list(table, "blobs")) {
+        const auto six = node.as_array();
+        if (!six || six->size() != 6) throw Missing{"wants six numbers for a blob"};
+        Blob blob;
+        for (int i = 0; i < 3; ++i) {
+            blob.centre[i] = number(*six->get(static_cast<size_t>(i)));
+            blob.radius[i] = number(*six->get(static_cast<size_t>(i + 3)));
+        }
+        out.blobs.push_back(blob);
+    }
+    for (const toml::node& tube : list(table, "carve")) {
+        auto& joints = out.carve.emplace_back();
+        if (!tube.as_array()) throw Missing{"wants a list of joints for a tube"};
+        for (const toml::node& joint : *tube.as_array()) joints.push_back(vec<4>(joint));
+    }
+    return out;
+}
+
+Growth growth(const toml::table& table) {
+    return {.kind = must(table, "kind").value_or(std::string()),
+            .count = static_cast<int>(number(table, "count")),
+            .size = vec<2>(must(table, "size")),
+            .light = vec<2>(must(table, "light")),
+            .up = number(table, "up"),
+            .onSand = table["on"].value_or(std::string("rock")) == "sand"};
+}
+
+Scene fromTable(const toml::table& root) {
+    constexpr float kRadians = std::numbers::pi_v<float> / 180;
+    Scene scene;
+    const toml::table& film = part(root, "film");
+    scene.film = {static_cast<int>(number(film, "frames")), static_cast<int>(number(film, "fps")),
+                  static_cast<int>(number(film, "width")),  static_cast<int>(number(film, "drawn")),
+                  static_cast<int>(number(film, "start")),  static_cast<int>(number(film, "every"))};
+    for (const toml::node& node : list(part(root, "path"), "places")) scene.path.push_back(vec<3>(node));
+    const toml::table& water = part(root, "water");
+    scene.water = {vec<3>(must(water, "attenuation")), vec<3>(must(water, "scattered")),
+                   number(water, "forward"), number(water, "forward_share")};
+    const toml::table& sun = part(root, "sun");
+    const float high = number(sun, "elevation") * kRadians, round = number(sun, "azimuth") * kRadians;
+    scene.sun.toSunAir = {std::cos(high) * std::sin(round), std::sin(high),
+                          -std::cos(high) * std::cos(round)};
+    scene.sun.toSunWater = refractedDown(scene.sun.toSunAir);
+    scene.sun.irradiance = vec<3>(must(sun, "irradiance"));
+    scene.sun.sky = vec<3>(must(sun, "sky"));
+    const toml::table& waves = part(root, "waves");
+    scene.waves = {number(waves, "tile"), number(waves, "rms_slope"), number(waves, "longest"),
+                   number(waves, "shortest"), number(waves, "wind") * kRadians};
+    const toml::table& camera = part(root, "camera");
+    scene.camera = {number(camera, "exposure"), number(camera, "adaptation"), number(camera, "noise"),
+                    vec<3>(must(camera, "white")), static_cast<int>(number(camera, "snow"))};
+    const toml::table& sand = part(root, "sand");
+    scene.sandHeight = number(sand, "height");
+    scene.sandAlbedo = vec<3>(must(sand, "albedo"));
+    for (const toml::node& node : list(root, "rock")) scene.rocks.push_back(rock(*node.as_table()));
+    for (const toml::node& node : list(root, "growth")) scene.growths.push_back(growth(*node.as_table()));
+    return scene;
+}
+
+} // namespace
+
+float Water::phase(float cosine) const {
+    const float g = forward, denominator = 1 + g * g - 2 * g * cosine;
+    const float lobe = (1 - g * g) / (denominator * std::sqrt(denominator));
+    return (forwardShare * lobe + (1 - forwardShare)) * 0.25f * std::numbers::inv_pi_v<float>;
+}
+
+Result<Scene> readScene(const Path& file) {
+    try {
+        return fromTable(toml::parse_file(file.string()));
+    } catch (const toml::parse_error& error) {
+        return Error{file.string(), std::string(error.description())};
+    } catch (const Missing& missing) {
+        return Error{file.string(), missing.what};
+    }
+}
+
+} // namespace shoal::reef

@@ -1,0 +1,88 @@
+// The scene as data (Reef.toml): what is filmed, before anything is built of it.
+// Metres, +Y up, the water's surface at y = 0; radiance in one arbitrary unit throughout.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Result.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace shoal::reef {
+
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+struct Water {
+    vec3 attenuation{0}; // per metre
+    vec3 scattered{0};   // share of the attenuation that is scattering
+    float forward = 0, forwardShare = 0;
+
+    vec3 transmittance(float metres) const { return glm::exp(-attenuation * metres); }
+    // Share of scattered light that turns by an angle of this cosine, per steradian: integrates to 1.
+    float phase(float cosine) const;
+};
+
+struct Sun {
+    vec3 toSunAir{0}, toSunWater{0}; // unit; the second refracted at the level surface
+    vec3 irradiance{0};              // on a plane facing it, just below the surface
+    vec3 sky{0};                     // radiance overhead in air
+};
+
+struct Waves {
+    float tile = 0, rmsSlope = 0, longest = 0, shortest = 0, wind = 0; // metres, radians
+};
+
+struct Film {
+    int frames = 0, fps = 0, width = 0;
+    int drawn = 0; // the width that rays are traced at; the encoder is given it enlarged
+    int start = 0; // frames after the path's own beginning: where the film is cut open
+    int every = 1; // rays are traced for each so many frames
+};
+
+struct CameraData {
+    float exposure = 1, adaptation = 0, noise = 0;
+    vec3 white{1};
+    int snow = 0;
+};
+
+struct Blob {
+    vec3 centre{0}, radius{0};
+};
+
+struct Rock {
+    float voxel = 0;
+    std::vector<Blob> blobs;
+    std::vector<std::vector<vec4>> carve; // tubes: centre and radius of their joints
+};
+
+struct Growth {
+    std::string kind;
+    int count = 0;
+    vec2 size{0}, light{0, 1};
+    float up = 0;
+    bool onSand = false;
+};
+
+struct Scene {
+    Film film;
+    std::vector<vec3> path;
+    Water water;
+    Sun sun;
+    Waves waves;
+    CameraData camera;
+    float sandHeight = 0;
+    vec3 sandAlbedo{0};
+    std::vector<Rock> rocks;
+    std::vector<Growth> growths;
+};
+
+// Refractive index of sea water.
+constexpr float kWaterIndex = 1.34f;
+
+Result<Scene> readScene(const Path& file);
+
+} // namespace shoal::reef

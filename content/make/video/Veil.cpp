@@ -1,0 +1,80 @@
+#include "content/make/video/Veil.h"
+
+#include "content/make/video/Light.h"
+#include "content/make/video/Noise.h"
+#include "engine/math/LatLong.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::reef {
+
+// Edges grow evenly at first, then by a constant ratio.
+float Veil::edge(int slice) { return kNearest * (std::exp(static_cast<float>(slice) * kRatio) - 1) / kFirst; }
+
+void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera) {
+    const vec3 open(12, camera.y, -12);
+    const bool sheltered = world.ambient(camera).y < 0.45f * world.ambient(open).y;
+    width_ = sheltered ? 512 : 256;
+    height_ = width_ / 2;
+    cells_.resize(static_cast<size_t>(width_) * height_ * kSlices);
+    const Water& water = scene.water;
+#pragma omp parallel for schedule(dynamic, 2)
+    for (int y = 0; y < height_; ++y) {
+        // Towards the poles columns crowd: fill every n-th and repeat it.
+        const float ring =
+            std::cos((0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)) * 3.14159265f);
+        const int step = 1 << std::clamp(static_cast<int>(-std::log2(ring)), 0, 5);
+        for (int x = 0; x < width_; x += step) {
+            const vec2 uv((static_cast<float>(x) + 0.5f * static_cast<float>(step)) /
+                              static_cast<float>(width_),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(height_));
+            const vec3 dir = directionFromLatLong(uv);
+            const float turned = water.phase(glm::dot(scene.sun.toSunWater, dir));
+            const float above = dir.y > 0.001f ? -camera.y / dir.y : 1e9f;
+            const float jitter = unitFrom(hash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), 77));
+            vec3 sum(0), through(1);
+            vec3* out = cells_.data() + (static_cast<size_t>(y) * width_ + x) * kSlices;
+            float from = 0;
+            for (int i = 0; i < kSlices; ++i) {
+                const float to = edge(i + 1), length = std::max(std::min(to, above) - from, 0.0f);
+                if (length > 0) {
+                    const int parts = i > 6 ? 2 : 1;
+                    vec3 source(0);
+                    for (int k = 0; k < parts; ++k) {
+                        const vec3 p =
+                            camera + dir * (from + length * (static_cast<float>(k) + 0.15f + 0.7f * jitter) /
+                                                       static_cast<float>(parts));
+                        const float lit = world.sunlit(p);
+                        if (lit > 0) source += sunAtDepth(scene, -p.y) * (lit * turned * caustics.at(p));
+                        source += world.ambient(p);
+                    }
+                    const vec3 passed = water.transmittance(length);
+                    sum += through * (1.0f - passed) * water.scattered * source / static_cast<float>(parts);
+                    through *= passed;
+                }
+                from = to;
+                for (int s = 0; s < step; ++s) out[s * kSlices + i] = sum;
+            }
+        }
+    }
+}
+
+vec3 Veil::at(const vec2& uv, float distance) const {
+    const vec2 p = uv * vec2(width_, height_) - 0.5f, base = glm::floor(p), f = p - base;
+    const int x0 = (static_cast<int>(base.x) + width_) & (width_ - 1), x1 = (x0 + 1) & (width_ - 1);
+    const int y0 = std::clamp(static_cast<int>(base.y), 0, height_ - 1),
+              y1 = std::min(static_cast<int>(base.y) + 1, height_ - 1);
+    const float slice =
+        std::clamp(std::log(distance * kFirst / kNearest + 1) / kRatio - 1, -1.0f, kSlices - 1.001f);
+    const float floorSlice = std::floor(slice), g = slice - floorSlice;
+    const int s = static_cast<int>(floorSlice);
+    const auto look = [&](int x, int y) {
+        const vec3* cell = cells_.data() + (static_cast<size_t>(y) * width_ + x) * kSlices;
+        return s < 0 ? cell[0] * g : cell[s] * (1 - g) + cell[s + 1] * g;
+    };
+    return (look(x0, y0) * (1 - f.x) + look(x1, y0) * f.x) * (1 - f.y) +
+           (look(x0, y1) * (1 - f.x) + look(x1, y1) * f.x) * f.y;
+}
+
+} // namespace shoal::reef

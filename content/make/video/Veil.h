@@ -1,0 +1,26 @@
+// The light that the water itself sends: what is scattered between the camera and each distance, in each
+// direction.
+#pragma once
+
+#include "content/make/video/Sea.h"
+#include "content/make/video/World.h"
+
+namespace shoal::reef {
+
+class Veil {
+  public:
+    // Marches from the camera through sunlight, shadow and caustics (shafts), and the ambient grid. Finer in
+    // the dark, where single beams stand out.
+    void fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera);
+    // uv: lat-long; distance in metres.
+    vec3 at(const vec2& uv, float distance) const;
+
+  private:
+    static constexpr int kSlices = 26;
+    static constexpr float kNearest = 0.35f, kRatio = 0.1646f, kFirst = 0.56f; // edges at 0.11 .. 45 m
+    static float edge(int slice);
+    int width_ = 0, height_ = 0;
+    std::vector<vec3> cells_; // [row][column][slice]: scattered up to the slice's far edge
+};
+
+} // namespace shoal::reef
