@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace shoal::game::test {
 
 inline const DiveFiles& reef() {
@@ -54,7 +56,9 @@ struct OneFish {
 
     static DiveFile lonely(bool withShark) {
         DiveFile file = reef().dive;
-        file.schools = {file.schools.at(0)};
+        const auto clownfish = std::ranges::find_if(
+            file.schools, [](const School& s) { return reef().species[s.species].name == "clownfish"; });
+        file.schools = {*clownfish};
         file.schools[0].count = 1;
         if (!withShark) file.shark.species = -1;
         return file;
