@@ -10,7 +10,7 @@ from surface import capsule, ellipsoid, smooth_max, smooth_min
 
 PARENTS = (1, -1, 1, 2, 3, 4, 1, 6, 7, 8, 9, 1, 11, 12, 13, 14, 1, 16, 17, 18, 19, 1, 21, 22, 23, 24)
 FINGERS = ('thumb', 'index', 'middle', 'ring', 'little')
-WRIST_END = 0.026  # where the arm ends, hidden in the sleeve, metres behind the wrist
+WRIST_END = 0.022  # where the arm ends, hidden in the sleeve, metres behind the wrist
 
 
 @dataclass
@@ -133,7 +133,7 @@ def palm_field(hand, p):
     arm = capsule(p, np.array([0.0, -0.001, 0.055]), np.array([0.0, -0.002, -0.008]), 0.0262, 0.0275,
                   np.array([1.0, 1.38, 1.0]))
     field = smooth_min(field, arm, 0.014)
-    field = smooth_min(field, ellipsoid(p, np.array([0.0215, 0.0085, 0.016]), (0.0072, 0.0085, 0.010)), 0.010)
+    field = smooth_min(field, ellipsoid(p, np.array([0.0200, 0.0050, 0.011]), (0.0070, 0.0076, 0.010)), 0.010)
     return field
 
 

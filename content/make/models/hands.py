@@ -14,7 +14,7 @@ from mesh import Part, facing, join, mirrored, strongest_four, tangent_frame, un
 TEXELS = 1024
 HAND_TEXELS = 896  # of these; the sleeve has the strip at the right
 GAP = 4
-CELL = (0.0036, 0.0034, 0.0052)  # metres; fingers run along z
+CELL = (0.0048, 0.0046, 0.0057)  # metres; fingers run along z
 
 
 def weights(hand, p):
@@ -69,8 +69,8 @@ def weights(hand, p):
 def right_part(skeleton):
     """The mesh, hand and sleeve, and where in space the texels of the hand lie."""
     field = hand_field(skeleton)
-    # the grid starts where its points fall into the narrow gap between middle and ring finger
-    points, quads = surface.surface_nets(field, (-0.0937, -0.045, -0.206), (0.066, 0.036, WRIST_END + 0.008), CELL)
+    # the grid starts where its points fall into the narrow gaps between the fingers, and near the tips
+    points, quads = surface.surface_nets(field, (-0.0967, -0.045, -0.209), (0.066, 0.036, WRIST_END + 0.008), CELL)
     points = surface.project(field, points, 2)
     points = surface.relax(field, points, quads)
     triangles = surface.split_quads(points, quads)
