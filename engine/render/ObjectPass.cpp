@@ -101,7 +101,7 @@ float toleranceFor(const Ball& ball, const View& view, Detail detail) {
 
 // Whether relief and roughness could not be told apart from their means.
 bool isSmall(const Ball& ball, const View& view) {
-    constexpr float kSmall_px = 45; // radius
+    constexpr float kSmall_px = 64; // radius
     const float distance = std::max(glm::distance(ball.centre, view.eyeWorld), view.near_m);
     return view.heightPixels > 0 &&
            ball.radius / distance * static_cast<float>(view.heightPixels) / (2 * view.halfExtent().y) <
