@@ -32,16 +32,29 @@ MeanSurface meanSurface(const Model& model, const Material& material) {
             material.metallic * static_cast<float>(metallic * share)};
 }
 
-float leastRoughness(const Model& model) {
+namespace {
+
+// The least over all materials that some mesh uses.
+template <class Of> float leastOver(const Model& model, Of&& roughnessOf) {
     float least = 1;
     for (const Mesh& mesh : model.meshes)
         for (const Primitive& primitive : mesh.primitives) {
             const bool named = primitive.material >= 0;
-            least = std::min(
-                least, named ? leastRoughness(model, model.materials[static_cast<size_t>(primitive.material)])
-                             : Material().roughness);
+            least =
+                std::min(least, named ? roughnessOf(model.materials[static_cast<size_t>(primitive.material)])
+                                      : Material().roughness);
         }
     return least;
+}
+
+} // namespace
+
+float leastRoughness(const Model& model) {
+    return leastOver(model, [&](const Material& material) { return leastRoughness(model, material); });
+}
+
+float leastMeanRoughness(const Model& model) {
+    return leastOver(model, [&](const Material& material) { return meanSurface(model, material).roughness; });
 }
 
 } // namespace shoal::scene

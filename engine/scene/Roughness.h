@@ -18,4 +18,7 @@ struct MeanSurface {
 };
 MeanSurface meanSurface(const Model& model, const Material& material);
 
+// The least of their roughnesses over all materials that some mesh uses; 1 where there are none.
+float leastMeanRoughness(const Model& model);
+
 } // namespace shoal::scene

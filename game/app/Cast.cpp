@@ -32,7 +32,10 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look,
     actor.model = std::move(*model);
     if (!look.empty() && !scene::wear(actor.model, look))
         return Error{file.string(), "has no variant named " + look};
-    leastRoughness_ = std::min(leastRoughness_, scene::leastRoughness(actor.model));
+    // Where detail is lean, materials are drawn at their means.
+    leastRoughness_ =
+        std::min(leastRoughness_, detail == render::Detail::Lean ? scene::leastMeanRoughness(actor.model)
+                                                                 : scene::leastRoughness(actor.model));
     // Two hands wear one skin.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(actor.model.images, lastImages_, same);

@@ -90,16 +90,22 @@ std::string pyramidTable(const Chart& chart) {
 }
 
 std::string toneMapTable(const Chart& chart) {
-    std::string out = "| operator | diffuse, % | glossy 0.5, % |", rule = "|---|--:|--:|";
+    std::string out =
+                    "| operator | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
+                rule = "|---|--:|--:|--:|--:|";
     for (const std::string& name : chart.toneMapSurrounds) {
         out += " " + name.substr(name.find(' ') + 1) + " |";
         rule += "--:|";
     }
     out += " source |\n" + rule + "---|\n";
     for (const Measured& each : chart.toneMaps) {
-        Pool diffuse, glossy;
-        for (const auto& errors : each.errors) diffuse.add(errors[0]), glossy.add(errors[1]);
-        out += "| " + nameOf(each) + " | " + percent(diffuse.rms()) + " | " + percent(glossy.rms()) + " |";
+        Pool pools[2][2]; // clipped HDRs, film; diffuse, glossy
+        for (size_t i = 0; i < each.errors.size(); ++i)
+            for (size_t lobe = 0; lobe < 2; ++lobe)
+                pools[i >= chart.toneMapsClipped][lobe].add(each.errors[i][lobe]);
+        out += "| " + nameOf(each) + " |";
+        for (const auto& kind : pools)
+            for (const Pool& pool : kind) out += " " + percent(pool.rms()) + " |";
         for (const auto& errors : each.errors)
             out += " " + percent(errors[0].rms) + " and " + percent(errors[1].rms) + " |";
         out += " " + each.label.source + " |\n";

@@ -38,7 +38,10 @@ struct Chart {
     std::vector<SurroundFact> surrounds;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
     std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded surrounds count
-    std::vector<Measured> toneMaps;        // two lobes: diffuse, roughness 0.5; over hdrSources()
+    // Two lobes: diffuse, roughness 0.5; over toneMapSurrounds: hdrSources(), the first toneMapsClipped of
+    // them, then filmedSources().
+    std::vector<Measured> toneMaps;
+    size_t toneMapsClipped = 0;
     std::vector<std::string> toneMapSurrounds;
 };
 

@@ -60,23 +60,33 @@ void measureToneMaps(Chart& chart, const Plan& plan, std::span<const glm::dvec3>
     const auto methods = inverseToneMapMethods();
     for (const auto& each : methods) chart.toneMaps.push_back({each.label, {}, {}});
     const light::Lobe lobes[] = {light::diffuseLobe(), light::glossyLobe(0.5)};
-    for (const SurroundSource& source : hdrSources(plan.shared)) {
-        if (plan.quick && chart.toneMapSurrounds.size() == 2) break;
-        const auto surround = source.load();
-        if (!surround) continue;
-        std::fprintf(stderr, "chart: inverse tone mapping, %s\n", source.name.c_str());
-        chart.toneMapSurrounds.push_back(source.name);
-        const Exposed exposed = expose(surround->radianceLin);
-        const Truth truth = integrals(quartered(exposed.radianceLin), dirs, lobes);
+    // lit: the light that the frame was filmed in, of 256 or 512 texels around.
+    const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit) {
+        std::fprintf(stderr, "chart: inverse tone mapping, %s\n", name.c_str());
+        chart.toneMapSurrounds.push_back(name);
+        const Truth truth = integrals(lit, dirs, lobes);
         ImageRgbF expanded;
         for (size_t i = 0; i < methods.size(); ++i) {
-            methods[i].expand(exposed.frame, expanded);
+            methods[i].expand(frame, expanded);
             const Truth got = integrals(quartered(expanded), dirs, lobes);
             auto& errors = chart.toneMaps[i].errors.emplace_back();
             for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
         }
+    };
+    for (const SurroundSource& source : hdrSources(plan.shared)) {
+        if (plan.quick && chart.toneMapSurrounds.size() == 2) break;
+        const auto surround = source.load();
+        if (!surround) continue;
+        const Exposed exposed = expose(surround->radianceLin);
+        measure(source.name, exposed.frame, quartered(exposed.radianceLin));
     }
+    chart.toneMapsClipped = chart.toneMapSurrounds.size();
+    for (const SurroundSource& source : filmedSources())
+        if (const auto filmed = source.load()) {
+            measure(source.name, filmed->frame, filmed->radianceLin);
+            if (plan.quick) break;
+        }
 }
 
 } // namespace shoal::bench

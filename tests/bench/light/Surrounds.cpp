@@ -6,7 +6,10 @@
 #include "tests/accuracy/light/RadianceFile.h"
 #include "tests/unit/light/Surrounds.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 
 namespace shoal::bench {
 
@@ -54,10 +57,10 @@ ImageRgb8 oneEye(ImageRgb8 frame, bool overUnder) {
     return frame;
 }
 
-std::optional<ImageRgb8> frameOf(const Path& file) {
+std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = std::nullopt) {
     auto player = media::VideoPlayer::open(file);
     if (!player) return std::nullopt;
-    ImageRgb8 frame = player->waitFor(1.0)->pixelsBgr;
+    ImageRgb8 frame = player->waitFor(number ? *number / player->info().fps : 1.0)->pixelsBgr;
     for (size_t i = 0; i < frame.pixels.size(); i += 3) std::swap(frame.pixels[i], frame.pixels[i + 2]);
     return oneEye(std::move(frame), player->info().layout == media::Layout::TopBottom);
 }
@@ -140,6 +143,25 @@ std::vector<SurroundSource> surroundSources(const Path& shared, bool quick) {
              sun("on the seam", {0, 0.5}),
          })
         all.push_back(each);
+    return all;
+}
+
+std::vector<SurroundSource> filmedSources() {
+    std::vector<SurroundSource> all;
+    std::error_code gone;
+    for (const auto& entry : std::filesystem::directory_iterator(dataRoot() / "content" / "truth", gone)) {
+        const Path file = entry.path();
+        const std::string stem = file.stem().string(); // frame_NUMBER
+        if (file.extension() != ".hdr") continue;
+        const int number = std::atoi(stem.substr(stem.find('_') + 1).c_str());
+        all.push_back({"film: " + stem, [=]() -> std::optional<Surround> {
+                           auto frame = frameOf(gameVideo(), number);
+                           auto truth = media::readHdr(file);
+                           if (!frame || !truth) return std::nullopt;
+                           return Surround{"film: " + stem, std::move(*frame), std::move(truth->radianceLin)};
+                       }});
+    }
+    std::ranges::sort(all, {}, &SurroundSource::name);
     return all;
 }
 

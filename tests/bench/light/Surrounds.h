@@ -39,6 +39,10 @@ std::vector<SurroundSource> surroundSources(const Path& shared, bool quick);
 // The six pictures of high dynamic range alone.
 std::vector<SurroundSource> hdrSources(const Path& shared);
 
+// Frames of the game's own video, and in radianceLin the light that they were filmed in, from before the
+// camera (content/truth): nowhere else are both known.
+std::vector<SurroundSource> filmedSources();
+
 // A 2048x1024 frame of the game's own video, for timing.
 ImageRgb8 timedFrame();
 
