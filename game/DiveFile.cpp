@@ -6,7 +6,7 @@ namespace shoal::game {
 
 namespace {
 
-constexpr int kMaxFish = 200;
+constexpr int kMaxFish = 1000;
 constexpr size_t kMaxVisits = 100;
 constexpr size_t kMaxShelters = 100;
 

@@ -62,8 +62,8 @@ TEST_F(Files, DiveErrorsNameTheLine) {
                 AllOf(HasSubstr("line 6"), HasSubstr("whale")));
     EXPECT_THAT(reason(good + "[[school]]\nspecies = \"shark\"\ncount = 1\n"),
                 HasSubstr("must not be a shark"));
-    EXPECT_THAT(reason(good + "[[school]]\nspecies = \"snapper\"\ncount = 200\n"),
-                HasSubstr("more than 200 fish"));
+    EXPECT_THAT(reason(good + "[[school]]\nspecies = \"snapper\"\ncount = 1000\n"),
+                HasSubstr("more than 1000 fish"));
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"snapper\"\n"), HasSubstr("must be a shark"));
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"shark\"\nvisits = [20, 10]\n"), HasSubstr("rising"));
     EXPECT_THAT(reason("video = \"/etc/passwd\"\n" + good), HasSubstr("line 1"));
