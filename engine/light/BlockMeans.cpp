@@ -31,17 +31,19 @@ void meanOfBlock(const uint8_t* pixels, ptrdiff_t stride, const float* rowWeight
 
 #ifdef SHOAL_AVX2
 
+// Bytes first, first + 3, first + 6 and first + 9, each to an integer of its own.
+__m128i everyThird(char first) {
+    const char a = first, b = static_cast<char>(first + 3), c = static_cast<char>(first + 6),
+               d = static_cast<char>(first + 9);
+    return _mm_setr_epi8(a, -1, -1, -1, b, -1, -1, -1, c, -1, -1, -1, d, -1, -1, -1);
+}
+
 // Two blocks side by side at a time, one in each half of a register: 12 bytes a row become three registers
 // of 4 + 4 floats. Reads 4 bytes past a pair of blocks and writes one float past its two texels, so the last
 // pair of a row is not for it: `blocks` is even, and two more follow.
 SHOAL_AVX2
 void meansOfRow(const uint8_t* pixels, ptrdiff_t stride, int blocks, const float* rowWeights, bool bgr,
                 float* out) {
-    const auto everyThird = [](char first) {
-        const char a = first, b = static_cast<char>(first + 3), c = static_cast<char>(first + 6),
-                   d = static_cast<char>(first + 9);
-        return _mm_setr_epi8(a, -1, -1, -1, b, -1, -1, -1, c, -1, -1, -1, d, -1, -1, -1);
-    };
     const __m256i pickRed = _mm256_broadcastsi128_si256(everyThird(bgr ? 2 : 0));
     const __m256i pickGreen = _mm256_broadcastsi128_si256(everyThird(1));
     const __m256i pickBlue = _mm256_broadcastsi128_si256(everyThird(bgr ? 0 : 2));
@@ -87,11 +89,6 @@ void meansOfRow512(const uint8_t* pixels, ptrdiff_t stride, int blocks, const fl
     constexpr __mmask16 kTwelve = 0x0fff;
     const __m512i toQuarters = _mm512_setr_epi32(0, 1, 2, 2, 3, 4, 5, 5, 6, 7, 8, 8, 9, 10, 11, 11);
     const __m512i toTexels = _mm512_setr_epi32(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 15, 15, 15, 15);
-    const auto everyThird = [](char first) {
-        const char a = first, b = static_cast<char>(first + 3), c = static_cast<char>(first + 6),
-                   d = static_cast<char>(first + 9);
-        return _mm_setr_epi8(a, -1, -1, -1, b, -1, -1, -1, c, -1, -1, -1, d, -1, -1, -1);
-    };
     const __m512i pickRed = _mm512_broadcast_i32x4(everyThird(bgr ? 2 : 0));
     const __m512i pickGreen = _mm512_broadcast_i32x4(everyThird(1));
     const __m512i pickBlue = _mm512_broadcast_i32x4(everyThird(bgr ? 0 : 2));
