@@ -1,5 +1,5 @@
-// The light that a vertex sends to the eye, for what is so small in the picture that a pixel's own normal could not be seen:
-// the sums of Object.frag, put so that they are linear in the base colour, which the pixel brings. For metals their further
+// The light that a vertex sends to the eye, for what does not fill the picture where the processor draws: the sums of
+// Object.frag without relief, put so that they are linear in the base colour, which the pixel brings. For metals their further
 // bounces are taken to have the base colour once. Needs light/Environment.glsl.
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;

@@ -1,14 +1,28 @@
-// Balls in even and uneven light, drawn.
+// A context to draw in, and balls in even and uneven light.
 #pragma once
 
 #include "engine/gl/Target.h"
 #include "engine/light/MakeLight.h"
 #include "engine/math/LatLong.h"
+#include "engine/platform/Headless.h"
 #include "engine/render/ObjectPass.h"
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace shoal {
+
+// Tests that draw: skipped where nothing can.
+class WithContext : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto context = platform::Headless::open();
+        if (!context) GTEST_SKIP() << context.error().sentence();
+        context_ = std::move(*context);
+    }
+    std::optional<platform::Headless> context_;
+};
 
 // A ball of radius 1 at the origin.
 inline scene::Model ball(float metallic, float roughness) {

@@ -19,15 +19,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-class RenderGL : public testing::Test {
-  protected:
-    void SetUp() override {
-        auto context = platform::Headless::open();
-        if (!context) GTEST_SKIP() << context.error().sentence();
-        context_ = std::move(*context);
-    }
-    std::optional<platform::Headless> context_;
-};
+class RenderGL : public WithContext {};
 
 // A colour that turns smoothly with direction, so that bilinear reading adds next to nothing.
 glm::vec3 smoothColour(const glm::vec3& dir) { return 0.5f + 0.4f * dir; }

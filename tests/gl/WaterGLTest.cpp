@@ -9,15 +9,7 @@
 namespace shoal {
 namespace {
 
-class WaterGL : public testing::Test {
-  protected:
-    void SetUp() override {
-        auto context = platform::Headless::open();
-        if (!context) GTEST_SKIP() << context.error().sentence();
-        context_ = std::move(*context);
-    }
-    std::optional<platform::Headless> context_;
-};
+class WaterGL : public WithContext {};
 
 water::Water someWater() {
     water::Water water;
