@@ -57,7 +57,7 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
 } // namespace
 
 struct Surround::State {
-    render::MirrorMaps mirrors = render::MirrorMaps::None;
+    light::MirrorMaps mirrors = light::MirrorMaps::None;
     float leastRoughness = 0;
     bool bothEyes = false;
     float yaw = 0; // radians, to the right
@@ -69,7 +69,7 @@ struct Surround::State {
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
     struct Prepared {
-        render::PackedLight light;
+        light::PackedLight light;
         water::WaterEstimate water;
     };
     std::vector<Prepared> prepared;
@@ -105,7 +105,7 @@ struct Surround::State {
         uploadLight(prepared[slot].light);
     }
 
-    void uploadLight(const render::PackedLight& light) {
+    void uploadLight(const light::PackedLight& light) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
             gpu[static_cast<size_t>(eye)].uploadLight(light);
     }
@@ -118,7 +118,7 @@ struct Surround::State {
         }
         sinceLight = 0;
         maker->make(frame, made);
-        render::packLight(made, mirrors, prepared[slot].light);
+        light::packLight(made, mirrors, prepared[slot].light);
         if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
         if (every > 1) newest = prepared[slot];
     }
@@ -182,7 +182,7 @@ Status Surround::State::openEnv(const Path& file) {
     const auto began = std::chrono::steady_clock::now();
     const size_t mended = static_cast<size_t>(picture->repaired) +
                           maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
-    render::packLight(made, mirrors, prepared[0].light);
+    light::packLight(made, mirrors, prepared[0].light);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
@@ -200,9 +200,9 @@ render::Reflectance reflectanceIn(const SurroundOptions& options) {
 Result<Surround> Surround::open(const SurroundSetup& setup) {
     auto state = std::make_unique<State>();
     state->leastRoughness = setup.leastRoughness;
-    state->mirrors = setup.pyramid                                           ? render::MirrorMaps::Pyramid
-                     : setup.leastRoughness < light::kLeastFilteredRoughness ? render::MirrorMaps::Mirrors
-                                                                             : render::MirrorMaps::None;
+    state->mirrors = setup.pyramid                                           ? light::MirrorMaps::Pyramid
+                     : setup.leastRoughness < light::kLeastFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                             : light::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
     if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
