@@ -10,16 +10,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <new>
 #include <vector>
 
 namespace light = shoal::light;
 
 struct ShoalLightMaker {
-    light::LightMaker maker;
+    light::LightOptions options;
+    light::LightMaker maker{options};
     light::MirrorMaps mirrors = light::MirrorMaps::None;
-    std::vector<uint8_t> threeBytes; // a frame without its alpha
-    shoal::ImageRgbF radianceLin;    // an HDR frame
+    std::vector<uint8_t> threeBytes = {}; // a frame without its alpha
+    shoal::ImageRgbF radianceLin = {};    // an HDR frame
 };
 
 struct ShoalLight {
@@ -143,12 +143,10 @@ ShoalLightStatus shoalLightMakerCreate(const ShoalLightOptions* options, ShoalLi
     return guarded([&] {
         const bool still = o.quality == SHOAL_LIGHT_STILL;
         const bool smooth = o.leastRoughness < light::kLeastFilteredRoughness;
-        *maker = new ShoalLightMaker{
-            light::LightMaker({o.widestMirror, o.leastRoughness,
-                               still ? light::LightQuality::Still : light::LightQuality::Video}),
-            smooth ? light::MirrorMaps::Mirrors : light::MirrorMaps::None,
-            {},
-            {}};
+        *maker =
+            new ShoalLightMaker{.options = {o.widestMirror, o.leastRoughness,
+                                            still ? light::LightQuality::Still : light::LightQuality::Video},
+                                .mirrors = smooth ? light::MirrorMaps::Mirrors : light::MirrorMaps::None};
     });
 }
 
@@ -183,7 +181,10 @@ ShoalLightStatus shoalLightMake(ShoalLightMaker* maker, const ShoalLightFrame* f
         for (const light::HalfImage& level : light->packed.mirrors)
             light->mirrors.push_back(textureOf(level));
     });
-    if (status != SHOAL_LIGHT_OK) *light = ShoalLight();
+    if (status != SHOAL_LIGHT_OK) { // both may be half made
+        *light = ShoalLight();
+        *maker = ShoalLightMaker{.options = maker->options, .mirrors = maker->mirrors};
+    }
     return status;
 }
 
