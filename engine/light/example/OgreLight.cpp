@@ -1,5 +1,4 @@
-// A glTF model in OGRE, lit by a 360-degree video. The camera is that of `shoal view --orbit
-// THETA,PHI,RADIUS` (degrees, metres), and so is the picture.
+// A glTF model in OGRE, lit by a 360-degree video: the picture that `shoal view` draws.
 #include <Ogre.h>
 #include <ShoalLight.hpp>
 #include <opencv2/core.hpp>
@@ -35,7 +34,7 @@ static void lightBy(const ShoalLightMaps& maps) {
     numbers->setNamedConstant("smoothestMap", float(maps.mapCount - 1));
 }
 
-// The first mesh of a .glb.
+// The first mesh of a .glb that has tangents and all three maps.
 static ManualObject* loadModel(const std::string& file, SceneManager& scene) {
     tinygltf::Model model;
     std::string error, warning;
@@ -46,29 +45,31 @@ static ManualObject* loadModel(const std::string& file, SceneManager& scene) {
         const tinygltf::BufferView& view = model.bufferViews.at(accessor.bufferView);
         return model.buffers.at(view.buffer).data.data() + view.byteOffset + accessor.byteOffset;
     };
-    const auto loadMap = [&](const auto& use) {
-        const tinygltf::Image& map = model.images.at(model.textures.at(use.index).source);
-        return load(std::to_string(use.index), map.width, map.height, PF_BYTE_RGBA, map.image.data());
+    const auto put = [&](const auto& use, TextureUnitState* unit) {
+        const tinygltf::Texture& texture = model.textures.at(use.index);
+        const tinygltf::Image& map = model.images.at(texture.source);
+        const std::string name = std::to_string(use.index);
+        unit->setTexture(load(name, map.width, map.height, PF_BYTE_RGBA, map.image.data()));
+        const int wrap = texture.sampler < 0 ? 0 : model.samplers[texture.sampler].wrapS;
+        if (wrap == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) unit->setTextureAddressingMode(TAM_CLAMP);
     };
     ManualObject* object = scene.createManualObject();
     for (tinygltf::Primitive& primitive : model.meshes.at(0).primitives) {
         const tinygltf::Material& from = model.materials.at(primitive.material);
         const MaterialPtr material = MaterialManager::getSingleton().getByName("Lit")->clone(from.name);
         Pass* pass = material->getTechnique(0)->getPass(0);
-        pass->getTextureUnitState(2)->setTexture(loadMap(from.pbrMetallicRoughness.baseColorTexture));
-        pass->getTextureUnitState(3)->setTexture(loadMap(from.pbrMetallicRoughness.metallicRoughnessTexture));
-        pass->getTextureUnitState(4)->setTexture(loadMap(from.normalTexture));
-        auto& attributes = primitive.attributes;
-        const auto* positions = (const Vector3f*)bytesOf(attributes.at("POSITION"));
-        const auto* normals = (const Vector3f*)bytesOf(attributes.at("NORMAL"));
-        const auto* uvs = (const Vector2*)bytesOf(attributes.at("TEXCOORD_0"));
-        const auto* tangents = (const Vector4*)bytesOf(attributes.at("TANGENT"));
+        put(from.pbrMetallicRoughness.baseColorTexture, pass->getTextureUnitState(2));
+        put(from.pbrMetallicRoughness.metallicRoughnessTexture, pass->getTextureUnitState(3));
+        put(from.normalTexture, pass->getTextureUnitState(4));
+        const auto at = [&](const char* name, size_t index) {
+            return (const float*)bytesOf(primitive.attributes.at(name)) + index;
+        };
         object->begin(material);
-        for (size_t v = 0; v < model.accessors.at(attributes.at("POSITION")).count; ++v) {
-            object->position(positions[v]);
-            object->normal(normals[v]);
-            object->textureCoord(uvs[v]);
-            object->textureCoord(tangents[v]);
+        for (size_t v = 0; v < model.accessors.at(primitive.attributes.at("POSITION")).count; ++v) {
+            object->position(Vector3(at("POSITION", 3 * v)));
+            object->normal(Vector3(at("NORMAL", 3 * v)));
+            object->textureCoord(Vector2(at("TEXCOORD_0", 2 * v)));
+            object->textureCoord(Vector4(at("TANGENT", 4 * v)));
         }
         const auto* indices = (const uint16_t*)bytesOf(primitive.indices);
         for (size_t i = 0; i < model.accessors.at(primitive.indices).count; ++i) object->index(indices[i]);
@@ -86,8 +87,7 @@ int main(int count, char** words) try {
     root.loadPlugin(OGRE_PLUGINS "/Codec_STBI"); // PNG
     root.setRenderSystem(root.getAvailableRenderers().at(0));
     root.initialise(false);
-    const NameValuePairList hidden{{"hidden", "true"}};
-    root.createRenderWindow("", 16, 16, false, &hidden); // OGRE wants one before any texture
+    root.createRenderWindow("", 16, 16, false); // OGRE wants one before any texture
     const cv::Mat frame = frameAt(words[2], std::atof(words[3]));
     shoallight::Maker maker({SHOAL_LIGHT_STILL, 0.1f, 2048}); // SHOAL_LIGHT_VIDEO while a video plays
     shoallight::Light light;

@@ -99,9 +99,10 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
     const double difference = rmse(*theirs, *ours);
     std::printf("OGRE's picture differs from shoal view's by %.4f root mean square\n", difference);
     RecordProperty("rmse", std::to_string(difference));
-    // Surfaces agree to a step of 8 bits; what is left is edges, which OGRE draws with 4 samples and shoal
-    // view with 16, and the backdrop's coordinates, linear in cells there.
-    EXPECT_LT(difference, 0.01);
+    // 0.0041 here. Surfaces agree to a step of 8 bits; what is left is edges and fine relief, which OGRE
+    // draws with 4 samples a pixel and shoal view with 16, and the backdrop's coordinates, which are linear
+    // in cells there.
+    EXPECT_LT(difference, 0.006);
 }
 
 } // namespace
