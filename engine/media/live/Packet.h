@@ -18,6 +18,9 @@ struct FreeFrame {
 struct FreeCodec {
     void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
 };
+struct CloseParser {
+    void operator()(AVCodecParserContext* parser) const { av_parser_close(parser); }
+};
 using Packet = std::unique_ptr<AVPacket, FreePacket>; // never null once made
 using Frame = std::unique_ptr<AVFrame, FreeFrame>;
 using Codec = std::unique_ptr<AVCodecContext, FreeCodec>;

@@ -74,12 +74,15 @@ Status StreamInput::open() {
         format_->pb = pipe_->context();
         format_->flags |= AVFMT_FLAG_CUSTOM_IO;
     }
-    format_->max_analyze_duration = 2 * AV_TIME_BASE;
+    format_->max_analyze_duration = AV_TIME_BASE;
     format_->fps_probe_size = 0; // pictures come when they come: no need to look at many before the first
     int error =
         avformat_open_input(&format_, name.c_str(), nullptr, &options); // frees the context if it fails
     av_dict_free(&options);
-    if (error >= 0) error = avformat_find_stream_info(format_, nullptr);
+    if (error >= 0) {
+        giveWholePictures();
+        error = avformat_find_stream_info(format_, nullptr);
+    }
     if (error < 0) {
         close();
         if (!interrupted_ && liveNow_s() > until_s_)
@@ -96,9 +99,33 @@ Status StreamInput::open() {
     if (coded.width > kMaxVideoSide || coded.height > kMaxVideoSide)
         return Error{"",
                      "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+    parser_.reset(whole_ ? av_parser_init(coded.codec_id) : nullptr);
+    parsed_.reset(avcodec_alloc_context3(nullptr));
+    if (parser_ && parsed_ && avcodec_parameters_to_context(parsed_.get(), &coded) >= 0)
+        parser_->flags |= PARSER_FLAG_COMPLETE_FRAMES;
+    else
+        parser_.reset();
     stored_ = url && format_->pb && avio_size(format_->pb) > 0;
     stamped_ = !(format_->iformat->flags & AVFMT_NOTIMESTAMPS);
     return Done{};
+}
+
+// FFmpeg's own parser tells a picture's end by the next one's beginning: it would hold each back by one. In
+// these formats packets are pictures already; whether they are key pictures a parser of ours tells.
+void StreamInput::giveWholePictures() {
+    const std::string_view name = format_->iformat->name;
+    whole_ = name == "mpegts" || name == "rtsp";
+    if (whole_) format_->flags |= AVFMT_FLAG_NOPARSE | AVFMT_FLAG_NOFILLIN;
+}
+
+void StreamInput::tellKey(AVPacket& packet) {
+    uint8_t* bytes = nullptr;
+    int size = 0;
+    av_parser_parse2(parser_.get(), parsed_.get(), &bytes, &size, packet.data, packet.size, packet.pts,
+                     packet.dts, packet.pos);
+    const bool key =
+        parser_->key_frame == 1 || (parser_->key_frame < 0 && parser_->pict_type == AV_PICTURE_TYPE_I);
+    packet.flags = key ? packet.flags | AV_PKT_FLAG_KEY : packet.flags & ~AV_PKT_FLAG_KEY;
 }
 
 const AVStream& StreamInput::picture() const { return *format_->streams[stream_]; }
@@ -108,8 +135,12 @@ Status StreamInput::read(AVPacket& packet) {
     for (;;) {
         av_packet_unref(&packet);
         const int error = av_read_frame(format_, &packet);
-        if (error >= 0 && packet.stream_index == stream_) return Done{};
-        if (givesUp()) return Error{"", "has sent no picture for " + seconds(patience_.silence_s)};
+        if (error >= 0 && packet.stream_index == stream_) {
+            if (parser_) tellKey(packet);
+            return Done{};
+        }
+        if (givesUp() || error == AVERROR_EXIT)
+            return Error{"", "has sent no picture for " + seconds(patience_.silence_s)};
         if (error == AVERROR_EOF) return Error{"", stored_ ? "is over" : "was ended by its sender"};
         if (error == AVERROR(EAGAIN))
             av_usleep(5000);

@@ -39,6 +39,8 @@ class StreamInput {
 
   private:
     bool givesUp() const;
+    void giveWholePictures();
+    void tellKey(AVPacket& packet);
     void close();
 
     LiveAddress address_;
@@ -46,6 +48,9 @@ class StreamInput {
     std::optional<PipeInput> pipe_;
     AVFormatContext* format_ = nullptr;
     int stream_ = -1;
+    bool whole_ = false; // packets are pictures as they come
+    std::unique_ptr<AVCodecParserContext, CloseParser> parser_;
+    Codec parsed_;
     bool stored_ = false, stamped_ = true;
     double until_s_ = 0; // when to give up
     std::atomic<bool> left_{false}, interrupted_{false};

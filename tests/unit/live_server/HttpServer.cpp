@@ -46,16 +46,22 @@ bool HttpServer::accept() {
     const int yes = 1;
     setsockopt(client_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
     ++accepted_;
-    std::string request;
-    while (request.find("\r\n\r\n") == std::string::npos) {
+    return !nextRequest().empty();
+}
+
+const std::string& HttpServer::nextRequest() {
+    request_.clear();
+    while (!request_.ends_with("\r\n\r\n")) {
         char bytes[1024];
         pollfd asked{client_, POLLIN, 0};
-        if (poll(&asked, 1, kPatience_ms) != 1) return false;
-        const ssize_t count = recv(client_, bytes, sizeof bytes, 0);
-        if (count <= 0) return false;
-        request.append(bytes, static_cast<size_t>(count));
+        const ssize_t count = poll(&asked, 1, kPatience_ms) == 1 ? recv(client_, bytes, sizeof bytes, 0) : 0;
+        if (count <= 0) {
+            request_.clear();
+            break;
+        }
+        request_.append(bytes, static_cast<size_t>(count));
     }
-    return true;
+    return request_;
 }
 
 bool HttpServer::send(std::string_view bytes) {

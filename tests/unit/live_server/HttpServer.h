@@ -20,6 +20,8 @@ class HttpServer {
     // Blocks until a client has connected and asked; drops the one before. False after 20 seconds.
     bool accept();
     int accepted() const { return accepted_; }
+    const std::string& request() const { return request_; } // the last
+    const std::string& nextRequest();                       // of the same client; empty if none comes
 
     // To the client; false if it has gone.
     bool send(std::string_view bytes);
@@ -34,6 +36,7 @@ class HttpServer {
     int listening_ = -1, client_ = -1;
     uint16_t port_ = 0;
     int accepted_ = 0;
+    std::string request_;
 };
 
 } // namespace shoal::media::test
