@@ -87,6 +87,7 @@ std::optional<MadeStream> makeStream(const std::string& format, const std::strin
         avio_flush(out);
         made.pieces.push_back(std::exchange(pieces, {}));
     }
+    av_write_trailer(muxer);
     av_freep(&out->buffer);
     avio_context_free(&out);
     muxer->pb = nullptr;
