@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 using media::test::HttpServer;
 
 // A sea whose light swings from left to right, so that neighbours differ.
-std::string pictureOf(int number) {
-    cv::Mat picture(128, 256, CV_8UC3);
+std::string pictureOf(int number, cv::Size size) {
+    cv::Mat picture(size, CV_8UC3);
     const double turn = 0.05 * number;
     for (int y = 0; y < picture.rows; ++y)
         for (int x = 0; x < picture.cols; ++x) {
@@ -101,10 +101,10 @@ class LiveProgram : public testing::Test {
 };
 
 // Sends pictures at some thirty a second: as many, or until the client leaves. The pause is a wait for that.
-int stream(HttpServer& server, int first, int count) {
+int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128}) {
     int number = first;
     for (; number < first + count; ++number) {
-        if (!server.sendPicture(pictureOf(number))) break;
+        if (!server.sendPicture(pictureOf(number, size))) break;
         if (server.waitForLeave(33)) break;
     }
     return number;
@@ -131,11 +131,13 @@ TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     number = stream(server, number, 30);
     server.cut();
     ASSERT_TRUE(server.accept() && server.beginPictures()) << "it returns again";
-    stream(server, number, 1 << 20);
+    number = stream(server, number, 30, {99, 49}); // a camera set to another size
+    stream(server, number, 1 << 20, {192, 192});
     EXPECT_EQ(finish(), 0) << textOf(err());
     EXPECT_EQ(server.accepted(), 3);
     EXPECT_EQ(valueOf("state_hash"), undisturbed) << "what is seen does not enter the simulation";
     EXPECT_EQ(valueOf("losses"), "2");
+    EXPECT_EQ(valueOf("resized"), "2");
     EXPECT_GE(std::stoi(valueOf("shown")), 60);
     const std::string said = textOf(err());
     EXPECT_NE(said.find("The stream has stopped; showing its last picture"), std::string::npos) << said;
