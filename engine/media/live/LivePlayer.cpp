@@ -1,6 +1,5 @@
 #include "engine/media/live/LivePlayer.h"
 
-#include "engine/core/Threads.h"
 #include "engine/media/live/Backoff.h"
 
 #include <algorithm>
@@ -135,7 +134,7 @@ struct LivePlayer::Impl {
     }
 
     void run() {
-        stepBack();
+        // Does not step back as a file's thread does: what that has ready before it is due is late here.
         Backoff backoff(options.retryFirst_s, options.retryMost_s);
         std::unique_lock lock(mutex);
         while (!stop) {
