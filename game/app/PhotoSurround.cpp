@@ -43,7 +43,8 @@ class ProgressLine {
 // shape, but as often ordinary pictures; two eyes see almost the same.
 bool isLatLong(const ImageRgb8& picture) {
     const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
-    return shape == media::Layout::Mono || media::layoutFromContent(picture) != media::Layout::Mono;
+    if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
+    return media::layoutFromContent(picture) != media::Layout::Mono;
 }
 bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
