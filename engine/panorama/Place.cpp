@@ -2,6 +2,7 @@
 
 #include "engine/panorama/Caps.h"
 #include "engine/panorama/Coded.h"
+#include "engine/panorama/FindLight.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -20,13 +21,20 @@ int mirrored(int steps, int size) {
 
 // Columns from right to left + width (exclusive) of each row, between two ends of the same picture.
 void fillGap(cv::Mat& rows, int left, int right) {
-    const int gap = left + rows.cols - right, size = right - left;
+    const int gap = left + rows.cols - right;
+    // The mirrors stand before the light: there is to be one only.
+    cv::Mat small;
+    cv::resize(rows.colRange(left, right), small, {256, std::max(1, rows.rows * 256 / (right - left))}, 0, 0,
+               cv::INTER_AREA);
+    const double light = findLight(small).place.x / 256 * (right - left);
+    const auto depth = [&](double toLight) { return std::max(1, static_cast<int>(0.7 * toLight)); };
+    const int depthLeft = depth(light), depthRight = depth(right - left - light);
     for (int k = 0; k < gap; ++k) {
         const double t = (k + 0.5) / gap;
         const double fromLeft = t * t * (3 - 2 * t); // the left end lies to the right of the gap
         cv::Mat to = rows.col((right + k) % rows.cols);
-        cv::addWeighted(rows.col(right - 1 - mirrored(k, size)), 1 - fromLeft,
-                        rows.col(left + mirrored(gap - 1 - k, size)), fromLeft, 0, to);
+        cv::addWeighted(rows.col(right - 1 - mirrored(k, depthRight)), 1 - fromLeft,
+                        rows.col(left + mirrored(gap - 1 - k, depthLeft)), fromLeft, 0, to);
     }
 }
 

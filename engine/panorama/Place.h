@@ -13,8 +13,8 @@ struct Part {
 };
 
 // The part in its place, unbent; sky and ground continued as grow() does; a gap at the sides is filled by
-// either end mirrored, one fading into the other. Error without a path where less than a pixel would be left
-// of it.
+// what lies between either end and the light, mirrored, one fading into the other. Error without a path
+// where less than a pixel would be left of it.
 Result<ImageRgb8> place(const ImageRgb8& photo, const Part& part);
 Result<ImageRgbF> place(const ImageRgbF& radianceLin, const Part& part);
 

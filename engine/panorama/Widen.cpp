@@ -14,7 +14,7 @@ constexpr double px(double degrees) { return degrees * kMapPixelsPerDegree; }
 
 // What the light takes of the patch that must not be stretched, and how softly growth begins beside it.
 constexpr double kLargestLight = px(10), kAroundLight = px(5), kFade = px(14);
-constexpr double kMostSideways = 8, kMostUpward = 4; // times
+constexpr double kMostSideways = 6, kMostUpward = 4; // times
 constexpr double kSmoothAround = px(2), kSmoothUp = px(2);
 
 cv::Mat matOf(const Colours& picture) {

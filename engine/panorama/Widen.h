@@ -25,7 +25,7 @@ struct RingMap {
     double top = 0; // latitude of the ring's upper edge, radians; the ring's rows go down from it
 };
 
-// Either side of the light grows to half the ring, or eightfold if that is less, and the other takes the
+// Either side of the light grows to half the ring, or sixfold if that is less, and the other takes the
 // rest. bandLatitude: how far up and down the ring should reach, radians. Where little of the photo lies
 // above or below its light and horizon it reaches less far: no such part grows more than fourfold.
 RingMap widen(const Colours& patch, const Lens& lens, const LightInPatch& light, double bandLatitude,

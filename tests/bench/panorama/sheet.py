@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw
 ROOT = Path(__file__).resolve().parents[3]
 SHOAL = ROOT / 'build/release/game/shoal'
 FISH = ROOT / 'content/models/snapper.glb'
-WIDE, SIDE = (560, 280), 186     # pixels: a surround, a view
+WIDE, SIDE = (684, 342), 186     # pixels: a surround, a view
 VIEWS = [('ahead', 0, 90), ('right', -90, 90), ('behind', 180, 90), ('left', 90, 90), ('down', 0, 20), ('up', 0, 160)]
 MOST_BYTES = 400_000
 
@@ -32,7 +32,7 @@ def rows_of(name, photo, folder):
     grown, stretched, scratch = folder / f'{name}.png', folder / f'{name}_stretched.png', folder / 'scratch.png'
     Image.open(photo).convert('RGB').resize((2048, 1024), Image.LANCZOS).save(stretched)
     small = Image.open(photo).convert('RGB')
-    small.thumbnail((WIDE[0], WIDE[1]), Image.LANCZOS)
+    small.thumbnail(WIDE, Image.LANCZOS)
     first = [titled(small, f'{name}: the photo')]
     first += [titled(Image.open(f).convert('RGB').resize(WIDE, Image.LANCZOS), words)
               for f, words in ((stretched, 'stretched'), (grown, 'grown'))]
