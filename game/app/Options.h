@@ -98,6 +98,11 @@ struct LightOptions {
     float at_s = 0;
 };
 
+struct PanoramaOptions {
+    std::string photo, out;
+    std::optional<double> fov_deg; // horizontal, of the photo
+};
+
 struct CheckOptions {
     std::vector<std::string> files;
 };

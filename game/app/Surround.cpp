@@ -7,6 +7,7 @@
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
 #include "engine/water/WaterOverTime.h"
+#include "game/app/PhotoSurround.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -216,6 +217,11 @@ Status Surround::State::openFile(const Path& file, media::Layout wish) {
 Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     auto picture = media::readPicture(file);
     if (!picture) return picture.error();
+    if (wish == media::Layout::Auto) { // with a layout, somebody says that it is a surround
+        auto full = surroundFrom(file, std::move(*picture), std::nullopt);
+        if (!full) return full.error();
+        picture = std::move(full->picture);
+    }
     if (wish == media::Layout::Auto) wish = media::layoutFromShape(picture->width, picture->height);
     if (wish == media::Layout::Auto) wish = media::layoutFromContent(*picture);
     setLayout(wish);
