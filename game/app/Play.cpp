@@ -130,6 +130,7 @@ Status Player::open() {
                            reflectanceIn(options.surround), detail);
     if (!cast) return cast.error();
     const bool own = isOwnVideo(options.surround);
+    const bool shadows = options.shadows == "on" && own && !plan.dive.ground.empty();
     auto opened =
         Surround::open({.options = options.surround,
                         .defaultVideo = dataRoot() / "content" / plan.dive.video,
@@ -137,11 +138,12 @@ Status Player::open() {
                         .pyramid = options.look.glossy == "phong36",
                         .leastRoughness = cast->leastRoughness(),
                         .immersed = immersedIn(options, plan.dive),
-                        .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt});
+                        .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt,
+                        .findLights = own && shadows});
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
-    auto madeStage = Stage::make(std::move(*cast), detail, options.snow);
+    auto madeStage = Stage::make(std::move(*cast), detail, options.snow, shadows);
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();
@@ -194,7 +196,7 @@ HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
 
 // Both eyes, the panel with the text, and the window for those who look on. size: of the window.
 Status Player::drawHeadset(const Run& run, glm::ivec2 size) {
-    stage->set(run.shown, options.backdropOnly);
+    stage->set(run.shown, *surround, options.backdropOnly);
     const auto hudOn = [&](HudPart part, const render::View& view, glm::ivec2 pixels) {
         if (options.backdropOnly) return;
         HudInfo info = hudInfo(run, view);
@@ -244,7 +246,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         coarse.clear();
         for (int eye = 0; eye < eyes; ++eye) coarse.emplace_back(drawnSize.x, drawnSize.y, samples);
     }
-    stage->set(run.shown, options.backdropOnly);
+    stage->set(run.shown, *surround, options.backdropOnly);
     for (int eye = 0; eye < eyes; ++eye) {
         render::View view;
         view.worldFromEye = run.shown.worldFromView;

@@ -2,7 +2,7 @@
 
 namespace shoal::app {
 
-Result<Stage> Stage::make(Cast cast, render::Detail detail, bool snow) {
+Result<Stage> Stage::make(Cast cast, render::Detail detail, bool snow, bool shadows) {
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
     auto objects = render::ObjectPass::make(detail);
@@ -13,10 +13,21 @@ Result<Stage> Stage::make(Cast cast, render::Detail detail, bool snow) {
         if (!made) return made.error();
         snowPass = std::move(*made);
     }
-    return Stage(std::move(cast), std::move(*backdrop), std::move(*objects), std::move(snowPass));
+    std::optional<Shadows> shadowsMade;
+    if (shadows) {
+        auto made = Shadows::make(cast.silhouettes());
+        if (!made) return made.error();
+        shadowsMade = std::move(*made);
+    }
+    return Stage(std::move(cast), std::move(*backdrop), std::move(*objects), std::move(snowPass),
+                 std::move(shadowsMade));
 }
 
-void Stage::set(const game::Snapshot& snapshot, bool backdropOnly) {
+void Stage::set(const game::Snapshot& snapshot, const Surround& surround, bool backdropOnly) {
+    if (shadows_ && !backdropOnly)
+        shadows_->set(snapshot,
+                      floorLight(surround.castingLight(), surround.envFromWorld(), snapshot.ground));
+    headWorld_ = snapshot.headWorld;
     objects_.begin();
     if (!backdropOnly) cast_.show(snapshot, objects_);
     objects_.upload();
@@ -33,7 +44,11 @@ Status Stage::draw(const Surround& surround, int eye, const render::View& view,
 Status Stage::drawBackdrop(const Surround& surround, int eye, const render::View& view,
                            const render::Exposure& exposure) {
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.
-    return backdrop_.draw(surround.gpu(eye), view, surround.envFromWorld(), exposure);
+    Status drawn = backdrop_.draw(surround.gpu(eye), view, surround.envFromWorld(), exposure);
+    // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
+    const glm::vec3 filmedFrom = surround.eyesSeeTheSame() ? glm::vec3(0) : view.eyeWorld - headWorld_;
+    if (drawn && shadows_ && !backdropOnly_) shadows_->draw(view, filmedFrom, surround.water());
+    return drawn;
 }
 
 Status Stage::drawObjects(const Surround& surround, int eye, const render::View& view,

@@ -5,6 +5,7 @@
 #include "engine/render/ObjectPass.h"
 #include "engine/render/SnowPass.h"
 #include "game/app/Cast.h"
+#include "game/app/Shadows.h"
 #include "game/app/Surround.h"
 
 #include <optional>
@@ -13,11 +14,12 @@ namespace shoal::app {
 
 class Stage {
   public:
-    // snow: specks drift in the water, where there is water.
-    static Result<Stage> make(Cast cast, render::Detail detail, bool snow);
+    // snow: specks drift in the water, where there is water. shadows: fall on the video's ground, where that
+    // is known and the surround finds lights.
+    static Result<Stage> make(Cast cast, render::Detail detail, bool snow, bool shadows);
 
     // Once a frame, before draw().
-    void set(const game::Snapshot& snapshot, bool backdropOnly);
+    void set(const game::Snapshot& snapshot, const Surround& surround, bool backdropOnly);
 
     // Once an eye (0 left, 1 right), into the bound framebuffer, whose viewport is set.
     Status draw(const Surround& surround, int eye, const render::View& view, const render::Exposure& exposure,
@@ -29,19 +31,23 @@ class Stage {
     Status drawObjects(const Surround& surround, int eye, const render::View& view,
                        const render::Exposure& exposure, const water::Water& water, render::Glossy glossy);
 
-    int drawCount() const { return objects_.drawCount() + 1 + (snow_ ? 1 : 0); }
+    int drawCount() const {
+        return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (shadows_ ? shadows_->drawCount() : 0);
+    }
     int triangleCount() const { return objects_.triangleCount(); }
 
   private:
     Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects,
-          std::optional<render::SnowPass> snow)
+          std::optional<render::SnowPass> snow, std::optional<Shadows> shadows)
         : cast_(std::move(cast)), backdrop_(std::move(backdrop)), objects_(std::move(objects)),
-          snow_(std::move(snow)) {}
+          snow_(std::move(snow)), shadows_(std::move(shadows)) {}
     Cast cast_;
     render::BackdropPass backdrop_;
     render::ObjectPass objects_;
     std::optional<render::SnowPass> snow_;
+    std::optional<Shadows> shadows_;
     double time_s_ = 0;
+    glm::vec3 headWorld_{0};
     bool backdropOnly_ = false;
 };
 
