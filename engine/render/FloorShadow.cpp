@@ -32,24 +32,32 @@ float FloorLight::raised() const {
     return glm::smoothstep(0.3f, 0.5f, towards.y - tangent * level);
 }
 
-float covered(std::span<const CastingPiece> body, const FloorLight& light, const glm::vec2& groundXz) {
-    const glm::vec3& towards = light.towards;
-    const glm::vec3 place(groundXz.x, light.height_m, groundXz.y);
-    float sum = 0;
+void flatten(std::span<const CastingPiece> body, const FloorLight& light, std::vector<FlatPiece>& out) {
+    out.clear();
     for (const CastingPiece& piece : body) {
-        const glm::vec3 from = piece.from - place, way = piece.to - piece.from;
-        const float away = glm::dot(from + 0.5f * way, towards);
-        if (away <= 0) continue;
-        const float disc = tangentOf(light) * away;
-        const glm::vec3 flat = way - glm::dot(way, towards) * towards;
+        const glm::vec3 way = piece.to - piece.from;
+        const glm::vec3 flat = way - glm::dot(way, light.towards) * light.towards;
         const float length = glm::length(flat);
         if (length < 1e-6f) continue;
-        const glm::vec3 along = flat / length, aside = glm::cross(towards, along);
-        const float half = std::hypot(glm::dot(piece.across, aside), glm::dot(piece.up, aside));
-        const float begin = glm::dot(from, along), middle = glm::dot(from, aside);
-        if (begin > disc || begin + length < -disc || std::abs(middle) > half + disc) continue;
-        sum += (discBefore((begin + length) / disc) - discBefore(begin / disc)) *
-               (discBefore((middle + half) / disc) - discBefore((middle - half) / disc));
+        const glm::vec3 along = flat / length, aside = glm::cross(light.towards, along);
+        out.push_back({piece.from, piece.from + 0.5f * way, along, aside, length,
+                       std::hypot(glm::dot(piece.across, aside), glm::dot(piece.up, aside))});
+    }
+}
+
+float covered(std::span<const FlatPiece> body, const FloorLight& light, const glm::vec2& groundXz) {
+    const glm::vec3 place(groundXz.x, light.height_m, groundXz.y);
+    const float tangent = tangentOf(light);
+    float sum = 0;
+    for (const FlatPiece& piece : body) {
+        const float disc = tangent * glm::dot(piece.middle - place, light.towards);
+        if (disc <= 0) continue;
+        const glm::vec3 from = piece.from - place;
+        const float aside = glm::dot(from, piece.aside), begin = glm::dot(from, piece.along),
+                    end = begin + piece.length_m;
+        if (std::abs(aside) >= piece.half_m + disc || begin >= disc || end <= -disc) continue;
+        sum += (discBefore(end / disc) - discBefore(begin / disc)) *
+               (discBefore((aside + piece.half_m) / disc) - discBefore((aside - piece.half_m) / disc));
     }
     return std::min(sum, 1.0f);
 }

@@ -5,8 +5,8 @@
 // piece as good as a rectangle. The share of a disc that lies beyond a line at t of its radius is
 //     C(t) = 1/2 + (t sqrt(1 - t^2) + asin t) / pi,
 // so that a strip hides C(t1) - C(t0) of it, exactly; a rectangle is taken to hide the product of what the
-// two strips hide that it lies in. Integrated over the ground that is exact again, but for the ends of bodies,
-// which have no thickness: a body takes no more light than its silhouette does.
+// two strips hide that it lies in. Integrated over the ground that is exact again, but for the ends of
+// bodies, which have no thickness: a body takes no more light than its silhouette does.
 //
 // Shafts are not dimmed. Integrated along the worst rays through the shadow of the shark 3 m away, or of a
 // hand at 0.5 m, single scattering in the film's water loses 4 to 6 % beside 1.3 of 255 display values of
@@ -39,8 +39,19 @@ struct FloorLight {
     float raised() const;
 };
 
-// The share of the light that a body hides from a place on the ground, 0 to 1.
-float covered(std::span<const CastingPiece> body, const FloorLight& light, const glm::vec2& groundXz);
+// A piece as the light sees it, whatever the place on the ground.
+struct FlatPiece {
+    glm::vec3 from{0}, middle{0};   // world frame
+    glm::vec3 along{0}, aside{0};   // unit, at right angles to the way to the light
+    float length_m = 0, half_m = 0; // along; aside, to either side
+};
+
+// Replaces out.
+void flatten(std::span<const CastingPiece> body, const FloorLight& light, std::vector<FlatPiece>& out);
+
+// The share of the light that a body hides from a place on the ground, 0 to 1. body: flattened for this
+// light.
+float covered(std::span<const FlatPiece> body, const FloorLight& light, const glm::vec2& groundXz);
 
 // A part of the ground, along world x and z.
 struct FloorPatch {

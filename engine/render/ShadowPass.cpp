@@ -50,12 +50,13 @@ void ShadowPass::begin() {
 void ShadowPass::add(std::span<const CastingPiece> body, const FloorLight& light) {
     const FloorPatch patch = patchOf(body, light, kLeast);
     if (patch.across == 0) return;
+    flatten(body, light, flat_);
     patches_.push_back({places_.size(), patch.across, patch.down});
     const glm::vec2 step = (patch.high - patch.low) / glm::vec2(patch.across, patch.down);
     for (int y = 0; y <= patch.down; ++y)
         for (int x = 0; x <= patch.across; ++x) {
             const glm::vec2 xz = patch.low + step * glm::vec2(x, y);
-            places_.push_back({xz, patch.strength * covered(body, light, xz)});
+            places_.push_back({xz, patch.strength * covered(flat_, light, xz)});
         }
 }
 

@@ -53,6 +53,7 @@ class ShadowPass {
     gl::Buffer vertexBuffer_, indexBuffer_;
     std::vector<Patch> patches_;
     std::vector<Place> places_;
+    std::vector<FlatPiece> flat_;  // scratch
     std::vector<Vertex> vertices_; // scratch
     std::vector<uint32_t> indices_;
 };

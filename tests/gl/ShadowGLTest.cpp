@@ -49,6 +49,8 @@ TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
     const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
     const auto body = shark();
     const render::FloorLight light = sunlight();
+    std::vector<render::FlatPiece> flat;
+    flatten(body, light, flat);
     const render::View view = downwards();
     const ImageRgba8 picture = shaded(body, light, view, sea);
     int darkest = 255;
@@ -60,7 +62,7 @@ TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
             const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
             const glm::vec3 ground = ray * (light.height_m / ray.y);
             const glm::vec3 left = render::leftOfGround(
-                light, render::covered(body, light, {ground.x, ground.z}), sea, glm::length(ground));
+                light, render::covered(flat, light, {ground.x, ground.z}), sea, glm::length(ground));
             for (int c = 0; c < 3; ++c) {
                 const float expected = static_cast<float>(kBefore) * left[c];
                 // Cells in which what is hidden is taken for linear, and rounding.
