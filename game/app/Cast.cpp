@@ -47,6 +47,7 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look,
     scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    actor.silhouette = scene::silhouetteOf(actor.model, actor.pose);
     actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
     for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
@@ -116,6 +117,12 @@ void Cast::pose(const game::CreatureView& creature, Actor& actor) {
         fin = glm::angleAxis(side == 0 ? -shape.finsDown : shape.finsDown, glm::vec3(0, 0, 1)) * fin;
     }
     scene::updateGlobals(actor.model, actor.pose);
+}
+
+std::vector<scene::Silhouette> Cast::silhouettes() const {
+    std::vector<scene::Silhouette> all;
+    for (const Actor& actor : species_) all.push_back(actor.silhouette);
+    return all;
 }
 
 void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {

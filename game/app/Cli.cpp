@@ -200,6 +200,10 @@ void addPlay(CLI::App& app, PlayOptions& options) {
         ->check(CLI::IsMember({"auto", "on", "off"}))
         ->capture_default_str();
     app.add_flag("!--no-snow", options.snow, "No specks that drift in the water");
+    app.add_option("--shadows", options.shadows,
+                   "Of what swims and of your hands, on the ground that the dive's own video shows")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
 }
 
 void addView(CLI::App& app, ViewOptions& options) {

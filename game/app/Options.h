@@ -73,6 +73,7 @@ struct PlayOptions {
     bool captions = true;
     std::string water = "auto"; // auto, on, off
     bool snow = true;           // specks that drift in the water
+    std::string shadows = "on"; // on, off: what swims darkens the ground that the dive's video shows
 };
 
 struct ViewOptions {

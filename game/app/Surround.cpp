@@ -72,11 +72,13 @@ struct Surround::State {
     struct Prepared {
         light::PackedLight light;
         water::WaterEstimate water;
+        light::FoundLights lights;
     };
     std::vector<Prepared> prepared;
     std::vector<ImageRgba8> pictures; // the frames as they are uploaded
     std::optional<light::LightMaker> maker;
     std::optional<water::WaterEstimator> waterEstimator; // empty: dry
+    std::optional<light::LightFinder> lightFinder;       // empty: not asked for
     light::EnvironmentLight made;                        // before it is packed
     Prepared newest;                                     // while light is not made for every frame
     std::atomic<int> lightEvery = 1;
@@ -86,6 +88,8 @@ struct Surround::State {
     int64_t shownFrame = -1;
     Immersed immersed = Immersed::No;
     water::WaterOverTime water;
+    light::LightOverTime lights;
+    light::CastingLight casting;
     double lastUpdate_s = 0;
     double videoPosition_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
@@ -122,6 +126,7 @@ struct Surround::State {
         maker->make(frame, made);
         light::packLight(made, mirrors, prepared[slot].light);
         if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
+        if (lightFinder) lightFinder->find(made.radiance, prepared[slot].lights);
         if (every > 1) newest = prepared[slot];
     }
 
@@ -271,6 +276,7 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
     if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
+    if (setup.findLights) state->lightFinder.emplace();
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
     const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
@@ -301,6 +307,8 @@ bool Surround::update(double time_s, bool exact) {
     const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
     // With every picture and not only with new frames: smoother than the video.
     s.followWater(prepared.water, static_cast<float>(time_s - s.lastUpdate_s));
+    if (s.lightFinder)
+        s.casting = s.lights.follow(prepared.lights, static_cast<float>(time_s - s.lastUpdate_s));
     s.lastUpdate_s = time_s;
     s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
@@ -314,6 +322,7 @@ bool Surround::update(double time_s, bool exact) {
 }
 
 water::Water Surround::water() const { return state_->water.water(); }
+const light::CastingLight& Surround::castingLight() const { return state_->casting; }
 
 double Surround::length_s() const { return state_->player ? state_->player->info().duration_s : 0; }
 

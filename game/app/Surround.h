@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/light/LightOverTime.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
@@ -36,6 +37,7 @@ struct SurroundSetup {
     float leastRoughness = 0; // of all that will be drawn: no light is made for smoother things
     Immersed immersed = Immersed::No; // an HDR picture never is
     std::optional<float> eyeHeight_m; // of the camera above the floor, where known
+    bool findLights = false;          // of a video: where its light comes from, for shadows
     std::function<bool()> wait;       // of a live video: asked whether to go on waiting for its first picture
 };
 
@@ -57,6 +59,9 @@ class Surround {
 
     // Between the eye and all that is drawn, as of the last update(); none where the surround is dry.
     water::Water water() const;
+
+    // What throws shadows, as of the last update(); env frame. Nothing unless asked for.
+    const light::CastingLight& castingLight() const;
 
     // Of a video, before it begins anew; 0: a still, or live.
     double length_s() const;
