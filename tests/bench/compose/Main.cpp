@@ -1,0 +1,167 @@
+// How seamless each way of compositing is, and what it costs: bench_compose FOLDER [--quick].
+//
+// Truth: the dive's own film, with the game's objects filmed into it (Filmed.h, Encode.h). Every way then draws
+// the same objects over the same film without them, coded alike, and is compared with that.
+#include "engine/media/Pictures.h"
+#include "engine/media/VideoPlayer.h"
+#include "engine/platform/Headless.h"
+#include "tests/bench/compose/Distance.h"
+#include "tests/bench/compose/Encode.h"
+#include "tests/bench/compose/Filmed.h"
+#include "tests/bench/compose/Report.h"
+#include "tests/bench/compose/Theatre.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr int kFps = 24, kFilmed = 12; // frames that are filmed and coded for each scene; the last is looked at
+constexpr int kFine = 3;               // pixels of the objects' own picture for one of the shown picture
+
+struct Scene {
+    int frame; // of the film
+    float yaw_deg;
+};
+// The frames whose truth content/truth keeps: open water, reef, overhang, tunnel.
+constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -20}};
+
+struct Stages {
+    std::vector<app::Stage> ways; // as kWays
+};
+
+Result<std::vector<ImageRgb8>> readFilm(int last) {
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4", {});
+    if (!player) return player.error();
+    std::vector<ImageRgb8> frames;
+    for (int frame = last - kFilmed + 1; frame <= last; ++frame) {
+        const ImageRgb8& bgr = player->waitFor((frame + 0.5) / kFps)->pixelsBgr;
+        ImageRgb8 rgb = bgr;
+        for (size_t i = 0; i < rgb.pixels.size(); i += 3) std::swap(rgb.pixels[i], rgb.pixels[i + 2]);
+        frames.push_back(std::move(rgb));
+    }
+    return frames;
+}
+
+Coverage coverageOf(const ImageRgba8& fine) {
+    Coverage out(fine.width / kFine, fine.height / kFine);
+    for (int y = 0; y < fine.height; ++y)
+        for (int x = 0; x < fine.width; ++x)
+            *out.at(x / kFine, y / kFine) += static_cast<float>(fine.at(x, y)[3]) / (255.0f * kFine * kFine);
+    return out;
+}
+
+double timeOf(int k) { return (k + 0.5) / kFps; }
+
+Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, const Path& folder,
+                    Report& report) {
+    auto frames = readFilm(scene.frame);
+    if (!frames) return frames.error();
+    const std::string number = std::to_string(scene.frame);
+    const Path emptyFile = folder / ("film_" + number + ".mp4"), truthFile = folder / ("filmed_" + number + ".mp4");
+    if (Status s = encode(emptyFile, *frames, kFps); !s) return s;
+    auto empty = openVideo(emptyFile, plan);
+    if (!empty) return empty.error();
+
+    // The objects move while they are filmed, as what is coded with them does.
+    const gl::Target fine(kFine * kPicture.x, kFine * kPicture.y, 4);
+    app::Run run = runTo(plan, (scene.frame - kFilmed + 1.0) / kFps);
+    Coverage coverage;
+    for (int k = 0; k < kFilmed; ++k) {
+        if (k) runOn(run, 1.0 / kFps);
+        empty->update(timeOf(k), true);
+        const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
+        stages.ways[0].set(run.shown, false);
+        if (Status s = drawObjectsAlone(stages.ways[0], *empty, view, fine); !s) return s;
+        const ImageRgba8 objects = fine.read();
+        filmInto((*frames)[static_cast<size_t>(k)], objects, view, empty->envFromWorld(),
+                 static_cast<uint32_t>(scene.frame + k));
+        if (k == kFilmed - 1) coverage = coverageOf(objects);
+    }
+    if (Status s = encode(truthFile, *frames, kFps); !s) return s;
+    auto filmed = openVideo(truthFile, plan);
+    if (!filmed) return filmed.error();
+    filmed->update(timeOf(kFilmed - 1), true);
+
+    const gl::Target target(kPicture.x, kPicture.y, 1);
+    const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
+    stages.ways[0].set(run.shown, true);
+    if (Status s = drawPicture(stages.ways[0], *filmed, view, target); !s) return s;
+    const ImageRgba8 truth = target.read();
+    report.add(scene.frame, "filmed", truth, distance(truth, truth, coverage));
+    for (size_t way = 0; way < std::size(kWays); ++way) {
+        stages.ways[way].set(run.shown, false);
+        if (Status s = drawPicture(stages.ways[way], *empty, view, target); !s) return s;
+        const ImageRgba8 shown = target.read();
+        report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage));
+    }
+    return Done{};
+}
+
+// All ways in turn, frame by frame of the same dive, so that whatever else runs slows each alike.
+Status measureCost(const app::Plan& plan, Stages& stages, int rounds, Report& report) {
+    auto surround = openVideo(dataRoot() / "content/video/reef.mp4", plan);
+    if (!surround) return surround.error();
+    const gl::Target target(kPicture.x, kPicture.y, 1);
+    app::Run run = runTo(plan, 10);
+    using Clock = std::chrono::steady_clock;
+    const auto timed = [&](app::Stage& stage, bool backdropOnly) -> Result<double> {
+        const Clock::time_point began = Clock::now();
+        stage.set(run.shown, backdropOnly);
+        if (Status s = drawPicture(stage, *surround, viewOf(run.shown, 0, kPicture.y), target); !s)
+            return s.error();
+        glFinish();
+        return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+    };
+    for (int round = 0; round < rounds; ++round) {
+        runOn(run, 1.0 / 24); // one frame of the film each
+        for (size_t way = 0; way <= std::size(kWays); ++way) {
+            // Each finds its frame untouched by the others.
+            surround->update(run.shown.time_s, true);
+            const bool backdropOnly = way == std::size(kWays);
+            auto ms = timed(stages.ways[backdropOnly ? 0 : way], backdropOnly);
+            if (!ms) return ms.error();
+            if (round >= 5) report.addTime(backdropOnly ? "backdrop alone" : kWays[way].name, *ms);
+        }
+    }
+    return Done{};
+}
+
+Status run(const Path& folder, bool quick) {
+    auto context = platform::Headless::open();
+    if (!context) return context.error();
+    app::PlayOptions options;
+    options.headless = true;
+    auto plan = app::makePlan(options);
+    if (!plan) return plan.error();
+    Stages stages;
+    for (const Way& way : kWays) {
+        auto stage = makeStage(*plan, way.compose);
+        if (!stage) return stage.error();
+        stages.ways.push_back(std::move(*stage));
+    }
+    Report report;
+    for (const Scene& scene : kScenes) {
+        std::fprintf(stderr, "compose: scene of frame %d\n", scene.frame);
+        if (Status s = measureScene(scene, *plan, stages, folder, report); !s) return s;
+        if (quick) break;
+    }
+    std::fprintf(stderr, "compose: times\n");
+    if (Status s = measureCost(*plan, stages, quick ? 40 : 200, report); !s) return s;
+    return report.write(folder);
+}
+
+} // namespace
+} // namespace shoal::bench
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "bench_compose FOLDER [--quick]: see tests/bench/compose_chart\n");
+        return 2;
+    }
+    const shoal::Status done = shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick");
+    if (!done) std::fprintf(stderr, "bench_compose: %s\n", done.error().sentence().c_str());
+    return done ? 0 : 1;
+}
