@@ -35,6 +35,7 @@ void LookOverTime::follow(const LookEstimate& estimate, float dt_s) {
 }
 
 FilmLook LookOverTime::look() const {
+    if (!begun_) return {};
     FilmLook look = look_;
     look.chromaTexels = glm::ivec2(chromaTexels_ + 0.5f);
     return look;

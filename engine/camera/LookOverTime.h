@@ -13,7 +13,7 @@ class LookOverTime {
     // know stays.
     void follow(const LookEstimate& estimate, float dt_s);
 
-    FilmLook look() const;
+    FilmLook look() const; // before the first: none
 
   private:
     bool begun_ = false, edgesSeen_ = false, chromaSeen_ = false;

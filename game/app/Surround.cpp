@@ -1,5 +1,6 @@
 #include "game/app/Surround.h"
 
+#include "engine/camera/LookOverTime.h"
 #include "engine/core/Log.h"
 #include "engine/light/MakeLight.h"
 #include "engine/media/Pictures.h"
@@ -71,6 +72,7 @@ struct Surround::State {
     struct Prepared {
         render::PackedLight light;
         water::WaterEstimate water;
+        camera::LookEstimate look;
     };
     std::vector<Prepared> prepared;
     std::vector<ImageRgba8> pictures; // the frames as they are uploaded
@@ -84,6 +86,10 @@ struct Surround::State {
     int64_t shownFrame = -1;
     Immersed immersed = Immersed::No;
     water::WaterOverTime water;
+    std::optional<camera::LookEstimator> lookEstimator; // empty: nobody asks
+    camera::LookEstimate lastLook;
+    int sinceLook = 0;
+    camera::LookOverTime look;
     double lastUpdate_s = 0;
     double videoPosition_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
@@ -108,6 +114,14 @@ struct Surround::State {
     void uploadLight(const render::PackedLight& light) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
             gpu[static_cast<size_t>(eye)].uploadLight(light);
+    }
+
+    // A camera stays what it is: one frame in so many tells enough.
+    void findLook(const light::FrameView& frame, size_t slot) {
+        if (!lookEstimator) return;
+        constexpr int kEvery = 24;
+        if (sinceLook++ % kEvery == 0) lastLook = lookEstimator->estimate(frame);
+        prepared[slot].look = lastLook;
     }
 
     void makeLight(const light::FrameView& frame, size_t slot) {
@@ -147,6 +161,7 @@ Status Surround::State::openVideo(const Path& file, media::Layout wish, light::L
                .slots = kSlots,
                .prepare = [this, part](const media::VideoFrame& frame, int slot) {
                    makeLight(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
+                   findLook(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
                    media::toRgba(frame.pixelsBgr, true, pictures[static_cast<size_t>(slot)]);
                }});
     if (!opened) return opened.error();
@@ -168,8 +183,10 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     makeLight(viewOf(*picture, part, false), 0);
     light_ms = millisecondsSince(began);
     media::toRgba(*picture, false, pictures[0]);
+    findLook(viewOf(*picture, part, false), 0);
     uploadPicture(0);
     followWater(prepared[0].water, 0);
+    look.follow(prepared[0].look, 0);
     return Done{};
 }
 
@@ -205,6 +222,7 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
                                                                              : render::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
+    if (setup.filmLook) state->lookEstimator.emplace();
     if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
@@ -235,6 +253,7 @@ bool Surround::update(double time_s, bool exact) {
     const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
     // With every picture and not only with new frames: smoother than the video.
     s.followWater(prepared.water, static_cast<float>(time_s - s.lastUpdate_s));
+    if (s.lookEstimator) s.look.follow(prepared.look, static_cast<float>(time_s - s.lastUpdate_s));
     s.lastUpdate_s = time_s;
     s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
@@ -248,6 +267,10 @@ bool Surround::update(double time_s, bool exact) {
 }
 
 water::Water Surround::water() const { return state_->water.water(); }
+
+camera::FilmLook Surround::filmLook() const { return state_->look.look(); }
+
+int64_t Surround::frameIndex() const { return state_->shownFrame; }
 
 double Surround::length_s() const { return state_->player ? state_->player->info().duration_s : 0; }
 

@@ -2,6 +2,7 @@
 // graphics side.
 #pragma once
 
+#include "engine/camera/FilmLook.h"
 #include "engine/core/Files.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
@@ -30,6 +31,7 @@ struct SurroundSetup {
     bool pyramid = false;     // keep the radiance pyramid too, for the thesis' glossy lookup
     float leastRoughness = 0; // of all that will be drawn: no light is made for smoother things
     Immersed immersed = Immersed::No; // an HDR picture never is
+    bool filmLook = false;            // find out what the camera did to it
     std::optional<float> eyeHeight_m; // of the camera above the floor, where known
 };
 
@@ -51,6 +53,13 @@ class Surround {
 
     // Between the eye and all that is drawn, as of the last update(); none where the surround is dry.
     water::Water water() const;
+
+    // What its camera did to it, as of the last update(); nothing where that is not asked for, or an HDR
+    // picture.
+    camera::FilmLook filmLook() const;
+
+    // Of the video's picture, counted on as it repeats; -1: a still.
+    int64_t frameIndex() const;
 
     // Of a video, before it begins anew; 0: a still.
     double length_s() const;

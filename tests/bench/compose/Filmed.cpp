@@ -40,17 +40,38 @@ std::array<float, 256> signals() {
 
 using Layer = Image<float, 4>; // premultiplied, coverage last
 
-// Rows repeat, columns end; weights of whole texels from -reach to reach, both ways.
-template <class Pixels> Pixels filtered(const Pixels& in, const std::vector<float>& weights) {
+// The part of a picture in which anything is.
+struct Part {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
+Part partOf(const Layer& layer, int margin) {
+    Part part{layer.width, layer.height, 0, 0};
+    for (int y = 0; y < layer.height; ++y)
+        for (int x = 0; x < layer.width; ++x)
+            if (layer.at(x, y)[3] != 0) {
+                part.left = std::min(part.left, x);
+                part.right = std::max(part.right, x + 1);
+                part.top = std::min(part.top, y);
+                part.bottom = std::max(part.bottom, y + 1);
+            }
+    return {std::max(part.left - margin, 0), std::max(part.top - margin, 0),
+            std::min(part.right + margin, layer.width), std::min(part.bottom + margin, layer.height)};
+}
+
+// Weights of whole texels from -reach to reach, both ways; what lies beyond the edge is as the edge. No
+// object here stands across the seam.
+template <class Pixels>
+Pixels filtered(const Pixels& in, const std::vector<float>& weights, const Part& part) {
     const int reach = static_cast<int>(weights.size() / 2);
     Pixels along(in.width, in.height), out(in.width, in.height);
     for (const bool rows : {true, false}) {
         const Pixels& from = rows ? in : along;
         Pixels& to = rows ? along : out;
-        for (int y = 0; y < in.height; ++y)
-            for (int x = 0; x < in.width; ++x)
+        for (int y = part.top; y < part.bottom; ++y)
+            for (int x = part.left; x < part.right; ++x)
                 for (int i = -reach; i <= reach; ++i) {
-                    const auto* value = rows ? from.at((x + i + in.width) % in.width, y)
+                    const auto* value = rows ? from.at(std::clamp(x + i, 0, in.width - 1), y)
                                              : from.at(x, std::clamp(y + i, 0, in.height - 1));
                     for (int c = 0; c < Pixels::channels; ++c)
                         to.at(x, y)[c] += weights[static_cast<size_t>(i + reach)] * value[c];
@@ -111,11 +132,12 @@ Layer enlarged(const Layer& in) {
         for (int i = first; i < first + 6; ++i)
             for (int c = 0; c < 4; ++c) to[c] += lanczos(static_cast<float>(i) - middle) / sum * at(i)[c];
     };
-    for (int y = 0; y < in.height; ++y)
-        for (int x = 0; x < along.width; ++x)
-            put(along.at(x, y), x, [&](int i) { return in.at((i + in.width) % in.width, y); });
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x)
+    const Part part = partOf(in, 4);
+    for (int y = part.top; y < part.bottom; ++y)
+        for (int x = 2 * part.left; x < 2 * part.right; ++x)
+            put(along.at(x, y), x, [&](int i) { return in.at(std::clamp(i, 0, in.width - 1), y); });
+    for (int y = 2 * part.top; y < 2 * part.bottom; ++y)
+        for (int x = 2 * part.left; x < 2 * part.right; ++x)
             put(out.at(x, y), y, [&](int i) { return along.at(x, std::clamp(i, 0, in.height - 1)); });
     return out;
 }
@@ -134,24 +156,37 @@ ImageRgbF signalOf(const ImageRgb8& frame) {
     return out;
 }
 
+// What port and lens scatter: three running means over five squares of texels.
+constexpr int kGlowTexels = 4;
+ImageRgbF glowOf(const ImageRgbF& in) {
+    ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);
+    for (int y = 0; y < out.height * kGlowTexels; ++y)
+        for (int x = 0; x < out.width * kGlowTexels; ++x)
+            for (int c = 0; c < 3; ++c)
+                out.at(x / kGlowTexels, y / kGlowTexels)[c] += in.at(x, y)[c] / (kGlowTexels * kGlowTexels);
+    for (int i = 0; i < 3; ++i)
+        out = filtered(out, std::vector<float>(5, 0.2f), {0, 0, out.width, out.height});
+    return out;
+}
+
 } // namespace
 
 void filmInto(ImageRgb8& frame, const ImageRgba8& objects, const render::View& view,
               const glm::mat3& envFromWorld, uint32_t seed) {
     const ImageRgbF behind = signalOf(frame);
     // Between two drawn times at any part of a texel: a tent, on average.
-    Layer layer =
-        filtered(seenBy(objects, view, envFromWorld, frame.width / 2), {1 / 6.0f, 2 / 3.0f, 1 / 6.0f});
+    const Layer seen = seenBy(objects, view, envFromWorld, frame.width / 2);
+    Layer layer = filtered(seen, {1 / 6.0f, 2 / 3.0f, 1 / 6.0f}, partOf(seen, 1));
     // The lens: 0.48 of a texel's light, 0.13 of each neighbour's.
     const Layer sharp = layer;
-    for (int y = 1; y + 1 < layer.height; ++y)
-        for (int x = 0; x < layer.width; ++x)
+    const Part lit = partOf(sharp, 1);
+    for (int y = std::max(lit.top, 1); y < std::min(lit.bottom, layer.height - 1); ++y)
+        for (int x = std::max(lit.left, 1); x < std::min(lit.right, layer.width - 1); ++x)
             for (int c = 0; c < 4; ++c)
                 layer.at(x, y)[c] =
-                    0.48f * sharp.at(x, y)[c] + 0.13f * (sharp.at((x + 1) % layer.width, y)[c] +
-                                                         sharp.at((x + layer.width - 1) % layer.width, y)[c] +
+                    0.48f * sharp.at(x, y)[c] + 0.13f * (sharp.at(x + 1, y)[c] + sharp.at(x - 1, y)[c] +
                                                          sharp.at(x, y - 1)[c] + sharp.at(x, y + 1)[c]);
-    const ImageRgbF glow = filtered(behind, std::vector<float>(31, 1 / 31.0f));
+    const ImageRgbF glow = glowOf(behind);
 
     Random random(seed, 11);
     for (int y = 0; y < layer.height; ++y)
@@ -161,14 +196,16 @@ void filmInto(ImageRgb8& frame, const ImageRgba8& objects, const render::View& v
             if (cover <= 0) continue;
             for (int c = 0; c < 3; ++c) {
                 const float unseen = 1 - cover;
-                float signal = (1 - kGlowShare) * to[c] + kGlowShare * cover * glow.at(x, y)[c] +
+                float signal = (1 - kGlowShare) * to[c] +
+                               kGlowShare * cover * glow.at(x / kGlowTexels, y / kGlowTexels)[c] +
                                unseen * behind.at(x, y)[c];
                 const float dice = random.unit() + random.unit() - 1;
                 signal += cover * 2.4f * kNoise * dice * std::sqrt(std::min(signal, 1.0f) + 0.02f);
                 to[c] = toned(signal) - unseen * toned(behind.at(x, y)[c]);
             }
         }
-    const Layer large = enlarged(layer), soft = filtered(large, {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f});
+    const Layer large = enlarged(layer),
+                soft = filtered(large, {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f}, partOf(large, 2));
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
             const float* l = large.at(x, y);

@@ -1,7 +1,7 @@
 // How seamless each way of compositing is, and what it costs: bench_compose FOLDER [--quick].
 //
-// Truth: the dive's own film, with the game's objects filmed into it (Filmed.h, Encode.h). Every way then draws
-// the same objects over the same film without them, coded alike, and is compared with that.
+// Truth: the dive's own film, with the game's objects filmed into it (Filmed.h, Encode.h). Every way then
+// draws the same objects over the same film without them, coded alike, and is compared with that.
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/platform/Headless.h"
@@ -18,7 +18,8 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr int kFps = 24, kFilmed = 12; // frames that are filmed and coded for each scene; the last is looked at
+constexpr int kFps = 24, kFilmed = 20; // frames that are filmed and coded for each scene, ...
+constexpr int kShown = 15;             // ... and which of them is looked at
 constexpr int kFine = 3;               // pixels of the objects' own picture for one of the shown picture
 
 struct Scene {
@@ -32,11 +33,12 @@ struct Stages {
     std::vector<app::Stage> ways; // as kWays
 };
 
-Result<std::vector<ImageRgb8>> readFilm(int last) {
+// So that frame `shown` of the film is the one that is looked at.
+Result<std::vector<ImageRgb8>> readFilm(int shown) {
     auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4", {});
     if (!player) return player.error();
     std::vector<ImageRgb8> frames;
-    for (int frame = last - kFilmed + 1; frame <= last; ++frame) {
+    for (int frame = shown - kShown; frame < shown - kShown + kFilmed; ++frame) {
         const ImageRgb8& bgr = player->waitFor((frame + 0.5) / kFps)->pixelsBgr;
         ImageRgb8 rgb = bgr;
         for (size_t i = 0; i < rgb.pixels.size(); i += 3) std::swap(rgb.pixels[i], rgb.pixels[i + 2]);
@@ -60,14 +62,16 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
     auto frames = readFilm(scene.frame);
     if (!frames) return frames.error();
     const std::string number = std::to_string(scene.frame);
-    const Path emptyFile = folder / ("film_" + number + ".mp4"), truthFile = folder / ("filmed_" + number + ".mp4");
+    const Path emptyFile = folder / ("film_" + number + ".mp4"),
+               truthFile = folder / ("filmed_" + number + ".mp4");
     if (Status s = encode(emptyFile, *frames, kFps); !s) return s;
     auto empty = openVideo(emptyFile, plan);
     if (!empty) return empty.error();
 
     // The objects move while they are filmed, as what is coded with them does.
     const gl::Target fine(kFine * kPicture.x, kFine * kPicture.y, 4);
-    app::Run run = runTo(plan, (scene.frame - kFilmed + 1.0) / kFps);
+    app::Run run = runTo(plan, static_cast<double>(scene.frame - kShown) / kFps);
+    game::Snapshot shownMoment;
     Coverage coverage;
     for (int k = 0; k < kFilmed; ++k) {
         if (k) runOn(run, 1.0 / kFps);
@@ -78,21 +82,26 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         const ImageRgba8 objects = fine.read();
         filmInto((*frames)[static_cast<size_t>(k)], objects, view, empty->envFromWorld(),
                  static_cast<uint32_t>(scene.frame + k));
-        if (k == kFilmed - 1) coverage = coverageOf(objects);
+        if (k != kShown) continue;
+        coverage = coverageOf(objects);
+        shownMoment = run.shown;
     }
     if (Status s = encode(truthFile, *frames, kFps); !s) return s;
     auto filmed = openVideo(truthFile, plan);
     if (!filmed) return filmed.error();
-    filmed->update(timeOf(kFilmed - 1), true);
+    filmed->update(timeOf(kShown), true);
 
     const gl::Target target(kPicture.x, kPicture.y, 1);
-    const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
-    stages.ways[0].set(run.shown, true);
+    const render::View view = viewOf(shownMoment, scene.yaw_deg, kPicture.y);
+    stages.ways[0].set(shownMoment, true);
     if (Status s = drawPicture(stages.ways[0], *filmed, view, target); !s) return s;
     const ImageRgba8 truth = target.read();
     report.add(scene.frame, "filmed", truth, distance(truth, truth, coverage));
     for (size_t way = 0; way < std::size(kWays); ++way) {
-        stages.ways[way].set(run.shown, false);
+        // A fresh frame for each: one of them paints it.
+        empty->update(timeOf(0), true);
+        empty->update(timeOf(kShown), true);
+        stages.ways[way].set(shownMoment, false);
         if (Status s = drawPicture(stages.ways[way], *empty, view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage));

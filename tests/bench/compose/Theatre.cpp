@@ -30,10 +30,8 @@ Result<Stage> makeStage(const Plan& plan, Compose compose, int layerSamples) {
     auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
                            render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
-    return Stage::make(std::move(*cast), {.detail = detail,
-                                          .snow = false,
-                                          .compose = compose,
-                                          .layerSamples = layerSamples});
+    return Stage::make(std::move(*cast),
+                       {.detail = detail, .snow = false, .compose = compose, .layerSamples = layerSamples});
 }
 
 Result<Surround> openVideo(const Path& file, const Plan& plan) {
@@ -49,8 +47,7 @@ Result<Surround> openVideo(const Path& file, const Plan& plan) {
 
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels) {
     render::View view;
-    view.worldFromEye =
-        glm::angleAxis(glm::radians(-yaw_deg), glm::vec3(0, 1, 0)) * snapshot.worldFromView;
+    view.worldFromEye = glm::angleAxis(glm::radians(-yaw_deg), glm::vec3(0, 1, 0)) * snapshot.worldFromView;
     view.eyeWorld = snapshot.headWorld;
     view.verticalFov = glm::radians(kFov_deg);
     view.aspect = static_cast<float>(kPicture.x) / static_cast<float>(kPicture.y);
@@ -60,7 +57,12 @@ render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPix
 
 Status drawPicture(Stage& stage, const Surround& surround, const render::View& view,
                    const gl::Target& target) {
-    const Stage::Eye eye{surround, 0, view, {}, surround.water(), render::Glossy::Prefiltered,
+    const Stage::Eye eye{surround,
+                         0,
+                         view,
+                         {},
+                         surround.water(),
+                         render::Glossy::Prefiltered,
                          {target.width(), target.height()}};
     if (Status s = stage.drawLayer(eye); !s) return s;
     target.bind();
@@ -73,7 +75,12 @@ Status drawObjectsAlone(Stage& stage, const Surround& surround, const render::Vi
     target.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
-    return stage.drawObjects({surround, 0, view, {}, surround.water(), render::Glossy::Prefiltered,
+    return stage.drawObjects({surround,
+                              0,
+                              view,
+                              {},
+                              surround.water(),
+                              render::Glossy::Prefiltered,
                               {target.width(), target.height()}});
 }
 
