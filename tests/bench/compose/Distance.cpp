@@ -84,16 +84,15 @@ double detail(const Spectrum& spectrum) {
 Distance distance(const ImageRgba8& shown, const ImageRgba8& truth, const Coverage& objects) {
     const Coverage wide = spread(objects, true), inside = spread(objects, false);
     Distance out;
-    double squares = 0, edgeSquares = 0, laplacians = 0;
-    int64_t count = 0, edgeCount = 0, insideCount = 0;
+    double squares = 0, colourSquares = 0, laplacians = 0;
+    int64_t count = 0, insideCount = 0;
     for (int y = 1; y + 1 < shown.height; ++y)
         for (int x = 1; x + 1 < shown.width; ++x) {
             if (*wide.at(x, y) <= 0) continue;
-            double square = 0;
-            for (int c = 0; c < 3; ++c) square += std::pow(shown.at(x, y)[c] - truth.at(x, y)[c], 2) / 3;
-            squares += square;
+            squares += std::pow(luma(shown, x, y) - luma(truth, x, y), 2);
+            for (int c = 0; c < 3; ++c)
+                colourSquares += std::pow(shown.at(x, y)[c] - truth.at(x, y)[c], 2) / 3;
             ++count;
-            if (*wide.at(x, y) > 0.5f && *inside.at(x, y) < 0.5f) edgeSquares += square, ++edgeCount;
             if (*inside.at(x, y) < 1) continue;
             float v = 0;
             for (int j = -1; j <= 1; ++j)
@@ -102,9 +101,12 @@ Distance distance(const ImageRgba8& shown, const ImageRgba8& truth, const Covera
             laplacians += static_cast<double>(v * v) / 36;
             ++insideCount;
         }
-    out.rms = std::sqrt(squares / static_cast<double>(std::max<int64_t>(count, 1)));
-    out.edgeRms = std::sqrt(edgeSquares / static_cast<double>(std::max<int64_t>(edgeCount, 1)));
-    out.noise = std::sqrt(laplacians / static_cast<double>(std::max<int64_t>(insideCount, 1)));
+    const auto mean = [](double sum, int64_t n) {
+        return std::sqrt(sum / static_cast<double>(std::max<int64_t>(n, 1)));
+    };
+    out.luma = mean(squares, count);
+    out.colour = mean(colourSquares, count);
+    out.noise = mean(laplacians, insideCount);
 
     Spectrum ours{}, theirs{}, around{};
     for (int top = 0; top + kPatch <= shown.height; top += kPatch / 2)

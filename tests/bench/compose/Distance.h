@@ -12,8 +12,8 @@ namespace shoal::bench {
 using Coverage = Image<float, 1>;
 
 struct Distance {
-    double rms = 0;         // of 255, over all pixels of objects and of what lies within four of them
-    double edgeRms = 0;     // the same, over the outlines: within four pixels of half coverage
+    double luma = 0;   // root mean square, of 255, over all pixels of objects and those within four of them
+    double colour = 0; // the same of red, green and blue
     double spectrum_db = 0; // between the power spectra of objects' pixels, root mean square over frequencies
     double detail_db = 0;   // of objects above those around them: share of power beyond an eighth of a cycle
                             // a pixel; 0 where they have as much

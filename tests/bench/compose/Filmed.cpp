@@ -169,25 +169,9 @@ ImageRgbF glowOf(const ImageRgbF& in) {
     return out;
 }
 
-} // namespace
-
-void filmInto(ImageRgb8& frame, const ImageRgba8& objects, const render::View& view,
-              const glm::mat3& envFromWorld, uint32_t seed) {
-    const ImageRgbF behind = signalOf(frame);
-    // Between two drawn times at any part of a texel: a tent, on average.
-    const Layer seen = seenBy(objects, view, envFromWorld, frame.width / 2);
-    Layer layer = filtered(seen, {1 / 6.0f, 2 / 3.0f, 1 / 6.0f}, partOf(seen, 1));
-    // The lens: 0.48 of a texel's light, 0.13 of each neighbour's.
-    const Layer sharp = layer;
-    const Part lit = partOf(sharp, 1);
-    for (int y = std::max(lit.top, 1); y < std::min(lit.bottom, layer.height - 1); ++y)
-        for (int x = std::max(lit.left, 1); x < std::min(lit.right, layer.width - 1); ++x)
-            for (int c = 0; c < 4; ++c)
-                layer.at(x, y)[c] =
-                    0.48f * sharp.at(x, y)[c] + 0.13f * (sharp.at(x + 1, y)[c] + sharp.at(x - 1, y)[c] +
-                                                         sharp.at(x, y - 1)[c] + sharp.at(x, y + 1)[c]);
-    const ImageRgbF glow = glowOf(behind);
-
+// Glow, noise and tone at the size that was drawn, then the encoder's enlargement.
+void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
+    const ImageRgbF behind = signalOf(frame), glow = glowOf(behind);
     Random random(seed, 11);
     for (int y = 0; y < layer.height; ++y)
         for (int x = 0; x < layer.width; ++x) {
@@ -219,6 +203,25 @@ void filmInto(ImageRgb8& frame, const ImageRgba8& objects, const render::View& v
                 to[c] = static_cast<uint8_t>(
                     std::clamp(255 * (was[c] * (1 - l[3]) + l[c] + extra) + 0.5f, 0.0f, 255.0f));
         }
+}
+
+} // namespace
+
+void filmInto(std::span<ImageRgb8* const> takes, const ImageRgba8& objects, const render::View& view,
+              const glm::mat3& envFromWorld, uint32_t seed) {
+    // Between two drawn times at any part of a texel: a tent, on average.
+    const Layer seen = seenBy(objects, view, envFromWorld, takes[0]->width / 2);
+    Layer layer = filtered(seen, {1 / 6.0f, 2 / 3.0f, 1 / 6.0f}, partOf(seen, 1));
+    // The lens: 0.48 of a texel's light, 0.13 of each neighbour's.
+    const Layer sharp = layer;
+    const Part lit = partOf(sharp, 1);
+    for (int y = std::max(lit.top, 1); y < std::min(lit.bottom, layer.height - 1); ++y)
+        for (int x = std::max(lit.left, 1); x < std::min(lit.right, layer.width - 1); ++x)
+            for (int c = 0; c < 4; ++c)
+                layer.at(x, y)[c] =
+                    0.48f * sharp.at(x, y)[c] + 0.13f * (sharp.at(x + 1, y)[c] + sharp.at(x - 1, y)[c] +
+                                                         sharp.at(x, y - 1)[c] + sharp.at(x, y + 1)[c]);
+    for (ImageRgb8* take : takes) develop(*take, layer, seed++ * 2654435761u);
 }
 
 } // namespace shoal::bench

@@ -9,11 +9,14 @@
 
 #include <glm/mat3x3.hpp>
 
+#include <span>
+
 namespace shoal::bench {
 
 // objects: seen by `view`, display-coded, premultiplied by coverage; at least eight pixels a texel of the
-// film's drawn size. frame: of the film, 2048 x 1024, red first; the objects are put into it.
-void filmInto(ImageRgb8& frame, const ImageRgba8& objects, const render::View& view,
+// film's drawn size. takes: a frame of the film each, 2048 x 1024, red first, into which they are put with
+// noise of its own.
+void filmInto(std::span<ImageRgb8* const> takes, const ImageRgba8& objects, const render::View& view,
               const glm::mat3& envFromWorld, uint32_t seed);
 
 } // namespace shoal::bench

@@ -2,6 +2,8 @@
 
 #include "engine/media/Pictures.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,82 +12,135 @@ namespace shoal::bench {
 
 namespace {
 
-double quantile(std::vector<double> values, double share) {
+double median(std::vector<double> values) {
     if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-std::vector<std::string> waysOf(const auto& shown) {
-    std::vector<std::string> ways;
-    for (const auto& each : shown)
-        if (std::ranges::find(ways, each.way) == ways.end()) ways.push_back(each.way);
-    return ways;
+    std::ranges::sort(values);
+    return values[values.size() / 2];
 }
 
 } // namespace
 
-void Report::add(int scene, const std::string& way, const ImageRgba8& shown, const Distance& distance) {
-    shown_.push_back({scene, way, shown, distance});
+void Report::add(int scene, const std::string& way, const ImageRgba8& shown, const Distance& distance,
+                 glm::ivec2 look) {
+    shown_.push_back({scene, way, shown, distance, look});
 }
 
 void Report::addTime(const std::string& way, double frame_ms) { times_ms_[way].push_back(frame_ms); }
 
-Status Report::write(const Path& folder) const {
-    const auto median = [&](const std::string& way) {
-        const auto found = times_ms_.find(way);
-        return found == times_ms_.end() ? 0.0 : quantile(found->second, 0.5);
-    };
-    std::string tsv = "way\tframe_ms\trelative\trms\tedge_rms\tspectrum_db\tdetail_db\tnoise\n";
-    std::string md =
-        "| way | a frame, ms | of plain | distance to filmed, of 255 | at outlines | spectrum, dB | "
-        "detail above the backdrop's, dB | noise, of 255 |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
-    for (const std::string& way : waysOf(shown_)) {
-        Distance mean;
-        double count = 0, detail = 0;
+std::vector<Report::Row> Report::rows() const {
+    std::vector<Row> rows;
+    for (const Shown& each : shown_) {
+        if (std::ranges::find(rows, each.way, &Row::way) == rows.end()) rows.push_back({each.way});
+    }
+    double floor = 0;
+    for (Row& row : rows) {
+        double count = 0;
         for (const Shown& each : shown_) {
-            if (each.way != way) continue;
-            mean.rms += each.distance.rms * each.distance.rms;
-            mean.edgeRms += each.distance.edgeRms * each.distance.edgeRms;
-            mean.spectrum_db += each.distance.spectrum_db * each.distance.spectrum_db;
-            detail += each.distance.detail_db;
-            mean.noise += each.distance.noise * each.distance.noise;
+            if (each.way != row.way) continue;
+            const Distance& d = each.distance;
+            row.distance.luma += d.luma * d.luma;
+            row.distance.colour += d.colour * d.colour;
+            row.distance.spectrum_db += d.spectrum_db * d.spectrum_db;
+            row.distance.noise += d.noise * d.noise;
+            row.distance.detail_db += d.detail_db;
             ++count;
         }
-        for (double* square : {&mean.rms, &mean.edgeRms, &mean.spectrum_db, &mean.noise})
+        Distance& d = row.distance;
+        for (double* square : {&d.luma, &d.colour, &d.spectrum_db, &d.noise})
             *square = std::sqrt(*square / count);
-        detail /= count;
-        const double ms = median(way);
-        char line[256];
-        std::snprintf(line, sizeof line, "%s\t%.3f\t%.4f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n", way.c_str(), ms,
-                      ms / median("plain"), mean.rms, mean.edgeRms, mean.spectrum_db, detail, mean.noise);
+        d.detail_db /= count;
+        if (row.way == kFilmedAgain) floor = d.luma;
+        const auto times = times_ms_.find(row.way), plain = times_ms_.find("plain");
+        if (times == times_ms_.end() || plain == times_ms_.end()) continue;
+        row.frame_ms = median(times->second);
+        std::vector<double> more;
+        for (size_t i = 0; i < times->second.size(); ++i) more.push_back(times->second[i] - plain->second[i]);
+        row.overPlain_ms = median(more);
+    }
+    for (Row& row : rows)
+        row.beyond = std::sqrt(std::max(row.distance.luma * row.distance.luma - floor * floor, 0.0));
+    return rows;
+}
+
+Status Report::write(const Path& folder) const {
+    const std::vector<Row> all = rows();
+    const Row& plain = *std::ranges::find(all, "plain", &Row::way);
+    std::string tsv = "way\tframe_ms\tof_plain\tluma\tcolour\tbeyond\tspectrum_db\tdetail_db\tnoise\n";
+    std::string md =
+        "| way | a frame, ms | more than plain, ms | distance of luma, of 255 | of colour | of luma, beyond "
+        "filming again | of spectra, dB | finer than around, dB | noise, of 255 |\n"
+        "|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    const Row* best = nullptr;
+    char line[320];
+    for (const Row& row : all) {
+        const Distance& d = row.distance;
+        const double ofPlain = 1 + row.overPlain_ms / plain.frame_ms;
+        std::snprintf(line, sizeof line, "%s\t%.3f\t%.4f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n",
+                      row.way.c_str(), row.frame_ms, ofPlain, d.luma, d.colour, row.beyond, d.spectrum_db,
+                      d.detail_db, d.noise);
         tsv += line;
-        if (way == "filmed")
-            std::snprintf(line, sizeof line, "| filmed | | | | | | %+.1f | %.2f |\n", detail, mean.noise);
-        else
-            std::snprintf(line, sizeof line, "| %s | %.2f | %.2f | %.2f | %.2f | %.2f | %+.1f | %.2f |\n",
-                          way.c_str(), ms, ms / median("plain"), mean.rms, mean.edgeRms, mean.spectrum_db,
-                          detail, mean.noise);
+        const bool way = row.frame_ms > 0;
+        std::snprintf(line, sizeof line, way ? "| %s | %.2f | %+.2f" : "| %s | | ", row.way.c_str(),
+                      row.frame_ms, row.overPlain_ms);
+        md += line;
+        std::snprintf(line, sizeof line, " | %.2f | %.2f | %.2f | %.2f | %+.1f | %.2f |\n", d.luma, d.colour,
+                      row.beyond, d.spectrum_db, d.detail_db, d.noise);
+        md += line;
+        const bool halves = row.beyond <= plain.beyond / 2 && d.spectrum_db <= plain.distance.spectrum_db / 2;
+        if (way && halves && (!best || row.overPlain_ms < best->overPlain_ms)) best = &row;
+    }
+    const auto alone = times_ms_.find("backdrop alone");
+    if (alone != times_ms_.end()) {
+        std::snprintf(line, sizeof line, "\nThe backdrop alone: %.2f ms.\n", median(alone->second));
         md += line;
     }
-    char line[128];
-    std::snprintf(line, sizeof line, "| the backdrop alone | %.2f | %.2f | | | | | |\n",
-                  median("backdrop alone"), median("backdrop alone") / median("plain"));
-    md += line;
-    std::string scenes = "scene\tway\trms\tedge_rms\tspectrum_db\tdetail_db\tnoise\n";
+    md += best ? "\nThe cheapest that halves both distances (of luma beyond filming again, of spectra): " +
+                     best->way + ".\n"
+               : std::string("\nNo way halves both distances (of luma beyond filming again, of spectra).\n");
+    std::string scenes = "scene\tway\tluma\tcolour\tspectrum_db\tdetail_db\tnoise\n";
     for (const Shown& each : shown_) {
         const Distance& d = each.distance;
-        char row[160];
-        std::snprintf(row, sizeof row, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n", each.scene, each.way.c_str(),
-                      d.rms, d.edgeRms, d.spectrum_db, d.detail_db, d.noise);
-        scenes += row;
-        const std::string name = std::to_string(each.scene) + "_" + each.way + ".png";
+        std::snprintf(line, sizeof line, "%d\t%s\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n", each.scene,
+                      each.way.c_str(), d.luma, d.colour, d.spectrum_db, d.detail_db, d.noise);
+        scenes += line;
+        std::string name = std::to_string(each.scene) + "_" + each.way + ".png";
+        std::ranges::replace(name, ' ', '_');
         if (Status s = media::writePng(folder / name, each.picture); !s) return s;
     }
+    if (Status s = writeSheet(folder / "sheet.png"); !s) return s;
     if (Status s = writeFileWhole(folder / "scenes.tsv", scenes); !s) return s;
     if (Status s = writeFileWhole(folder / "compose.tsv", tsv); !s) return s;
     std::printf("%s", md.c_str());
     return writeFileWhole(folder / "compose.md", md);
+}
+
+Status Report::writeSheet(const Path& file) const {
+    constexpr int kTimes = 4;
+    constexpr glm::ivec2 kCrop(78, 64);
+    std::vector<std::string> ways;
+    std::vector<int> scenes;
+    for (const Shown& each : shown_) {
+        if (each.way != kFilmedAgain && std::ranges::find(ways, each.way) == ways.end())
+            ways.push_back(each.way);
+        if (std::ranges::find(scenes, each.scene) == scenes.end()) scenes.push_back(each.scene);
+    }
+    const glm::ivec2 cell = kCrop * kTimes + 4;
+    ImageRgb8 sheet(cell.x * static_cast<int>(ways.size()), cell.y * static_cast<int>(scenes.size()));
+    std::ranges::fill(sheet.pixels, uint8_t{255});
+    for (const Shown& each : shown_) {
+        const auto way = std::ranges::find(ways, each.way);
+        if (way == ways.end()) continue;
+        const glm::ivec2 to(cell.x * static_cast<int>(way - ways.begin()),
+                            cell.y *
+                                static_cast<int>(std::ranges::find(scenes, each.scene) - scenes.begin()));
+        const glm::ivec2 size(each.picture.width, each.picture.height);
+        const glm::ivec2 from = glm::clamp(each.look - kCrop / 2, glm::ivec2(0), size - kCrop);
+        for (int y = 0; y < kCrop.y * kTimes; ++y)
+            for (int x = 0; x < kCrop.x * kTimes; ++x)
+                std::copy_n(each.picture.at(from.x + x / kTimes, from.y + y / kTimes), 3,
+                            sheet.at(to.x + x, to.y + y));
+    }
+    return media::writePng(file, sheet);
 }
 
 } // namespace shoal::bench
