@@ -23,11 +23,11 @@ constexpr float kSlant = 0.5f; // tangent: gradients that lean more belong to ot
 constexpr float kTexelVariance = 1.0f / 6;
 constexpr double kSharpest = 0.2; // quantile: most of what is filmed is softer by itself
 
-// --- Noise. Of a block's Laplacians; the flattest tenth of the blocks are taken to show nothing but noise.
-constexpr double kFlattest = 0.1;
-// Their luck in pure noise: the tenth quantile of its deviation in a 16 x 16 block, fine and coarse, found by
+// --- Noise. Of a block's Laplacians; the flattest thirtieth of the blocks are taken to show nothing but noise.
+constexpr double kFlattest = 0.03;
+// Their luck in pure noise: that quantile of its deviation in a 16 x 16 block, fine and coarse, found by
 // drawing blocks.
-constexpr float kFineLuck = 0.93f, kCoarseLuck = 0.85f;
+constexpr float kFineLuck = 0.90f, kCoarseLuck = 0.80f;
 constexpr float kRounding = 1.0f / 12; // variance of a value of 255 by being whole
 
 // --- Colour.

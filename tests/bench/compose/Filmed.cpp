@@ -83,7 +83,7 @@ Pixels filtered(const Pixels& in, const std::vector<float>& weights, const Part&
 // Each texel the mean of kSamples^2 directions.
 Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat3& envFromWorld, int width) {
     static const std::array<float, 256> signal = signals();
-    constexpr int kSamples = 8;
+    constexpr int kSamples = 6;
     Layer out(width, width / 2);
     const glm::mat3 eyeFromEnv = glm::transpose(envFromWorld * glm::mat3_cast(view.worldFromEye));
     const glm::vec2 half = view.halfExtent(), size(objects.width, objects.height);

@@ -13,7 +13,7 @@
 
 namespace shoal::bench {
 
-// objects: seen by `view`, display-coded, premultiplied by coverage; at least eight pixels a texel of the
+// objects: seen by `view`, display-coded, premultiplied by coverage; at least six pixels a texel of the
 // film's drawn size. takes: a frame of the film each, 2048 x 1024, red first, into which they are put with
 // noise of its own.
 void filmInto(std::span<ImageRgb8* const> takes, const ImageRgba8& objects, const render::View& view,

@@ -18,6 +18,17 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+// less: taken away round by round; empty: nothing is.
+Cost medians(const std::vector<Cost>& costs, const std::vector<Cost>& less) {
+    std::vector<double> wall, processor;
+    for (size_t i = 0; i < costs.size(); ++i) {
+        const Cost away = less.empty() ? Cost() : less[i];
+        wall.push_back(costs[i].wall_ms - away.wall_ms);
+        processor.push_back(costs[i].processor_ms - away.processor_ms);
+    }
+    return {median(wall), median(processor)};
+}
+
 } // namespace
 
 void Report::add(int scene, const std::string& way, const ImageRgba8& shown, const Distance& distance,
@@ -25,7 +36,7 @@ void Report::add(int scene, const std::string& way, const ImageRgba8& shown, con
     shown_.push_back({scene, way, shown, distance, look});
 }
 
-void Report::addTime(const std::string& way, double frame_ms) { times_ms_[way].push_back(frame_ms); }
+void Report::addTime(const std::string& way, const Cost& cost) { costs_[way].push_back(cost); }
 
 std::vector<Report::Row> Report::rows() const {
     std::vector<Row> rows;
@@ -50,12 +61,10 @@ std::vector<Report::Row> Report::rows() const {
             *square = std::sqrt(*square / count);
         d.detail_db /= count;
         if (row.way == kFilmedAgain) floor = d.luma;
-        const auto times = times_ms_.find(row.way), plain = times_ms_.find("plain");
-        if (times == times_ms_.end() || plain == times_ms_.end()) continue;
-        row.frame_ms = median(times->second);
-        std::vector<double> more;
-        for (size_t i = 0; i < times->second.size(); ++i) more.push_back(times->second[i] - plain->second[i]);
-        row.overPlain_ms = median(more);
+        const auto costs = costs_.find(row.way), plain = costs_.find("plain");
+        if (costs == costs_.end() || plain == costs_.end()) continue;
+        row.cost = medians(costs->second, {});
+        row.overPlain = medians(costs->second, plain->second);
     }
     for (Row& row : rows)
         row.beyond = std::sqrt(std::max(row.distance.luma * row.distance.luma - floor * floor, 0.0));
@@ -65,33 +74,38 @@ std::vector<Report::Row> Report::rows() const {
 Status Report::write(const Path& folder) const {
     const std::vector<Row> all = rows();
     const Row& plain = *std::ranges::find(all, "plain", &Row::way);
-    std::string tsv = "way\tframe_ms\tof_plain\tluma\tcolour\tbeyond\tspectrum_db\tdetail_db\tnoise\n";
-    std::string md =
-        "| way | a frame, ms | more than plain, ms | distance of luma, of 255 | of colour | of luma, beyond "
-        "filming again | of spectra, dB | finer than around, dB | noise, of 255 |\n"
-        "|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    std::string tsv = "way\twall_ms\tprocessor_ms\tof_plain\tprocessor_of_plain\tluma\tcolour\tbeyond\t"
+                      "spectrum_db\tdetail_db\tnoise\n";
+    std::string md = "| way | a frame, ms | more than plain, ms | processor ms | more than plain | distance "
+                     "of luma, of 255 "
+                     "| of colour | of luma, beyond filming again | of spectra, dB | finer than around, dB | "
+                     "noise, of 255 |\n"
+                     "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     const Row* best = nullptr;
-    char line[320];
+    char line[400];
     for (const Row& row : all) {
         const Distance& d = row.distance;
-        const double ofPlain = 1 + row.overPlain_ms / plain.frame_ms;
-        std::snprintf(line, sizeof line, "%s\t%.3f\t%.4f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n",
-                      row.way.c_str(), row.frame_ms, ofPlain, d.luma, d.colour, row.beyond, d.spectrum_db,
-                      d.detail_db, d.noise);
+        std::snprintf(line, sizeof line, "%s\t%.3f\t%.3f\t%.4f\t%.4f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\t%.3f\n",
+                      row.way.c_str(), row.cost.wall_ms, row.cost.processor_ms,
+                      1 + row.overPlain.wall_ms / plain.cost.wall_ms,
+                      1 + row.overPlain.processor_ms / plain.cost.processor_ms, d.luma, d.colour, row.beyond,
+                      d.spectrum_db, d.detail_db, d.noise);
         tsv += line;
-        const bool way = row.frame_ms > 0;
-        std::snprintf(line, sizeof line, way ? "| %s | %.2f | %+.2f" : "| %s | | ", row.way.c_str(),
-                      row.frame_ms, row.overPlain_ms);
+        const bool way = row.cost.wall_ms > 0;
+        std::snprintf(line, sizeof line, way ? "| %s | %.2f | %+.2f | %.2f | %+.2f" : "| %s | | | | ",
+                      row.way.c_str(), row.cost.wall_ms, row.overPlain.wall_ms, row.cost.processor_ms,
+                      row.overPlain.processor_ms);
         md += line;
         std::snprintf(line, sizeof line, " | %.2f | %.2f | %.2f | %.2f | %+.1f | %.2f |\n", d.luma, d.colour,
                       row.beyond, d.spectrum_db, d.detail_db, d.noise);
         md += line;
         const bool halves = row.beyond <= plain.beyond / 2 && d.spectrum_db <= plain.distance.spectrum_db / 2;
-        if (way && halves && (!best || row.overPlain_ms < best->overPlain_ms)) best = &row;
+        if (way && halves && (!best || row.overPlain.wall_ms < best->overPlain.wall_ms)) best = &row;
     }
-    const auto alone = times_ms_.find("backdrop alone");
-    if (alone != times_ms_.end()) {
-        std::snprintf(line, sizeof line, "\nThe backdrop alone: %.2f ms.\n", median(alone->second));
+    if (const auto alone = costs_.find(kBackdropAlone); alone != costs_.end()) {
+        const Cost cost = medians(alone->second, {});
+        std::snprintf(line, sizeof line, "\nThe backdrop alone: %.2f ms, of the processor %.2f ms.\n",
+                      cost.wall_ms, cost.processor_ms);
         md += line;
     }
     md += best ? "\nThe cheapest that halves both distances (of luma beyond filming again, of spectra): " +
