@@ -3,6 +3,7 @@
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@ namespace shoal::render {
 
 namespace {
 
+constexpr std::array<const char*, 3> kDefines = {"FILMED", "GRAINY", "SHARES_COLOUR"}; // as LayerFeature
 constexpr glm::ivec2
     kCells(40, 24); // about 32 pixels each: laying over what is empty costs as much as what is not
 constexpr float kWorthIt =
@@ -47,9 +49,10 @@ glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {
 
 Result<LayerPass> LayerPass::make() {
     LayerPass pass;
-    auto program = gl::Program::load("render/Layer");
-    if (!program) return program.error();
-    pass.program_ = std::move(*program);
+    pass.programs_ = gl::Variants("render/Layer", kDefines);
+    // Compiled now, so that a broken shader is known at the start.
+    if (auto program = pass.programs_.get(0); !program) return program.error();
+    pass.grain_ = makeGrain();
     pass.vertexArray_ = gl::VertexArray::make();
     pass.vertices_ = gl::Buffer::make();
     glBindVertexArray(pass.vertexArray_.name());
@@ -71,11 +74,11 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void LayerPass::layOver(std::span<const Box> boxes) {
+Status LayerPass::layOver(std::span<const Box> boxes, const Filmed* filmed) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const Box& box : boxes) {
         // Half a texel more on each side, which the filter reaches.
-        const glm::vec2 margin = 1.0f / glm::vec2(layer_->width(), layer_->height());
+        const glm::vec2 margin = (filmed ? 3.0f : 1.0f) / glm::vec2(layer_->width(), layer_->height());
         const auto cellOf = [](const glm::vec2& place) {
             return glm::ivec2(glm::floor((glm::clamp(place, -1.5f, 1.5f) * 0.5f + 0.5f) * glm::vec2(kCells)));
         };
@@ -101,12 +104,22 @@ void LayerPass::layOver(std::span<const Box> boxes) {
             }
             x = end + 1;
         }
-    if (corners_.empty()) return;
+    if (corners_.empty()) return Done{};
 
-    program_.use();
+    auto found = programs_.get(filmed ? layerFeatures(filmed->look) : 0);
+    if (!found) return found.error();
+    const gl::Program& program = **found;
+    program.use();
+    if (filmed) {
+        setLayerLook(program, filmed->look, filmed->texels, {layer_->width(), layer_->height()},
+                     filmed->frame);
+        glActiveTexture(GL_TEXTURE1);
+        glBindTexture(GL_TEXTURE_2D, grain_.name());
+        program.set("grain", 1);
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, layer_->texture());
-    program_.set("layer", 0);
+    program.set("layer", 0);
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(glm::vec2)),
@@ -118,6 +131,7 @@ void LayerPass::layOver(std::span<const Box> boxes) {
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
     glDisable(GL_BLEND);
     glBindVertexArray(0);
+    return Done{};
 }
 
 } // namespace shoal::render

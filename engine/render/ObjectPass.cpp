@@ -265,6 +265,13 @@ std::span<const Box> ObjectPass::seen(const View& view) {
     return boxes_;
 }
 
+std::span<const Ball> ObjectPass::ballsSeen(const View& view) {
+    balls_.clear();
+    for (const Item& item : items_)
+        if (sees(view, item.bound)) balls_.push_back(item.bound);
+    return balls_;
+}
+
 void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);

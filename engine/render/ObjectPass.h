@@ -43,6 +43,8 @@ class ObjectPass {
     // Where in the picture the objects are that the view sees; may be more, never less. Good until the next
     // call.
     std::span<const Box> seen(const View& view);
+    // The same objects in the world.
+    std::span<const Ball> ballsSeen(const View& view);
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -70,6 +72,7 @@ class ObjectPass {
     std::vector<uint8_t> matrices_;
     std::vector<glm::mat4> joints_;
     std::vector<Box> boxes_; // scratch
+    std::vector<Ball> balls_;
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

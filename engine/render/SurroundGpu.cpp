@@ -56,6 +56,7 @@ void SurroundGpu::uploadFrame(const CodedFrame& frame) {
                         frame.pixels);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     coded_ = true;
+    ++frameNumber_;
     frameWidth_ = frame.width;
     frameHeight_ = frame.height;
 }
@@ -67,6 +68,7 @@ void SurroundGpu::uploadFrame(const ImageRgbF& radianceLin) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, radianceLin.width, radianceLin.height, 0, GL_RGB, GL_FLOAT,
                  radianceLin.pixels.data());
     coded_ = false;
+    ++frameNumber_;
     frameWidth_ = radianceLin.width;
     frameHeight_ = radianceLin.height;
 }

@@ -6,6 +6,7 @@
 #include "engine/light/PackedLight.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace shoal::render {
@@ -29,6 +30,8 @@ class SurroundGpu {
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
     int frameHeight() const { return frameHeight_; }
+    uint64_t frameNumber() const { return frameNumber_; } // of those uploaded; 0: none yet
+    GLuint frameTexture() const { return frame_.name(); }
 
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
@@ -39,6 +42,7 @@ class SurroundGpu {
   private:
     gl::Texture frame_, light_, mirrors_;
     int frameWidth_ = 0, frameHeight_ = 0;
+    uint64_t frameNumber_ = 0;
     bool coded_ = true;
     int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
     size_t mirrorLevels_ = 0;

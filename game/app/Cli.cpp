@@ -170,8 +170,10 @@ void addPlay(CLI::App& app, PlayOptions& options) {
     app.add_option(
            "--compose", options.compose,
            "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
-           "finely as the video is, and scaled up with it; auto: plain")
-        ->check(CLI::IsMember({"auto", "plain", "resolution"}))
+           "finely as the video is, and scaled up with it; texels, into the video's own frame; camera, as "
+           "its "
+           "camera would have filmed them (blur, noise, levels, colours; all estimated); auto: plain")
+        ->check(CLI::IsMember({"auto", "plain", "resolution", "texels", "camera"}))
         ->capture_default_str();
     app.add_flag("--backdrop-only", options.backdropOnly,
                  "Draws the surround alone, to compare frame times with");

@@ -42,6 +42,13 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
 constexpr float kHintTime_s = 7;
 constexpr double kSlowestFrame_s = 0.5;
 
+Compose composeNamed(const std::string& name) {
+    return name == "resolution" ? Compose::Resolution
+           : name == "texels"   ? Compose::Texels
+           : name == "camera"   ? Compose::Camera
+                                : Compose::Plain;
+}
+
 Immersed immersedIn(const PlayOptions& options, const game::DiveFile& dive) {
     if (options.water != "auto") return options.water == "on" ? Immersed::Yes : Immersed::No;
     if (!isOwnVideo(options.surround)) return Immersed::IfItLooksSo;
@@ -140,18 +147,19 @@ Status Player::open() {
                         .pyramid = options.look.glossy == "phong36",
                         .leastRoughness = cast->leastRoughness(),
                         .immersed = immersedIn(options, plan.dive),
+                        .filmLook = composeNamed(options.compose) == Compose::Camera,
                         .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt,
                         .findLights = own && shadows,
                         .wait = [&] { return !window || !window->poll().closing; }});
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
-    auto madeStage = Stage::make(
-        std::move(*cast), {.detail = detail,
-                           .snow = options.snow,
-                           .shadows = shadows,
-                           .compose = options.compose == "resolution" ? Compose::Resolution : Compose::Plain,
-                           .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
+    auto madeStage =
+        Stage::make(std::move(*cast), {.detail = detail,
+                                       .snow = options.snow,
+                                       .shadows = shadows,
+                                       .compose = composeNamed(options.compose),
+                                       .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();
@@ -281,7 +289,8 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         canvas.bind();
         // The backdrop is infinitely far: parallel eyes see the same of it, and copying is quicker than
         // drawing.
-        const bool shared = eyes == 2 && samples == 1 && surround->eyesSeeTheSame();
+        const bool shared =
+            eyes == 2 && samples == 1 && surround->eyesSeeTheSame() && stage->eyesShareBackdrop();
         if (!shared || eye.eye == 0)
             if (Status drawn = stage->drawBackdrop(eye); !drawn) return drawn;
         if (shared && eye.eye == 0) {

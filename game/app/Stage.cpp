@@ -1,5 +1,7 @@
 #include "game/app/Stage.h"
 
+#include <numbers>
+
 namespace shoal::app {
 
 Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
@@ -19,10 +21,15 @@ Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
         stage.shadows_ = std::move(*shadows);
     }
     stage.layerSamples_ = setup.layerSamples;
-    for (int eye = 0; eye < 2 && setup.compose == Compose::Resolution; ++eye) {
+    stage.compose_ = setup.compose;
+    for (int eye = 0; eye < 2 && setup.compose != Compose::Plain; ++eye) {
         auto layer = render::LayerPass::make();
         if (!layer) return layer.error();
         stage.layers_.push_back(std::move(*layer));
+        if (setup.compose != Compose::Texels) continue;
+        auto frame = render::LatLongPass::make();
+        if (!frame) return frame.error();
+        stage.frames_.push_back(std::move(*frame));
     }
     return stage;
 }
@@ -41,7 +48,21 @@ void Stage::set(const game::Snapshot& snapshot, const Surround& surround, bool b
 
 glm::ivec2 Stage::layerSize(const Eye& eye) const {
     if (layers_.empty() || backdropOnly_) return eye.size;
-    return render::sizeAsFine(eye.view, eye.size, eye.surround.gpu(eye.eye).frameHeight());
+    int rows = eye.surround.gpu(eye.eye).frameHeight();
+    if (compose_ == Compose::Camera)
+        rows = static_cast<int>(static_cast<float>(rows) / render::layerLook(eye.surround.filmLook()).texels);
+    return render::sizeAsFine(layerView(eye), eye.size, rows);
+}
+
+// Only what is display-coded can hold what is drawn: an HDR picture cannot.
+bool Stage::paintsTexels(const Eye& eye) const {
+    return compose_ == Compose::Texels && !backdropOnly_ && eye.surround.gpu(eye.eye).frameIsCoded();
+}
+
+render::View Stage::layerView(const Eye& eye) const {
+    // The backdrop's filter looks a texel beyond the edge.
+    constexpr float kBeyond = 1.02f;
+    return paintsTexels(eye) ? render::widened(eye.view, kBeyond) : eye.view;
 }
 
 Status Stage::drawSnow(render::SnowPass::On on, const Eye& eye, const render::View& view) {
@@ -61,18 +82,32 @@ Status Stage::drawBodies(const Eye& eye, const render::View& view) {
 
 Status Stage::drawLayer(const Eye& eye) {
     const glm::ivec2 size = layerSize(eye);
-    if (size == eye.size) return Done{};
+    if (size == eye.size && !paintsTexels(eye)) return Done{};
     render::LayerPass& layer = layers_[static_cast<size_t>(eye.eye)];
-    render::View view = eye.view;
+    render::View view = layerView(eye);
     view.heightPixels = size.y;
     layer.begin(size, layerSamples_);
-    if (Status s = drawBodies(eye, view); !s) return s;
-    if (Status s = drawSnow(render::SnowPass::On::Objects, eye, view); !s) return s;
+    Eye drawn = eye;
+    if (paintsTexels(eye)) drawn.exposure = {}; // what is in the frame is exposed with it
+    if (Status s = drawBodies(drawn, view); !s) return s;
+    if (Status s = drawSnow(render::SnowPass::On::Objects, drawn, view); !s) return s;
     layer.end();
     return Done{};
 }
 
 Status Stage::drawBackdrop(const Eye& eye) {
+    if (paintsTexels(eye)) {
+        GLint canvas = 0;
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &canvas);
+        // A frame that both eyes see holds one eye's objects after the other's.
+        const size_t frame = eye.surround.eyesSeeTheSame() ? 0 : static_cast<size_t>(eye.eye);
+        const render::View view = layerView(eye);
+        frames_[frame].paint(eye.surround.gpu(eye.eye),
+                             layers_[static_cast<size_t>(eye.eye)].layer().texture(), view,
+                             eye.surround.envFromWorld(), objects_.ballsSeen(view), eye.view.eyeWorld);
+        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(canvas));
+        glViewport(0, 0, eye.size.x, eye.size.y);
+    }
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.
     Status drawn =
         backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure);
@@ -87,13 +122,18 @@ Status Stage::drawObjects(const Eye& eye) {
     // Every pixel gets a colour from an object or from the backdrop: only the depth needs clearing.
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    const bool layered = layerSize(eye) != eye.size;
-    if (!layered)
+    const bool painted = paintsTexels(eye), layered = !painted && layerSize(eye) != eye.size;
+    if (!layered && !painted)
         if (Status s = drawBodies(eye, eye.view); !s) return s;
     // Of a layer, all specks lie behind its objects here; those before them are in it.
     if (Status s = drawSnow(render::SnowPass::On::Everything, eye, eye.view); !s) return s;
-    if (layered) layers_[static_cast<size_t>(eye.eye)].layOver(objects_.seen(eye.view));
-    return Done{};
+    if (!layered) return Done{};
+    render::LayerPass& layer = layers_[static_cast<size_t>(eye.eye)];
+    if (compose_ != Compose::Camera) return layer.layOver(objects_.seen(eye.view));
+    const float rows = static_cast<float>(eye.surround.gpu(eye.eye).frameHeight());
+    const glm::vec2 texels = rows / std::numbers::pi_v<float> * 2.0f * eye.view.halfExtent();
+    const render::LayerPass::Filmed filmed{eye.surround.filmLook(), texels, eye.surround.frameIndex()};
+    return layer.layOver(objects_.seen(eye.view), &filmed);
 }
 
 } // namespace shoal::app

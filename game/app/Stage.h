@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/BackdropPass.h"
+#include "engine/render/LatLongPass.h"
 #include "engine/render/LayerPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/SnowPass.h"
@@ -16,8 +17,10 @@ namespace shoal::app {
 
 // How objects come into the picture of the surround.
 enum class Compose {
-    Plain,     // as finely as the picture is drawn
-    Resolution // as finely as the surround's own picture is, where that is coarser, and scaled up with it
+    Plain,      // as finely as the picture is drawn
+    Resolution, // as finely as the surround's own picture is, where that is coarser, and scaled up with it
+    Texels,     // into the texels of the surround's own picture, and shown with it
+    Camera      // as Resolution, and as the surround's camera would have filmed them
 };
 
 struct StageSetup {
@@ -53,6 +56,9 @@ class Stage {
     Status drawBackdrop(const Eye& eye);
     Status drawObjects(const Eye& eye);
 
+    // Where objects lie in the backdrop, each eye has its own.
+    bool eyesShareBackdrop() const { return compose_ != Compose::Texels; }
+
     int drawCount() const {
         return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (shadows_ ? shadows_->drawCount() : 0) +
                (layers_.empty() ? 0 : 1);
@@ -62,6 +68,8 @@ class Stage {
   private:
     Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects)
         : cast_(std::move(cast)), backdrop_(std::move(backdrop)), objects_(std::move(objects)) {}
+    bool paintsTexels(const Eye& eye) const;
+    render::View layerView(const Eye& eye) const;
     // Of the eye's picture; as large as that where objects are drawn straight into it.
     glm::ivec2 layerSize(const Eye& eye) const;
     Status drawSnow(render::SnowPass::On on, const Eye& eye, const render::View& view);
@@ -72,7 +80,9 @@ class Stage {
     render::ObjectPass objects_;
     std::optional<render::SnowPass> snow_;
     std::optional<Shadows> shadows_;
-    std::vector<render::LayerPass> layers_; // one an eye; none: objects are drawn straight into the picture
+    std::vector<render::LayerPass> layers_;   // one an eye; none: objects are drawn straight into the picture
+    std::vector<render::LatLongPass> frames_; // one an eye; for Compose::Texels
+    Compose compose_ = Compose::Plain;
     int layerSamples_ = 1;
     double time_s_ = 0;
     glm::vec3 headWorld_{0};

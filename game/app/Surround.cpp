@@ -1,5 +1,6 @@
 #include "game/app/Surround.h"
 
+#include "engine/camera/LookOverTime.h"
 #include "engine/core/Log.h"
 #include "engine/light/MakeLight.h"
 #include "engine/media/Pictures.h"
@@ -73,6 +74,7 @@ struct Surround::State {
         light::PackedLight light;
         water::WaterEstimate water;
         light::FoundLights lights;
+        camera::LookEstimate look;
     };
     std::vector<Prepared> prepared;
     std::vector<ImageRgba8> pictures; // the frames as they are uploaded
@@ -90,6 +92,10 @@ struct Surround::State {
     water::WaterOverTime water;
     light::LightOverTime lights;
     light::CastingLight casting;
+    std::optional<camera::LookEstimator> lookEstimator; // empty: nobody asks
+    camera::LookEstimate lastLook;
+    int sinceLook = 0;
+    camera::LookOverTime look;
     double lastUpdate_s = 0;
     double videoPosition_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
@@ -116,6 +122,14 @@ struct Surround::State {
             gpu[static_cast<size_t>(eye)].uploadLight(light);
     }
 
+    // A camera stays what it is: one frame in so many tells enough.
+    void findLook(const light::FrameView& frame, size_t slot) {
+        if (!lookEstimator) return;
+        constexpr int kEvery = 24;
+        if (sinceLook++ % kEvery == 0) lastLook = lookEstimator->estimate(frame);
+        prepared[slot].look = lastLook;
+    }
+
     void makeLight(const light::FrameView& frame, size_t slot) {
         const int every = lightEvery.load(std::memory_order_relaxed);
         if (++sinceLight < every && !newest.light.places.empty()) {
@@ -135,6 +149,15 @@ struct Surround::State {
         water.follow(estimate, immersed == Immersed::Yes ? 1 : estimate.evidence, dt_s);
     }
 
+    // With every picture and not only with new frames: smoother than the video.
+    void follow(const Prepared& now, double time_s) {
+        const auto dt_s = static_cast<float>(time_s - lastUpdate_s);
+        lastUpdate_s = time_s;
+        followWater(now.water, dt_s);
+        if (lightFinder) casting = lights.follow(now.lights, dt_s);
+        if (lookEstimator) look.follow(now.look, dt_s);
+    }
+
     // For a player with kSlots slots.
     void prepareFor(light::LightQuality quality) {
         const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
@@ -144,7 +167,9 @@ struct Surround::State {
     }
 
     void prepare(const ImageRgb8& bgr, const EyePart& part, int slot) {
-        makeLight(viewOf(bgr, part, true), static_cast<size_t>(slot));
+        const light::FrameView frame = viewOf(bgr, part, true);
+        makeLight(frame, static_cast<size_t>(slot));
+        findLook(frame, static_cast<size_t>(slot));
         media::toRgba(bgr, true, pictures[static_cast<size_t>(slot)]);
     }
 
@@ -190,8 +215,7 @@ bool Surround::State::updateLive(double time_s) {
         notice.empty() ? log::info("pictures come again") : log::warn("{}", notice);
     }
     const auto slot = static_cast<size_t>(live->slotOf(frame));
-    followWater(prepared[slot].water, static_cast<float>(time_s - lastUpdate_s));
-    lastUpdate_s = time_s;
+    follow(prepared[slot], time_s);
     if (frame.index == shownFrame) return false;
     shownFrame = frame.index;
     setLayout(frame.layout);
@@ -238,8 +262,9 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     makeLight(viewOf(*picture, part, false), 0);
     light_ms = millisecondsSince(began);
     media::toRgba(*picture, false, pictures[0]);
+    findLook(viewOf(*picture, part, false), 0);
     uploadPicture(0);
-    followWater(prepared[0].water, 0);
+    follow(prepared[0], 0);
     return Done{};
 }
 
@@ -275,6 +300,7 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
                                                                              : light::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
+    if (setup.filmLook) state->lookEstimator.emplace();
     if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
     if (setup.findLights) state->lightFinder.emplace();
     state->yaw = glm::radians(setup.options.envYaw_deg);
@@ -305,11 +331,7 @@ bool Surround::update(double time_s, bool exact) {
         s.notice = std::move(status);
     }
     const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
-    // With every picture and not only with new frames: smoother than the video.
-    s.followWater(prepared.water, static_cast<float>(time_s - s.lastUpdate_s));
-    if (s.lightFinder)
-        s.casting = s.lights.follow(prepared.lights, static_cast<float>(time_s - s.lastUpdate_s));
-    s.lastUpdate_s = time_s;
+    s.follow(prepared, time_s);
     s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
@@ -323,6 +345,10 @@ bool Surround::update(double time_s, bool exact) {
 
 water::Water Surround::water() const { return state_->water.water(); }
 const light::CastingLight& Surround::castingLight() const { return state_->casting; }
+
+camera::FilmLook Surround::filmLook() const { return state_->look.look(); }
+
+int64_t Surround::frameIndex() const { return state_->shownFrame; }
 
 double Surround::length_s() const { return state_->player ? state_->player->info().duration_s : 0; }
 

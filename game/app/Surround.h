@@ -2,6 +2,7 @@
 // graphics side.
 #pragma once
 
+#include "engine/camera/FilmLook.h"
 #include "engine/core/Files.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/render/ModelGpu.h"
@@ -36,6 +37,7 @@ struct SurroundSetup {
     bool pyramid = false;     // keep the radiance pyramid too, for the thesis' glossy lookup
     float leastRoughness = 0; // of all that will be drawn: no light is made for smoother things
     Immersed immersed = Immersed::No; // an HDR picture never is
+    bool filmLook = false;            // find out what the camera did to it
     std::optional<float> eyeHeight_m; // of the camera above the floor, where known
     bool findLights = false;          // of a video: where its light comes from, for shadows
     std::function<bool()> wait;       // of a live video: asked whether to go on waiting for its first picture
@@ -62,6 +64,13 @@ class Surround {
 
     // What throws shadows, as of the last update(); env frame. Nothing unless asked for.
     const light::CastingLight& castingLight() const;
+
+    // What its camera did to it, as of the last update(); nothing where that is not asked for, or an HDR
+    // picture.
+    camera::FilmLook filmLook() const;
+
+    // Of the video's picture, counted on as it repeats; -1: a still.
+    int64_t frameIndex() const;
 
     // Of a video, before it begins anew; 0: a still, or live.
     double length_s() const;

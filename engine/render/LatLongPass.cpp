@@ -1,0 +1,151 @@
+#include "engine/render/LatLongPass.h"
+
+#include "engine/math/LatLong.h"
+#include "engine/render/ObjectPass.h"
+#include "shaders/render/Attributes.glsl"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr glm::ivec2 kTiles(64, 64); // of the frame: 32 x 16 texels of a 2048 x 1024 one
+constexpr float kMargin = 2;         // texels that a layer's filter spreads an object by
+
+void attach(const gl::Framebuffer& framebuffer, GLuint texture) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+}
+
+} // namespace
+
+View widened(const View& view, float factor) {
+    View wide = view;
+    wide.verticalFov = 2 * std::atan(factor * std::tan(view.verticalFov / 2));
+    return wide;
+}
+
+Result<LatLongPass> LatLongPass::make() {
+    LatLongPass pass;
+    auto program = gl::Program::load("render/LatLong");
+    if (!program) return program.error();
+    pass.program_ = std::move(*program);
+    pass.vertexArray_ = gl::VertexArray::make();
+    pass.vertices_ = gl::Buffer::make();
+    pass.frameBuffer_ = gl::Framebuffer::make();
+    pass.keptBuffer_ = gl::Framebuffer::make();
+    glBindVertexArray(pass.vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
+    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
+    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+    glBindVertexArray(0);
+    return pass;
+}
+
+// The tiles of a cap around a direction. Its meridians are furthest from the middle one where they touch it:
+// sin(longitude) = sin(angle) / cos(latitude); a cap that holds a pole touches all.
+void LatLongPass::mark(const glm::vec3& dirEnv, float halfAngle) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const float angle = halfAngle + kMargin * kPi / static_cast<float>(size_.y);
+    const glm::vec2 uv = latLongFromDirection(dirEnv);
+    const float latitude = (0.5f - uv.y) * kPi;
+    const bool polar = std::abs(latitude) + angle >= kPi / 2;
+    const float across = polar ? 0.5f : std::asin(std::sin(angle) / std::cos(latitude)) / (2 * kPi);
+    const auto tile = [](float share, int tiles) {
+        return static_cast<int>(std::floor(share * static_cast<float>(tiles)));
+    };
+    const int top = std::max(tile(uv.y - angle / kPi, kTiles.y), 0);
+    const int bottom = std::min(tile(uv.y + angle / kPi, kTiles.y), kTiles.y - 1);
+    const int left = tile(uv.x - across, kTiles.x);
+    const int right = std::min(tile(uv.x + across, kTiles.x), left + kTiles.x - 1);
+    for (int y = top; y <= bottom; ++y)
+        for (int x = left; x <= right; ++x) // columns repeat: the seam is none
+            marked_[static_cast<size_t>(y * kTiles.x + (x + 2 * kTiles.x) % kTiles.x)] = true;
+}
+
+void LatLongPass::copy(GLuint from, GLuint to) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    for (const Run& r : runs_)
+        glBlitFramebuffer(r.x, r.y, r.x + r.width, r.y + r.height, r.x, r.y, r.x + r.width, r.y + r.height,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void LatLongPass::restore(const SurroundGpu& surround) {
+    if (paintedFrame_ != 0 && paintedFrame_ == surround.frameNumber())
+        copy(keptBuffer_.name(), frameBuffer_.name());
+    paintedFrame_ = 0;
+}
+
+void LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+                        const glm::mat3& envFromWorld, std::span<const Ball> balls,
+                        const glm::vec3& eyeWorld) {
+    assert(surround.frameIsCoded());
+    restore(surround);
+    if (balls.empty()) return;
+    const glm::ivec2 size(surround.frameWidth(), surround.frameHeight());
+    if (size != size_) {
+        size_ = size;
+        kept_ = gl::Texture::make();
+        glBindTexture(GL_TEXTURE_2D, kept_.name());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        attach(keptBuffer_, kept_.name());
+    }
+    attach(frameBuffer_, surround.frameTexture());
+
+    marked_.assign(static_cast<size_t>(kTiles.x * kTiles.y), false);
+    for (const Ball& ball : balls) {
+        const glm::vec3 away = ball.centre - eyeWorld;
+        const float distance = glm::length(away);
+        // Around the eye: everywhere.
+        const float halfAngle =
+            distance > ball.radius ? std::asin(ball.radius / distance) : std::numbers::pi_v<float>;
+        mark(distance > 0 ? envFromWorld * (away / distance) : glm::vec3(0, 0, -1), halfAngle);
+    }
+    runs_.clear();
+    corners_.clear();
+    const auto edge = [](int tile, int tiles, int texels) { return tile * texels / tiles; };
+    for (int y = 0; y < kTiles.y; ++y)
+        for (int x = 0; x < kTiles.x; ++x) {
+            const int first = x;
+            while (x < kTiles.x && marked_[static_cast<size_t>(y * kTiles.x + x)]) ++x;
+            if (x == first) continue;
+            const glm::ivec2 low(edge(first, kTiles.x, size.x), edge(y, kTiles.y, size.y));
+            const glm::ivec2 high(edge(x, kTiles.x, size.x), edge(y + 1, kTiles.y, size.y));
+            if (low.x == high.x || low.y == high.y) continue;
+            runs_.push_back({low.x, low.y, high.x - low.x, high.y - low.y});
+            const glm::vec2 a = glm::vec2(low) / glm::vec2(size), b = glm::vec2(high) / glm::vec2(size);
+            for (const glm::vec2 corner : {a, {b.x, a.y}, {a.x, b.y}, {a.x, b.y}, {b.x, a.y}, b})
+                corners_.push_back(corner);
+        }
+    copy(frameBuffer_.name(), keptBuffer_.name());
+    paintedFrame_ = surround.frameNumber();
+
+    glBindFramebuffer(GL_FRAMEBUFFER, frameBuffer_.name());
+    glViewport(0, 0, size.x, size.y);
+    program_.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, layer);
+    program_.set("layer", 0);
+    program_.set("eyeFromEnv", glm::transpose(envFromWorld * glm::mat3_cast(layerView.worldFromEye)));
+    program_.set("rayScale", layerView.halfExtent());
+    program_.set("rayShift", layerView.shift);
+    glBindVertexArray(vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(glm::vec2)),
+                 corners_.data(), GL_STREAM_DRAW);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
+    glDisable(GL_BLEND);
+    glBindVertexArray(0);
+}
+
+} // namespace shoal::render

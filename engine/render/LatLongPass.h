@@ -1,0 +1,55 @@
+// Lets objects be part of the video's frame: a layer of them, as an eye sees it, goes into the frame's own
+// lat-long texels, only those that it covers, and is then shown with them by the backdrop. Pairs with
+// shaders/render/LatLong.
+//
+// Each texel takes what the layer shows in its middle's direction, so that no triangle is ever drawn in the
+// lat-long map, where straight edges bend and a pole tears them apart: seam and poles need no care.
+#pragma once
+
+#include "engine/gl/Program.h"
+#include "engine/render/SurroundGpu.h"
+#include "engine/render/View.h"
+
+#include <span>
+#include <vector>
+
+namespace shoal::render {
+
+struct Ball;
+
+// The same eye, but so much wider (1: not at all): the backdrop's filter reaches beyond the picture's edge.
+View widened(const View& view, float factor);
+
+class LatLongPass {
+  public:
+    static Result<LatLongPass> make();
+
+    // Into the frame's texels. layer: a texture of display values, premultiplied, seen by layerView; balls:
+    // there must be nothing in it beside them. What the texels held is kept aside. Leaves another framebuffer
+    // bound. Display-coded frames only.
+    void paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+               const glm::mat3& envFromWorld, std::span<const Ball> balls, const glm::vec3& eyeWorld);
+
+    // Gives the texels back what they held, unless the surround has a new frame since.
+    void restore(const SurroundGpu& surround);
+
+  private:
+    struct Run { // of tiles in a row, in texels
+        int x, y, width, height;
+    };
+    void mark(const glm::vec3& dirEnv, float halfAngle);
+    void copy(GLuint from, GLuint to) const; // the runs
+
+    gl::Program program_;
+    gl::VertexArray vertexArray_;
+    gl::Buffer vertices_;
+    gl::Texture kept_;
+    gl::Framebuffer frameBuffer_, keptBuffer_;
+    glm::ivec2 size_{0};        // of the frame
+    uint64_t paintedFrame_ = 0; // its number; 0: nothing is painted
+    std::vector<bool> marked_;  // scratch: tiles
+    std::vector<Run> runs_;
+    std::vector<glm::vec2> corners_; // scratch: of their triangles, uv
+};
+
+} // namespace shoal::render

@@ -1,0 +1,25 @@
+// How far a picture is from one in which the objects were filmed.
+#pragma once
+
+#include "engine/core/Image.h"
+
+#include <string>
+#include <vector>
+
+namespace shoal::bench {
+
+// Where the objects are, 0 to 1 a pixel.
+using Coverage = Image<float, 1>;
+
+struct Distance {
+    double luma = 0;   // root mean square, of 255, over all pixels of objects and those within four of them
+    double colour = 0; // the same of red, green and blue
+    double spectrum_db = 0; // between the power spectra of objects' pixels, root mean square over frequencies
+    double detail_db = 0;   // of objects above those around them: share of power beyond an eighth of a cycle
+                            // a pixel; 0 where they have as much
+    double noise = 0;       // standard deviation, of 255, of objects' inside by its Laplacian
+};
+
+Distance distance(const ImageRgba8& shown, const ImageRgba8& truth, const Coverage& objects);
+
+} // namespace shoal::bench

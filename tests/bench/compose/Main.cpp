@@ -1,0 +1,215 @@
+// How seamless each way of compositing is, and what it costs: bench_compose FOLDER [--quick].
+//
+// Truth: the dive's own film, with the game's objects filmed into it (Filmed.h, Encode.h). Every way then
+// draws the same objects over the same film without them, coded alike, and is compared with that.
+#include "engine/gl/Renderer.h"
+#include "engine/media/VideoPlayer.h"
+#include "engine/platform/Headless.h"
+#include "tests/bench/compose/Distance.h"
+#include "tests/bench/compose/Encode.h"
+#include "tests/bench/compose/Filmed.h"
+#include "tests/bench/compose/Report.h"
+#include "tests/bench/compose/Theatre.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr int kFps = 24, kTaken = 16; // frames that are filmed and coded for each scene, ...
+constexpr int kShown = 12;            // ... and which of them is looked at
+constexpr int kFine = 2;              // pixels of the objects' own picture for one of the shown picture
+
+struct Scene {
+    int frame; // of the film
+    float yaw_deg;
+};
+// The frames whose truth content/truth keeps: open water, reef, overhang, tunnel.
+constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -20}};
+
+struct Stages {
+    std::vector<app::Stage> ways; // as kWays
+};
+
+// So that frame `shown` of the film is the one that is looked at.
+Result<std::vector<ImageRgb8>> readFilm(int shown) {
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4", {});
+    if (!player) return player.error();
+    std::vector<ImageRgb8> frames;
+    for (int frame = shown - kShown; frame < shown - kShown + kTaken; ++frame) {
+        const ImageRgb8& bgr = player->waitFor((frame + 0.5) / kFps)->pixelsBgr;
+        ImageRgb8 rgb = bgr;
+        for (size_t i = 0; i < rgb.pixels.size(); i += 3) std::swap(rgb.pixels[i], rgb.pixels[i + 2]);
+        frames.push_back(std::move(rgb));
+    }
+    return frames;
+}
+
+Coverage coverageOf(const ImageRgba8& fine) {
+    Coverage out(fine.width / kFine, fine.height / kFine);
+    for (int y = 0; y < fine.height; ++y)
+        for (int x = 0; x < fine.width; ++x)
+            *out.at(x / kFine, y / kFine) += static_cast<float>(fine.at(x, y)[3]) / (255.0f * kFine * kFine);
+    return out;
+}
+
+double timeOf(int k) { return (k + 0.5) / kFps; }
+
+// Where most outlines are: the middle of the window whose pixels are most evenly object and not.
+glm::ivec2 worthALook(const Coverage& coverage) {
+    constexpr int kWide = 72, kHigh = 60;
+    glm::ivec2 best(0);
+    float most = -1;
+    for (int top = 0; top + kHigh <= coverage.height; top += 8)
+        for (int left = 0; left + kWide <= coverage.width; left += 8) {
+            float covered = 0;
+            for (int y = top; y < top + kHigh; y += 2)
+                for (int x = left; x < left + kWide; x += 2) covered += *coverage.at(x, y);
+            const float share = covered / (kWide * kHigh / 4);
+            if (share * (1 - share) <= most) continue;
+            most = share * (1 - share);
+            best = {left + kWide / 2, top + kHigh / 2};
+        }
+    return best;
+}
+
+Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, const Path& folder,
+                    Report& report) {
+    auto frames = readFilm(scene.frame);
+    if (!frames) return frames.error();
+    const std::string number = std::to_string(scene.frame);
+    const Path emptyFile = folder / ("film_" + number + ".mp4");
+    if (Status s = encode(emptyFile, *frames, kFps); !s) return s;
+    auto empty = openVideo(emptyFile, plan);
+    if (!empty) return empty.error();
+
+    // The objects move while they are filmed, as what is coded with them does. Twice, with other noise; the
+    // second take begins a frame later, so that the encoder comes to other decisions.
+    std::vector<ImageRgb8> again = *frames;
+    const gl::Target fine(kFine * kPicture.x, kFine * kPicture.y, 4);
+    app::Run run = runTo(plan, static_cast<double>(scene.frame - kShown) / kFps);
+    game::Snapshot moment;
+    Coverage coverage;
+    for (int k = 0; k < kTaken; ++k) {
+        if (k) runOn(run, 1.0 / kFps);
+        empty->update(timeOf(k), true);
+        const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
+        stages.ways[0].set(run.shown, false);
+        if (Status s = drawObjectsAlone(stages.ways[0], *empty, view, fine); !s) return s;
+        const ImageRgba8 objects = fine.read();
+        const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
+        filmInto(takes, objects, view, empty->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
+        if (k != kShown) continue;
+        coverage = coverageOf(objects);
+        moment = run.shown;
+    }
+    const glm::ivec2 look = worthALook(coverage);
+    const gl::Target target(kPicture.x, kPicture.y, 1);
+    const render::View view = viewOf(moment, scene.yaw_deg, kPicture.y);
+    ImageRgba8 truth;
+    for (const bool second : {false, true}) {
+        const Path file = folder / ((second ? "again_" : "filmed_") + number + ".mp4");
+        const std::span<const ImageRgb8> take =
+            second ? std::span<const ImageRgb8>(again).subspan(1) : std::span<const ImageRgb8>(*frames);
+        if (Status s = encode(file, take, kFps); !s) return s;
+        auto filmed = openVideo(file, plan);
+        if (!filmed) return filmed.error();
+        filmed->update(timeOf(second ? kShown - 1 : kShown), true);
+        stages.ways[0].set(moment, true);
+        if (Status s = drawPicture(stages.ways[0], *filmed, view, target); !s) return s;
+        const ImageRgba8 shown = target.read();
+        if (!second) truth = shown;
+        report.add(scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage),
+                   look);
+    }
+    for (size_t way = 0; way < std::size(kWays); ++way) {
+        // A fresh frame for each: one of them paints it.
+        empty->update(timeOf(0), true);
+        empty->update(timeOf(kShown), true);
+        stages.ways[way].set(moment, false);
+        if (Status s = drawPicture(stages.ways[way], *empty, view, target); !s) return s;
+        const ImageRgba8 shown = target.read();
+        report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
+    }
+    return Done{};
+}
+
+// Of all threads of this program, the software renderer's among them.
+double processor_ms() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
+// All ways in turn, frame by frame of the same dive, so that whatever else runs slows each alike; each round
+// begins with another, because the decoder works on after a frame has come.
+Status measureCost(const app::Plan& plan, Stages& stages, int rounds, Report& report) {
+    auto surround = openVideo(dataRoot() / "content/video/reef.mp4", plan);
+    if (!surround) return surround.error();
+    const gl::Target target(kPicture.x, kPicture.y, 1);
+    app::Run run = runTo(plan, 10);
+    using Clock = std::chrono::steady_clock;
+    constexpr size_t kDrawn = std::size(kWays) + 1; // the last: the backdrop alone
+    for (int round = 0; round < rounds; ++round) {
+        runOn(run, 1.0 / 48); // the film has a new frame every other time
+        surround->update(run.shown.time_s, true);
+        for (size_t turn = 0; turn < kDrawn; ++turn) {
+            const size_t way = (turn + static_cast<size_t>(round)) % kDrawn;
+            const bool backdropOnly = way == std::size(kWays);
+            app::Stage& stage = stages.ways[backdropOnly ? 0 : way];
+            const Clock::time_point began = Clock::now();
+            const double processorBegan_ms = processor_ms();
+            stage.set(run.shown, backdropOnly);
+            if (Status s = drawPicture(stage, *surround, viewOf(run.shown, 0, kPicture.y), target); !s)
+                return s;
+            glFinish();
+            const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+            if (round >= 5)
+                report.addTime(backdropOnly ? kBackdropAlone : kWays[way].name,
+                               {wall_ms, processor_ms() - processorBegan_ms});
+        }
+    }
+    return Done{};
+}
+
+Status run(const Path& folder, bool quick) {
+    auto context = platform::Headless::open();
+    if (!context) return context.error();
+    gl::spreadRasterThreads();
+    app::PlayOptions options;
+    options.headless = true;
+    auto plan = app::makePlan(options);
+    if (!plan) return plan.error();
+    Stages stages;
+    for (const Way& way : kWays) {
+        auto stage = makeStage(*plan, way.compose);
+        if (!stage) return stage.error();
+        stages.ways.push_back(std::move(*stage));
+    }
+    Report report;
+    for (const Scene& scene : kScenes) {
+        std::fprintf(stderr, "compose: scene of frame %d\n", scene.frame);
+        if (Status s = measureScene(scene, *plan, stages, folder, report); !s) return s;
+        if (quick) break;
+    }
+    std::fprintf(stderr, "compose: times\n");
+    if (Status s = measureCost(*plan, stages, quick ? 25 : 105, report); !s) return s;
+    return report.write(folder);
+}
+
+} // namespace
+} // namespace shoal::bench
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "bench_compose FOLDER [--quick]: see tests/bench/compose_chart\n");
+        return 2;
+    }
+    const shoal::Status done = shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick");
+    if (!done) std::fprintf(stderr, "bench_compose: %s\n", done.error().sentence().c_str());
+    return done ? 0 : 1;
+}

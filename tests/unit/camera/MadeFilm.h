@@ -1,0 +1,114 @@
+// Frames with a known blur, known noise, known levels and known chroma.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/core/Random.h"
+#include "engine/light/FrameView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::camera {
+
+struct Film {
+    int width = 800, height = 256; // the estimator reads every row of its middle half
+    float blur_texels = 1;
+    float noise = 0;       // standard deviation of 255
+    float noiseSlope = 0;  // more of it at white, of 255
+    int grain_texels = 1;  // squares that share their noise
+    int chroma_texels = 1; // squares that share their colour; ...
+    bool drawn = false;    // ... or rather, between whose middles it is drawn straight
+    float black = 20, white = 235;
+};
+
+inline float gaussian(Random& random) { // Box and Muller 1958
+    const float u = std::max(random.unit(), 1e-7f);
+    return std::sqrt(-2 * std::log(u)) * std::cos(2 * std::numbers::pi_v<float> * random.unit());
+}
+
+// Bars 40 texels apart, of random greys with a tint, that lean by up to 20 degrees; each row of the map
+// stretched as the sphere asks, so that the blur is the same angle everywhere.
+inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
+    ImageRgb8 frame(film.width, film.height);
+    Random random(seed, 3);
+    constexpr int kApart = 40;
+    const int bars = film.width / kApart;
+    std::vector<float> greys, blues, reds, leans, places;
+    for (int i = 0; i < bars; ++i) {
+        greys.push_back(random.between(film.black, film.white));
+        blues.push_back(random.between(-25, 25));
+        reds.push_back(random.between(-25, 25));
+        leans.push_back(random.between(-0.36f, 0.36f));
+        places.push_back(static_cast<float>((i + 1) * kApart) + random.between(-4, 4));
+    }
+    const auto shown = [&](const std::vector<float>& of, float x, float y) {
+        const float latitude = (0.5f - y / static_cast<float>(film.height)) * std::numbers::pi_v<float>;
+        const float sigma = std::max(film.blur_texels / std::cos(latitude), 1e-3f);
+        const int near = static_cast<int>(x) / kApart;
+        float value = of[static_cast<size_t>(std::clamp(near - 1, 0, bars - 1))];
+        for (int i = std::max(near - 1, 0); i < std::min(near + 2, bars - 1); ++i) {
+            const auto n = static_cast<size_t>(i);
+            const float at = places[n] + leans[n] * (std::fmod(y, 16.0f) - 8);
+            const float beyond =
+                std::erf((x - at) * std::cos(std::atan(leans[n])) / sigma * std::numbers::sqrt2_v<float> / 2);
+            value += (of[n + 1] - of[n]) * (0.5f + 0.5f * beyond);
+        }
+        return value;
+    };
+    // Bars hardly lean: within a row their places are as good as even.
+    const auto mean = [&](const std::vector<float>& of, int x, int y, int size) {
+        float sum = 0;
+        const int samples = 5 * size;
+        for (int i = 0; i < samples; ++i)
+            sum += shown(of, static_cast<float>(x) + (static_cast<float>(i) + 0.5f) / 5,
+                         static_cast<float>(y) + 0.5f * static_cast<float>(size));
+        return sum / static_cast<float>(samples);
+    };
+    // Colours come in bands down the frame, too.
+    const auto meanTint = [&](const std::vector<float>& of, int x, int y, int size) {
+        const float turn = 2 * std::numbers::pi_v<float> / 11, top = turn * static_cast<float>(y),
+                    bottom = turn * static_cast<float>(y + size);
+        return mean(of, x, y, size) + 15 * (std::cos(top) - std::cos(bottom)) / (bottom - top);
+    };
+    const int c = film.chroma_texels;
+    std::vector<float> grains(static_cast<size_t>(film.width));
+    for (int y = 0; y < film.height; ++y) {
+        if (y % film.grain_texels == 0)
+            for (int x = 0; x < film.width; ++x)
+                grains[static_cast<size_t>(x)] =
+                    x % film.grain_texels ? grains[static_cast<size_t>(x - 1)] : gaussian(random);
+        for (int x = 0; x < film.width; ++x) {
+            float luma = mean(greys, x, y, 1);
+            luma += grains[static_cast<size_t>(x)] * (film.noise + film.noiseSlope * luma / 255);
+            const auto tint = [&](const std::vector<float>& of) {
+                if (!film.drawn || c == 1) return meanTint(of, x / c * c, y / c * c, c);
+                const auto at = [&](int i, int j) {
+                    return meanTint(of, std::max(i, 0) * c, std::max(j, 0) * c, c);
+                };
+                const auto along = [&](int p) {
+                    return (static_cast<float>(p) + 0.5f) / static_cast<float>(c) - 0.5f;
+                };
+                const int i = static_cast<int>(std::floor(along(x))),
+                          j = static_cast<int>(std::floor(along(y)));
+                const float fx = along(x) - static_cast<float>(i), fy = along(y) - static_cast<float>(j);
+                return (at(i, j) * (1 - fx) + at(i + 1, j) * fx) * (1 - fy) +
+                       (at(i, j + 1) * (1 - fx) + at(i + 1, j + 1) * fx) * fy;
+            };
+            const float blueLess = tint(blues), redLess = tint(reds);
+            const float r = luma + redLess, b = luma + blueLess;
+            const float g = (luma - 0.2126f * r - 0.0722f * b) / 0.7152f;
+            uint8_t* to = frame.at(x, y);
+            const float values[3] = {r, g, b};
+            for (int k = 0; k < 3; ++k)
+                to[k] = static_cast<uint8_t>(std::clamp(values[k] + 0.5f, 0.0f, 255.0f));
+        }
+    }
+    return frame;
+}
+
+inline light::FrameView viewOf(const ImageRgb8& frame) {
+    return {frame.pixels.data(), frame.width, frame.height, 3 * frame.width, false};
+}
+
+} // namespace shoal::camera
