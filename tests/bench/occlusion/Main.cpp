@@ -21,7 +21,9 @@ int main(int argc, char** argv) {
     const auto scenes = bench::makeScenes();
     if (!scenes) return complain(scenes.error());
     const auto chart = bench::measureOcclusion(*scenes, shared ? shared : "", argc == 3);
-    for (const auto write :
-         {bench::writeOcclusionMarkdown, bench::writeOcclusionCsv, bench::writeOcclusionPicture})
-        if (const Status written = write(chart, folder); !written) return complain(written.error());
+    const auto layers = bench::measureLayers(*scenes, argc == 3);
+    for (const Status& written :
+         {bench::writeOcclusionMarkdown(chart, layers, folder), bench::writeOcclusionCsv(chart, folder),
+          bench::writeOcclusionPicture(chart, folder)})
+        if (!written) return complain(written.error());
 }

@@ -44,9 +44,14 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
     }
     const Cells cells = cellsOf(fine);
     auto methods = occlusionMethods();
+    if (std::getenv("ELL"))
+        std::erase_if(methods, [](auto& m) {
+            return m.label.name.find("ellips") == std::string::npos && m.label.name != "off";
+        });
     for (const OcclusionMethod& each : methods)
         chart.methods.push_back({.label = each.label, .moves = each.moves});
     for (const Scene& scene : scenes) {
+        if (std::getenv("ONLY") && scene.name.find(std::getenv("ONLY")) == std::string::npos) continue;
         std::fprintf(stderr, "occlusion: %s: truth by %zu cells", scene.name.c_str(), cells.cells.size());
         chart.scenes.push_back(scene.name);
         const Rays rays(scene.meshes());

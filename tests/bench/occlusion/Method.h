@@ -57,5 +57,10 @@ OcclusionMethod exactRays(int directions);
 OcclusionMethod balls();
 OcclusionMethod screenSpace(int samples);
 OcclusionMethod boneDistances(int cones, int cells);
+// Whose ellipsoids take light, and whether each body's own occlusion is baked at rest.
+enum class Casting { Others, OthersAndBaked, All };
+OcclusionMethod ellipsoids(Casting casting);
+OcclusionMethod thesisLayers(int directions);
+OcclusionMethod curedLayers(int directions);
 
 } // namespace shoal::bench

@@ -14,6 +14,12 @@ std::vector<OcclusionMethod> occlusionMethods() {
     all.push_back(coherentShadowMaps(1024, 128));
     all.push_back(layeredDepth(64, 128));
     all.push_back(layeredDepth(256, 256));
+    for (const int directions : {64, 256}) {
+        all.push_back(thesisLayers(directions));
+        all.push_back(curedLayers(directions));
+    }
+    for (const Casting casting : {Casting::Others, Casting::OthersAndBaked, Casting::All})
+        all.push_back(ellipsoids(casting));
     all.push_back(balls());
     all.push_back(boneDistances(32, 12));
     all.push_back(screenSpace(16));

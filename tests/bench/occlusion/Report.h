@@ -2,13 +2,15 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "tests/bench/occlusion/LayerQuality.h"
 #include "tests/bench/occlusion/Measure.h"
 
 namespace shoal::bench {
 
-Status writeOcclusionMarkdown(const OcclusionChart& chart, const Path& folder); // occlusion.md
-Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder);      // occlusion.csv: everything
-Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder);  // occlusion.data.gp
+Status writeOcclusionMarkdown(const OcclusionChart& chart, const std::vector<LayerQuality>& layers,
+                              const Path& folder);                             // occlusion.md
+Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder);     // occlusion.csv: everything
+Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder); // occlusion.data.gp
 
 // Root mean square over the surrounds, each weighing the same.
 enum class Under { Reef, NoSuns, Suns };
