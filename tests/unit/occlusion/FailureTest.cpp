@@ -126,7 +126,7 @@ TEST(Failure, TwoHundredLayersInAPixel) {
         body.positions.insert(body.positions.end(), slab.positions.begin(), slab.positions.end());
         body.normals.insert(body.normals.end(), slab.normals.begin(), slab.normals.end());
     }
-    const auto cured = Ollfb::make(body.mesh(), {.views = 54, .resolution = 32});
+    const auto cured = Ollfb::make(body.mesh(), {.views = 20, .resolution = 32});
     ASSERT_TRUE(cured) << cured.error().sentence();
     const auto thesis = OllfbThesis::make(body.mesh(), {.cells = 3, .resolution = 32});
     ASSERT_TRUE(thesis);
@@ -145,7 +145,7 @@ TEST(Failure, TwoHundredLayersInAPixel) {
     }
     // Said, not taken: a hundredth of the memory.
     const auto refused =
-        Ollfb::make(body.mesh(), {.views = 54, .resolution = 32, .mostBytes = cured->bytes() / 100});
+        Ollfb::make(body.mesh(), {.views = 20, .resolution = 32, .mostBytes = cured->bytes() / 100});
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().reason, testing::HasSubstr("fewer"));
     const auto refusedThesis = OllfbThesis::make(body.mesh(), {.mostBytes = 1000});
