@@ -5,7 +5,7 @@
 
 namespace shoal::gl {
 
-Target::Target(int width, int height, int samples, bool stencil) : width_(width), height_(height) {
+Target::Target(int width, int height, int samples, Kind kind) : width_(width), height_(height) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     samples_ = std::clamp(samples, 1, std::max(1, most));
@@ -16,16 +16,33 @@ Target::Target(int width, int height, int samples, bool stencil) : width_(width)
         glRenderbufferStorageMultisample(GL_RENDERBUFFER, sampleCount, format, width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer.name());
     };
+    // What is read in the end: without samples that is what is drawn into.
+    const auto attachShown = [&](Renderbuffer& buffer) {
+        if (kind != Kind::Sampled) return attach(buffer, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0);
+        texture_ = Texture::make();
+        glBindTexture(GL_TEXTURE_2D, texture_.name());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    };
     drawn_ = Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-    attach(colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, storage);
+    if (samples_ > 1)
+        attach(colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, storage);
+    else
+        attachShown(colour_);
+    const bool stencil = kind == Kind::Stencilled;
     attach(depth_, stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24,
            stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, storage);
     assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
     if (samples_ > 1) {
         resolved_ = Framebuffer::make();
         glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
-        attach(resolvedColour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0);
+        attachShown(resolvedColour_);
     }
 }
 
@@ -34,11 +51,17 @@ void Target::bind() const {
     glViewport(0, 0, width_, height_);
 }
 
+void Target::resolve() const {
+    if (samples_ == 1) return;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void Target::blitTo(GLuint destination, int x, int width, int height) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
     if (samples_ > 1 && (width != width_ || height != height_)) { // a resolve may not scale
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
-        glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        resolve();
         glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
     }
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
@@ -48,11 +71,7 @@ void Target::blitTo(GLuint destination, int x, int width, int height) const {
 }
 
 ImageRgba8 Target::read() const {
-    if (samples_ > 1) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
-        glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
+    resolve();
     glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_ > 1 ? resolved_.name() : drawn_.name());
     ImageRgba8 image(width_, height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -1,5 +1,4 @@
-// A picture to draw into, off screen: colour (RGBA8) and depth, optionally multisampled
-// and with a stencil.
+// A picture to draw into, off screen: colour (RGBA8) and depth, optionally multisampled.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -9,15 +8,25 @@ namespace shoal::gl {
 
 class Target {
   public:
+    enum class Kind {
+        Plain,
+        Stencilled, // with a stencil
+        Sampled     // its colour is a texture, which is scaled with a linear filter and ends at its edges
+    };
+
     Target() = default;
     // samples: 1, or up to what the driver has (more is lowered to that).
-    Target(int width, int height, int samples, bool stencil = false);
+    Target(int width, int height, int samples, Kind kind = Kind::Plain);
 
     int width() const { return width_; }
     int height() const { return height_; }
 
     void bind() const; // and sets the viewport
     GLuint framebuffer() const { return drawn_.name(); }
+
+    // Of a Sampled one. What was drawn is in it after resolve(), which leaves another framebuffer bound.
+    GLuint texture() const { return texture_.name(); }
+    void resolve() const;
 
     // Resolves (if multisampled) into `destination` (0: the window) at column x, scaled with a linear filter
     // if sizes differ; leaves the destination bound.
@@ -30,6 +39,7 @@ class Target {
     int width_ = 0, height_ = 0, samples_ = 1;
     Framebuffer drawn_, resolved_;
     Renderbuffer colour_, depth_, resolvedColour_;
+    Texture texture_;
 };
 
 } // namespace shoal::gl

@@ -22,8 +22,8 @@ class Axes {
 
     explicit Axes(int count = 0); // 0 to 65536
     const std::vector<glm::vec3>& axes() const { return axes_; }
-    // Index of the axis nearest to +-direction; within half a table cell (0.02 rad) of the border between
-    // two, it may be the second nearest.
+    // Index of the axis nearest to +-direction; within half a table cell (at most 0.05 rad) of the border
+    // between two, it may be the second nearest.
     int nearest(const glm::vec3& direction) const { return table_[cell(direction)]; }
     // kTableWidth rows.
     const std::vector<uint16_t>& table() const { return table_; }

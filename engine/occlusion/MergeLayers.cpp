@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace shoal::occlusion {
 
@@ -19,8 +20,7 @@ namespace {
 // Sets depth and, where the normals' slope does not fit the depths, slope and normal of the plane through the
 // chosen fragments. Near a silhouette depth grows as a root does: the slope at most samples is far from the
 // mean normal's.
-void fit(const std::vector<Fragment>& fragments, const std::array<int, 16>& chosen, bool towards,
-         Plane& plane) {
+void fit(std::span<const Fragment> fragments, const std::array<int, 16>& chosen, bool towards, Plane& plane) {
     // Least squares, drawn to the normals' slope by this much, which decides where samples are few or in a
     // line.
     constexpr float kPull = 0.02f;
@@ -54,25 +54,26 @@ void fit(const std::vector<Fragment>& fragments, const std::array<int, 16>& chos
     plane.depth = depth - glm::dot(plane.slope, middle);
 }
 
-bool nearer(const Fragment& a, const Fragment& b) {
-    return a.depth != b.depth ? a.depth < b.depth : a.towards > b.towards;
-}
+constexpr uint8_t kTaken = 16; // a sample that no pixel has
 
-// Takes the fragments that continue the nearest one's plane, at most one of each sample; leaves the rest.
-Plane takePlane(std::vector<Fragment>& rest) {
-    const Fragment seed = *std::min_element(rest.begin(), rest.end(), nearer);
+// Takes the fragments that continue the first one's plane, at most one of each sample. By growing depth;
+// those of kTaken are gone.
+Plane takePlane(std::span<Fragment> rest) {
+    const Fragment seed = rest.front();
     const glm::vec2 seedSlope = slopeOf(layBack(seed.normal, seed.towards));
     const float steep = glm::length(seedSlope);
+    constexpr float kBend_px = 0.5f, kFurthest_px = 1.07f; // between two samples of a pixel
+    const float beyond = seed.depth + kBend_px + 2 * steep * kFurthest_px;
     std::array<int, 16> chosen;
     std::array<float, 16> apart;
     chosen.fill(-1);
-    for (int i = 0; i < static_cast<int>(rest.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(rest.size()) && rest[static_cast<size_t>(i)].depth <= beyond; ++i) {
         const Fragment& f = rest[static_cast<size_t>(i)];
-        if (f.towards != seed.towards) continue;
+        if (f.sample == kTaken || f.towards != seed.towards) continue;
         const glm::vec2 aside = sampleOffset(f.sample) - sampleOffset(seed.sample);
         const float off = std::abs(f.depth - seed.depth - glm::dot(seedSlope, aside));
-        // Half a pixel for the surface's bend; where it is steep, its slope may be twice the seed's.
-        if (off > 0.5f + steep * glm::length(aside)) continue;
+        // Where the surface is steep, its slope may be twice the seed's.
+        if (off > kBend_px + steep * glm::length(aside)) continue;
         if (chosen[f.sample] >= 0 && off >= apart[f.sample]) continue;
         chosen[f.sample] = i, apart[f.sample] = off;
     }
@@ -86,10 +87,8 @@ Plane takePlane(std::vector<Fragment>& rest) {
     plane.normal = layBack(length > 0 ? plane.normal / length : seed.normal, seed.towards);
     plane.slope = slopeOf(plane.normal);
     fit(rest, chosen, seed.towards, plane);
-    // Chosen ones are marked by a sample that no pixel has.
     for (const int i : chosen)
-        if (i >= 0) rest[static_cast<size_t>(i)].sample = 16;
-    std::erase_if(rest, [](const Fragment& f) { return f.sample == 16; });
+        if (i >= 0) rest[static_cast<size_t>(i)].sample = kTaken;
     return plane;
 }
 
@@ -97,7 +96,11 @@ Plane takePlane(std::vector<Fragment>& rest) {
 
 void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes) {
     const auto first = static_cast<ptrdiff_t>(planes.size());
-    while (!fragments.empty()) planes.push_back(takePlane(fragments));
+    std::sort(fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) {
+        return a.depth != b.depth ? a.depth < b.depth : a.towards > b.towards;
+    });
+    for (size_t i = 0; i < fragments.size(); ++i)
+        if (fragments[i].sample != kTaken) planes.push_back(takePlane(std::span(fragments).subspan(i)));
     std::stable_sort(planes.begin() + first, planes.end(),
                      [](const Plane& a, const Plane& b) { return a.depth < b.depth; });
 }

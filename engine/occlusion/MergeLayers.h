@@ -35,7 +35,7 @@ glm::vec3 layBack(const glm::vec3& normal, bool towards);
 inline glm::vec2 slopeOf(const glm::vec3& normal) { return -glm::vec2(normal) / normal.z; }
 
 // Appends to `planes` the surfaces that these fragments of one pixel are samples of, by growing depth. Every
-// fragment belongs to one plane, every plane covers a sample once. Leaves `fragments` empty.
+// fragment belongs to one plane, every plane covers a sample once. Uses up the fragments.
 void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes);
 
 } // namespace shoal::occlusion

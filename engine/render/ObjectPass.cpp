@@ -258,6 +258,13 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     return Done{};
 }
 
+std::span<const Box> ObjectPass::seen(const View& view) {
+    boxes_.clear();
+    for (const Item& item : items_)
+        if (sees(view, item.bound)) boxes_.push_back(boxAround(item.bound.centre, item.bound.radius, view));
+    return boxes_;
+}
+
 void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);

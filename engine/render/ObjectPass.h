@@ -5,6 +5,7 @@
 #pragma once
 
 #include "engine/gl/Variants.h"
+#include "engine/render/LayerPass.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
@@ -39,6 +40,10 @@ class ObjectPass {
     Status draw(Part part, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, Glossy glossy);
 
+    // Where in the picture the objects are that the view sees; may be more, never less. Good until the next
+    // call.
+    std::span<const Box> seen(const View& view);
+
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
 
@@ -64,6 +69,7 @@ class ObjectPass {
     std::vector<std::pair<float, size_t>> order_;
     std::vector<uint8_t> matrices_;
     std::vector<glm::mat4> joints_;
+    std::vector<Box> boxes_; // scratch
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

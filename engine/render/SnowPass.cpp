@@ -31,7 +31,7 @@ Result<SnowPass> SnowPass::make() {
     return pass;
 }
 
-Status SnowPass::draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+Status SnowPass::draw(On on, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                       const Exposure& exposure, const water::Water& water, double time_s) {
     auto found = programs_.get(featuresOf(exposure));
     if (!found) return found.error();
@@ -53,7 +53,10 @@ Status SnowPass::draw(const SurroundGpu& surround, const View& view, const glm::
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
+    if (on == On::Objects)
+        glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    else
+        glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
     glEnable(GL_PROGRAM_POINT_SIZE);
     glBindVertexArray(nothing_.name());
     glDrawArrays(GL_POINTS, 0, kSpecks);

@@ -13,9 +13,11 @@ class SnowPass {
   public:
     static Result<SnowPass> make();
 
+    enum class On { Everything, Objects }; // Objects: where alpha says that something has been drawn
+
     // After all that is drawn: near things hide specks. time_s places every speck, so equal times give equal
     // pictures.
-    Status draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+    Status draw(On on, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, double time_s);
 
   private:

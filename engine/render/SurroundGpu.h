@@ -28,6 +28,7 @@ class SurroundGpu {
 
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
+    int frameHeight() const { return frameHeight_; }
 
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;

@@ -159,6 +159,12 @@ void addPlay(CLI::App& app, PlayOptions& options) {
         ->type_name("FILE.json");
     app.add_flag("--timedemo", options.timedemo,
                  "Draws as fast as it can: once to warm up, once measured; the video keeps its own rate");
+    app.add_option(
+           "--compose", options.compose,
+           "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
+           "finely as the video is, and scaled up with it; auto: plain")
+        ->check(CLI::IsMember({"auto", "plain", "resolution"}))
+        ->capture_default_str();
     app.add_flag("--backdrop-only", options.backdropOnly,
                  "Draws the surround alone, to compare frame times with");
     app.add_flag("--mute", options.mute, "No sound");

@@ -63,6 +63,7 @@ struct PlayOptions {
     std::string stats;
     bool timedemo = false;
     bool backdropOnly = false;
+    std::string compose = "auto"; // auto, plain, resolution
     bool mute = false;
     bool headphones = false;
     float volume = 0.8f;

@@ -86,6 +86,7 @@ struct Player {
     Status drawHeadset(const Run& run, glm::ivec2 size);
     render::Exposure exposure() const;
     render::Glossy glossy() const;
+    Stage::Eye eyeOf(int eye, const render::View& view, glm::ivec2 size) const;
     HudInfo hudInfo(const Run& run, const render::View& view) const;
     const platform::WindowInput& readKeys(Run& run, double now_s);
     void govern(Clock::time_point frameBegan);
@@ -141,7 +142,11 @@ Status Player::open() {
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
-    auto madeStage = Stage::make(std::move(*cast), detail, options.snow);
+    auto madeStage = Stage::make(
+        std::move(*cast), {.detail = detail,
+                           .snow = options.snow,
+                           .compose = options.compose == "resolution" ? Compose::Resolution : Compose::Plain,
+                           .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();
@@ -171,6 +176,10 @@ render::Exposure Player::exposure() const {
 
 render::Glossy Player::glossy() const {
     return options.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
+}
+
+Stage::Eye Player::eyeOf(int eye, const render::View& view, glm::ivec2 size) const {
+    return {*surround, eye, view, exposure(), surround->water(), glossy(), size};
 }
 
 HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
@@ -205,10 +214,13 @@ Status Player::drawHeadset(const Run& run, glm::ivec2 size) {
     };
     const Quality quality = governor ? governor->quality() : Quality();
     Status drawn = headset->draw(
-        {.scene =
-             [&](int eye, const render::View& view) {
-                 return stage->draw(*surround, eye, view, exposure(), surround->water(), glossy());
-             },
+        {.scene = [&](int eye, const render::View& view, const gl::Target& canvas) -> Status {
+             const Stage::Eye seen = eyeOf(eye, view, {canvas.width(), canvas.height()});
+             if (Status s = stage->drawLayer(seen); !s) return s;
+             canvas.bind();
+             if (Status s = stage->drawBackdrop(seen); !s) return s;
+             return stage->drawObjects(seen);
+         },
          .marks = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Marks, view, pixels); },
          .panel = [&](const render::View& view, glm::ivec2 pixels) { hudOn(HudPart::Panel, view, pixels); }},
         quality.scale, size);
@@ -245,6 +257,8 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         for (int eye = 0; eye < eyes; ++eye) coarse.emplace_back(drawnSize.x, drawnSize.y, samples);
     }
     stage->set(run.shown, options.backdropOnly);
+    const std::vector<gl::Target>& canvases = coarse.empty() ? targets : coarse;
+    std::vector<Stage::Eye> seen;
     for (int eye = 0; eye < eyes; ++eye) {
         render::View view;
         view.worldFromEye = run.shown.worldFromView;
@@ -253,28 +267,28 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         view.verticalFov = glm::radians(options.fov_deg);
         view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
         view.heightPixels = drawnSize.y;
-        const gl::Target& target = targets[static_cast<size_t>(eye)];
-        const bool enlarge = !coarse.empty();
-        const std::vector<gl::Target>& canvas = enlarge ? coarse : targets;
-        canvas[static_cast<size_t>(eye)].bind();
+        seen.push_back(eyeOf(eye, view, drawnSize));
+        if (Status drawn = stage->drawLayer(seen.back()); !drawn) return drawn;
+    }
+    for (const Stage::Eye& eye : seen) {
+        const auto index = static_cast<size_t>(eye.eye);
+        const gl::Target &target = targets[index], &canvas = canvases[index];
+        canvas.bind();
         // The backdrop is infinitely far: parallel eyes see the same of it, and copying is quicker than
         // drawing.
         const bool shared = eyes == 2 && samples == 1 && surround->eyesSeeTheSame();
-        if (!shared || eye == 0)
-            if (Status drawn = stage->drawBackdrop(*surround, eye, view, exposure()); !drawn) return drawn;
-        if (shared && eye == 0) {
-            canvas[0].blitTo(canvas[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
-            canvas[0].bind();
+        if (!shared || eye.eye == 0)
+            if (Status drawn = stage->drawBackdrop(eye); !drawn) return drawn;
+        if (shared && eye.eye == 0) {
+            canvas.blitTo(canvases[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
+            canvas.bind();
         }
-        if (Status drawn = stage->drawObjects(*surround, eye, view, exposure(), surround->water(), glossy());
-            !drawn)
-            return drawn;
-        if (enlarge) {
-            coarse[static_cast<size_t>(eye)].blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
+        if (Status drawn = stage->drawObjects(eye); !drawn) return drawn;
+        if (!coarse.empty()) {
+            canvas.blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);
             target.bind();
         }
-        if (options.backdropOnly) continue;
-        hud->draw(hudInfo(run, view), eyeSize);
+        if (!options.backdropOnly) hud->draw(hudInfo(run, eye.view), eyeSize);
     }
     times.draws = stage->drawCount();
     times.quality = quality;

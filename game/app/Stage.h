@@ -2,45 +2,72 @@
 #pragma once
 
 #include "engine/render/BackdropPass.h"
+#include "engine/render/LayerPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/SnowPass.h"
 #include "game/app/Cast.h"
 #include "game/app/Surround.h"
 
 #include <optional>
+#include <vector>
 
 namespace shoal::app {
 
+// How objects come into the picture of the surround.
+enum class Compose {
+    Plain,     // as finely as the picture is drawn
+    Resolution // as finely as the surround's own picture is, where that is coarser, and scaled up with it
+};
+
+struct StageSetup {
+    render::Detail detail = render::Detail::Full;
+    bool snow = true; // specks drift in the water, where there is water
+    Compose compose = Compose::Plain;
+    int layerSamples = 4; // for anti-aliasing, of objects that are scaled up
+};
+
 class Stage {
   public:
-    // snow: specks drift in the water, where there is water.
-    static Result<Stage> make(Cast cast, render::Detail detail, bool snow);
+    static Result<Stage> make(Cast cast, const StageSetup& setup);
 
     // Once a frame, before draw().
     void set(const game::Snapshot& snapshot, bool backdropOnly);
 
-    // Once an eye (0 left, 1 right), into the bound framebuffer, whose viewport is set.
-    Status draw(const Surround& surround, int eye, const render::View& view, const render::Exposure& exposure,
-                const water::Water& water, render::Glossy glossy);
+    // What one eye's picture is drawn with.
+    struct Eye {
+        const Surround& surround;
+        int eye = 0; // left, 1: right
+        render::View view;
+        render::Exposure exposure;
+        water::Water water;
+        render::Glossy glossy = render::Glossy::Prefiltered;
+        glm::ivec2 size{0}; // of the canvas, in pixels
+    };
 
-    // Its two halves, for eyes that share a backdrop.
-    Status drawBackdrop(const Surround& surround, int eye, const render::View& view,
-                        const render::Exposure& exposure);
-    Status drawObjects(const Surround& surround, int eye, const render::View& view,
-                       const render::Exposure& exposure, const water::Water& water, render::Glossy glossy);
+    // For each eye: drawLayer() first, which binds a framebuffer of its own, then the others into the canvas,
+    // which is bound by then. Software renderers finish a framebuffer before they begin another: there are
+    // two in a frame.
+    Status drawLayer(const Eye& eye);
+    Status drawBackdrop(const Eye& eye);
+    Status drawObjects(const Eye& eye);
 
-    int drawCount() const { return objects_.drawCount() + 1 + (snow_ ? 1 : 0); }
+    int drawCount() const { return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (layers_.empty() ? 0 : 1); }
     int triangleCount() const { return objects_.triangleCount(); }
 
   private:
-    Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects,
-          std::optional<render::SnowPass> snow)
-        : cast_(std::move(cast)), backdrop_(std::move(backdrop)), objects_(std::move(objects)),
-          snow_(std::move(snow)) {}
+    Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects)
+        : cast_(std::move(cast)), backdrop_(std::move(backdrop)), objects_(std::move(objects)) {}
+    // Of the eye's picture; as large as that where objects are drawn straight into it.
+    glm::ivec2 layerSize(const Eye& eye) const;
+    Status drawSnow(render::SnowPass::On on, const Eye& eye, const render::View& view);
+    Status drawBodies(const Eye& eye, const render::View& view);
+
     Cast cast_;
     render::BackdropPass backdrop_;
     render::ObjectPass objects_;
     std::optional<render::SnowPass> snow_;
+    std::vector<render::LayerPass> layers_; // one an eye; none: objects are drawn straight into the picture
+    int layerSamples_ = 1;
     double time_s_ = 0;
     bool backdropOnly_ = false;
 };

@@ -84,7 +84,8 @@ Status XrPlay::prepare(glm::ivec2 size) {
     if (!headset_.takeMasksChanged() && !resized) return Done{};
     if (resized) {
         targets_.clear();
-        for (int eye = 0; eye < 2; ++eye) targets_.emplace_back(size.x, size.y, samples_, true);
+        for (int eye = 0; eye < 2; ++eye)
+            targets_.emplace_back(size.x, size.y, samples_, gl::Target::Kind::Stencilled);
     }
     // The stencil is written here only, so it stays from frame to frame.
     for (size_t eye = 0; eye < 2; ++eye) {
@@ -105,7 +106,7 @@ Status XrPlay::drawEye(int eye, const Painter& painter, glm::ivec2 window) {
     target.bind();
     {
         const render::VeilPass::OnlySeen seen;
-        if (Status drawn = painter.scene(eye, view); !drawn) return drawn;
+        if (Status drawn = painter.scene(eye, view, target); !drawn) return drawn;
     }
     target.bind();
     painter.marks(view, size);

@@ -31,7 +31,7 @@ class XrPlay {
 
     struct Painter {
         // Into the bound framebuffer, whose viewport is set.
-        std::function<Status(int eye, const render::View&)> scene;
+        std::function<Status(int eye, const render::View&, const gl::Target& canvas)> scene;
         std::function<void(const render::View&, glm::ivec2 size)> marks; // on things in the world
         std::function<void(const render::View&, glm::ivec2 size)> panel; // text, on nothing
     };

@@ -1,0 +1,123 @@
+#include "engine/render/LayerPass.h"
+
+#include "shaders/render/Attributes.glsl"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr glm::ivec2
+    kCells(40, 24); // about 32 pixels each: laying over what is empty costs as much as what is not
+constexpr float kWorthIt =
+    0.85f; // of the picture's width: a larger layer saves less than laying it over takes
+
+// Of a ball's shadow on the line at distance 1, seen from a pinhole: `across` and `ahead` of its centre.
+bool tangents(float across, float ahead, float radius, float& low, float& high) {
+    const float away = std::hypot(across, ahead);
+    if (away <= radius) return false;
+    const float middle = std::atan2(across, ahead), half = std::asin(radius / away);
+    constexpr float kSide = std::numbers::pi_v<float> / 2 - 1e-3f;
+    low = std::tan(std::clamp(middle - half, -kSide, kSide));
+    high = std::tan(std::clamp(middle + half, -kSide, kSide));
+    return true;
+}
+
+} // namespace
+
+Box boxAround(const glm::vec3& centreWorld, float radius, const View& view) {
+    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (centreWorld - view.eyeWorld);
+    glm::vec2 low, high;
+    if (!tangents(inEye.x, -inEye.z, radius, low.x, high.x) ||
+        !tangents(inEye.y, -inEye.z, radius, low.y, high.y))
+        return {};
+    const glm::vec2 half = view.halfExtent();
+    return {(low - view.shift) / half, (high - view.shift) / half};
+}
+
+glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {
+    const float rowsPerSlope = static_cast<float>(frameRows) / std::numbers::pi_v<float>;
+    const float scale = rowsPerSlope * 2 * view.halfExtent().y / static_cast<float>(pixels.y);
+    if (scale > kWorthIt) return pixels;
+    return glm::max(glm::ivec2(glm::ceil(glm::vec2(pixels) * scale)), 1);
+}
+
+Result<LayerPass> LayerPass::make() {
+    LayerPass pass;
+    auto program = gl::Program::load("render/Layer");
+    if (!program) return program.error();
+    pass.program_ = std::move(*program);
+    pass.vertexArray_ = gl::VertexArray::make();
+    pass.vertices_ = gl::Buffer::make();
+    glBindVertexArray(pass.vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
+    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
+    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+    glBindVertexArray(0);
+    return pass;
+}
+
+void LayerPass::begin(glm::ivec2 size, int samples) {
+    if (!layer_ || layer_->width() != size.x || layer_->height() != size.y || samples_ != samples) {
+        layer_.emplace(size.x, size.y, samples, gl::Target::Kind::Sampled);
+        samples_ = samples;
+    }
+    layer_->bind();
+    glDepthMask(GL_TRUE);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void LayerPass::layOver(std::span<const Box> boxes) {
+    marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
+    for (const Box& box : boxes) {
+        // Half a texel more on each side, which the filter reaches.
+        const glm::vec2 margin = 1.0f / glm::vec2(layer_->width(), layer_->height());
+        const auto cellOf = [](const glm::vec2& place) {
+            return glm::ivec2(glm::floor((glm::clamp(place, -1.5f, 1.5f) * 0.5f + 0.5f) * glm::vec2(kCells)));
+        };
+        const glm::ivec2 first = glm::max(cellOf(box.low - margin), 0);
+        const glm::ivec2 last = glm::min(cellOf(box.high + margin), kCells - 1);
+        for (int y = first.y; y <= last.y; ++y)
+            for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
+    }
+    corners_.clear();
+    for (int y = 0; y < kCells.y; ++y)
+        for (int x = 0; x < kCells.x;) {
+            const auto isMarked = [&](int column) {
+                return column < kCells.x && marked_[static_cast<size_t>(y * kCells.x + column)];
+            };
+            int end = x;
+            while (isMarked(end)) ++end;
+            if (end > x) {
+                const glm::vec2 low = glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f;
+                const glm::vec2 high = glm::vec2(end, y + 1) / glm::vec2(kCells) * 2.0f - 1.0f;
+                for (const glm::vec2 corner :
+                     {low, {high.x, low.y}, {low.x, high.y}, {low.x, high.y}, {high.x, low.y}, high})
+                    corners_.push_back(corner);
+            }
+            x = end + 1;
+        }
+    if (corners_.empty()) return;
+
+    program_.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, layer_->texture());
+    program_.set("layer", 0);
+    glBindVertexArray(vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(glm::vec2)),
+                 corners_.data(), GL_STREAM_DRAW);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
+    glDisable(GL_BLEND);
+    glBindVertexArray(0);
+}
+
+} // namespace shoal::render
