@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/occlusion/CheckMesh.h"
+#include "engine/occlusion/OllfbThesis.h"
 #include "tests/bench/occlusion/Scene.h"
 
 #include <cmath>
@@ -10,9 +11,15 @@
 
 namespace shoal::bench {
 
+// Rays begin so many pixels from where they start, so that buffers do not meet the surface itself: what gives
+// each the least gaps.
+template <class Buffers> inline constexpr float startOf = 0.32f;
+template <> inline constexpr float startOf<occlusion::OllfbThesis> = 3;
+
 template <class Buffers> class LayeredBodies {
   public:
-    LayeredBodies(const Scene& scene, const typename Buffers::Options& options) {
+    LayeredBodies(const Scene& scene, const typename Buffers::Options& options)
+        : nearest_(2 * startOf<Buffers> / static_cast<float>(options.resolution)) {
         for (const Body& body : scene.bodies) {
             auto made = Buffers::make(body.posed.view(), options);
             if (!made) {
@@ -51,13 +58,14 @@ template <class Buffers> class LayeredBodies {
         Buffers buffers;
         occlusion::Ball ball;
     };
-    static float nearestOf(const One& body) { return 0.01f * body.ball.radius; } // for lack of finer buffers
+    float nearestOf(const One& body) const { return nearest_ * body.ball.radius; }
     static bool meets(const occlusion::Ball& ball, const glm::vec3& origin, const glm::vec3& direction) {
         const glm::vec3 to = ball.centre - origin;
         const float along = glm::dot(to, direction), square = ball.radius * ball.radius;
         const float outside = glm::dot(to, to) - square;
         return outside <= 0 || (along > 0 && outside <= along * along);
     }
+    float nearest_ = 0; // of a ball's radius
     std::vector<One> bodies_;
 };
 

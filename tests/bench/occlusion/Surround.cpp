@@ -31,4 +31,14 @@ std::vector<LitSurround> litSurrounds(const Path& shared, bool quick) {
     return all;
 }
 
+Result<Lit> reefLight() {
+    const auto sources = filmedSources();
+    const auto surround = sources.empty() ? std::nullopt : sources.front().load();
+    if (!surround) return Error{"content/video/reef.mp4", "cannot be read"};
+    Lit lit{.name = surround->name};
+    light::LightMaker({.baseWidth = 2048, .leastRoughness = 0.25f}).make(surround->view(), lit.light);
+    lit.harmonics = math::shProject(lit.light.radiance.levels[2]);
+    return lit;
+}
+
 } // namespace shoal::bench

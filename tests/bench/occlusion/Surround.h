@@ -13,4 +13,7 @@ struct LitSurround {
 };
 std::vector<LitSurround> litSurrounds(const Path& shared, bool quick);
 
+// Of a frame of the game's video, in open water.
+Result<Lit> reefLight();
+
 } // namespace shoal::bench
