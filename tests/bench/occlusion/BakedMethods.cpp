@@ -13,7 +13,7 @@ using namespace occlusion::rivals;
 
 namespace {
 
-constexpr int kRays = 256; // a vertex
+constexpr int kRays = 256, kRaysAPoint = 64; // at a vertex; at each of three points in a triangle
 
 // What stands in the way of a body's rays: itself as it rests, or the whole scene as it stands.
 struct Baking {
@@ -76,7 +76,7 @@ OcclusionMethod bakedOcclusion(bool ownBodyAtRest) {
                 for (const Body& body : scene.bodies) {
                     const Baking baking = bakingOf(body, rays, ownBodyAtRest, scene.nearest);
                     state->free.push_back(
-                        bakeAmbientOcclusion(baking.mesh, baking.occluded, kRays, scene.nearest));
+                        bakeAmbientOcclusion(baking.mesh, baking.occluded, kRaysAPoint, scene.nearest));
                 }
             },
             [=] {

@@ -14,7 +14,7 @@ namespace shoal::bench {
 namespace {
 
 constexpr size_t kHandParts = 26, kFishParts = 4, kSharkParts = 6; // as the game fits them
-constexpr int kRays = 256;                                         // a vertex, where occlusion is baked
+constexpr int kRays = 64; // at each of three points in a triangle, where occlusion is baked
 
 occlusion::Ellipsoid<float> moved(const occlusion::Ellipsoid<float>& at, const glm::mat4& to) {
     occlusion::Ellipsoid<float> out = at;

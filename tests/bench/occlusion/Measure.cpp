@@ -44,18 +44,13 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
     }
     const Cells cells = cellsOf(fine);
     auto methods = occlusionMethods();
-    if (std::getenv("ELL"))
-        std::erase_if(methods, [](auto& m) {
-            return m.label.name.find("ellips") == std::string::npos && m.label.name != "off";
-        });
     for (const OcclusionMethod& each : methods)
         chart.methods.push_back({.label = each.label, .moves = each.moves});
     for (const Scene& scene : scenes) {
-        if (std::getenv("ONLY") && scene.name.find(std::getenv("ONLY")) == std::string::npos) continue;
         std::fprintf(stderr, "occlusion: %s: truth by %zu cells", scene.name.c_str(), cells.cells.size());
         chart.scenes.push_back(scene.name);
         const Rays rays(scene.meshes());
-        const auto receivers = spreadReceivers(scene, quick ? 100 : 400);
+        const auto receivers = spreadReceivers(scene, quick ? 100 : 300);
         const OccludedLight truth = occludedLight(scene, rays, receivers, cells);
         chart.noise.push_back(truth.noise);
         double open = 0;
@@ -70,12 +65,14 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
             chart.methods[m].body_us.push_back((now_us() - begin) / static_cast<double>(scene.bodies.size()));
             chart.methods[m].bytes.push_back(methods[m].bytes());
             chart.methods[m].errors.emplace_back();
+            if (methods[m].foresee) methods[m].foresee(receivers);
             for (size_t s = 0; s < surrounds.size(); ++s) {
                 methods[m].relight(surrounds[s].lit);
                 methods[m].shade(receivers, out);
                 if (m == 0) unshaded.push_back(out);
                 chart.methods[m].errors.back().push_back(errorOf(out, truth, s, unshaded[s]));
             }
+            if (methods[m].foresee) methods[m].foresee({});
             const double shade_us = shortest_us(quick ? 5 : 30, [&] { methods[m].shade(receivers, out); });
             chart.methods[m].receiver_ns.push_back(1e3 * shade_us / static_cast<double>(receivers.size()));
         }

@@ -41,6 +41,9 @@ struct OcclusionMethod {
         Rigid,   // follows whole bodies; true for a body as it was built
         Rebuilt, // true for the scene as it was built
     } moves = Moves::Free;
+    // Where set: works out beforehand what does not depend on the surround, for these receivers in the calls
+    // of shade() that follow; none: forgets it. For the errors alone, never while time is taken.
+    std::function<void(std::span<const Receiver>)> foresee;
 };
 
 // Radiance leaving a white matte surface with nothing in the way.

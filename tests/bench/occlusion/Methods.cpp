@@ -11,9 +11,9 @@ std::vector<OcclusionMethod> occlusionMethods() {
     all.push_back(transfer(4, true));
     all.push_back(transfer(4, false));
     all.push_back(coherentShadowMaps(256, 64));
-    all.push_back(coherentShadowMaps(1024, 128));
+    all.push_back(coherentShadowMaps(512, 128));
     all.push_back(layeredDepth(64, 128));
-    all.push_back(layeredDepth(256, 256));
+    all.push_back(layeredDepth(256, 128));
     for (const int directions : {64, 256}) {
         all.push_back(thesisLayers(directions));
         all.push_back(curedLayers(directions));
@@ -23,7 +23,7 @@ std::vector<OcclusionMethod> occlusionMethods() {
     all.push_back(balls());
     all.push_back(boneDistances(32, 12));
     all.push_back(screenSpace(16));
-    for (const int directions : {16, 64, 256, 1024}) all.push_back(exactRays(directions));
+    for (const int directions : {16, 64, 256}) all.push_back(exactRays(directions));
     return all;
 }
 

@@ -90,8 +90,8 @@ mat4 placed(const vec3& at, float yaw, float pitch, float size) {
     return glm::scale(glm::rotate(turned, pitch, vec3(1, 0, 0)), vec3(size));
 }
 
-Scene single(const std::string& name, Body body, const vec3& eye, bool mirror) {
-    Scene scene{.name = name, .camera = {eye, {0, 0, 0}, 0.62f}, .mirror = mirror};
+Scene single(const std::string& name, Body body, const vec3& eye, float fovY, bool mirror) {
+    Scene scene{.name = name, .camera = {eye, {0, 0, 0}, fovY}, .mirror = mirror};
     scene.bodies.push_back(std::move(body));
     return scene;
 }
@@ -103,7 +103,7 @@ Result<Scene> fishScene() {
     scene::updateGlobals(fish->model, fish->pose);
     Scene scene =
         single("fish", bodyOf("snapper", *fish, placed({0, 0, 0}, 0.9f, 0, 0.30f / fish->length_m), true),
-               {0, 0.06f, 0.50f}, false);
+               {0, 0.06f, 0.50f}, 0.46f, false);
     scene.bodies[0].albedoLin = {0.75f, 0.45f, 0.40f};
     return scene;
 }
@@ -147,7 +147,7 @@ Result<Scene> handScene() {
     const vec3 back = palm.orientation * vec3(0, 1, 0), right = glm::cross(back, along);
     const mat4 turned(glm::vec4(right, 0), glm::vec4(back, 0), glm::vec4(along, 0), glm::vec4(hollow, 1));
     Scene scene{.name = "hand closing on a fish",
-                .camera = {{-0.26f, 0.10f, -0.30f}, {0, -0.01f, -0.02f}, 0.50f}};
+                .camera = {{-0.26f, 0.10f, -0.30f}, {0, -0.01f, -0.02f}, 0.38f}};
     scene.bodies.push_back(
         bodyOf("clownfish", *fish, glm::scale(turned, vec3(0.13f / fish->length_m)), false));
     scene.bodies.push_back(bodyOf("hand", *hand, mat4(1), false));
@@ -164,7 +164,7 @@ Result<Scene> sharkScene() {
     scene::animate(shark->model, shark->model.findAnimation("cruise"), 0.3f, shark->pose);
     scene::updateGlobals(shark->model, shark->pose);
     Scene scene{.name = "shark above a shoal",
-                .camera = {{-1.5f, -0.15f, 1.3f}, {0, -0.1f, 0.1f}, 0.72f},
+                .camera = {{-1.05f, -0.42f, 1.0f}, {0, -0.04f, 0.1f}, 0.62f},
                 .nearest = 3e-4f};
     scene.bodies.push_back(
         bodyOf("shark", *shark, placed({0, 0.22f, 0}, 0.3f, 0, 2.2f / shark->length_m), false));
@@ -187,9 +187,9 @@ Result<Scene> sharkScene() {
 
 Result<std::vector<Scene>> makeScenes() {
     std::vector<Scene> scenes;
-    scenes.push_back(single("teapot-like", rigid("teapot", teapot()), {0.10f, 0.20f, 0.42f}, true));
-    scenes.push_back(single("bunny-like", rigid("bunny", bunny()), {0.30f, 0.14f, 0.42f}, false));
-    scenes.push_back(single("torus", rigid("torus", torus()), {0.05f, 0.24f, 0.30f}, true));
+    scenes.push_back(single("teapot-like", rigid("teapot", teapot()), {0.10f, 0.20f, 0.42f}, 0.44f, true));
+    scenes.push_back(single("bunny-like", rigid("bunny", bunny()), {0.30f, 0.14f, 0.42f}, 0.60f, false));
+    scenes.push_back(single("torus", rigid("torus", torus()), {0.05f, 0.24f, 0.30f}, 0.46f, true));
     for (auto* make : {fishScene, handScene, sharkScene}) {
         auto scene = make();
         if (!scene) return scene.error();

@@ -102,6 +102,13 @@ TEST(AmbientOcclusion, UnderABallLacksItsFormFactor) {
     EXPECT_NEAR(baked[0], 1 - ballOcclusion(kUp, centre, 1), 0.003f);
 }
 
+// Half of the floor lies under a slab: its buried corners must not darken what can be seen of its triangles.
+TEST(AmbientOcclusion, BuriedPartsDoNotCount) {
+    const auto baked = bakeAmbientOcclusion(
+        kFloorMesh, [](const vec3& o, const vec3&) { return o.x < 0.5e-3f; }, 64, 0);
+    for (const float free : baked) EXPECT_EQ(free, 1);
+}
+
 // White furnace: radiance 1 from everywhere. Bands 1 to 4 of an even surround vanish, so nothing is cut off.
 TEST(Transfer, WhiteSurroundGivesWhatIsFree) {
     const math::ShRgb surround = math::shProject(white());
