@@ -1,8 +1,7 @@
 // What the game draws: bodies as ellipsoids on their joints, in closed form.
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/FitEllipsoids.h"
-#include "engine/occlusion/Shade.h"
 #include "engine/occlusion/rivals/AmbientOcclusion.h"
+#include "tests/bench/occlusion/EllipsoidParts.h"
 #include "tests/bench/occlusion/Method.h"
 
 #include <algorithm>
@@ -13,29 +12,7 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr size_t kHandParts = 26, kFishParts = 4, kSharkParts = 6; // as the game fits them
 constexpr int kRays = 64; // at each of three points in a triangle, where occlusion is baked
-
-occlusion::Ellipsoid<float> moved(const occlusion::Ellipsoid<float>& at, const glm::mat4& to) {
-    occlusion::Ellipsoid<float> out = at;
-    const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(to))));
-    out.centre = glm::vec3(to * glm::vec4(at.centre, 1));
-    out.worldFromAxes = glm::mat3(to) * at.worldFromAxes / scale;
-    out.semiAxes = scale * at.semiAxes;
-    return out;
-}
-
-std::vector<occlusion::BodyPart> partsOf(const Body& body) {
-    const std::vector<uint16_t> joints(body.boneOf.begin(), body.boneOf.end());
-    std::vector<uint32_t> indices;
-    for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    const bool hand = body.name == "hand";
-    return occlusion::fitEllipsoids({body.rest.positions, indices, joints},
-                                    hand ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape,
-                                    hand                   ? kHandParts
-                                    : body.name == "shark" ? kSharkParts
-                                                           : kFishParts);
-}
 
 struct State {
     const Scene* scene = nullptr;
@@ -62,17 +39,14 @@ std::vector<float> bakedFactors(const Body& body, float nearest, std::span<const
 
 void build(State& state, const Scene& scene, Casting casting) {
     state = {.scene = &scene};
-    state.others.resize(scene.bodies.size());
+    state.others = castingOnOthers(scene);
     state.own.resize(scene.bodies.size());
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
         std::vector<occlusion::Occluder> resting;
         for (const occlusion::BodyPart& part : partsOf(body)) {
             ++state.parts;
-            const occlusion::Occluder posed{moved(part.atRest, body.worldFromRest[part.joint])};
-            for (size_t other = 0; other < scene.bodies.size(); ++other)
-                if (other != b) state.others[other].push_back(posed);
-            if (casting == Casting::All) state.own[b].push_back(posed);
+            if (casting == Casting::All) state.own[b].push_back(posed(part, body));
             if (casting == Casting::All) resting.push_back({part.atRest});
         }
         if (casting != Casting::Others) state.baked.push_back(bakedFactors(body, scene.nearest, resting));

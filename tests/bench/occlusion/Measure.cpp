@@ -76,6 +76,9 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
             const double shade_us = shortest_us(quick ? 5 : 30, [&] { methods[m].shade(receivers, out); });
             chart.methods[m].receiver_ns.push_back(1e3 * shade_us / static_cast<double>(receivers.size()));
         }
+        std::fprintf(stderr, "occlusion: %s: glossy\n", scene.name.c_str());
+        measureGlossy(chart.glossy, scene, rays, std::span(receivers).first(quick ? 50 : receivers.size()),
+                      surrounds);
     }
     return chart;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "tests/bench/occlusion/Glossy.h"
 #include "tests/bench/occlusion/Method.h"
 #include "tests/bench/occlusion/Truth.h"
 
@@ -29,6 +30,7 @@ struct OcclusionChart {
     std::vector<double> shadedShare;        // [scene]: of receivers, in the first surround
     std::vector<double> open;               // [scene]: mean free share of the hemisphere
     std::vector<OcclusionMeasured> methods; // the first ignores occlusion
+    GlossyChart glossy;
 };
 
 OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick);

@@ -77,6 +77,28 @@ square, the truth being followed for as many bounces.
     return out;
 }
 
+std::string glossyTable(const OcclusionChart& chart) {
+    std::string out = text("\n## Glossy light, roughness %.2f\n\nSurrounds without point suns; error in %% "
+                           "and ns a receiver, for "
+                           "each scene. Noise of the truth:",
+                           static_cast<double>(kGlossyRoughness));
+    for (const double noise : chart.glossy.noise) out += " " + percent(noise);
+    out += " %.\n\n| method |";
+    std::string rule = "|---|";
+    for (const std::string& scene : chart.scenes) {
+        out += " " + scene + ", % | ns |";
+        rule += "--:|--:|";
+    }
+    out += "\n" + rule + "\n";
+    for (const GlossyMeasured& each : chart.glossy.methods) {
+        out += "| " + each.name + " |";
+        for (size_t k = 0; k < chart.scenes.size(); ++k)
+            out += text(" %s | %.0f |", percent(each.errors[k]).c_str(), each.receiver_ns[k]);
+        out += "\n";
+    }
+    return out;
+}
+
 // The two scenes that the game's default is judged by.
 bool isJudged(const std::string& scene) { return scene.starts_with("hand") || scene.starts_with("shark"); }
 
@@ -131,7 +153,7 @@ against the triangles, so that what is left is the error of so few directions.
                    percent(worstNoise(chart, k, true)).c_str());
         md += sceneTable(chart, k);
     }
-    md += layerTable(layers);
+    md += glossyTable(chart) + layerTable(layers);
     return writeFileWhole(folder / "occlusion.md", md);
 }
 
