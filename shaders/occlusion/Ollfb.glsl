@@ -27,6 +27,7 @@ uniform bool closed, onlyOuter;
 const int kTableWidth = 64;
 const float kSteepest = 12.0, kLeaving_px = 3.0, kDepthMargin_px = kSteepest * 0.75;
 const float kSheet_px = 0.25, kSheetPerSlope_px = 0.5, kBefore_px = 2.0;
+const float kFurthest_px = 3.0, kLeastRate = 0.05, kAlike = 0.5;
 
 uint half_(uint word, uint index) { return word >> (16u * (index & 1u)) & 0xffffu; }
 uint layerPart(uint layer, uint part) {
@@ -39,7 +40,7 @@ uint coverageOf(uint layer) { return layerPart(layer, 2u); }
 // The ray in its view, pixels, and what has become of it.
 OllfbView view;
 vec3 rayFrom, rayAlong;
-bool forwards, inside, metWall;
+bool forwards, inside;
 float left, metAt;
 uint metLayer;
 
@@ -108,7 +109,6 @@ bool crossLayers(uvec2 here, ivec2 pixel, uint bit, float in_, float out_, bool 
     if (started && deepIn > 0 && !inside) {
         metLayer = nextIn < passedIn ? next : lastIn;
         metAt = in_;
-        metWall = true;
         return true;
     }
     if (at < kNever) {
@@ -148,14 +148,11 @@ bool walkLayers(float begin, float end, bool started) {
     return false;
 }
 
-// View frame: normal, and the distance in pixels.
-vec4 blendHit() {
-    vec3 ownNormal = normalOf(metLayer);
-    if (metWall) return vec4(ownNormal, metAt);
-    vec2 ownSlope = slopeOf(ownNormal);
-    vec3 p = rayFrom + metAt * rayAlong;
-    ivec2 corner = ivec2(floor(p.xy - 0.5));
-    vec2 share = p.xy - 0.5 - vec2(corner);
+// surfaceNear() in `view`; false where no layer fits.
+bool surfaceNear(vec3 place, vec3 normal, out float depth, out vec2 slope, out vec3 blended) {
+    ivec2 corner = ivec2(floor(place.xy - 0.5));
+    vec2 share = place.xy - 0.5 - vec2(corner);
+    float furthest = 1.0 + 0.5 * min(kSteepest, length(normal.xy) / abs(normal.z));
     vec3 normalSum = vec3(0);
     vec2 slopeSum = vec2(0);
     float weightSum = 0.0, flatSum = 0.0, tiltSum = 0.0;
@@ -163,48 +160,52 @@ vec4 blendHit() {
     for (int k = 0; k < 4; ++k) {
         ivec2 pixel = corner + ivec2(k % 2, k / 2);
         if (any(lessThan(pixel, ivec2(0))) || pixel.x >= view.width || pixel.y >= view.height) continue;
-        vec2 aside = p.xy - (vec2(pixel) + 0.5);
+        vec2 aside = place.xy - (vec2(pixel) + 0.5);
         uvec2 here = layersOf(pixel);
-        float nearest = 0.5 + 0.5 * length(ownSlope);
+        float nearest = furthest;
         bool any_ = false;
         vec3 bestNormal;
         float bestDepth;
         for (uint layer = here.x; layer < here.y; ++layer) {
-            vec3 normal = normalOf(layer);
-            float depth = depthOf(layer);
-            float off = abs(depth + dot(slopeOf(normal), aside) - p.z);
-            if (off > nearest || dot(normal, ownNormal) < 0.5) continue;
+            vec3 other = normalOf(layer);
+            float at = depthOf(layer);
+            float off = abs(at + dot(slopeOf(other), aside) - place.z);
+            if (off > nearest || dot(other, normal) < kAlike) continue;
             nearest = off;
             any_ = true;
-            bestNormal = normal;
-            bestDepth = depth;
+            bestNormal = other;
+            bestDepth = at;
         }
         if (!any_) continue;
         float weight = (k % 2 != 0 ? share.x : 1.0 - share.x) * (k / 2 != 0 ? share.y : 1.0 - share.y);
-        vec2 slope = slopeOf(bestNormal);
+        vec2 tilt = slopeOf(bestNormal);
         normalSum += weight * bestNormal;
-        slopeSum += weight * slope;
+        slopeSum += weight * tilt;
         flatSum += weight * bestDepth;
-        tiltSum += weight * dot(slope, aside);
+        tiltSum += weight * dot(tilt, aside);
         weightSum += weight;
         ++found;
     }
-    if (weightSum <= 0.1) return vec4(ownNormal, metAt);
-    float depth = (flatSum + (found == 4 ? 0.5 : 1.0) * tiltSum) / weightSum;
-    float rate = rayAlong.z - dot(slopeSum / weightSum, rayAlong.xy);
-    float shift = abs(rate) > 0.05 ? clamp((depth - p.z) / rate, -1.0, 1.0) : 0.0;
-    return vec4(normalize(normalSum), metAt + shift);
+    if (weightSum <= 0.1) return false;
+    depth = (flatSum + (found == 4 ? 0.5 : 1.0) * tiltSum) / weightSum;
+    slope = slopeSum / weightSum;
+    blended = normalize(normalSum);
+    return true;
+}
+
+mat3 bodyFromView() { return mat3(view.right.xyz, view.up.xyz, view.along.xyz); }
+
+vec3 pixelFromBody(vec3 place) {
+    return place * bodyFromView() * view.pixelsPerMetre - vec3(view.right.w, view.up.w, view.along.w);
 }
 
 vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
     const vec4 nothing = vec4(-1, 0, 0, 0);
     view = views[nearestAxis(direction)];
-    mat3 bodyFromView = mat3(view.right.xyz, view.up.xyz, view.along.xyz);
-    rayFrom = origin * bodyFromView * view.pixelsPerMetre - vec3(view.right.w, view.up.w, view.along.w);
-    rayAlong = direction * bodyFromView;
+    rayFrom = pixelFromBody(origin);
+    rayAlong = direction * bodyFromView();
     forwards = rayAlong.z > 0.0;
     inside = false;
-    metWall = false;
     float first = nearest * view.pixelsPerMetre;
     left = first + kLeaving_px;
     float begin = first, end = kNever;
@@ -214,10 +215,22 @@ vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
                   view.depthRange - kDepthMargin_px + kBefore_px, begin, end))
         return nothing;
     if (!walkLayers(begin, end, begin > first)) return nothing;
-    vec4 hit = blendHit();
-    vec3 outwards = bodyFromView * hit.xyz;
+    float at = metAt / view.pixelsPerMetre, leftAt = left / view.pixelsPerMetre;
+    vec3 outwards = bodyFromView() * normalOf(metLayer);
+    for (int pass = 0; pass < 2; ++pass) {
+        view = views[nearestAxis(outwards)];
+        vec3 place = pixelFromBody(origin + at * direction), blended;
+        float depth;
+        vec2 slope;
+        if (!surfaceNear(place, outwards * bodyFromView(), depth, slope, blended)) break;
+        vec3 along = direction * bodyFromView();
+        float rate = along.z - dot(slope, along.xy);
+        if (abs(rate) > kLeastRate)
+            at += clamp((depth - place.z) / rate, -kFurthest_px, kFurthest_px) / view.pixelsPerMetre;
+        outwards = bodyFromView() * blended;
+    }
     float away = dot(outwards, direction);
-    if (hit.w < left && onlyOuter && away >= 0.0) return nothing;
+    if (at < leftAt && onlyOuter && away >= 0.0) return nothing;
     vec3 normal = away <= 0.0 ? outwards : onlyOuter ? normalize(outwards - away * direction) : -outwards;
-    return vec4(max(hit.w, first) / view.pixelsPerMetre, normal);
+    return vec4(max(at, nearest), normal);
 }
