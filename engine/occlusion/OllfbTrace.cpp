@@ -152,7 +152,7 @@ std::optional<Hit> Ollfb::trace(const glm::vec3& origin, const glm::vec3& direct
         outwards = glm::transpose(straight.viewFromBody) * surface->normal;
     }
     // It grazes the surface it has begun on: blended, this falls away from the ray.
-    if (at * view.pixelsPerMetre < walk.left && onlyOuter_ && glm::dot(outwards, direction) >= 0) return {};
+    if (at * view.pixelsPerMetre < walk.left && glm::dot(outwards, direction) >= 0) return {};
     return Hit{glm::max(at, nearest), towards(outwards, direction, onlyOuter_)};
 }
 

@@ -230,7 +230,7 @@ vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
         outwards = bodyFromView() * blended;
     }
     float away = dot(outwards, direction);
-    if (at < leftAt && onlyOuter && away >= 0.0) return nothing;
+    if (at < leftAt && away >= 0.0) return nothing;
     vec3 normal = away <= 0.0 ? outwards : onlyOuter ? normalize(outwards - away * direction) : -outwards;
     return vec4(max(at, nearest), normal);
 }
