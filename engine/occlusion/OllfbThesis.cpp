@@ -30,11 +30,16 @@ void see(const BodyMesh& mesh, const ThesisViews& views, const glm::mat3& viewFr
 
 } // namespace
 
-Result<OllfbThesis> OllfbThesis::make(const BodyMesh& mesh, const Options& options) {
-    if (Status status = checkMesh(mesh); !status) return status.error();
+Status checkOptions(const OllfbThesis::Options& options) {
     if (options.cells < 1 || options.cells > 16) return Error{"", "views must be 6 n^2 with n from 1 to 16"};
     if (options.resolution < 1 || options.resolution > 1024)
         return Error{"", "the resolution of a view must be 1 to 1024"};
+    return Done{};
+}
+
+Result<OllfbThesis> OllfbThesis::make(const BodyMesh& mesh, const Options& options) {
+    if (Status status = checkMesh(mesh); !status) return status.error();
+    if (Status status = checkOptions(options); !status) return status.error();
     OllfbThesis result;
     result.views_ = {options.cells, options.resolution, boundingBall(mesh)};
     const ThesisViews& views = result.views_;

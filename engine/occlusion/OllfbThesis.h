@@ -71,6 +71,9 @@ class OllfbThesis {
     std::vector<ThesisLayer> layers_;
 };
 
+// Whether the options are in range.
+Status checkOptions(const OllfbThesis::Options& options);
+
 static_assert(TracesRays<OllfbThesis> && KeepsMemory<OllfbThesis>);
 
 } // namespace shoal::occlusion
