@@ -13,7 +13,7 @@ using namespace occlusion::rivals;
 
 namespace {
 
-constexpr int kRays = 256, kRaysAPoint = 64; // at a vertex; at each of three points in a triangle
+constexpr int kRays = 256, kRaysAPoint = 32; // at a vertex; at each of three points in a triangle
 
 // What stands in the way of a body's rays: itself as it rests, or the whole scene as it stands.
 struct Baking {

@@ -12,7 +12,7 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr int kRays = 64; // at each of three points in a triangle, where occlusion is baked
+constexpr int kRays = 32; // at each of three points in a triangle, where occlusion is baked
 
 struct State {
     const Scene* scene = nullptr;

@@ -79,7 +79,7 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
         const Rays own({&body.rest});
         baked.push_back(occlusion::rivals::bakeAmbientOcclusion(
             body.rest.view(),
-            [&](const glm::vec3& o, const glm::vec3& d) { return own.occluded(o, d, scene.nearest); }, 64,
+            [&](const glm::vec3& o, const glm::vec3& d) { return own.occluded(o, d, scene.nearest); }, 32,
             scene.nearest));
     }
     const auto lobe = lobeRays(kLobeRays, 0);
@@ -108,9 +108,12 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
         {"ellipsoids of other bodies", [&](size_t i, const Lit&) { return glm::vec3(fromEllipsoids(i)); }},
         {"both", [&](size_t i, const Lit&) { return glm::vec3(fromBaked(i) * fromEllipsoids(i)); }},
         {"36 rays, the thesis' layered fragment buffers",
-         traced([&](const Receiver& at, const glm::vec3& to) { return thesis.occluded(at.position, to); })},
-        {"36 rays, cured layered fragment buffers",
-         traced([&](const Receiver& at, const glm::vec3& to) { return cured.occluded(at.position, to); })},
+         traced([&](const Receiver& at, const glm::vec3& to) {
+             return thesis.occluded(at.position, to, at.body);
+         })},
+        {"36 rays, cured layered fragment buffers", traced([&](const Receiver& at, const glm::vec3& to) {
+             return cured.occluded(at.position, to, at.body);
+         })},
         {"36 rays, exact", traced([&](const Receiver& at, const glm::vec3& to) {
              return rays.occluded(at.position, to, scene.nearest);
          })},

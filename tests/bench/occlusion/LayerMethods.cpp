@@ -14,7 +14,7 @@ OcclusionMethod layers(OcclusionLabel label, int directions, const typename Buff
         std::move(label), occlusion::rivals::evenDirections(directions), OcclusionMethod::Moves::Rigid,
         [=](const Scene& scene, const Rays&) { return LayeredBodies<Buffers>(scene, options); },
         [](const LayeredBodies<Buffers>& bodies, const Receiver& at, const glm::vec3& direction, size_t) {
-            return bodies.occluded(at.position, direction) ? 0.0f : 1.0f;
+            return bodies.occluded(at.position, direction, at.body) ? 0.0f : 1.0f;
         },
         [](const LayeredBodies<Buffers>& bodies) { return bodies.bytes(); });
 }

@@ -92,7 +92,7 @@ std::vector<LayerQuality> measureLayers(std::span<const Scene> scenes, bool quic
     for (const Scene& scene : scenes) {
         if (scene.bodies.size() > 1) continue;
         const Rays rays(scene.meshes());
-        const Asked asked = ask(scene, rays, quick ? 1000 : 4000);
+        const Asked asked = ask(scene, rays, quick ? 1000 : 3000);
         for (const int resolution : {32, 64})
             for (const int cells : {3, 5, 9})
                 all.push_back(measured<occlusion::OllfbThesis>(scene, asked, "thesis", 6 * cells * cells,

@@ -32,9 +32,11 @@ template <class Buffers> class LayeredBodies {
         }
     }
 
-    bool occluded(const glm::vec3& origin, const glm::vec3& direction) const {
-        for (const One& body : bodies_)
-            if (meets(body.ball, origin, direction) && body.buffers.trace(origin, direction, nearestOf(body)))
+    // own: the body that the ray begins on; what touches it may be nearer than its buffers could tell.
+    bool occluded(const glm::vec3& origin, const glm::vec3& direction, size_t own) const {
+        for (size_t b = 0; b < bodies_.size(); ++b)
+            if (meets(bodies_[b].ball, origin, direction) &&
+                bodies_[b].buffers.trace(origin, direction, b == own ? nearestOf(bodies_[b]) : 0))
                 return true;
         return false;
     }

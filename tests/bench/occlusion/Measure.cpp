@@ -50,7 +50,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
         std::fprintf(stderr, "occlusion: %s: truth by %zu cells", scene.name.c_str(), cells.cells.size());
         chart.scenes.push_back(scene.name);
         const Rays rays(scene.meshes());
-        const auto receivers = spreadReceivers(scene, quick ? 100 : 300);
+        const auto receivers = spreadReceivers(scene, quick ? 60 : 240);
         const OccludedLight truth = occludedLight(scene, rays, receivers, cells);
         chart.noise.push_back(truth.noise);
         double open = 0;
