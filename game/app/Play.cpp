@@ -141,7 +141,7 @@ Status Player::open() {
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
-    auto madeStage = Stage::make(std::move(*cast), detail, options.snow);
+    auto madeStage = Stage::make(std::move(*cast), detail, options.snow, options.look.occlusion == "on");
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();

@@ -2,10 +2,10 @@
 
 namespace shoal::app {
 
-Result<Stage> Stage::make(Cast cast, render::Detail detail, bool snow) {
+Result<Stage> Stage::make(Cast cast, render::Detail detail, bool snow, bool occlusion) {
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
-    auto objects = render::ObjectPass::make(detail);
+    auto objects = render::ObjectPass::make(detail, occlusion);
     if (!objects) return objects.error();
     std::optional<render::SnowPass> snowPass;
     if (snow) {

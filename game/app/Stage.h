@@ -13,8 +13,8 @@ namespace shoal::app {
 
 class Stage {
   public:
-    // snow: specks drift in the water, where there is water.
-    static Result<Stage> make(Cast cast, render::Detail detail, bool snow);
+    // snow: specks drift in the water, where there is water. occlusion: bodies take light from each other.
+    static Result<Stage> make(Cast cast, render::Detail detail, bool snow, bool occlusion);
 
     // Once a frame, before draw().
     void set(const game::Snapshot& snapshot, bool backdropOnly);
