@@ -1,7 +1,6 @@
 #include "engine/occlusion/SmoothLight.h"
 
 #include "engine/math/LatLong.h"
-#include "engine/math/SphericalHarmonics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +28,23 @@ template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     }
 }
 
-std::array<glm::vec3, 9> polynomials(const ImageRgbF& map) {
-    const math::ShRgb sh = math::shProject(map);
-    const auto k = [](double square) { return std::sqrt(square / std::numbers::pi); };
-    // With a = y^2 - 1/3 and b = x^2 - z^2: 3 z^2 - 1 = -1.5 (a + b), x^2 - y^2 = -1.5 a + 0.5 b.
-    const glm::dvec3 z2 = k(5.0 / 16) * sh[6], xy2 = k(15.0 / 16) * sh[8];
-    return {glm::vec3(k(1.0 / 4) * sh[0]),  glm::vec3(k(3.0 / 4) * sh[3]),  glm::vec3(k(3.0 / 4) * sh[1]),
-            glm::vec3(k(3.0 / 4) * sh[2]),  glm::vec3(k(15.0 / 4) * sh[4]), glm::vec3(k(15.0 / 4) * sh[5]),
-            glm::vec3(k(15.0 / 4) * sh[7]), glm::vec3(-1.5 * (z2 + xy2)),   glm::vec3(-1.5 * z2 + 0.5 * xy2)};
-}
+// Mean over the sphere of radiance times polynomials, each divided by the mean of its own square.
+struct Projection {
+    std::array<glm::dvec3, 9> sums{};
+
+    void add(const glm::dvec3& d, const glm::dvec3& flux) {
+        const double a = d.y * d.y - 1 / 3.0, b = d.x * d.x - d.z * d.z;
+        const std::array<double, 9> terms = {
+            1,         3 * d.x, 3 * d.y, 3 * d.z, 15 * d.x * d.y, 15 * d.y * d.z, 15 * d.x * d.z,
+            11.25 * a, 3.75 * b};
+        for (size_t k = 0; k < terms.size(); ++k) sums[k] += terms[k] / (4 * std::numbers::pi) * flux;
+    }
+    std::array<glm::vec3, 9> factors() const {
+        std::array<glm::vec3, 9> result;
+        for (size_t k = 0; k < result.size(); ++k) result[k] = glm::vec3(sums[k]);
+        return result;
+    }
+};
 
 } // namespace
 
@@ -55,26 +62,23 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
         brightest += solidAngle * excess(x, y) * excess(x, y) * dir;
     });
-    if (glm::dot(brightest, brightest) <= 0) {
-        light.around = polynomials(radianceLin);
-        return light;
-    }
-    brightest = glm::normalize(brightest);
-    ImageRgbF rest = radianceLin;
+    const bool even = glm::dot(brightest, brightest) <= 0;
+    if (!even) brightest = glm::normalize(brightest);
+    Projection rest;
     glm::dvec3 flux(0), centre(0);
     double weight = 0;
     eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
-        const double near = std::clamp((glm::dot(dir, brightest) - kReach) / (0.5 * (1 - kReach)), 0.0, 1.0);
+        const double near =
+            even ? 0 : std::clamp((glm::dot(dir, brightest) - kReach) / (0.5 * (1 - kReach)), 0.0, 1.0);
         const float* texel = radianceLin.at(x, y);
-        const double share = near * excess(x, y) / std::max(luminance(texel), 1e-9);
-        for (int c = 0; c < 3; ++c) {
-            rest.at(x, y)[c] -= static_cast<float>(share) * texel[c];
-            flux[c] += solidAngle * share * static_cast<double>(texel[c]);
-        }
-        weight += solidAngle * near * excess(x, y);
-        centre += solidAngle * near * excess(x, y) * dir;
+        const double bright = near * excess(x, y), share = bright / std::max(luminance(texel), 1e-9);
+        const glm::dvec3 all = solidAngle * glm::dvec3(texel[0], texel[1], texel[2]);
+        rest.add(dir, (1 - share) * all);
+        flux += share * all;
+        weight += solidAngle * bright;
+        centre += solidAngle * bright * dir;
     });
-    light.around = polynomials(rest);
+    light.around = rest.factors();
     if (weight <= 0) return light;
     // A cap's mean direction is (1 + cos) / 2 long.
     const double cosine = std::clamp(2 * glm::length(centre) / weight - 1, 0.0, std::sqrt(1 - kLeast));
@@ -82,6 +86,24 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     light.lampShare = static_cast<float>(1 - cosine * cosine);
     light.lampRadiance = glm::vec3(flux / (2 * std::numbers::pi * (1 - cosine)));
     return light;
+}
+
+SmoothLight turned(const SmoothLight& light, const glm::mat3& thereFromHere) {
+    SmoothLight out = light;
+    out.lampTowards = thereFromHere * light.lampTowards;
+    const glm::mat3 back = glm::transpose(thereFromHere);
+    const auto& f = light.around;
+    for (int c = 0; c < 3; ++c) {
+        const glm::vec3 slope = thereFromHere * glm::vec3(f[1][c], f[2][c], f[3][c]);
+        const float xy = f[4][c] / 2, yz = f[5][c] / 2, xz = f[6][c] / 2, a = f[7][c], b = f[8][c];
+        const glm::mat3 bend =
+            thereFromHere * glm::mat3(b - a / 3, xy, xz, xy, 2 * a / 3, yz, xz, yz, -b - a / 3) * back;
+        const float terms[8] = {
+            slope.x,        slope.y,        slope.z,           2 * bend[0][1],
+            2 * bend[1][2], 2 * bend[0][2], 1.5f * bend[1][1], (bend[0][0] - bend[2][2]) / 2};
+        for (size_t k = 0; k < 8; ++k) out.around[k + 1][c] = terms[k];
+    }
+    return out;
 }
 
 } // namespace shoal::occlusion

@@ -3,6 +3,7 @@
 
 #include "engine/core/Image.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -19,7 +20,11 @@ struct SmoothLight {
     glm::vec3 lampRadiance{0};
 };
 
-// Of a lat-long map; a few hundred texels will do. Same frame. Changes smoothly with the map.
+// Of a lat-long map; a few hundred texels will do. Same frame. Changes smoothly with the map. Allocates
+// nothing.
 SmoothLight smoothLight(const ImageRgbF& radianceLin);
+
+// The same light in another frame. thereFromHere: a rotation.
+SmoothLight turned(const SmoothLight& light, const glm::mat3& thereFromHere);
 
 } // namespace shoal::occlusion

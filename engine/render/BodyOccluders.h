@@ -15,7 +15,7 @@ struct BodyOccluders {
         int node = 0;
     };
     std::vector<Part> parts;
-    glm::vec3 albedo{0}; // mean, linear
+    glm::vec3 albedo{0}; // mean; linear
 };
 
 // The model's meshes and pictures must still be there.

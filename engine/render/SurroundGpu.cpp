@@ -81,6 +81,7 @@ void SurroundGpu::uploadLight(const light::PackedLight& light) {
     lightHeight_ = light.atlas.height;
     places_ = light.places;
     mirrorRoughness_ = light.mirrorRoughness;
+    smooth_ = light.smooth;
 
     if (light.mirrors.empty()) return;
     glBindTexture(GL_TEXTURE_2D, mirrors_.name());

@@ -36,6 +36,8 @@ class SurroundGpu {
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
 
+    const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
+
     // Of the smoothest filtered map: smoother surfaces look up the mirrors.
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
@@ -48,6 +50,7 @@ class SurroundGpu {
     size_t mirrorLevels_ = 0;
     std::vector<glm::vec4> places_;
     std::vector<float> mirrorRoughness_;
+    occlusion::SmoothLight smooth_;
 };
 
 } // namespace shoal::render

@@ -39,14 +39,15 @@ class Cast {
         std::array<scene::Beat, game::kMotionNames.size()> beats{}; // by Motion
         std::array<int, 2> pectorals{-1, -1};                       // nodes: left, right
         scene::Silhouette silhouette;
+        render::BodyOccluders body;
         float length_m = 1;                                      // of the rest pose along z
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
     // look: a variant of the model; empty: as it is.
-    Result<Actor> loadActor(const Path& file, const std::string& look, render::Reflectance reflectance,
-                            render::Detail detail);
+    Result<Actor> loadActor(const Path& file, const std::string& look, occlusion::Parts parts, size_t most,
+                            render::Reflectance reflectance, render::Detail detail);
 
     float leastRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading

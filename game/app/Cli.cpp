@@ -80,6 +80,11 @@ void addLook(CLI::App& app, LookOptions& options) {
                    "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples")
         ->check(CLI::IsMember({"ggx", "phong36"}))
         ->capture_default_str();
+    app.add_option(
+           "--occlusion", options.occlusion,
+           "on: bodies take light from each other, and folds from themselves; with any OpenGL from 3.3")
+        ->check(CLI::IsMember({"off", "on"}))
+        ->capture_default_str();
     app.add_option("--samples", options.samples,
                    "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or 1 without a graphics card")
         ->check(CLI::Range(0, 16))

@@ -30,6 +30,7 @@ struct LookOptions {
     std::string glossy = "ggx"; // ggx, phong36
     int samples = 0;            // for anti-aliasing; 0: 4, or 1 on a software renderer
     glm::ivec2 size{1280, 720};
+    std::string occlusion = "on"; // off, on
 };
 
 struct HandOptions {

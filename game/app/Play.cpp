@@ -158,6 +158,7 @@ Status Player::open() {
         Stage::make(std::move(*cast), {.detail = detail,
                                        .snow = options.snow,
                                        .shadows = shadows,
+                                       .occlusion = options.look.occlusion == "on",
                                        .compose = composeNamed(options.compose),
                                        .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
     if (!madeStage) return madeStage.error();

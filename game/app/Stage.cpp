@@ -7,7 +7,7 @@ namespace shoal::app {
 Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
-    auto objects = render::ObjectPass::make(setup.detail);
+    auto objects = render::ObjectPass::make(setup.detail, setup.occlusion);
     if (!objects) return objects.error();
     Stage stage(std::move(cast), std::move(*backdrop), std::move(*objects));
     if (setup.snow) {

@@ -25,8 +25,9 @@ enum class Compose {
 
 struct StageSetup {
     render::Detail detail = render::Detail::Full;
-    bool snow = true;    // specks drift in the water, where there is water
-    bool shadows = true; // fall on the video's ground, where that is known and the surround finds lights
+    bool snow = true;      // specks drift in the water, where there is water
+    bool shadows = true;   // fall on the video's ground, where that is known and the surround finds lights
+    bool occlusion = true; // bodies take light from each other
     Compose compose = Compose::Plain;
     int layerSamples = 4; // for anti-aliasing, of objects that are scaled up
 };

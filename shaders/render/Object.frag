@@ -32,6 +32,13 @@ in vec4 vertexColourLin;
 #ifdef VERTEX_DIFFUSE
 in vec3 diffuseLin;
 #endif
+#ifdef OCCLUDED
+#ifdef VERTEX_DIFFUSE
+in vec4 bodiesInLobe;
+#elif !defined(VERTEX_LIT)
+#include "occlusion/Bodies.glsl"
+#endif
+#endif
 #ifdef WATER
 in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
@@ -85,6 +92,14 @@ void main() {
     vec3 around = diffuseLin;
 #else
     vec3 around = diffuseRadiance(envFromWorld * n);
+#endif
+#ifdef OCCLUDED
+#ifndef VERTEX_DIFFUSE
+    Shaded shaded = shadeByBodies(worldPosition, n, reflect(-v, n), rough);
+    around = max(around - shaded.taken, 0.0);
+    vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
+#endif
+    mirrored = mirrored * bodiesInLobe.a + bodiesInLobe.rgb;
 #endif
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
