@@ -83,7 +83,7 @@ class XrPicture : public test::WithFakeRuntime {
             ASSERT_TRUE(waited) << waited.error().sentence();
             headset.feed(*run_, plan_->rig);
             run_->advance(headset.elapsed_s(), false);
-            stage_->set(run_->shown, false);
+            stage_->set(run_->shown, *surround_, false);
             const Status drawn = headset.draw(painter, scale, {64, 64});
             ASSERT_TRUE(drawn) << drawn.error().sentence();
         }
