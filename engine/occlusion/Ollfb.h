@@ -5,7 +5,8 @@
 // - What is between two layers is inside the body. A ray that is outside in one cell and inside in the next
 // has gone
 //   through the wall between them, however steep.
-// - Where a hit lies and how the surface turns there is read in the view that looks straight at it, blended between
+// - Where a hit lies and how the surface turns there is read in the view that looks straight at it, blended
+// between
 //   four pixels.
 // - A view serves both ways along its axis, and is cropped and turned to what it sees.
 // - 48 bits a layer, 16 a pixel.

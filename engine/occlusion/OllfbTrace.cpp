@@ -151,8 +151,9 @@ std::optional<Hit> Ollfb::trace(const glm::vec3& origin, const glm::vec3& direct
                   straight.pixelsPerMetre;
         outwards = glm::transpose(straight.viewFromBody) * surface->normal;
     }
-    // It grazes the surface it has begun on: blended, this falls away from the ray.
-    if (at * view.pixelsPerMetre < walk.left && glm::dot(outwards, direction) >= 0) return {};
+    // It grazes the surface it has begun on, which blended falls away from it: on from where it has left.
+    if (at * view.pixelsPerMetre < walk.left && glm::dot(outwards, direction) >= 0)
+        return trace(origin, direction, walk.left / view.pixelsPerMetre, farthest);
     return Hit{glm::max(at, nearest), towards(outwards, direction, onlyOuter_)};
 }
 

@@ -199,8 +199,11 @@ vec3 pixelFromBody(vec3 place) {
     return place * bodyFromView() * view.pixelsPerMetre - vec3(view.right.w, view.up.w, view.along.w);
 }
 
-vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
-    const vec4 nothing = vec4(-1, 0, 0, 0);
+const vec4 kNothing = vec4(-1, 0, 0, 0);
+
+// As traceLayers(); `again` where the ray grazes the surface it has begun on: from `nearest`, moved on, it goes on.
+vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again) {
+    again = false;
     view = views[nearestAxis(direction)];
     rayFrom = pixelFromBody(origin);
     rayAlong = direction * bodyFromView();
@@ -213,8 +216,8 @@ vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
         !clipSlab(rayFrom.y, rayAlong.y, 0.0, float(view.height), begin, end) ||
         !clipSlab(rayFrom.z, rayAlong.z, kDepthMargin_px - kBefore_px,
                   view.depthRange - kDepthMargin_px + kBefore_px, begin, end))
-        return nothing;
-    if (!walkLayers(begin, end, begin > first)) return nothing;
+        return kNothing;
+    if (!walkLayers(begin, end, begin > first)) return kNothing;
     float at = metAt / view.pixelsPerMetre, leftAt = left / view.pixelsPerMetre;
     vec3 outwards = bodyFromView() * normalOf(metLayer);
     for (int pass = 0; pass < 2; ++pass) {
@@ -230,7 +233,20 @@ vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
         outwards = bodyFromView() * blended;
     }
     float away = dot(outwards, direction);
-    if (at < leftAt && away >= 0.0) return nothing;
+    if (at < leftAt && away >= 0.0) {
+        nearest = leftAt;
+        again = true;
+        return kNothing;
+    }
     vec3 normal = away <= 0.0 ? outwards : onlyOuter ? normalize(outwards - away * direction) : -outwards;
     return vec4(max(at, nearest), normal);
+}
+
+vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
+    vec4 hit;
+    bool again;
+    do {
+        hit = traceFrom(origin, direction, nearest, again);
+    } while (again);
+    return hit;
 }

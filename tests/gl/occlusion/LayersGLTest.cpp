@@ -31,8 +31,8 @@ std::vector<RayGpu> someRays(const Body& body, int count) {
     std::vector<RayGpu> rays;
     const Ball ball = boundingBall(body.mesh());
     for (int i = 0; i < count; ++i) {
-        const Ray ray = chord(random, ball);
-        rays.push_back({ray.origin, 0.01f, ray.direction});
+        const Ray ray = i % 2 ? chord(random, ball) : reflection(random, body);
+        rays.push_back({ray.origin, 0.01f * ball.radius, ray.direction});
     }
     return rays;
 }
@@ -124,7 +124,7 @@ TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
                     "%.2f %%, %.2f %%, "
                     "normals %.2f %%\n",
                     met, 100 * a.met, 100 * a.distance, 100 * b.met, 100 * b.distance, 100 * b.normal);
-        EXPECT_GT(met, 1000u);
+        EXPECT_GT(met, 1000u); // half of the rays leave the surface
         // Thesis: the layers themselves differ in the pixels of the test above, of which a ray crosses
         // several.
         EXPECT_LE(a.met, 0.005);
