@@ -1,11 +1,11 @@
 #include "tests/bench/occlusion/LayerQuality.h"
 
 #include "engine/core/Random.h"
+#include "engine/occlusion/Mirror.h"
 #include "engine/occlusion/Ollfb.h"
 #include "engine/occlusion/OllfbThesis.h"
 #include "tests/bench/light/Timing.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
-#include "tests/bench/occlusion/Mirror.h"
 
 #include <cmath>
 
@@ -48,8 +48,9 @@ Asked ask(const Scene& scene, const Rays& rays, int count) {
         Question question{at.position, at.mirrored};
         question.hits = rays.occluded(question.origin, question.direction, asked.nearest);
         for (int k = 0; k < 3; ++k)
-            question.seen[k] =
-                surroundAt(leaving(rays, question.origin, question.direction, asked.nearest, kBounces[k]));
+            question.seen[k] = surroundAt(occlusion::followMirrors(rays, question.origin, question.direction,
+                                                                   asked.nearest, kBounces[k])
+                                              .direction);
         asked.questions.push_back(question);
     }
     return asked;
@@ -67,8 +68,9 @@ LayerQuality measured(const Scene& scene, const Asked& asked, const char* name, 
     for (const Question& each : asked.questions) {
         out.gaps += bodies.trace(each.origin, each.direction, asked.nearest).has_value() != each.hits;
         for (int k = 0; k < 3; ++k) {
-            const double seen =
-                surroundAt(leaving(bodies, each.origin, each.direction, asked.nearest, kBounces[k]));
+            const double seen = surroundAt(
+                occlusion::followMirrors(bodies, each.origin, each.direction, asked.nearest, kBounces[k])
+                    .direction);
             off[k] += (seen - each.seen[k]) * (seen - each.seen[k]);
         }
         whole += each.seen[0] * each.seen[0];

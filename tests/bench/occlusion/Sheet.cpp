@@ -3,10 +3,10 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/media/Pictures.h"
+#include "engine/occlusion/Mirror.h"
 #include "engine/occlusion/Ollfb.h"
 #include "engine/occlusion/OllfbThesis.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
-#include "tests/bench/occlusion/Mirror.h"
 #include "tests/bench/occlusion/Surround.h"
 #include "tests/bench/occlusion/Truth.h"
 
@@ -71,7 +71,8 @@ Colours mirrored(const Scene& scene, const Method& method, const Lit& lit, const
     onAllCores(samples.size(), [&](size_t i) {
         if (!samples[i].at) return;
         const Receiver& at = *samples[i].at;
-        const glm::vec3 to = leaving(method, at.position, at.mirrored, 10 * scene.nearest, bounces);
+        const glm::vec3 to =
+            occlusion::followMirrors(method, at.position, at.mirrored, 10 * scene.nearest, bounces).direction;
         out[i] = 0.9f * light::lookUp(lit.light.radiance, to, 0.0f);
     });
     return out;

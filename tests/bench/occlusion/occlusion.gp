@@ -13,7 +13,7 @@ do for [kind in "svg png"] {
     set output folder . "/occlusion." . kind
     set multiplot
     set logscale xy
-    set xrange [20:1e6]; set yrange [0.6:110]
+    set xrange [20:4e6]; set yrange [0.6:110]
     set xtics () font ",11"; set ytics () font ",11"
     do for [decade = 0:6] {
         set xtics add (sprintf("%g", 10.0 ** decade) 10.0 ** decade)
@@ -27,9 +27,9 @@ do for [kind in "svg png"] {
     set xlabel "nanoseconds a shaded point, one core"
     do for [panel = 1:2] {
         top = 1 - 0.50 * (panel - 1)
-        set tmargin at screen top - 0.075; set bmargin at screen top - 0.45
-        set label 1 value(sprintf("title%d", panel)) at screen 0.53,top - 0.018 center font ",15"
-        set key at screen 0.53,top - 0.05 center center horizontal maxrows 2 samplen 1 width 0 font ",11"
+        set tmargin at screen top - 0.105; set bmargin at screen top - 0.45
+        set label 1 value(sprintf("title%d", panel)) at screen 0.53,top - 0.012 center font ",15"
+        set key at screen 0.53,top - 0.062 center center horizontal maxrows 4 samplen 0.5 width -4 font ",10"
         set arrow 1 from graph 0,first 5 to graph 1,first 5 nohead dashtype 3 linewidth 1.6 linecolor rgb "#606060"
         draw = "plot "
         do for [i = 1:words(families)] {
