@@ -3,7 +3,7 @@
 
 #include "engine/core/Image.h"
 #include "engine/gl/Program.h"
-#include "engine/render/PackedLight.h"
+#include "engine/light/PackedLight.h"
 
 #include <cstddef>
 #include <vector>
@@ -24,7 +24,7 @@ class SurroundGpu {
 
     void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
     void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
-    void uploadLight(const PackedLight& light);
+    void uploadLight(const light::PackedLight& light);
 
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }

@@ -5,6 +5,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 #include "engine/media/VideoPlayer.h"
+#include "engine/media/live/LivePlayer.h"
 #include "engine/water/WaterOverTime.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -39,9 +40,8 @@ struct EyePart {
 
 EyePart partOf(int width, int height, media::Layout layout, int eye) {
     const media::EyeView view = media::eyeView(layout, eye);
-    const auto at = [](float share, int size) {
-        return static_cast<int>(share * static_cast<float>(size) + 0.5f);
-    };
+    // Downwards: both eyes of an odd size fit in.
+    const auto at = [](float share, int size) { return static_cast<int>(share * static_cast<float>(size)); };
     return {at(view.offset.x, width), at(view.offset.y, height), at(view.scale.x, width),
             at(view.scale.y, height)};
 }
@@ -57,7 +57,7 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
 } // namespace
 
 struct Surround::State {
-    render::MirrorMaps mirrors = render::MirrorMaps::None;
+    light::MirrorMaps mirrors = light::MirrorMaps::None;
     float leastRoughness = 0;
     bool bothEyes = false;
     float yaw = 0; // radians, to the right
@@ -69,7 +69,7 @@ struct Surround::State {
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
     struct Prepared {
-        render::PackedLight light;
+        light::PackedLight light;
         water::WaterEstimate water;
         light::FoundLights lights;
     };
@@ -83,6 +83,7 @@ struct Surround::State {
     std::atomic<int> lightEvery = 1;
     int sinceLight = 0;
     std::optional<media::VideoPlayer> player;
+    std::optional<media::LivePlayer> live; // or this
     int64_t shownFrame = -1;
     Immersed immersed = Immersed::No;
     water::WaterOverTime water;
@@ -109,7 +110,7 @@ struct Surround::State {
         uploadLight(prepared[slot].light);
     }
 
-    void uploadLight(const render::PackedLight& light) {
+    void uploadLight(const light::PackedLight& light) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
             gpu[static_cast<size_t>(eye)].uploadLight(light);
     }
@@ -122,7 +123,7 @@ struct Surround::State {
         }
         sinceLight = 0;
         maker->make(frame, made);
-        render::packLight(made, mirrors, prepared[slot].light);
+        light::packLight(made, mirrors, prepared[slot].light);
         if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
         if (lightFinder) lightFinder->find(made.radiance, prepared[slot].lights);
         if (every > 1) newest = prepared[slot];
@@ -133,27 +134,85 @@ struct Surround::State {
         water.follow(estimate, immersed == Immersed::Yes ? 1 : estimate.evidence, dt_s);
     }
 
-    Status openVideo(const Path& file, media::Layout wish, light::LightQuality quality);
+    // For a player with kSlots slots.
+    void prepareFor(light::LightQuality quality) {
+        const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
+        maker.emplace(light::LightOptions{most, leastRoughness, quality});
+        prepared.resize(kSlots);
+        pictures.resize(kSlots);
+    }
+
+    void prepare(const ImageRgb8& bgr, const EyePart& part, int slot) {
+        makeLight(viewOf(bgr, part, true), static_cast<size_t>(slot));
+        media::toRgba(bgr, true, pictures[static_cast<size_t>(slot)]);
+    }
+
+    // name: a file, or something live.
+    Status openVideo(const std::string& name, media::Layout wish, light::LightQuality quality,
+                     const std::function<bool()>& wait);
+    Status openLive(const media::LiveAddress& address, media::Layout wish, const std::function<bool()>& wait);
+    bool updateLive(double time_s);
+    Status openFile(const Path& file, media::Layout wish);
     Status openPhoto(const Path& file, media::Layout wish);
     Status openEnv(const Path& file);
 };
 
-Status Surround::State::openVideo(const Path& file, media::Layout wish, light::LightQuality quality) {
+Status Surround::State::openVideo(const std::string& name, media::Layout wish, light::LightQuality quality,
+                                  const std::function<bool()>& wait) {
+    const auto address = media::liveAddress(name);
+    if (!address) return address.error();
+    prepareFor(quality);
+    return *address ? openLive(**address, wish, wait) : openFile(name, wish);
+}
+
+Status Surround::State::openLive(const media::LiveAddress& address, media::Layout wish,
+                                 const std::function<bool()>& wait) {
+    auto opened =
+        media::LivePlayer::open(media::feedFrom(address),
+                                {.layout = wish,
+                                 .slots = kSlots,
+                                 .prepare =
+                                     [this](const media::LiveFrame& frame, int slot) {
+                                         const ImageRgb8& bgr = frame.pixelsBgr;
+                                         prepare(bgr, partOf(bgr.width, bgr.height, frame.layout, 0), slot);
+                                     }},
+                                wait);
+    if (!opened) return opened.error();
+    live = std::move(*opened);
+    return Done{};
+}
+
+bool Surround::State::updateLive(double time_s) {
+    const media::LiveFrame& frame = *live->newest();
+    if (notice != live->notice()) {
+        notice = live->notice();
+        notice.empty() ? log::info("pictures come again") : log::warn("{}", notice);
+    }
+    const auto slot = static_cast<size_t>(live->slotOf(frame));
+    followWater(prepared[slot].water, static_cast<float>(time_s - lastUpdate_s));
+    lastUpdate_s = time_s;
+    if (frame.index == shownFrame) return false;
+    shownFrame = frame.index;
+    setLayout(frame.layout);
+    const auto began = std::chrono::steady_clock::now();
+    uploadPicture(slot);
+    upload_ms = millisecondsSince(began);
+    light_ms = static_cast<float>(frame.prepare_ms);
+    decode_ms = static_cast<float>(frame.decode_ms);
+    return true;
+}
+
+Status Surround::State::openFile(const Path& file, media::Layout wish) {
     const auto info = media::inspectVideo(file, wish);
     if (!info) return info.error();
     setLayout(info->layout);
     const EyePart part = partOf(info->width, info->height, layout, 0);
-    const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
-    maker.emplace(light::LightOptions{most, leastRoughness, quality});
-    prepared.resize(kSlots);
-    pictures.resize(kSlots);
-    auto opened = media::VideoPlayer::open(
-        file, {.layout = layout,
-               .slots = kSlots,
-               .prepare = [this, part](const media::VideoFrame& frame, int slot) {
-                   makeLight(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
-                   media::toRgba(frame.pixelsBgr, true, pictures[static_cast<size_t>(slot)]);
-               }});
+    auto opened =
+        media::VideoPlayer::open(file, {.layout = layout,
+                                        .slots = kSlots,
+                                        .prepare = [this, part](const media::VideoFrame& frame, int slot) {
+                                            prepare(frame.pixelsBgr, part, slot);
+                                        }});
     if (!opened) return opened.error();
     player = std::move(*opened);
     return Done{};
@@ -187,7 +246,7 @@ Status Surround::State::openEnv(const Path& file) {
     const auto began = std::chrono::steady_clock::now();
     const size_t mended = static_cast<size_t>(picture->repaired) +
                           maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
-    render::packLight(made, mirrors, prepared[0].light);
+    light::packLight(made, mirrors, prepared[0].light);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
@@ -205,9 +264,9 @@ render::Reflectance reflectanceIn(const SurroundOptions& options) {
 Result<Surround> Surround::open(const SurroundSetup& setup) {
     auto state = std::make_unique<State>();
     state->leastRoughness = setup.leastRoughness;
-    state->mirrors = setup.pyramid                                           ? render::MirrorMaps::Pyramid
-                     : setup.leastRoughness < light::kLeastFilteredRoughness ? render::MirrorMaps::Mirrors
-                                                                             : render::MirrorMaps::None;
+    state->mirrors = setup.pyramid                                           ? light::MirrorMaps::Pyramid
+                     : setup.leastRoughness < light::kLeastFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                             : light::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
     if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
@@ -215,10 +274,10 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
     const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
-    Status opened = !setup.options.photo.empty()   ? state->openPhoto(setup.options.photo, wish)
-                    : !setup.options.env.empty()   ? state->openEnv(setup.options.env)
-                    : !setup.options.video.empty() ? state->openVideo(setup.options.video, wish, quality)
-                                                   : state->openVideo(setup.defaultVideo, wish, quality);
+    const std::string video = setup.options.video.empty() ? setup.defaultVideo.string() : setup.options.video;
+    Status opened = !setup.options.photo.empty() ? state->openPhoto(setup.options.photo, wish)
+                    : !setup.options.env.empty() ? state->openEnv(setup.options.env)
+                                                 : state->openVideo(video, wish, quality, setup.wait);
     if (!opened) return opened.error();
     Surround surround(std::move(state));
     surround.update(0, true);
@@ -232,6 +291,7 @@ Surround::~Surround() = default;
 
 bool Surround::update(double time_s, bool exact) {
     State& s = *state_;
+    if (s.live) return s.updateLive(time_s);
     if (!s.player) return false;
     const media::VideoFrame* frame = exact ? s.player->waitFor(time_s) : s.player->newest(time_s);
     if (std::string status = s.player->status(); !status.empty()) {
@@ -286,5 +346,6 @@ std::string_view Surround::lightName() const {
     return state_->hdr ? "as measured, GGX prefiltered" : "thesis inverse tone mapping, GGX prefiltered";
 }
 std::string_view Surround::notice() const { return state_->notice; }
+const media::LivePlayer* Surround::live() const { return state_->live ? &*state_->live : nullptr; }
 
 } // namespace shoal::app

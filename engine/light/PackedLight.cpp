@@ -1,4 +1,4 @@
-#include "engine/render/PackedLight.h"
+#include "engine/light/PackedLight.h"
 
 #include "engine/light/Vectorise.h"
 #include "engine/math/Half.h"
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace shoal::render {
+namespace shoal::light {
 
 namespace {
 
@@ -53,10 +53,10 @@ void packBordered(const ImageRgbF& map, int top, HalfImage& atlas) {
 
 } // namespace
 
-void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out) {
+void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out) {
     size_t unfiltered = 0;
     int width = 0, height = 0;
-    for (const light::GlossyLevel& level : light.glossy) {
+    for (const GlossyLevel& level : light.glossy) {
         unfiltered += level.radianceLin.empty();
         if (level.radianceLin.empty()) continue;
         width = std::max(width, level.radianceLin.width + 2);
@@ -85,4 +85,4 @@ void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedL
     for (size_t k = 0; k < out.mirrors.size(); ++k) packMirror(light.radiance.levels[k], out.mirrors[k]);
 }
 
-} // namespace shoal::render
+} // namespace shoal::light

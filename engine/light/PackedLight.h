@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace shoal::render {
+namespace shoal::light {
 
 struct HalfImage {
     int width = 0, height = 0;
@@ -36,6 +36,6 @@ struct PackedLight {
 };
 
 // Buffers of out are reused while sizes stay.
-void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out);
+void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out);
 
-} // namespace shoal::render
+} // namespace shoal::light
