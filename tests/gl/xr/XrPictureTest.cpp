@@ -42,7 +42,7 @@ class XrPicture : public test::WithFakeRuntime {
                                         .leastRoughness = cast->leastRoughness()});
         ASSERT_TRUE(surround) << surround.error().sentence();
         surround_ = std::move(*surround);
-        auto stage = Stage::make(std::move(*cast), render::Detail::Lean, true);
+        auto stage = Stage::make(std::move(*cast), {.detail = render::Detail::Lean});
         ASSERT_TRUE(stage) << stage.error().sentence();
         stage_ = std::move(*stage);
         run_.emplace(*plan_);
@@ -74,7 +74,7 @@ class XrPicture : public test::WithFakeRuntime {
             ASSERT_TRUE(waited) << waited.error().sentence();
             headset.feed(*run_, plan_->rig);
             run_->advance(headset.elapsed_s(), false);
-            stage_->set(run_->shown, false);
+            stage_->set(run_->shown, *surround_, false);
             const Status drawn = headset.draw(painter, scale, {64, 64});
             ASSERT_TRUE(drawn) << drawn.error().sentence();
         }
