@@ -5,6 +5,8 @@
 #include "engine/occlusion/Ellipsoid.h"
 #include "engine/occlusion/SmoothLight.h"
 
+#include <glm/vec4.hpp>
+
 #include <span>
 
 namespace shoal::occlusion {
@@ -24,8 +26,14 @@ struct Taken {
 // Shares of several ellipsoids join as if they lay at random, 1 - product of (1 - share): over a hand's
 // fingers and palm that comes out at the right mean, where a sum takes a tenth too much and the largest alone
 // too little. light: in the world's frame.
+// What the surface's own body hides of it: findFolds(), world; albedo: of that body.
+struct Fold {
+    glm::vec4 hidden{0};
+    glm::vec3 albedo{0};
+};
+
 Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders,
-           const SmoothLight& light);
+           const SmoothLight& light, const Fold& fold = {});
 
 // What is left of a glossy lobe around this direction, 0 to 1.
 float openLobe(const glm::vec3& p, const glm::vec3& direction, float roughness,

@@ -9,7 +9,7 @@
 // bodies, which have no thickness: a body takes no more light than its silhouette does.
 //
 // Shafts are not dimmed. Integrated along the worst rays through the shadow of the shark 3 m away, or of a
-// hand at 0.5 m, single scattering in the film's water loses 4 to 6 % beside 1.3 of 255 display values of
+// hand at 0.5 m, single scattering in the film's water loses 4 to 6 % beside 1.6 of 255 display values of
 // green and 1.8 of blue, spread over tens of degrees: the film's own noise is as large.
 #pragma once
 

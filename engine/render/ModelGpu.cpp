@@ -21,6 +21,7 @@ struct FixedVertex { // what morphing leaves alone
     glm::vec4 colour{1}; // linear or coded, as the reflectance is
     glm::u16vec4 joints{0};
     glm::vec4 weights{1, 0, 0, 0};
+    glm::vec4 folds{0};
 };
 
 struct MorphVertex {
@@ -84,6 +85,7 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
             fixed[i].joints = primitive.joints[v];
             fixed[i].weights = primitive.weights[v];
         }
+        if (!primitive.folds.empty()) fixed[i].folds = primitive.folds[v];
     }
     gpu.vertices = gl::Buffer::make();
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
@@ -95,6 +97,7 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     attribute(ATTRIBUTE_UV1, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv1));
     attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colour));
     attribute(ATTRIBUTE_WEIGHTS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, weights));
+    attribute(ATTRIBUTE_FOLDS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, folds));
     glEnableVertexAttribArray(ATTRIBUTE_JOINTS);
     glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
                            reinterpret_cast<const void*>(offsetof(FixedVertex, joints)));
@@ -111,6 +114,7 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
     PrimitiveGpu gpu;
     gpu.material = primitive.material;
     gpu.skinned = !primitive.joints.empty();
+    gpu.folded = !primitive.folds.empty();
     std::vector<uint32_t> every(primitive.positions.size());
     std::iota(every.begin(), every.end(), 0u);
     gpu.details.push_back(uploadDetail(primitive, reflectance, every, primitive.indices));

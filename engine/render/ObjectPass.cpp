@@ -183,7 +183,7 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
         const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale, number});
+            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale, number, body ? body->albedo : glm::vec3(0)});
     }
 }
 
@@ -207,6 +207,11 @@ void ObjectPass::upload() {
     glBindBuffer(GL_UNIFORM_BUFFER, matrixBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(matrices_.size()), matrices_.data(),
                  GL_STREAM_DRAW);
+}
+
+bool ObjectPass::shaded(const Item& item) const {
+    return occlusion_ && (item.primitive->folded ||
+                          (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
@@ -255,7 +260,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             features = (features & ~(kNormalMap | kOcclusionMap | kMirrors)) | kVertexLit;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= kVertexDiffuse;
-        if (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0) features |= kOccluded;
+        if (shaded(item)) features |= kOccluded;
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) {
@@ -330,8 +335,9 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     }
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
-    if (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0) {
-        const Shade& shade = shades_[static_cast<size_t>(item.body)];
+    if (shaded(item)) {
+        const Shade shade = item.body >= 0 ? shades_[static_cast<size_t>(item.body)] : Shade{};
+        program.set("foldAlbedo", item.albedo);
         program.set("occluderCount", shade.count);
         glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_OCCLUDERS, matrixBuffer_.name(),
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));

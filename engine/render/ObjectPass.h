@@ -56,6 +56,7 @@ class ObjectPass {
         Ball bound;  // world
         float scale; // world metres for one of the mesh's units
         int body;    // of near_; -1: none
+        glm::vec3 albedo; // mean, of the body that folds
     };
 
     struct Shade {         // what takes light from a body
@@ -63,6 +64,7 @@ class ObjectPass {
         int count = 0;
     };
 
+    bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);
     void drawItem(const gl::Program& program, const Item& item, const View& view);

@@ -18,7 +18,7 @@ struct Surface {
 Surface posedSurface(const Model& model, const Pose& pose);
 
 // Mean reflectance over the texels of all materials in use, weighed by the area of their triangles in the mesh;
-// surface; linear.
+// linear.
 glm::vec3 meanBaseColour(const Model& model);
 
 } // namespace shoal::scene

@@ -1,5 +1,6 @@
 #include "game/app/Cast.h"
 
+#include "engine/render/FoldModel.h"
 #include "engine/scene/Roughness.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,6 +24,18 @@ float clipTime(const scene::Animation& clip, float phase_s) {
     return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
 }
 
+// What bites opens its mouth, the one place that must not glow. Closed, nobody looks into it.
+void foldMouth(scene::Model& model) {
+    constexpr int kRays = 16;
+    const int bite = model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
+    if (bite < 0) return;
+    scene::Pose open;
+    scene::restPose(model, open);
+    scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, open);
+    scene::updateGlobals(model, open);
+    render::foldModel(model, open, kRays);
+}
+
 } // namespace
 
 Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, occlusion::Parts parts,
@@ -39,6 +52,7 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
                                                                  : scene::leastRoughness(actor.model));
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
+    foldMouth(actor.model);
     actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));

@@ -7,9 +7,11 @@
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackdropPass.h"
+#include "engine/render/FoldModel.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Roughness.h"
+#include "engine/scene/Surface.h"
 #include "game/app/Surround.h"
 
 #include <GLFW/glfw3.h>
@@ -23,6 +25,8 @@ namespace shoal::app {
 
 namespace {
 
+constexpr int kFoldRays = 64, kFewestRays = 8; // from each vertex, once
+constexpr size_t kMostRays = 3'000'000;        // a few seconds
 constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
 
 struct Clip {
@@ -90,6 +94,7 @@ class Viewer {
     scene::Pose pose_;
     Clip clip_;
     render::ModelGpu gpu_;
+    render::BodyOccluders body_; // without parts: alone in the world
     std::optional<Surround> surround_;
     std::optional<render::BackdropPass> backdrop_;
     std::optional<render::ObjectPass> objects_;
@@ -137,12 +142,26 @@ Status Viewer::open() {
     if (!surround) return surround.error();
     surround_ = std::move(*surround);
     surround_->update(static_cast<double>(options_.at_s), true);
+    if (options_.look.occlusion == "on") {
+        scene::Pose first; // of a picture the only one
+        scene::restPose(model_, first);
+        if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, first);
+        scene::updateGlobals(model_, first);
+        size_t vertices = 1;
+        for (const scene::Mesh& mesh : model_.meshes)
+            for (const scene::Primitive& primitive : mesh.primitives) vertices += primitive.positions.size();
+        const auto rays = static_cast<int>(std::min<size_t>(kMostRays / vertices, kFoldRays));
+        if (rays >= kFewestRays) render::foldModel(model_, first, rays);
+        body_.albedo = scene::meanBaseColour(model_);
+        if (reflectanceIn(options_.surround) == render::Reflectance::Coded)
+            body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));
+    }
     gpu_ = render::uploadModel(model_, reflectanceIn(options_.surround));
     pose(clip_);
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
     backdrop_ = std::move(*backdrop);
-    auto objects = render::ObjectPass::make();
+    auto objects = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion == "on");
     if (!objects) return objects.error();
     objects_ = std::move(*objects);
 
@@ -174,7 +193,7 @@ Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
     const render::Glossy glossy =
         options_.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
     objects_->begin();
-    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit.target, orbit.modelRadius});
+    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit.target, orbit.modelRadius}, &body_);
     objects_->upload();
     using Part = render::ObjectPass::Part;
     const glm::mat3 turn = surround_->envFromWorld();

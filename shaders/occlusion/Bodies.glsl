@@ -5,6 +5,7 @@ layout(std140) uniform OccluderBlock {
     vec4 occluders[5 * MAX_OCCLUDERS];
 };
 uniform int occluderCount;
+uniform vec3 foldAlbedo; // of the surface's own body
 uniform vec3 smoothAround[9]; // factors of 1, x, y, z, xy, yz, xz, y^2 - 1/3, x^2 - z^2
 uniform vec3 lampTowards, lampRadiance;
 uniform float lampShare;
@@ -32,12 +33,49 @@ float coverage(vec3 m, vec3 d, vec3 semiAxes, float lampSine, float capShare) {
     return x * x * (3.0 - 2.0 * x) * min(1.0, capShare / (lampSine * lampSine));
 }
 
-Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness) {
+// What is taken, by the powers of its direction.
+void addMoments(float share, vec3 mean, inout vec3 first, inout vec3 second, inout vec2 third) {
+    first += share * mean;
+    float mean2 = max(dot(mean, mean), 1e-6), meanLength = sqrt(mean2);
+    float f = share * max(2.0 * meanLength - 1.0, 0.0) * meanLength;
+    vec3 q = f / mean2 * mean;
+    second += q.xyx * mean.yzz;
+    third += vec2(q.y * mean.y - f / 3.0, q.x * mean.x - q.z * mean.z);
+}
+
+// The light around on the side of a white body that is seen in this direction.
+vec3 lightOnBody(vec3 towards) {
+    vec3 back = (-2.0 / 3.0) * towards;
+    return max(smoothAround[0] + smoothAround[1] * back.x + smoothAround[2] * back.y + smoothAround[3] * back.z, 0.0) +
+           lampShare * max(-dot(towards, lampTowards), 0.0) * lampRadiance;
+}
+
+// Of a lamp, by a cap of this mean direction, as dense as its share of the hemisphere says.
+float foldCoverage(vec4 fold, vec3 normal, vec3 lamp, float lampSine) {
+    float meanLength = length(fold.xyz) / fold.w, edge = max(2.0 * meanLength - 1.0, 0.0), soft = 0.2 + lampSine;
+    vec3 towards = fold.xyz / (meanLength * fold.w);
+    float density = min(1.0, fold.w / max(clippedShare(1.0 - edge * edge, dot(towards, normal)), 1e-3));
+    return density * smoothstep(edge - soft, edge + soft, dot(towards, lamp));
+}
+
+// fold: occlusion::findFolds(), world.
+Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 fold) {
     float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
     float lampSine = sqrt(lampShare);
     float sum = 0.0, open = 1.0, lampOpen = 1.0, lobeOpen = 1.0, lobeSum = 0.0;
     vec3 first = vec3(0.0), bounced = vec3(0.0), seen = vec3(0.0), second = vec3(0.0);
     vec2 third = vec2(0.0);
+    if (fold.w > 0.004) {
+        vec3 sent = foldAlbedo * lightOnBody(normalize(fold.xyz));
+        sum = fold.w;
+        open = 1.0 - fold.w;
+        lampOpen = 1.0 - foldCoverage(fold, normal, lampTowards, lampSine);
+        addMoments(fold.w, fold.xyz / fold.w, first, second, third);
+        bounced = fold.w * sent;
+        lobeSum = foldCoverage(fold, normal, reflected, lobeSine);
+        lobeOpen = 1.0 - lobeSum;
+        seen = lobeSum * sent;
+    }
     for (int i = 0; i < occluderCount; ++i) {
         vec4 rx = occluders[5 * i], ry = occluders[5 * i + 1], rz = occluders[5 * i + 2];
         vec4 shape = occluders[5 * i + 3];
@@ -69,15 +107,8 @@ Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness) {
         float k = sqrt(1.0 - capShare);
         float lift = (1.0 - k) * (2.0 + k) / (3.0 * (1.0 + k));
         vec3 mean = k * towards + lift / max(max(cosine, sqrt(capShare)), 1e-6) * normal;
-        first += share * mean;
-        float mean2 = max(dot(mean, mean), 1e-6), meanLength = sqrt(mean2);
-        float f = share * max(2.0 * meanLength - 1.0, 0.0) * meanLength;
-        vec3 q = f / mean2 * mean;
-        second += q.xyx * mean.yzz;
-        third += vec2(q.y * mean.y - f / 3.0, q.x * mean.x - q.z * mean.z);
-        vec3 back = (-2.0 / 3.0) * towards;
-        vec3 sent = albedo * (max(smoothAround[0] + smoothAround[1] * back.x + smoothAround[2] * back.y + smoothAround[3] * back.z, 0.0) +
-                              lampShare * max(-dot(towards, lampTowards), 0.0) * lampRadiance);
+        addMoments(share, mean, first, second, third);
+        vec3 sent = albedo * lightOnBody(towards);
         bounced += share * sent;
         vec3 lobe = vec3(dot(rx.xyz, reflected), dot(ry.xyz, reflected), dot(rz.xyz, reflected)) / shape.xyz;
         float hidden = shape.w * coverage(mUnit, lobe, shape.xyz, lobeSine, capShare);

@@ -26,6 +26,9 @@ in vec3 perBaseLin, besidesLin;
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 worldTangent;
+#ifdef OCCLUDED
+in vec4 worldFold;
+#endif
 #endif
 in vec4 vertexUv;
 in vec4 vertexColourLin;
@@ -95,7 +98,7 @@ void main() {
 #endif
 #ifdef OCCLUDED
 #ifndef VERTEX_DIFFUSE
-    Shaded shaded = shadeByBodies(worldPosition, n, reflect(-v, n), rough);
+    Shaded shaded = shadeByBodies(worldPosition, n, reflect(-v, n), rough, gl_FrontFacing ? worldFold : vec4(0.0));
     around = max(around - shaded.taken, 0.0);
     vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
 #endif

@@ -9,6 +9,10 @@ layout(location = ATTRIBUTE_COLOUR) in vec4 colourLin;
 layout(location = ATTRIBUTE_JOINTS) in uvec4 joints;
 layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 
+#ifdef OCCLUDED
+layout(location = ATTRIBUTE_FOLDS) in vec4 folds;
+#endif
+
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
@@ -47,6 +51,9 @@ out vec3 waterLeft, waterVeiled;
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec4 worldTangent;
+#ifdef OCCLUDED
+out vec4 worldFold;
+#endif
 #endif
 out vec4 vertexUv; // set 0 in xy, set 1 in zw
 out vec4 vertexColourLin;
@@ -65,19 +72,28 @@ void main() {
     vec3 n = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
+#ifdef OCCLUDED
+    vec3 turned = m * folds.xyz;
+    vec4 fold = vec4(turned * (length(folds.xyz) / max(length(turned), 1e-9)), folds.w);
+#else
+    const vec4 fold = vec4(0.0);
+#endif
 #ifdef VERTEX_LIT
     vec3 v = normalize(eyeWorld - world.xyz);
     if (twoSided * dot(n, v) < 0.0) n = -n;
-    lightVertex(world.xyz, n, v, perBaseLin, besidesLin);
+    lightVertex(world.xyz, n, v, fold, perBaseLin, besidesLin);
 #else
     worldPosition = world.xyz;
     worldNormal = n;
     worldTangent = vec4(m * tangent.xyz, tangent.w);
+#ifdef OCCLUDED
+    worldFold = fold;
+#endif
 #endif
 #ifdef VERTEX_DIFFUSE
     diffuseLin = diffuseRadiance(envFromWorld * n);
 #ifdef OCCLUDED
-    Shaded shaded = shadeByBodies(world.xyz, n, reflect(normalize(world.xyz - eyeWorld), n), roughness);
+    Shaded shaded = shadeByBodies(world.xyz, n, reflect(normalize(world.xyz - eyeWorld), n), roughness, fold);
     diffuseLin = max(diffuseLin - shaded.taken, 0.0);
     bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
 #endif

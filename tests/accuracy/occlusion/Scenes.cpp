@@ -47,26 +47,38 @@ SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
 
 } // namespace
 
-OcclusionScene handOnFish(float curl) {
+struct ClosingHand::Actors {
     Actor hand = load("hand_right", occlusion::Parts::ByJoint, kHandParts);
-    const Actor fish = load("clownfish", occlusion::Parts::ByShape, kFishParts);
+    Actor fish = load("clownfish", occlusion::Parts::ByShape, kFishParts);
+    hands::HandRig rig;
+};
+
+ClosingHand::ClosingHand() : actors_(std::make_shared<Actors>()) {
     auto rig = hands::HandRig::load(content() / "models" / "hand_skeleton.json");
     if (!rig) throw std::runtime_error(rig.error().sentence());
+    actors_->rig = std::move(*rig);
+}
+
+OcclusionScene ClosingHand::at(float curl) const {
+    Actor hand = actors_->hand;
     hands::HandShape shape;
+    shape.curl.fill(0.45f);
+    // Where it lies when a hand has closed on it.
+    const glm::vec3 fishAt = hands::graspCentre(actors_->rig.pose(hands::Side::Right, shape, {}).joints);
     shape.curl.fill(curl);
-    const hands::HandPose pose = rig->pose(hands::Side::Right, shape, {});
+    const hands::HandPose pose = actors_->rig.pose(hands::Side::Right, shape, {});
     for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
         hand.pose
             .modelFromNode[static_cast<size_t>(hand.model.findNode(std::string(hands::kJointNames[joint])))] =
             glm::translate(glm::mat4(1), pose.joints[joint].position) *
             glm::mat4_cast(pose.joints[joint].orientation);
     // Across the palm, where fingers close around it.
-    const glm::mat4 held = glm::rotate(glm::translate(glm::mat4(1), hands::graspCentre(pose.joints)),
-                                       glm::radians(80.0f), glm::vec3(0, 1, 0));
-    return {"hand closed by " + std::to_string(curl).substr(0, 4) + " on a fish",
-            {place(fish, held), place(hand, glm::mat4(1))},
-            {0, 1}};
+    const glm::mat4 held =
+        glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0));
+    return {"hand on fish", {place(actors_->fish, held), place(hand, glm::mat4(1))}, {0, 1}};
 }
+
+OcclusionScene handOnFish(float curl) { return ClosingHand().at(curl); }
 
 OcclusionScene sharkAboveShoal() {
     const Actor shark = load("shark", occlusion::Parts::ByShape, kSharkParts);

@@ -6,6 +6,7 @@
 #include "engine/render/BodyOccluders.h"
 #include "engine/scene/Surface.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,17 @@ struct OcclusionScene {
     std::vector<size_t> receivers; // whose light is measured
 };
 
-// curl: 0 an open hand to 1 a fist.
+// The first body is a fish that lies still, the second a hand.
+class ClosingHand {
+  public:
+    ClosingHand();
+    OcclusionScene at(float curl) const; // 0 an open hand to 1 a fist
+
+  private:
+    struct Actors;
+    std::shared_ptr<Actors> actors_;
+};
+
 OcclusionScene handOnFish(float curl);
 OcclusionScene sharkAboveShoal();
 

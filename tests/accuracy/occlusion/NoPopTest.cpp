@@ -1,0 +1,98 @@
+// A hand that closes on a fish darkens it smoothly, though what takes light from it is chosen anew each tick.
+#include "Truth.h"
+#include "engine/render/NearBodies.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace shoal {
+namespace {
+
+// As the picture has it: what NearBodies finds near the first body.
+std::vector<occlusion::Occluder> nearFirst(const OcclusionScene& scene) {
+    render::NearBodies near;
+    scene::Pose pose;
+    pose.modelFromNode = {glm::mat4(1)};
+    for (const SceneBody& body : scene.bodies) {
+        render::BodyOccluders parts;
+        parts.albedo = body.albedo;
+        for (const occlusion::Occluder& part : body.parts) parts.parts.push_back({part.shape, 0});
+        near.add(parts, pose, glm::mat4(1), {body.parts[0].shape.centre, 0.25f});
+    }
+    std::vector<occlusion::Occluder> found;
+    for (const render::PackedOccluder& packed : near.near(0)) {
+        occlusion::Occluder occluder;
+        for (int k = 0; k < 3; ++k) {
+            occluder.shape.worldFromAxes[k] = glm::vec3(packed.axesFromWorld[k]);
+            occluder.shape.centre -= packed.axesFromWorld[k].w * glm::vec3(packed.axesFromWorld[k]);
+        }
+        occluder.shape.semiAxes = glm::vec3(packed.semiAxesStrength);
+        occluder.strength = packed.semiAxesStrength.w;
+        occluder.albedo = glm::vec3(packed.albedo);
+        found.push_back(occluder);
+    }
+    return found;
+}
+
+TEST(ClosingHand, DarkensAFishWithoutAPop) {
+    const ImageRgbF light = reefLight(560);
+    const occlusion::SmoothLight smooth = occlusion::smoothLight(light);
+    constexpr int kTicks = 60; // half a second, from wide open to closed
+    std::vector<SurfacePoint> points;
+    std::vector<glm::vec3> open;
+    std::vector<std::vector<float>> shades(kTicks +
+                                           1); // by tick and point: light left, of what is there unoccluded
+    std::vector<float> means;
+    std::vector<bool> swallowed; // by the hand, where nobody sees it
+    const ClosingHand closing;
+    for (int tick = 0; tick <= kTicks; ++tick) {
+        const float t = static_cast<float>(tick) / kTicks;
+        const OcclusionScene scene = closing.at(0.8f * t);
+        if (tick == 0) {
+            points = scatter(scene, 0, 150);
+            const Truth truth(scene, light);
+            for (const SurfacePoint& at : points) open.emplace_back(truth.unoccluded(at.normal));
+        }
+        const auto occluders = nearFirst(scene);
+        float left = 0, all = 0;
+        for (size_t k = 0; k < points.size(); ++k) {
+            swallowed.resize(points.size());
+            for (const occlusion::Occluder& part : occluders)
+                if (occlusion::capOf(part.shape, points[k].position).share > 0.99f) swallowed[k] = true;
+            const glm::vec3 taken =
+                occlusion::take(points[k].position, points[k].normal, occluders, smooth).radiance;
+            shades[static_cast<size_t>(tick)].push_back(std::max(0.0f, open[k].y - taken.y) / open[k].y);
+            left += std::max(0.0f, open[k].y - taken.y), all += open[k].y;
+        }
+        means.push_back(left / all);
+    }
+    float steepest = 0, jump = 0;
+    for (size_t tick = 1; tick < means.size(); ++tick)
+        steepest = std::max(steepest, std::abs(means[tick] - means[tick - 1]));
+    // A pop: a tick's change that its neighbours do not share.
+    double worst = 0;
+    for (size_t tick = 2; tick + 1 < means.size(); ++tick) {
+        const auto step = [&](size_t at) { return means[at] - means[at - 1]; };
+        jump = std::max(jump, std::abs(step(tick) - (step(tick - 1) + step(tick + 1)) / 2));
+        for (size_t k = 0; k < points.size(); ++k) {
+            if (swallowed[k]) continue;
+            const auto own = [&](size_t at) { return shades[at][k] - shades[at - 1][k]; };
+            worst = std::max(worst,
+                             static_cast<double>(std::abs(own(tick) - (own(tick - 1) + own(tick + 1)) / 2)));
+        }
+    }
+    std::printf("[ BODIES ] closing hand: light on the fish from %.3f to %.3f; a tick changes it by %.4f at "
+                "most, a pop "
+                "by %.4f, at the worst point by %.3f\n",
+                static_cast<double>(means.front()), static_cast<double>(means.back()),
+                static_cast<double>(steepest), static_cast<double>(jump), worst);
+    EXPECT_LT(means.back(), 0.9f * means.front());
+    EXPECT_LT(steepest, 0.02f);
+    EXPECT_LT(jump, 0.01f);
+    EXPECT_LT(worst, 0.15); // beside a fingertip that sweeps by at half a metre a second
+}
+
+} // namespace
+} // namespace shoal
