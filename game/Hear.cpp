@@ -21,7 +21,6 @@ constexpr float kTouchQuiet_s = 0.12f; // one sound for all bones of a touch
 constexpr int kCountdown_s = 5;
 constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
 constexpr float kCross_s = 2;          // from one bed to the other
-constexpr float kPausedBed = 0.5f;     // the sea goes on, softer
 constexpr uint32_t kBedId = 1u << 30;  // apart from the creatures' ids
 constexpr size_t kEventsReserved = 64; // a frame never has more sounds in ordinary play
 
@@ -56,7 +55,7 @@ void Hear::beds(const Snapshot& shown, float dt_s) {
         if (share <= 0) return;
         const auto index = static_cast<size_t>(sound);
         // Root: the powers of two unrelated sounds add to the same.
-        const float gain = kSounds[index].gain * std::sqrt(share) * (shown.paused ? kPausedBed : 1);
+        const float gain = kSounds[index].gain * std::sqrt(share);
         emitters_.push_back({.id = kBedId + static_cast<uint32_t>(index),
                              .clip = static_cast<int>(index),
                              .gain = gain,

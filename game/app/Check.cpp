@@ -3,6 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/media/Check.h"
+#include "engine/media/live/CheckLive.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/sim/Recording.h"
 #include "game/DiveFile.h"
@@ -82,6 +83,9 @@ constexpr std::array<FileKind, 5> kKinds = {{
 }};
 
 Verdict checkFile(const Path& file) {
+    const auto live = media::liveAddress(file.string());
+    if (!live) return live.error();
+    if (*live) return media::checkLive(**live);
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -41,7 +41,12 @@ glm::vec3 threeNumbers(const std::string& option, const std::string& text) {
 void addSurround(CLI::App& app, SurroundOptions& options) {
     auto* group = app.add_option_group("Surround", "What stands around you");
     auto* video =
-        group->add_option("--video", options.video, "A 360-degree video, lat-long")->type_name("FILE");
+        group
+            ->add_option(
+                "--video", options.video,
+                "A 360-degree video, lat-long: a file; or live: camera:NUMBER, a named pipe, or a URL "
+                "(rtsp, http, https, tcp, udp)")
+            ->type_name("FILE");
     auto* photo =
         group->add_option("--photo", options.photo, "A 360-degree photo, lat-long")->type_name("FILE");
     auto* env =
@@ -280,7 +285,8 @@ int run(int argc, char** argv) {
     auto* checkCommand =
         app.add_subcommand("check", "Is this video, photo, model, dive, playthrough or replay usable?");
     checkCommand->add_option("FILE", checkOptions.files, "Files to look at")->required();
-    auto* devicesCommand = app.add_subcommand("devices", "List hands, haptic devices and sound outputs");
+    auto* devicesCommand =
+        app.add_subcommand("devices", "List hands, cameras, haptic devices and sound outputs");
     addLeap(*devicesCommand, devicesOptions.hands);
     devicesCommand->add_flag("--test", devicesOptions.test, "Pulse each haptic device and play a sound");
 

@@ -3,6 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
+#include "engine/media/live/Camera.h"
 #include "engine/xr/Headset.h"
 #include "game/app/TrackedHands.h"
 #include "input/haptics/Rack.h"
@@ -60,6 +61,14 @@ void haptic(bool test) {
     if (test && rack.ready() > 0) pulseEach(rack, began);
 }
 
+void cameras() {
+    std::printf("Cameras, for --video and --hands webcam\n");
+    const auto cameras = media::listCameras();
+    for (const media::CameraListed& camera : cameras)
+        std::printf("  camera:%d: %s\n", camera.index, camera.name.c_str());
+    if (cameras.empty()) std::printf("  none\n");
+}
+
 void sound(bool test) {
     std::printf("Sound\n");
     const auto outputs = audio::listOutputs();
@@ -90,6 +99,7 @@ int devices(const DevicesOptions& options) {
     const auto runtime = xr::activeRuntime();
     std::printf("  openxr: %s\n",
                 runtime ? (*runtime + "; play with --xr").c_str() : runtime.error().reason.c_str());
+    cameras();
     haptic(options.test);
     sound(options.test);
     return 0;

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <thread>
 #include <variant>
 
 namespace shoal::app {
@@ -146,7 +147,8 @@ Status Player::open() {
                         .leastRoughness = cast->leastRoughness(),
                         .immersed = immersedIn(options, plan.dive),
                         .filmLook = composeNamed(options.compose) == Compose::Camera,
-                        .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt});
+                        .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt,
+                        .wait = [&] { return !window || !window->poll().closing; }});
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
@@ -166,7 +168,7 @@ Status Player::open() {
                              .volume = options.volume,
                              .hapticStrength = options.hapticStrength,
                              .doppler = options.doppler,
-                             .video = videoIn(options.surround, plan.dive.video),
+                             .video = surround->live() ? Path() : videoIn(options.surround, plan.dive.video),
                              .videoLength_s = surround->length_s(),
                              .videoSound = options.videoSound});
     if (options.quality == "auto" && !options.xr && ((window && !options.timedemo) || options.load_ms > 0))
@@ -476,6 +478,14 @@ Status Player::playThrough(bool measured) {
         const double frame_ms = secondsBetween(now, Clock::now()) * 1e3;
         times.add(static_cast<float>(frame_ms));
         if (measured && frame > 0) statistics.frame_ms.add(frame_ms);
+        if (const media::LivePlayer* stream = surround->live(); stream && measured) {
+            statistics.live.add(*stream, fresh && frame > 0);
+            // What is live has the clock's time: a dive without a player goes no faster.
+            if (!window && !options.timedemo)
+                std::this_thread::sleep_until(
+                    began + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+                                static_cast<double>(frame + 1) / static_cast<double>(options.fps))));
+        }
 
         if (run.ended) break;
         if (options.at_s && run.shown.time_s >= static_cast<double>(*options.at_s)) break;
@@ -526,6 +536,8 @@ int play(const PlayOptions& options) {
                     player.statistics.renderer.c_str(), player.statistics.frame_ms.count(),
                     player.statistics.frame_ms.quantile(0.5), player.statistics.frame_ms.quantile(0.99),
                     player.statistics.frame_ms.quantile(1));
+    if (options.timedemo && player.surround->live())
+        std::printf("%s\n", describe(player.statistics.live).c_str());
     if (!verdict) return failed(verdict.error());
     return 0;
 }

@@ -3,6 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
+#include "engine/media/live/LivePlayer.h"
 
 #include <cstdint>
 #include <string>
@@ -23,7 +24,21 @@ class Series {
     std::vector<float> values_;
 };
 
+// Of a live video, where there is one: from the arrival of a frame's last byte until the picture that first
+// shows it is drawn.
+struct LiveStatistics {
+    Series latency_ms, displayFrames; // see LivePlayer::displayFrames()
+    media::LiveCounts counts;
+
+    // fresh: this picture is the first to show its frame.
+    void add(const media::LivePlayer& live, bool fresh);
+};
+
+// One line.
+std::string describe(const LiveStatistics& live);
+
 struct Statistics {
+    LiveStatistics live;
     std::string renderer;
     Series frame_ms, light_ms, decode_ms, upload_ms; // the last three per frame of the video
     int draws = 0, triangles = 0;                    // of the last frame

@@ -6,6 +6,7 @@
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 #include "engine/media/VideoPlayer.h"
+#include "engine/media/live/LivePlayer.h"
 #include "engine/water/WaterOverTime.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -40,9 +41,8 @@ struct EyePart {
 
 EyePart partOf(int width, int height, media::Layout layout, int eye) {
     const media::EyeView view = media::eyeView(layout, eye);
-    const auto at = [](float share, int size) {
-        return static_cast<int>(share * static_cast<float>(size) + 0.5f);
-    };
+    // Downwards: both eyes of an odd size fit in.
+    const auto at = [](float share, int size) { return static_cast<int>(share * static_cast<float>(size)); };
     return {at(view.offset.x, width), at(view.offset.y, height), at(view.scale.x, width),
             at(view.scale.y, height)};
 }
@@ -83,6 +83,7 @@ struct Surround::State {
     std::atomic<int> lightEvery = 1;
     int sinceLight = 0;
     std::optional<media::VideoPlayer> player;
+    std::optional<media::LivePlayer> live; // or this
     int64_t shownFrame = -1;
     Immersed immersed = Immersed::No;
     water::WaterOverTime water;
@@ -137,33 +138,93 @@ struct Surround::State {
         if (every > 1) newest = prepared[slot];
     }
 
-    void followWater(const water::WaterEstimate& estimate, float dt_s) {
-        if (!waterEstimator) return;
-        water.follow(estimate, immersed == Immersed::Yes ? 1 : estimate.evidence, dt_s);
+    // What changes slowly, as of the picture that is shown.
+    void follow(const Prepared& shown, float dt_s) {
+        if (waterEstimator)
+            water.follow(shown.water, immersed == Immersed::Yes ? 1 : shown.water.evidence, dt_s);
+        if (lookEstimator) look.follow(shown.look, dt_s);
     }
 
-    Status openVideo(const Path& file, media::Layout wish, light::LightQuality quality);
+    // For a player with kSlots slots.
+    void prepareFor(light::LightQuality quality) {
+        const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
+        maker.emplace(light::LightOptions{most, leastRoughness, quality});
+        prepared.resize(kSlots);
+        pictures.resize(kSlots);
+    }
+
+    void prepare(const ImageRgb8& bgr, const EyePart& part, int slot) {
+        makeLight(viewOf(bgr, part, true), static_cast<size_t>(slot));
+        findLook(viewOf(bgr, part, true), static_cast<size_t>(slot));
+        media::toRgba(bgr, true, pictures[static_cast<size_t>(slot)]);
+    }
+
+    // name: a file, or something live.
+    Status openVideo(const std::string& name, media::Layout wish, light::LightQuality quality,
+                     const std::function<bool()>& wait);
+    Status openLive(const media::LiveAddress& address, media::Layout wish, const std::function<bool()>& wait);
+    bool updateLive(double time_s);
+    Status openFile(const Path& file, media::Layout wish);
     Status openPhoto(const Path& file, media::Layout wish);
     Status openEnv(const Path& file);
 };
 
-Status Surround::State::openVideo(const Path& file, media::Layout wish, light::LightQuality quality) {
+Status Surround::State::openVideo(const std::string& name, media::Layout wish, light::LightQuality quality,
+                                  const std::function<bool()>& wait) {
+    const auto address = media::liveAddress(name);
+    if (!address) return address.error();
+    prepareFor(quality);
+    return *address ? openLive(**address, wish, wait) : openFile(name, wish);
+}
+
+Status Surround::State::openLive(const media::LiveAddress& address, media::Layout wish,
+                                 const std::function<bool()>& wait) {
+    auto opened =
+        media::LivePlayer::open(media::feedFrom(address),
+                                {.layout = wish,
+                                 .slots = kSlots,
+                                 .prepare =
+                                     [this](const media::LiveFrame& frame, int slot) {
+                                         const ImageRgb8& bgr = frame.pixelsBgr;
+                                         prepare(bgr, partOf(bgr.width, bgr.height, frame.layout, 0), slot);
+                                     }},
+                                wait);
+    if (!opened) return opened.error();
+    live = std::move(*opened);
+    return Done{};
+}
+
+bool Surround::State::updateLive(double time_s) {
+    const media::LiveFrame& frame = *live->newest();
+    if (notice != live->notice()) {
+        notice = live->notice();
+        notice.empty() ? log::info("pictures come again") : log::warn("{}", notice);
+    }
+    const auto slot = static_cast<size_t>(live->slotOf(frame));
+    follow(prepared[slot], static_cast<float>(time_s - lastUpdate_s));
+    lastUpdate_s = time_s;
+    if (frame.index == shownFrame) return false;
+    shownFrame = frame.index;
+    setLayout(frame.layout);
+    const auto began = std::chrono::steady_clock::now();
+    uploadPicture(slot);
+    upload_ms = millisecondsSince(began);
+    light_ms = static_cast<float>(frame.prepare_ms);
+    decode_ms = static_cast<float>(frame.decode_ms);
+    return true;
+}
+
+Status Surround::State::openFile(const Path& file, media::Layout wish) {
     const auto info = media::inspectVideo(file, wish);
     if (!info) return info.error();
     setLayout(info->layout);
     const EyePart part = partOf(info->width, info->height, layout, 0);
-    const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
-    maker.emplace(light::LightOptions{most, leastRoughness, quality});
-    prepared.resize(kSlots);
-    pictures.resize(kSlots);
-    auto opened = media::VideoPlayer::open(
-        file, {.layout = layout,
-               .slots = kSlots,
-               .prepare = [this, part](const media::VideoFrame& frame, int slot) {
-                   makeLight(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
-                   findLook(viewOf(frame.pixelsBgr, part, true), static_cast<size_t>(slot));
-                   media::toRgba(frame.pixelsBgr, true, pictures[static_cast<size_t>(slot)]);
-               }});
+    auto opened =
+        media::VideoPlayer::open(file, {.layout = layout,
+                                        .slots = kSlots,
+                                        .prepare = [this, part](const media::VideoFrame& frame, int slot) {
+                                            prepare(frame.pixelsBgr, part, slot);
+                                        }});
     if (!opened) return opened.error();
     player = std::move(*opened);
     return Done{};
@@ -185,8 +246,7 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     media::toRgba(*picture, false, pictures[0]);
     findLook(viewOf(*picture, part, false), 0);
     uploadPicture(0);
-    followWater(prepared[0].water, 0);
-    look.follow(prepared[0].look, 0);
+    follow(prepared[0], 0);
     return Done{};
 }
 
@@ -227,10 +287,10 @@ Result<Surround> Surround::open(const SurroundSetup& setup) {
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
     const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
-    Status opened = !setup.options.photo.empty()   ? state->openPhoto(setup.options.photo, wish)
-                    : !setup.options.env.empty()   ? state->openEnv(setup.options.env)
-                    : !setup.options.video.empty() ? state->openVideo(setup.options.video, wish, quality)
-                                                   : state->openVideo(setup.defaultVideo, wish, quality);
+    const std::string video = setup.options.video.empty() ? setup.defaultVideo.string() : setup.options.video;
+    Status opened = !setup.options.photo.empty() ? state->openPhoto(setup.options.photo, wish)
+                    : !setup.options.env.empty() ? state->openEnv(setup.options.env)
+                                                 : state->openVideo(video, wish, quality, setup.wait);
     if (!opened) return opened.error();
     Surround surround(std::move(state));
     surround.update(0, true);
@@ -244,6 +304,7 @@ Surround::~Surround() = default;
 
 bool Surround::update(double time_s, bool exact) {
     State& s = *state_;
+    if (s.live) return s.updateLive(time_s);
     if (!s.player) return false;
     const media::VideoFrame* frame = exact ? s.player->waitFor(time_s) : s.player->newest(time_s);
     if (std::string status = s.player->status(); !status.empty()) {
@@ -252,8 +313,7 @@ bool Surround::update(double time_s, bool exact) {
     }
     const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
     // With every picture and not only with new frames: smoother than the video.
-    s.followWater(prepared.water, static_cast<float>(time_s - s.lastUpdate_s));
-    if (s.lookEstimator) s.look.follow(prepared.look, static_cast<float>(time_s - s.lastUpdate_s));
+    s.follow(prepared, static_cast<float>(time_s - s.lastUpdate_s));
     s.lastUpdate_s = time_s;
     s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
@@ -300,5 +360,6 @@ std::string_view Surround::lightName() const {
     return state_->hdr ? "as measured, GGX prefiltered" : "thesis inverse tone mapping, GGX prefiltered";
 }
 std::string_view Surround::notice() const { return state_->notice; }
+const media::LivePlayer* Surround::live() const { return state_->live ? &*state_->live : nullptr; }
 
 } // namespace shoal::app

@@ -13,10 +13,15 @@
 #include <glm/mat3x3.hpp>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+
+namespace shoal::media {
+class LivePlayer;
+}
 
 namespace shoal::app {
 
@@ -33,6 +38,7 @@ struct SurroundSetup {
     Immersed immersed = Immersed::No; // an HDR picture never is
     bool filmLook = false;            // find out what the camera did to it
     std::optional<float> eyeHeight_m; // of the camera above the floor, where known
+    std::function<bool()> wait;       // of a live video: asked whether to go on waiting for its first picture
 };
 
 // The space that the light is in, known before anything is opened.
@@ -47,8 +53,8 @@ class Surround {
     ~Surround();
 
     // Shows what is due at this time of the video, seconds (it repeats for ever). exact: waits for just that
-    // frame, so that equal times give equal pictures; else takes the newest complete one. True if the picture
-    // changed.
+    // frame, so that equal times give equal pictures; else takes the newest complete one. Of what is live
+    // always the newest, whatever the time. True if the picture changed.
     bool update(double time_s, bool exact);
 
     // Between the eye and all that is drawn, as of the last update(); none where the surround is dry.
@@ -61,11 +67,11 @@ class Surround {
     // Of the video's picture, counted on as it repeats; -1: a still.
     int64_t frameIndex() const;
 
-    // Of a video, before it begins anew; 0: a still.
+    // Of a video, before it begins anew; 0: a still, or live.
     double length_s() const;
 
-    // Of the video, 0 for stills: what the last update() asked to be seen, counted from the first picture of
-    // its pass.
+    // Of the video, 0 for stills and what is live: what the last update() asked to be seen, counted from the
+    // first picture of its pass.
     double videoPosition_s() const;
 
     // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
@@ -81,7 +87,8 @@ class Surround {
     float decode_ms() const;
     float upload_ms() const;
     std::string_view lightName() const;
-    std::string_view notice() const; // one sentence when the video broke; else empty
+    std::string_view notice() const;       // one sentence when the video broke or has stopped; else empty
+    const media::LivePlayer* live() const; // null: a file
 
   private:
     struct State;

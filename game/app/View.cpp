@@ -132,7 +132,8 @@ Status Viewer::open() {
                                     .defaultVideo = dataRoot() / "content/video/reef.mp4",
                                     .still = true,
                                     .pyramid = options_.look.glossy == "phong36",
-                                    .leastRoughness = scene::leastRoughness(model_)});
+                                    .leastRoughness = scene::leastRoughness(model_),
+                                    .wait = [this] { return !window_ || !window_->poll().closing; }});
     if (!surround) return surround.error();
     surround_ = std::move(*surround);
     surround_->update(static_cast<double>(options_.at_s), true);

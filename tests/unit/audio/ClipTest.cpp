@@ -1,39 +1,14 @@
 // Sound files, good and bad.
 #include "engine/audio/Clip.h"
+#include "tests/unit/Wav.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <fstream>
 #include <iterator>
 
 namespace shoal::audio {
 namespace {
-
-// A 16-bit WAV written by hand.
-std::string wav(uint16_t channels, uint32_t rate_Hz, uint32_t claimedBytes,
-                const std::vector<int16_t>& samples) {
-    std::string out;
-    const auto put = [&](const auto value) {
-        char bytes[sizeof value];
-        std::memcpy(bytes, &value, sizeof value);
-        out.append(bytes, sizeof value);
-    };
-    out += "RIFF";
-    put(uint32_t{36 + claimedBytes});
-    out += "WAVEfmt ";
-    put(uint32_t{16});
-    put(uint16_t{1});
-    put(channels);
-    put(rate_Hz);
-    put(uint32_t{rate_Hz * channels * 2});
-    put(static_cast<uint16_t>(channels * 2));
-    put(uint16_t{16});
-    out += "data";
-    put(claimedBytes);
-    for (const int16_t sample : samples) put(sample);
-    return out;
-}
 
 Result<Clip> read(const std::string& bytes) {
     const Path file =
@@ -47,7 +22,7 @@ Result<Clip> read(const std::string& bytes) {
 
 TEST(Clip, ReadsWhatWasWritten) {
     const std::vector<int16_t> samples = {0, 1000, -1000, 32767, -32768, 5};
-    auto clip = read(wav(2, 44100, 12, samples));
+    auto clip = read(wavOf(2, 44100, samples));
     ASSERT_TRUE(clip) << clip.error().sentence();
     EXPECT_EQ(clip->rate_Hz, 44100);
     EXPECT_EQ(clip->channels, 2);
@@ -61,11 +36,11 @@ TEST(Clip, SaysWhyItCannotBeRead) {
     EXPECT_EQ(reason(readClip("/")), "there is no such sound");
     EXPECT_EQ(reason(readClip(dataRoot() / "content" / "species.toml")), "is not a sound that can be read");
     EXPECT_EQ(reason(read("")), "is not a sound that can be read");
-    EXPECT_EQ(reason(read(wav(3, 48000, 120, some))), "has neither one nor two channels");
-    EXPECT_EQ(reason(read(wav(1, 100, 128, some))), "has an unusable sample rate");
-    EXPECT_EQ(reason(read(wav(1, 4000000, 128, some))), "has an unusable sample rate");
-    EXPECT_EQ(reason(read(wav(1, 48000, 0, {}))), "is empty or longer than a minute");
-    EXPECT_EQ(reason(read(wav(1, 8000, 2 * 8000 * 61, std::vector<int16_t>(8000 * 61)))),
+    EXPECT_EQ(reason(read(wavOf(3, 48000, some, 120))), "has neither one nor two channels");
+    EXPECT_EQ(reason(read(wavOf(1, 100, some))), "has an unusable sample rate");
+    EXPECT_EQ(reason(read(wavOf(1, 4000000, some))), "has an unusable sample rate");
+    EXPECT_EQ(reason(read(wavOf(1, 48000, {}))), "is empty or longer than a minute");
+    EXPECT_EQ(reason(read(wavOf(1, 8000, std::vector<int16_t>(8000 * 61)))),
               "is empty or longer than a minute");
 }
 

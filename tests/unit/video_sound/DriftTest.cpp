@@ -2,7 +2,7 @@
 #include "engine/audio/Audio.h"
 #include "engine/media/SoundTrack.h"
 
-#include "Wav.h"
+#include "tests/unit/Wav.h"
 
 #include <gtest/gtest.h>
 

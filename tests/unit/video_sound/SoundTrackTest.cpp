@@ -1,7 +1,7 @@
 // What is read of a video's sound, and where it lies in time.
 #include "engine/media/SoundTrack.h"
 
-#include "Wav.h"
+#include "tests/unit/Wav.h"
 
 #include <gtest/gtest.h>
 

@@ -5,20 +5,23 @@
 
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <vector>
 
 namespace shoal {
 
-inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<int16_t>& samples) {
+// claimedBytes: what its header says of the samples' size; empty: the truth.
+inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<int16_t>& samples,
+                         std::optional<uint32_t> claimedBytes = {}) {
     std::string out;
     const auto put = [&](const auto value) {
         char bytes[sizeof value];
         std::memcpy(bytes, &value, sizeof value);
         out.append(bytes, sizeof value);
     };
-    const auto size = static_cast<uint32_t>(samples.size() * 2);
+    const auto size = claimedBytes.value_or(static_cast<uint32_t>(samples.size() * 2));
     out += "RIFF";
     put(uint32_t{36 + size});
     out += "WAVEfmt ";
@@ -31,7 +34,7 @@ inline std::string wavOf(uint16_t channels, uint32_t rate_Hz, const std::vector<
     put(uint16_t{16});
     out += "data";
     put(size);
-    out.append(reinterpret_cast<const char*>(samples.data()), size);
+    out.append(reinterpret_cast<const char*>(samples.data()), samples.size() * 2);
     return out;
 }
 

@@ -1,0 +1,101 @@
+#include "engine/media/live/Camera.h"
+
+#include "engine/media/Quiet.h"
+#include "engine/media/VideoInfo.h"
+
+#include <opencv2/videoio.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+
+namespace shoal::media {
+
+namespace {
+
+// The camera gives what is nearest to it: a surround has twice as many columns as rows.
+constexpr int kWishedWidth = 3840, kWishedHeight = 1920;
+
+class Camera {
+  public:
+    explicit Camera(int index) : index_(index) {}
+
+    Status open() {
+        setUpDecoders();
+        std::error_code code;
+        if (!std::filesystem::exists("/dev/video" + std::to_string(index_), code))
+            return Error{"", "is not there; `shoal devices` lists the cameras that are"};
+        try {
+            capture_.release();
+            if (!capture_.open(index_, cv::CAP_V4L2))
+                return Error{"", "cannot be opened, or is in use elsewhere"};
+            // As JPEG, in which alone most cameras send large pictures; they refuse what they do not know.
+            capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
+            capture_.set(cv::CAP_PROP_FRAME_WIDTH, kWishedWidth);
+            capture_.set(cv::CAP_PROP_FRAME_HEIGHT, kWishedHeight);
+            capture_.set(cv::CAP_PROP_BUFFERSIZE, 2); // no more than it needs: what waits grows old
+        } catch (const std::exception&) {
+            return Error{"", "cannot be opened"};
+        }
+        return Done{};
+    }
+
+    Result<LivePicture> read(ImageRgb8& bgr) {
+        const Error silent{"", "sends no pictures any more"};
+        try {
+            if (interrupted_ || !capture_.grab()) return silent;
+            LivePicture picture;
+            picture.arrived_s = liveNow_s();
+            const auto width = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH));
+            const auto height = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT));
+            if (width < 2 || height < 2 || width > kMaxVideoSide || height > kMaxVideoSide)
+                return Error{"", "gives a picture of a size that is not played"};
+            if (bgr.width != width || bgr.height != height) bgr = ImageRgb8(width, height);
+            cv::Mat target(height, width, CV_8UC3, bgr.pixels.data());
+            if (!capture_.retrieve(target) || target.data != bgr.pixels.data()) return silent;
+            picture.decode_ms = 1e3 * (liveNow_s() - picture.arrived_s);
+            return picture;
+        } catch (const std::exception&) {
+            return silent;
+        }
+    }
+
+    void interrupt() { interrupted_ = true; }
+
+  private:
+    int index_;
+    cv::VideoCapture capture_;
+    std::atomic<bool> interrupted_{false};
+};
+
+} // namespace
+
+LiveFeed cameraFeed(const CameraAddress& address) {
+    const auto camera = std::make_shared<Camera>(address.index);
+    return {.name = "camera:" + std::to_string(address.index),
+            .kind = "camera",
+            .open = [camera] { return camera->open(); },
+            .read = [camera](ImageRgb8& bgr) { return camera->read(bgr); },
+            .interrupt = [camera] { camera->interrupt(); }};
+}
+
+std::vector<CameraListed> listCameras() {
+    std::vector<CameraListed> cameras;
+    std::error_code code;
+    for (const auto& entry : std::filesystem::directory_iterator("/sys/class/video4linux", code)) {
+        const std::string node = entry.path().filename().string();
+        if (!node.starts_with("video") || node.size() < 6 || node.size() > 8 ||
+            node.find_first_not_of("0123456789", 5) != std::string::npos)
+            continue;
+        // A camera's further nodes give what is no picture.
+        int which = 0;
+        if (std::ifstream(entry.path() / "index") >> which && which != 0) continue;
+        CameraListed camera{std::stoi(node.substr(5)), {}};
+        std::getline(std::ifstream(entry.path() / "name"), camera.name);
+        cameras.push_back(std::move(camera));
+    }
+    std::sort(cameras.begin(), cameras.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
+    return cameras;
+}
+
+} // namespace shoal::media

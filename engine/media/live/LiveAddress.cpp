@@ -1,0 +1,59 @@
+#include "engine/media/live/LiveAddress.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace shoal::media {
+
+namespace {
+
+// By kStreamSchemes. Over HTTP a server may send us on to a safe address; from a safe one to no other.
+constexpr std::array kProtocols = {"rtp,udp,tcp", "http,https,tls,tcp", "https,tls,tcp", "tcp", "udp"};
+static_assert(kProtocols.size() == kStreamSchemes.size());
+
+constexpr size_t kLongest = 2048;
+
+// What stands before "://", if that can be a scheme.
+std::string_view schemeOf(const std::string& text) {
+    const size_t end = text.find("://");
+    if (end == std::string::npos || end == 0) return {};
+    const std::string_view scheme = std::string_view(text).substr(0, end);
+    const bool plausible = std::all_of(scheme.begin(), scheme.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' ||
+               c == '-' || c == '.';
+    });
+    return plausible ? scheme : std::string_view();
+}
+
+} // namespace
+
+Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
+    if (text.starts_with("camera:")) {
+        const std::string number = text.substr(7);
+        if (number.empty() || number.size() > 2 ||
+            number.find_first_not_of("0123456789") != std::string::npos)
+            return Error{text, "wants the number of a camera, such as camera:0"};
+        return std::optional<LiveAddress>(CameraAddress{std::stoi(number)});
+    }
+    if (const std::string_view scheme = schemeOf(text); !scheme.empty()) {
+        if (text.size() > kLongest) return Error{withoutPassword(text.substr(0, 80)), "is too long a URL"};
+        for (size_t i = 0; i < kStreamSchemes.size(); ++i)
+            if (scheme == kStreamSchemes[i])
+                return std::optional<LiveAddress>(StreamAddress{text, kProtocols[i]});
+        std::string known;
+        for (const char* each : kStreamSchemes) known += (known.empty() ? "" : ", ") + std::string(each);
+        return Error{withoutPassword(text), "is a URL of a kind that is not played; these are: " + known};
+    }
+    std::error_code code;
+    if (std::filesystem::is_fifo(text, code)) return std::optional<LiveAddress>(PipeAddress{text});
+    return std::optional<LiveAddress>();
+}
+
+std::string withoutPassword(const std::string& url) {
+    const size_t from = url.find("://");
+    if (from == std::string::npos) return url;
+    const size_t host = from + 3, at = url.substr(0, url.find_first_of("/?#", host)).rfind('@');
+    return at == std::string::npos || at < host ? url : url.substr(0, host) + url.substr(at + 1);
+}
+
+} // namespace shoal::media

@@ -1,0 +1,279 @@
+#include "engine/media/live/LivePlayer.h"
+
+#include "engine/media/live/Backoff.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace shoal::media {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr Seconds kAskEvery{0.05};
+constexpr Seconds kFarewell{2}; // for a feed that does not hear that it is interrupted
+
+} // namespace
+
+double liveNow_s() { return Seconds(Clock::now().time_since_epoch()).count(); }
+
+struct LivePlayer::Impl {
+    enum class State { Free, Filling, Ready, Shown };
+    struct Slot {
+        LiveFrame frame;
+        State state = State::Free;
+    };
+
+    LiveFeed feed;
+    LiveOptions options;
+
+    mutable std::mutex mutex;
+    std::condition_variable changed;
+    // Guarded by mutex:
+    std::vector<Slot> slots; // the one being filled is the decode thread's
+    int shown = -1;
+    LiveCounts counts;
+    double lastMade_s = 0;
+    bool lost = false;
+    std::string reason; // of the loss
+    bool stop = false;
+    bool inFeed = false; // the thread is in a call that may block
+    bool finished = false;
+    std::thread thread;
+
+    // The frame thread's:
+    LiveState state = LiveState::Playing;
+    std::string notice, noticedReason;
+    std::array<double, 64> calls_s{}; // times of newest(), round and round
+    size_t callCount = 0;
+    int displayFrames = 0;
+
+    // The decode thread's:
+    Layout layout = Layout::Mono;
+    int width = 0, height = 0;
+
+    // --- Decode thread -------------------------------------------------------------------------------------
+
+    // False: it is time to go.
+    template <class Call> bool inCall(std::unique_lock<std::mutex>& lock, Call&& call) {
+        inFeed = true;
+        lock.unlock();
+        call();
+        lock.lock();
+        inFeed = false;
+        changed.notify_all();
+        return !stop;
+    }
+
+    int freeSlot() const {
+        for (size_t i = 0; i < slots.size(); ++i)
+            if (slots[i].state == State::Free) return static_cast<int>(i);
+        assert(!"three slots, of which one is shown and one ready");
+        return 0;
+    }
+
+    void findLayout(const ImageRgb8& picture) {
+        if (picture.width == width && picture.height == height) return;
+        if (width > 0) ++counts.resized;
+        width = picture.width;
+        height = picture.height;
+        layout = options.layout;
+        if (layout == Layout::Auto) layout = layoutFromShape(width, height);
+        if (layout == Layout::Auto) layout = layoutFromContent(picture);
+    }
+
+    void publish(int slotIndex, const LivePicture& picture) {
+        for (Slot& other : slots)
+            if (other.state == State::Ready) {
+                other.state = State::Free;
+                ++counts.passedOver;
+            }
+        slots[static_cast<size_t>(slotIndex)].state = State::Ready;
+        counts.passedOver += picture.passedOver;
+        ++counts.made;
+        lastMade_s = options.now_s();
+        lost = false;
+        changed.notify_all();
+    }
+
+    // Reads until nothing more comes; says why.
+    Error play(std::unique_lock<std::mutex>& lock, Backoff& backoff) {
+        for (;;) {
+            const int index = freeSlot();
+            Slot& slot = slots[static_cast<size_t>(index)];
+            slot.state = State::Filling;
+            Result<LivePicture> picture = Error{};
+            if (!inCall(lock, [&] { picture = feed.read(slot.frame.pixelsBgr); }) || !picture) {
+                slot.state = State::Free;
+                return picture ? Error{} : picture.error();
+            }
+            findLayout(slot.frame.pixelsBgr);
+            slot.frame.layout = layout;
+            slot.frame.index = counts.made;
+            slot.frame.arrived_s = picture->arrived_s;
+            slot.frame.decode_ms = picture->decode_ms;
+            lock.unlock();
+            const Clock::time_point began = Clock::now();
+            if (options.prepare) options.prepare(slot.frame, index);
+            slot.frame.prepare_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+            lock.lock();
+            publish(index, *picture);
+            backoff.succeeded();
+            if (stop) return Error{};
+        }
+    }
+
+    void run() {
+        // Does not step back as a file's thread does: what that has ready before it is due is late here.
+        Backoff backoff(options.retryFirst_s, options.retryMost_s);
+        std::unique_lock lock(mutex);
+        while (!stop) {
+            Status opened = Error{};
+            if (!inCall(lock, [&] { opened = feed.open(); })) break;
+            const Error why = opened ? play(lock, backoff) : opened.error();
+            if (stop) break;
+            if (!lost) ++counts.losses;
+            lost = true;
+            reason = why.reason;
+            changed.notify_all();
+            changed.wait_for(lock, Seconds(backoff.next_s()), [&] { return stop; });
+        }
+        finished = true;
+        changed.notify_all();
+    }
+
+    // --- Frame's thread, with the lock held ----------------------------------------------------------------
+
+    // Shows what is ready; false if nothing is.
+    bool takeReady() {
+        for (size_t i = 0; i < slots.size(); ++i) {
+            if (slots[i].state != State::Ready) continue;
+            if (shown >= 0) slots[static_cast<size_t>(shown)].state = State::Free;
+            shown = static_cast<int>(i);
+            slots[i].state = State::Shown;
+            ++counts.shown;
+            return true;
+        }
+        return false;
+    }
+
+    void countCall() { calls_s[callCount++ % calls_s.size()] = options.now_s(); }
+
+    void countDisplayFrames() {
+        const double arrived_s = slots[static_cast<size_t>(shown)].frame.arrived_s;
+        const auto after = [&](double call_s) { return call_s >= arrived_s; };
+        const auto known = static_cast<ptrdiff_t>(std::min(callCount, calls_s.size()));
+        displayFrames = static_cast<int>(std::count_if(calls_s.begin(), calls_s.begin() + known, after));
+    }
+
+    void tellState() {
+        const LiveState now = lost                                             ? LiveState::Lost
+                              : options.now_s() - lastMade_s > options.still_s ? LiveState::Stopped
+                                                                               : LiveState::Playing;
+        if (now == state && (now != LiveState::Lost || noticedReason == reason)) return;
+        if (now != LiveState::Playing && state == LiveState::Playing) ++counts.stops;
+        state = now;
+        noticedReason = reason;
+        notice.clear();
+        if (now == LiveState::Stopped)
+            notice = std::string("The ") + feed.kind + " has stopped; showing its last picture";
+        if (now == LiveState::Lost)
+            notice = std::string("The ") + feed.kind + " " + reason +
+                     "; showing its last picture, and trying again";
+    }
+};
+
+Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const std::function<bool()>& wait) {
+    assert(options.slots >= 3);
+    auto impl = std::make_shared<Impl>();
+    impl->feed = std::move(feed);
+    impl->options = std::move(options);
+    impl->slots.resize(static_cast<size_t>(impl->options.slots));
+    // It keeps what it uses alive for itself, should it be left behind.
+    impl->thread = std::thread([impl] { impl->run(); });
+    LivePlayer player(impl);
+
+    const Clock::time_point last =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(impl->options.firstPicture_s));
+    std::unique_lock lock(impl->mutex);
+    const auto failed = [&](std::string why) {
+        lock.unlock(); // for the player's end
+        return Error{impl->feed.name, std::move(why)};
+    };
+    for (;;) {
+        if (impl->takeReady()) break;
+        if (impl->lost) return failed(impl->reason);
+        if (Clock::now() >= last) return failed("no picture has come");
+        impl->changed.wait_for(lock, kAskEvery);
+        lock.unlock();
+        const bool go = !wait || wait();
+        lock.lock();
+        if (!go) return failed("was not waited for");
+    }
+    lock.unlock();
+    return player;
+}
+
+LivePlayer::LivePlayer(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LivePlayer::LivePlayer(LivePlayer&&) noexcept = default;
+LivePlayer& LivePlayer::operator=(LivePlayer&& other) noexcept {
+    std::swap(impl_, other.impl_);
+    return *this;
+}
+
+LivePlayer::~LivePlayer() {
+    if (!impl_) return;
+    std::unique_lock lock(impl_->mutex);
+    impl_->stop = true;
+    impl_->changed.notify_all();
+    lock.unlock();
+    impl_->feed.interrupt();
+    lock.lock();
+    impl_->changed.wait_for(lock, kFarewell, [&] { return impl_->finished; });
+    impl_->changed.wait(lock, [&] { return impl_->finished || impl_->inFeed; });
+    const bool finished = impl_->finished;
+    lock.unlock();
+    finished ? impl_->thread.join() : impl_->thread.detach();
+}
+
+const LiveFrame* LivePlayer::newest() {
+    Impl& p = *impl_;
+    const std::lock_guard lock(p.mutex);
+    p.countCall();
+    if (p.takeReady()) p.countDisplayFrames();
+    p.tellState();
+    return &p.slots[static_cast<size_t>(p.shown)].frame;
+}
+
+int LivePlayer::displayFrames() const { return impl_->displayFrames; }
+
+double LivePlayer::age_s() const {
+    return impl_->options.now_s() - impl_->slots[static_cast<size_t>(impl_->shown)].frame.arrived_s;
+}
+
+int LivePlayer::slotOf(const LiveFrame& frame) const {
+    for (size_t i = 0; i < impl_->slots.size(); ++i)
+        if (&impl_->slots[i].frame == &frame) return static_cast<int>(i);
+    assert(!"a frame of another player");
+    return -1;
+}
+
+LiveState LivePlayer::state() const { return impl_->state; }
+const std::string& LivePlayer::notice() const { return impl_->notice; }
+
+LiveCounts LivePlayer::counts() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->counts;
+}
+
+} // namespace shoal::media

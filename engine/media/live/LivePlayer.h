@@ -1,0 +1,85 @@
+// Plays what is live: the newest picture, whenever one has come. No looking ahead, no seeking, no end: where
+// nothing comes, the last picture stays, and the connection is made anew until it comes again.
+//
+// Threads: newest() and what tells of it belong to one thread, the frame's. `prepare` runs on the decode
+// thread. Memory: the slots, taken when the first pictures come and when they change their size; nothing per
+// frame by us. A frame that was not shown before the next was complete is never shown.
+#pragma once
+
+#include "engine/media/StereoView.h"
+#include "engine/media/live/LiveFeed.h"
+
+#include <memory>
+
+namespace shoal::media {
+
+struct LiveFrame {
+    ImageRgb8 pixelsBgr;          // sRGB-coded, blue first
+    Layout layout = Layout::Mono; // never Auto
+    int64_t index = -1;           // of those made, from 0
+    double arrived_s = 0;         // by LiveOptions::now_s
+    double decode_ms = 0, prepare_ms = 0;
+};
+
+struct LiveOptions {
+    Layout layout = Layout::Auto; // from the picture's shape or content, found anew when its size changes
+    int slots = 3;                // one shown, one ready, one being filled; at least 3
+    // As VideoOptions::prepare.
+    std::function<void(const LiveFrame& frame, int slot)> prepare;
+    double firstPicture_s = 10; // open() waits so long
+    double still_s = 1;         // without a new picture: it has stopped, and says so
+    double retryFirst_s = 0.5, retryMost_s = 8;
+    std::function<double()> now_s = liveNow_s;
+};
+
+enum class LiveState { Playing, Stopped, Lost };
+
+// Since open(), for statistics.
+struct LiveCounts {
+    int64_t shown = 0;      // frames given out
+    int64_t made = 0;       // frames decoded and prepared
+    int64_t passedOver = 0; // that came, but were older than another that was there
+    int64_t stops = 0;      // times that nothing new came for still_s
+    int64_t losses = 0;     // times that the connection was lost
+    int64_t resized = 0;    // times that the picture changed its size
+};
+
+class LivePlayer {
+  public:
+    // Returns when the first picture is ready. Errors: why there is none, or none within firstPicture_s, or
+    // wait() said false. wait: asked some twenty times a second whether to go on waiting.
+    static Result<LivePlayer> open(LiveFeed feed, LiveOptions options = {},
+                                   const std::function<bool()>& wait = {});
+
+    LivePlayer(LivePlayer&&) noexcept;
+    LivePlayer& operator=(LivePlayer&&) noexcept;
+    // Soon, whatever the feed is waiting for: where it does not let itself be interrupted its thread is left
+    // behind, and touches nothing of ours any more.
+    ~LivePlayer();
+
+    // Once for each picture of the display: the newest complete frame. Never null. Valid until the next call.
+    const LiveFrame* newest();
+
+    // How many calls of newest() came after the frame of the last one had arrived, that one counted: 1 if the
+    // display's next picture showed it.
+    int displayFrames() const;
+
+    // Since the frame of the last newest() had arrived.
+    double age_s() const;
+
+    int slotOf(const LiveFrame& frame) const;
+
+    LiveState state() const; // as of the last newest()
+
+    // One sentence for the person while nothing new comes, else empty. Valid until the next newest().
+    const std::string& notice() const;
+
+    LiveCounts counts() const;
+
+  private:
+    struct Impl;
+    explicit LivePlayer(std::shared_ptr<Impl> impl);
+    std::shared_ptr<Impl> impl_;
+};
+
+} // namespace shoal::media

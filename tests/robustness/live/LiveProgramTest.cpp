@@ -1,0 +1,187 @@
+// The whole program inside a live video that behaves as networks do.
+#include "engine/core/Files.h"
+#include "tests/unit/live_server/HttpServer.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <string>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+extern char** environ;
+
+namespace shoal {
+namespace {
+
+namespace fs = std::filesystem;
+using media::test::HttpServer;
+
+// A sea whose light swings from left to right, so that neighbours differ.
+std::string pictureOf(int number, cv::Size size) {
+    cv::Mat picture(size, CV_8UC3);
+    const double turn = 0.05 * number;
+    for (int y = 0; y < picture.rows; ++y)
+        for (int x = 0; x < picture.cols; ++x) {
+            const double light = 0.5 + 0.5 * std::cos(2 * CV_PI * x / picture.cols - turn);
+            const double down = 1 - static_cast<double>(y) / picture.rows;
+            picture.at<cv::Vec3b>(y, x) = {cv::saturate_cast<uint8_t>(60 + 150 * down),
+                                           cv::saturate_cast<uint8_t>(40 + 150 * down * light),
+                                           cv::saturate_cast<uint8_t>(10 + 60 * down * light)};
+        }
+    std::vector<uint8_t> bytes;
+    cv::imencode(".jpg", picture, bytes);
+    return {bytes.begin(), bytes.end()};
+}
+
+class LiveProgram : public testing::Test {
+  protected:
+    Path folder_;
+    pid_t child_ = -1;
+
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = Path(testing::TempDir()) / ("shoal_" + std::to_string(getpid()) + "_" + info->name());
+        fs::create_directories(folder_);
+    }
+    void TearDown() override {
+        if (child_ > 0) {
+            kill(child_, SIGKILL);
+            waitpid(child_, nullptr, 0);
+        }
+        fs::remove_all(folder_);
+    }
+
+    Path err() const { return folder_ / "stderr.txt"; }
+    Path stats() const { return folder_ / "stats.json"; }
+    static std::string textOf(const Path& file) {
+        auto text = readText(file);
+        return text ? *text : "";
+    }
+
+    void start(std::vector<std::string> words) {
+        words.insert(words.begin(), SHOAL_PROGRAM);
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        posix_spawn_file_actions_t files;
+        posix_spawn_file_actions_init(&files);
+        posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&files, 1, (folder_ / "stdout.txt").c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_addopen(&files, 2, err().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        ASSERT_EQ(posix_spawn(&child_, SHOAL_PROGRAM, &files, nullptr, arguments.data(), environ), 0);
+        posix_spawn_file_actions_destroy(&files);
+    }
+    int finish() {
+        int status = -1;
+        waitpid(child_, &status, 0);
+        child_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    int run(std::vector<std::string> words) {
+        start(std::move(words));
+        return finish();
+    }
+
+    std::string valueOf(const std::string& name) const {
+        const std::string text = textOf(stats()), key = "\"" + name + "\": ";
+        const size_t at = text.find(key);
+        if (at == std::string::npos) return "";
+        const size_t from = at + key.size();
+        return text.substr(from, text.find_first_of(",\n", from) - from);
+    }
+};
+
+// Sends pictures at some thirty a second: as many, or until the client leaves. The pause is a wait for that.
+int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128}) {
+    int number = first;
+    for (; number < first + count; ++number) {
+        if (!server.sendPicture(pictureOf(number, size))) break;
+        if (server.waitForLeave(33)) break;
+    }
+    return number;
+}
+
+TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
+    const std::string script = std::string(SHOAL_SOURCE_DIR) + "/tests/robustness/live/stream.toml";
+    const std::vector<std::string> play = {
+        "play", "--headless", "--size",           "64x36",   "--fps",
+        "30",   "--hands",    "script:" + script, "--stats", stats().string()};
+    ASSERT_EQ(run(play), 0) << textOf(err());
+    const std::string undisturbed = valueOf("state_hash");
+    ASSERT_EQ(undisturbed.size(), 18u);
+    fs::remove(stats());
+
+    HttpServer server;
+    std::vector<std::string> live = play;
+    live.insert(live.end(), {"--video", server.url()});
+    start(live);
+    ASSERT_TRUE(server.accept() && server.beginPictures());
+    int number = stream(server, 0, 60);
+    EXPECT_TRUE(server.waitForLeave()) << "it stalls: the program gives the connection up";
+    ASSERT_TRUE(server.accept() && server.beginPictures()) << "it returns";
+    number = stream(server, number, 30);
+    server.cut();
+    ASSERT_TRUE(server.accept() && server.beginPictures()) << "it returns again";
+    number = stream(server, number, 30, {99, 49}); // a camera set to another size
+    stream(server, number, 1 << 20, {192, 192});
+    EXPECT_EQ(finish(), 0) << textOf(err());
+    EXPECT_EQ(server.accepted(), 3);
+    EXPECT_EQ(valueOf("state_hash"), undisturbed) << "what is seen does not enter the simulation";
+    EXPECT_EQ(valueOf("losses"), "2");
+    EXPECT_EQ(valueOf("resized"), "2");
+    EXPECT_GE(std::stoi(valueOf("shown")), 60);
+    const std::string said = textOf(err());
+    EXPECT_NE(said.find("The stream has stopped; showing its last picture"), std::string::npos) << said;
+    EXPECT_NE(said.find("has sent no picture for 4 s; showing its last picture, and trying again"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("pictures come again"), std::string::npos) << said;
+}
+
+TEST_F(LiveProgram, WhatIsNotThereIsOneSentence) {
+    const std::vector<std::string> play = {"play", "--headless", "--size", "64x36", "--at", "0.1", "--video"};
+    const auto said = [&](const std::string& address, std::vector<std::string> words) {
+        words.push_back(address);
+        EXPECT_EQ(run(std::move(words)), 1) << address;
+        const std::string text = textOf(err());
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+        return text;
+    };
+    EXPECT_NE(said("camera:98", play).find("camera:98: is not there"), std::string::npos);
+    EXPECT_NE(said("camera:x", play).find("camera:x"), std::string::npos);
+    EXPECT_NE(said("rtmp://host/a", play).find("rtsp, http, https, tcp, udp"), std::string::npos);
+    EXPECT_NE(said("http://me:secret@127.0.0.1:1/a", play).find("http://127.0.0.1:1/a: cannot be opened"),
+              std::string::npos);
+    EXPECT_NE(said("camera:98", {"check"}).find("camera:98: is not there"), std::string::npos);
+}
+
+TEST_F(LiveProgram, CheckTellsWhatAStreamIs) {
+    HttpServer server;
+    start({"check", server.url()});
+    ASSERT_TRUE(server.accept() && server.beginPictures());
+    stream(server, 0, 1 << 20);
+    EXPECT_EQ(finish(), 0) << textOf(err());
+    EXPECT_NE(textOf(folder_ / "stdout.txt").find("a live stream of 256x128, lat-long mono"),
+              std::string::npos);
+}
+
+// Interrupted by the person while the server is silent: at once, before there is any picture.
+TEST_F(LiveProgram, ItEndsWhileTheServerIsSilent) {
+    HttpServer server;
+    start({"play", "--headless", "--size", "64x36", "--at", "3600", "--video", server.url()});
+    ASSERT_TRUE(server.accept());
+    kill(child_, SIGINT);
+    EXPECT_NE(finish(), 0);
+}
+
+} // namespace
+} // namespace shoal

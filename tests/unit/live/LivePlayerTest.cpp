@@ -1,0 +1,204 @@
+// The player over a made-up feed and a made-up clock: nothing here takes the time that it speaks of.
+#include "engine/media/live/LivePlayer.h"
+
+#include "tests/unit/live/FakeFeed.h"
+
+#include <set>
+#include <thread>
+
+namespace shoal::media {
+namespace {
+
+using test::FakeFeed;
+
+struct Played {
+    FakeFeed fake;
+    std::atomic<double> now_s{100};
+    std::optional<LivePlayer> player;
+
+    LiveOptions options() {
+        LiveOptions options;
+        options.retryFirst_s = options.retryMost_s = 0;
+        options.now_s = [this] { return now_s.load(); };
+        return options;
+    }
+    Played() = default;
+    // Playing, with picture 0 shown.
+    explicit Played(LiveOptions with) { begin(std::move(with)); }
+    void begin(LiveOptions with) {
+        fake.send(0, now_s);
+        auto opened = LivePlayer::open(fake.feed(), std::move(with));
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        player.emplace(std::move(*opened));
+    }
+    int shown() { return numberOf(player->newest()->pixelsBgr); }
+    void untilMade(int64_t count) {
+        while (player->counts().made < count) std::this_thread::yield();
+    }
+};
+
+TEST(LivePlayer, ABurstShowsItsNewestAndCountsTheRest) {
+    Played p;
+    p.begin(p.options());
+    for (int i = 1; i <= 5; ++i) p.fake.send(i);
+    p.untilMade(6);
+    EXPECT_EQ(p.shown(), 5);
+    EXPECT_EQ(p.shown(), 5);
+    const LiveCounts counts = p.player->counts();
+    EXPECT_EQ(counts.shown, 2);
+    EXPECT_EQ(counts.passedOver, 4);
+    EXPECT_EQ(p.player->newest()->index, 5);
+}
+
+TEST(LivePlayer, WhatIsShownStaysUntouchedWhileOthersCome) {
+    Played p;
+    p.begin(p.options());
+    const LiveFrame* shown = p.player->newest();
+    for (int i = 1; i < 40; ++i) p.fake.send(i);
+    p.untilMade(40);
+    EXPECT_EQ(numberOf(shown->pixelsBgr), 0);
+    EXPECT_EQ(p.shown(), 39);
+}
+
+TEST(LivePlayer, MemoryStaysFlat) {
+    Played p;
+    std::set<const uint8_t*> memory;
+    LiveOptions options = p.options();
+    options.prepare = [&](const LiveFrame& frame, int) { memory.insert(frame.pixelsBgr.pixels.data()); };
+    p.begin(std::move(options));
+    for (int i = 1; i < 500; ++i) {
+        p.fake.send(i % 50);
+        p.untilMade(i + 1);
+        if (i % 3 == 0) p.shown();
+        if (i % 100 == 0) p.fake.breakOff("broke");
+    }
+    EXPECT_LE(memory.size(), 3u);
+}
+
+TEST(LivePlayer, StoppedItKeepsItsPictureSaysSoAndComesBack) {
+    Played p;
+    p.begin(p.options());
+    EXPECT_EQ(p.shown(), 0);
+    EXPECT_EQ(p.player->notice(), "");
+    p.now_s = p.now_s + 0.9;
+    p.shown();
+    EXPECT_EQ(p.player->state(), LiveState::Playing);
+    p.now_s = p.now_s + 0.2;
+    EXPECT_EQ(p.shown(), 0);
+    EXPECT_EQ(p.player->state(), LiveState::Stopped);
+    EXPECT_EQ(p.player->notice(), "The stream has stopped; showing its last picture");
+    p.now_s = p.now_s + 1000;
+    EXPECT_EQ(p.shown(), 0);
+    p.fake.send(3, p.now_s);
+    p.untilMade(2);
+    EXPECT_EQ(p.shown(), 3);
+    EXPECT_EQ(p.player->state(), LiveState::Playing);
+    EXPECT_EQ(p.player->notice(), "");
+    EXPECT_EQ(p.player->counts().stops, 1);
+    EXPECT_EQ(p.player->counts().losses, 0);
+    EXPECT_EQ(p.fake.opened(), 1);
+}
+
+TEST(LivePlayer, LostItSaysWhyAndOpensAnewUntilItIsBack) {
+    Played p;
+    p.begin(p.options());
+    p.fake.refuse("cannot be reached");
+    p.fake.breakOff("was cut");
+    while (p.fake.opened() < 5) std::this_thread::yield();
+    EXPECT_EQ(p.shown(), 0);
+    EXPECT_EQ(p.player->state(), LiveState::Lost);
+    EXPECT_NE(p.player->notice().find("showing its last picture"), std::string::npos);
+    while (p.player->notice().find("cannot be reached") == std::string::npos) p.shown();
+    p.fake.refuse("");
+    p.fake.send(7);
+    p.untilMade(2);
+    EXPECT_EQ(p.shown(), 7);
+    EXPECT_EQ(p.player->state(), LiveState::Playing);
+    EXPECT_EQ(p.player->notice(), "");
+    EXPECT_EQ(p.player->counts().losses, 1) << "one loss, however often it was tried";
+    EXPECT_EQ(p.player->counts().stops, 1);
+}
+
+TEST(LivePlayer, TellsInHowManyOfTheDisplaysPicturesAFrameWasShown) {
+    Played p;
+    p.begin(p.options());
+    const auto call = [&](double at_s) {
+        p.now_s = at_s;
+        p.player->newest();
+    };
+    call(200.00);
+    p.fake.send(1, 200.01); // arrives after that call, and is ready before the next
+    p.untilMade(2);
+    call(200.02);
+    EXPECT_EQ(p.player->displayFrames(), 1);
+    call(200.04); // 2 has arrived by then, but takes a while
+    call(200.06);
+    p.fake.send(2, 200.03);
+    p.untilMade(3);
+    call(200.08);
+    EXPECT_EQ(p.player->displayFrames(), 3);
+    EXPECT_NEAR(p.player->age_s(), 0.05, 1e-9);
+}
+
+TEST(LivePlayer, AnotherSizeOnTheWayIsAnotherLayout) {
+    Played p;
+    p.begin(p.options());
+    EXPECT_EQ(p.player->newest()->layout, Layout::Mono);
+    p.fake.send(1, 0, 64, 64);
+    p.untilMade(2);
+    const LiveFrame* frame = p.player->newest();
+    EXPECT_EQ(frame->pixelsBgr.width, 64);
+    EXPECT_EQ(frame->pixelsBgr.height, 64);
+    EXPECT_EQ(frame->layout, Layout::TopBottom);
+    EXPECT_EQ(p.player->counts().resized, 1);
+}
+
+TEST(LivePlayer, PrepareSeesTheSlotThatIsShown) {
+    Played p;
+    std::array<int, 3> prepared{};
+    LiveOptions options = p.options();
+    options.prepare = [&](const LiveFrame& frame, int slot) {
+        prepared.at(static_cast<size_t>(slot)) = numberOf(frame.pixelsBgr);
+    };
+    p.begin(std::move(options));
+    for (int i = 1; i < 40; ++i) {
+        p.fake.send(i);
+        p.untilMade(i + 1);
+        const LiveFrame* frame = p.player->newest();
+        EXPECT_EQ(prepared.at(static_cast<size_t>(p.player->slotOf(*frame))), i);
+    }
+}
+
+TEST(LivePlayer, OpeningFailsWithTheReason) {
+    Played p;
+    p.fake.refuse("cannot be reached");
+    const auto refused = LivePlayer::open(p.fake.feed(), p.options());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().sentence(), "fake:0: cannot be reached");
+    LiveOptions impatient = p.options();
+    impatient.firstPicture_s = 0;
+    FakeFeed silent;
+    const auto late = LivePlayer::open(silent.feed(), std::move(impatient));
+    ASSERT_FALSE(late);
+    EXPECT_EQ(late.error().reason, "no picture has come");
+}
+
+// Nobody waits for a feed that hangs: neither while it opens nor while it reads, heard or not.
+TEST(LivePlayer, ItCanBeLeftWhileTheFeedHangs) {
+    for (const bool deaf : {false, true}) {
+        FakeFeed opening;
+        opening.block(deaf);
+        const auto left = LivePlayer::open(opening.feed(), {}, [] { return false; });
+        EXPECT_FALSE(left);
+        opening.unblock();
+
+        Played p;
+        p.begin(p.options());
+        p.fake.block(deaf);
+        p.player.reset();
+        p.fake.unblock();
+    }
+}
+
+} // namespace
+} // namespace shoal::media
