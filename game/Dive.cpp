@@ -14,6 +14,7 @@ void Dive::step(const TickInput& input, std::vector<Event>& out) { world_->step(
 void Dive::snapshot(Snapshot& out) const {
     world_->fill(out);
     out.shelter = shelterAt(world_->file.shelter, world_->file.videoLength_s, out.time_s);
+    out.ground = groundAt(world_->file.ground, world_->file.videoLength_s, out.time_s);
 }
 uint64_t Dive::stateHash() const { return world_->hash(); }
 uint64_t Dive::seed() const { return world_->seed; }

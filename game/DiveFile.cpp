@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMaxFish = 1000;
 constexpr size_t kMaxVisits = 100;
-constexpr size_t kMaxShelters = 100;
+constexpr size_t kMaxMarks = 100;
 
 int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     std::string name;
@@ -59,17 +59,50 @@ SharkPlan readShark(TomlFile& file, const toml::table& entry, const SpeciesTable
     return shark;
 }
 
+void readStretch(TomlTable& table, float& from_s, float& to_s) {
+    table.need("from_s");
+    table.need("to_s");
+    table.number("from_s", from_s, 0, 36000);
+    table.number("to_s", to_s, 0, 36000);
+    if (to_s <= from_s) table.complain("to_s", "must come after \"from_s\"");
+}
+
 Shelter readShelter(TomlFile& file, const toml::table& entry) {
     TomlTable table(file, entry);
     Shelter shelter;
-    table.need("from_s");
-    table.need("to_s");
-    table.number("from_s", shelter.from_s, 0, 36000);
-    table.number("to_s", shelter.to_s, 0, 36000);
+    readStretch(table, shelter.from_s, shelter.to_s);
     table.number("amount", shelter.amount, 0, 1);
-    if (shelter.to_s <= shelter.from_s) table.complain("to_s", "must come after \"from_s\"");
     table.finish();
     return shelter;
+}
+
+GroundMark readGround(TomlFile& file, const toml::table& entry) {
+    TomlTable table(file, entry);
+    GroundMark ground;
+    readStretch(table, ground.from_s, ground.to_s);
+    table.need("height");
+    table.number("height", ground.height_m, -10, -0.3f);
+    table.finish();
+    return ground;
+}
+
+// Of a list of tables [[name]], each read by `read`.
+template <class Mark>
+void readMarks(TomlFile& file, TomlTable& root, const char* name, Mark (*read)(TomlFile&, const toml::table&),
+               std::vector<Mark>& out) {
+    const auto* marks = root.list(name);
+    if (!marks) return;
+    for (const toml::node& node : *marks) {
+        if (!node.is_table()) {
+            file.complain(&node, "each " + std::string(name) + " must be a table [[" + name + "]]");
+            return;
+        }
+        if (out.size() == kMaxMarks) {
+            file.complain(&node, "more than 100 of " + std::string(name));
+            return;
+        }
+        out.push_back(read(file, *node.as_table()));
+    }
 }
 
 } // namespace
@@ -109,18 +142,8 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             }
         }
     if (const auto* shark = root.table("shark")) dive.shark = readShark(file, *shark, known);
-    if (const auto* shelters = root.list("shelter"))
-        for (const toml::node& node : *shelters) {
-            if (!node.is_table()) {
-                file.complain(&node, "each shelter must be a table [[shelter]]");
-                break;
-            }
-            if (dive.shelter.size() == kMaxShelters) {
-                file.complain(&node, "more than 100 shelters");
-                break;
-            }
-            dive.shelter.push_back(readShelter(file, *node.as_table()));
-        }
+    readMarks(file, root, "shelter", readShelter, dive.shelter);
+    readMarks(file, root, "ground", readGround, dive.ground);
     root.finish();
     if (auto status = file.status(); !status) return status.error();
     return dive;

@@ -1,6 +1,7 @@
 // One dive (a level): content/dives/NAME.toml.
 #pragma once
 
+#include "game/Ground.h"
 #include "game/Shelter.h"
 #include "game/Species.h"
 
@@ -38,7 +39,8 @@ struct DiveFile {
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
-    std::vector<Shelter> shelter; // of the video
+    std::vector<Shelter> shelter;   // of the video
+    std::vector<GroundMark> ground; // of the video; none: no shadow falls on it
     // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
     // video, or another.
     double videoLength_s = 0;

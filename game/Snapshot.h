@@ -1,6 +1,7 @@
 // What the simulation hands to those who show it: picture, sound, haptics. Immutable once made; plain data.
 #pragma once
 
+#include "game/Ground.h"
 #include "input/hands/HandPose.h"
 #include "input/haptics/HapticFrame.h"
 
@@ -72,6 +73,7 @@ struct Snapshot {
     bool paused = false;
     float timeLeft_s = 0;
     float shelter = 0; // 0 open water to 1 a tunnel, where the video now is
+    Ground ground;     // where the video now is
     int score = 0;
     int caught = 0;
     int lost = 0;                        // to the shark

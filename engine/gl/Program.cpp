@@ -40,11 +40,12 @@ Status appendSource(const std::string& name, std::string& out, std::vector<std::
     return Done{};
 }
 
-Result<GLuint> compile(GLenum stage, const std::string& name, const std::vector<std::string>& defines) {
+Result<GLuint> compile(GLenum stage, const std::string& name, const std::vector<std::string>& defines,
+                       int glsl) {
     std::string body;
     std::vector<std::string> names;
     if (Status status = appendSource(name, body, names, 0); !status) return status.error();
-    std::string source = "#version 330 core\n";
+    std::string source = "#version " + std::to_string(glsl) + " core\n";
     for (const std::string& define : defines) source += "#define " + define + " 1\n";
     source += "#line 1 0\n" + body;
     const GLuint shader = glCreateShader(stage);
@@ -67,10 +68,10 @@ Result<GLuint> compile(GLenum stage, const std::string& name, const std::vector<
 
 } // namespace
 
-Result<Program> Program::load(const std::string& stem, const std::vector<std::string>& defines) {
-    auto vertex = compile(GL_VERTEX_SHADER, stem + ".vert", defines);
+Result<Program> Program::load(const std::string& stem, const std::vector<std::string>& defines, int glsl) {
+    auto vertex = compile(GL_VERTEX_SHADER, stem + ".vert", defines, glsl);
     if (!vertex) return vertex.error();
-    auto fragment = compile(GL_FRAGMENT_SHADER, stem + ".frag", defines);
+    auto fragment = compile(GL_FRAGMENT_SHADER, stem + ".frag", defines, glsl);
     if (!fragment) {
         glDeleteShader(*vertex);
         return fragment.error();

@@ -23,8 +23,9 @@ class Program {
 
     // stem: below shaders/, without ending ("render/Object"). Lines `#include "light/Environment.glsl"`
     // (paths below shaders/) are replaced by the file. defines: names set to 1. Errors carry file name and
-    // line of the source.
-    static Result<Program> load(const std::string& stem, const std::vector<std::string>& defines = {});
+    // line of the source. glsl: the language's version; above 330 the caller has made sure that it is there.
+    static Result<Program> load(const std::string& stem, const std::vector<std::string>& defines = {},
+                                int glsl = 330);
 
     void use() const { glUseProgram(program_.name()); }
 

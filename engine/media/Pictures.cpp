@@ -6,29 +6,34 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cassert>
+#include <cctype>
 
 namespace shoal::media {
 
 namespace {
 
 constexpr uint64_t kMaxFileBytes = 512u << 20;
+constexpr const char* kPng = ".png";
 
+// kind: as file names end, with its dot.
 template <int kChannels>
-Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int toOpenCv) {
+Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int toOpenCv, const char* kind) {
     assert(!image.empty());
     setUpDecoders();
+    const std::string uncodable =
+        std::string("the picture cannot be coded as ") + (kind == kPng ? "PNG" : "JPEG");
     try {
         const cv::Mat rgb(image.height, image.width, CV_8UC(kChannels),
                           const_cast<uint8_t*>(image.pixels.data()));
         cv::Mat bgr;
         cv::cvtColor(rgb, bgr, toOpenCv);
-        std::vector<uint8_t> png;
-        if (!cv::imencode(".png", bgr, png))
-            return Error{file.string(), "the picture cannot be coded as PNG"};
-        return writeFileWhole(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+        std::vector<uint8_t> bytes;
+        if (!cv::imencode(kind, bgr, bytes)) return Error{file.string(), uncodable};
+        return writeFileWhole(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const std::exception& failure) {
-        return Error{file.string(), std::string("the picture cannot be coded as PNG: ") + failure.what()};
+        return Error{file.string(), uncodable + ": " + failure.what()};
     }
 }
 
@@ -63,10 +68,27 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
 }
 
 Status writePng(const Path& file, const ImageRgb8& image) {
-    return writeColour(file, image, cv::COLOR_RGB2BGR);
+    return writeColour(file, image, cv::COLOR_RGB2BGR, kPng);
 }
 Status writePng(const Path& file, const ImageRgba8& image) {
-    return writeColour(file, image, cv::COLOR_RGBA2BGRA);
+    return writeColour(file, image, cv::COLOR_RGBA2BGRA, kPng);
+}
+
+WrittenAs writtenAs(const Path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".png") return WrittenAs::Png;
+    if (ending == ".jpg" || ending == ".jpeg") return WrittenAs::Jpeg;
+    if (ending == ".hdr" || ending == ".exr" || ending == ".pfm") return WrittenAs::Hdr;
+    return WrittenAs::Nothing;
+}
+
+Status writePicture(const Path& file, const ImageRgb8& image) {
+    const WrittenAs kind = writtenAs(file);
+    if (kind != WrittenAs::Png && kind != WrittenAs::Jpeg)
+        return Error{file.string(), "is of no kind that photos are written as; use .png or .jpg"};
+    return writeColour(file, image, cv::COLOR_RGB2BGR, kind == WrittenAs::Png ? kPng : ".jpg");
 }
 
 void toRgba(const ImageRgb8& in, bool bgr, ImageRgba8& out) {

@@ -39,6 +39,13 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);
 
+// What a picture of that name would be written as, by its extension in either case.
+enum class WrittenAs { Nothing, Png, Jpeg, Hdr };
+WrittenAs writtenAs(const Path& file);
+
+// PNG or JPEG (quality 95) by extension. Written whole.
+Status writePicture(const Path& file, const ImageRgb8& image);
+
 // By extension: .pfm (exact), .exr (32-bit float, exact), .hdr (RGBE: shared exponent, error up to 1/256 of
 // the pixel's largest component). Written whole.
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin);

@@ -32,8 +32,9 @@ enum FeatureBit : unsigned {
     kLean = 1u << 13,
     kVertexDiffuse = 1u << 14,
     kVertexLit = 1u << 15,
+    kOccluded = 1u << 16,
 };
-constexpr std::array<const char*, 16> kDefines = {"SKINNED",
+constexpr std::array<const char*, 17> kDefines = {"SKINNED",
                                                   "BASE_COLOUR_MAP",
                                                   "METALLIC_ROUGHNESS_MAP",
                                                   "NORMAL_MAP",
@@ -48,7 +49,8 @@ constexpr std::array<const char*, 16> kDefines = {"SKINNED",
                                                   "TONE_LINEAR",
                                                   "LEAN",
                                                   "VERTEX_DIFFUSE",
-                                                  "VERTEX_LIT"};
+                                                  "VERTEX_LIT",
+                                                  "OCCLUDED"};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
@@ -121,6 +123,13 @@ gl::Texture makeDfgTable() {
     return texture;
 }
 
+void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& light) {
+    program.setArray("smoothAround[0]", light.around);
+    program.set("lampTowards", light.lampTowards);
+    program.set("lampRadiance", light.lampRadiance);
+    program.set("lampShare", light.lampShare);
+}
+
 void bindMap(const gl::Program& program, const scene::TextureUse& use,
              const std::vector<gl::Texture>& textures, GLenum unit, const char* map, const char* uvSet) {
     if (use.texture < 0) return;
@@ -132,9 +141,10 @@ void bindMap(const gl::Program& program, const scene::TextureUse& use,
 
 } // namespace
 
-Result<ObjectPass> ObjectPass::make(Detail detail) {
+Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion) {
     ObjectPass pass;
     pass.detail_ = detail;
+    pass.occlusion_ = occlusion;
     pass.dfg_ = makeDfgTable();
     pass.matrixBuffer_ = gl::Buffer::make();
     GLint alignment = 256;
@@ -150,11 +160,13 @@ Result<ObjectPass> ObjectPass::make(Detail detail) {
 void ObjectPass::begin() {
     items_.clear();
     matrices_.clear();
+    near_.clear();
     drawCount_ = triangleCount_ = 0;
 }
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-                     const glm::mat4& worldFromModel, const Ball& bound) {
+                     const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body) {
+    const int number = body && occlusion_ ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
     for (const int index : model.order) {
         const auto n = static_cast<size_t>(index);
         const scene::Node& node = model.nodes[n];
@@ -166,19 +178,31 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
             for (glm::mat4& joint : joints_) joint = worldFromModel * joint;
         }
         const glm::mat4 worldFromNode = worldFromModel * pose.modelFromNode[n];
-        const size_t offset = (matrices_.size() + matrixAlignment_ - 1) / matrixAlignment_ * matrixAlignment_;
         const size_t bytes =
             skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
-        matrices_.resize(offset + bytes);
-        std::memcpy(matrices_.data() + offset, skinned ? &joints_[0] : &worldFromNode, bytes);
+        const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale});
+            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale, number});
     }
 }
 
+size_t ObjectPass::append(const void* block, size_t bytes) {
+    const size_t offset = (matrices_.size() + matrixAlignment_ - 1) / matrixAlignment_ * matrixAlignment_;
+    matrices_.resize(offset + bytes);
+    std::memcpy(matrices_.data() + offset, block, bytes);
+    return offset;
+}
+
 void ObjectPass::upload() {
-    // The shader's block has room for MAX_JOINTS; the range bound must cover it for the last object too.
+    shades_.clear();
+    for (size_t body = 0; body < near_.count(); ++body) {
+        const auto occluders = near_.near(body);
+        shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
+                           static_cast<int>(occluders.size())});
+    }
+    // The shader's blocks have room for MAX_JOINTS; the range bound must cover it for the last object too.
+    static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
     matrices_.resize(matrices_.size() + MAX_JOINTS * sizeof(glm::mat4));
     glBindBuffer(GL_UNIFORM_BUFFER, matrixBuffer_.name());
     glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(matrices_.size()), matrices_.data(),
@@ -187,7 +211,9 @@ void ObjectPass::upload() {
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
     auto program = programs_.get(features);
-    if (program) (*program)->bindBlock("JointBlock", BLOCK_JOINTS);
+    if (!program) return program;
+    (*program)->bindBlock("JointBlock", BLOCK_JOINTS);
+    (*program)->bindBlock("OccluderBlock", BLOCK_OCCLUDERS);
     return program;
 }
 
@@ -214,6 +240,8 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     }
     const glm::mat4 clipFromWorld = view.clipFromWorld();
     const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? kLean : 0u);
+    const occlusion::SmoothLight smooth =
+        occlusion::turned(surround.smoothLight(), glm::transpose(envFromWorld));
     const gl::Program* current = nullptr;
     for (const auto& [distance, index] : order_) {
         const Item& item = items_[index];
@@ -227,6 +255,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             features = (features & ~(kNormalMap | kOcclusionMap | kMirrors)) | kVertexLit;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= kVertexDiffuse;
+        if (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0) features |= kOccluded;
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) {
@@ -241,6 +270,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             current->set("envFromWorld", envFromWorld);
             current->set("exposureScale", exposure.scale());
             setWater(*current, water);
+            if (features & kOccluded) setSmoothLight(*current, smooth);
         }
         if (glossy == Glossy::PhongRings) {
             const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
@@ -300,6 +330,12 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     }
     glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_JOINTS, matrixBuffer_.name(),
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
+    if (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0) {
+        const Shade& shade = shades_[static_cast<size_t>(item.body)];
+        program.set("occluderCount", shade.count);
+        glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_OCCLUDERS, matrixBuffer_.name(),
+                          static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
+    }
     const DetailGpu& detail = item.primitive->detail(toleranceFor(item.bound, view, detail_) / item.scale);
     glBindVertexArray(detail.vertexArray.name());
     triangleCount_ += detail.indexCount / 3;

@@ -7,6 +7,7 @@
 #include "engine/gl/Variants.h"
 #include "engine/render/LayerPass.h"
 #include "engine/render/ModelGpu.h"
+#include "engine/render/NearBodies.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
@@ -16,22 +17,19 @@
 
 namespace shoal::render {
 
-struct Ball {
-    glm::vec3 centre{0};
-    float radius = 0;
-};
-
 enum class Glossy { Prefiltered, PhongRings }; // PhongRings: the thesis' 36 samples, for reference
 
 class ObjectPass {
   public:
-    static Result<ObjectPass> make(Detail detail = Detail::Full);
+    // occlusion: bodies take light from each other.
+    static Result<ObjectPass> make(Detail detail = Detail::Full, bool occlusion = true);
 
     void begin();
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
-    // bound: a ball in the world that holds the posed model; what lies outside the view is not drawn.
+    // bound: a ball in the world that holds the posed model; what lies outside the view is not drawn. body:
+    // what it takes from others' light, and they from its own; null: nothing.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-             const glm::mat4& worldFromModel, const Ball& bound);
+             const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body = nullptr);
     // Sends what was added to the graphics side.
     void upload();
 
@@ -57,19 +55,29 @@ class ObjectPass {
         size_t matrixBytes;
         Ball bound;  // world
         float scale; // world metres for one of the mesh's units
+        int body;    // of near_; -1: none
     };
 
+    struct Shade {         // what takes light from a body
+        size_t offset = 0; // bytes into the buffer of matrices
+        int count = 0;
+    };
+
+    size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);
     void drawItem(const gl::Program& program, const Item& item, const View& view);
 
     gl::Variants programs_;
     Detail detail_ = Detail::Full;
+    bool occlusion_ = true;
     gl::Texture dfg_;
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
     std::vector<Item> items_;
     std::vector<std::pair<float, size_t>> order_;
-    std::vector<uint8_t> matrices_;
+    std::vector<uint8_t> matrices_; // and occluders
+    NearBodies near_;
+    std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     std::vector<Box> boxes_; // scratch
     std::vector<Ball> balls_;

@@ -19,7 +19,7 @@ void latLongSampling(const gl::Texture& texture, bool mipmapped) {
 }
 
 // Replaces level `level` of the bound texture; `fresh` makes new storage.
-void putLevel(int level, const HalfImage& image, bool fresh) {
+void putLevel(int level, const light::HalfImage& image, bool fresh) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     if (fresh)
         glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
@@ -73,7 +73,7 @@ void SurroundGpu::uploadFrame(const ImageRgbF& radianceLin) {
     frameHeight_ = radianceLin.height;
 }
 
-void SurroundGpu::uploadLight(const PackedLight& light) {
+void SurroundGpu::uploadLight(const light::PackedLight& light) {
     assert(light.places.size() <= kMaxMaps && light.mirrorRoughness.size() <= kMaxMirrors);
     glBindTexture(GL_TEXTURE_2D, light_.name());
     putLevel(0, light.atlas, light.atlas.width != lightWidth_ || light.atlas.height != lightHeight_);
@@ -81,6 +81,7 @@ void SurroundGpu::uploadLight(const PackedLight& light) {
     lightHeight_ = light.atlas.height;
     places_ = light.places;
     mirrorRoughness_ = light.mirrorRoughness;
+    smooth_ = light.smooth;
 
     if (light.mirrors.empty()) return;
     glBindTexture(GL_TEXTURE_2D, mirrors_.name());

@@ -3,7 +3,7 @@
 
 #include "engine/core/Image.h"
 #include "engine/gl/Program.h"
-#include "engine/render/PackedLight.h"
+#include "engine/light/PackedLight.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +25,7 @@ class SurroundGpu {
 
     void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
     void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
-    void uploadLight(const PackedLight& light);
+    void uploadLight(const light::PackedLight& light);
 
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
@@ -35,6 +35,8 @@ class SurroundGpu {
 
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
+
+    const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
 
     // Of the smoothest filtered map: smoother surfaces look up the mirrors.
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
@@ -48,6 +50,7 @@ class SurroundGpu {
     size_t mirrorLevels_ = 0;
     std::vector<glm::vec4> places_;
     std::vector<float> mirrorRoughness_;
+    occlusion::SmoothLight smooth_;
 };
 
 } // namespace shoal::render

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr float kLeastSwing = 0.01f; // of a clip's tail, body lengths: below, it has no wave to scale
-constexpr float kMostScale = 2.5f;   // more would fold it
+constexpr size_t kBodyParts = 4, kHandParts = 20; // ellipsoids that take light from others
+constexpr float kMostScale = 2.5f;                // more would fold it
 
 // The clip's time for this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {
@@ -24,8 +25,8 @@ float clipTime(const scene::Animation& clip, float phase_s) {
 
 } // namespace
 
-Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look,
-                                    render::Reflectance reflectance, render::Detail detail) {
+Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, occlusion::Parts parts,
+                                    size_t most, render::Reflectance reflectance, render::Detail detail) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     Actor actor;
@@ -36,6 +37,11 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look,
     leastRoughness_ =
         std::min(leastRoughness_, detail == render::Detail::Lean ? scene::leastMeanRoughness(actor.model)
                                                                  : scene::leastRoughness(actor.model));
+    scene::restPose(actor.model, actor.pose);
+    scene::updateGlobals(actor.model, actor.pose);
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
+    if (reflectance == render::Reflectance::Coded)
+        actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));
     // Two hands wear one skin.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(actor.model.images, lastImages_, same);
@@ -43,10 +49,9 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look,
     lastImages_ = std::move(actor.model.images); // on the graphics side from now on
     lastTextures_ = actor.gpu.textures;
     actor.model.images.clear();
-    scene::restPose(actor.model, actor.pose);
-    scene::updateGlobals(actor.model, actor.pose);
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    actor.silhouette = scene::silhouetteOf(actor.model, actor.pose);
     actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
     for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
@@ -63,13 +68,14 @@ Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHan
                         const std::string& handLook, render::Reflectance reflectance, render::Detail detail) {
     Cast cast;
     for (const Path& file : speciesModels) {
-        auto actor = cast.loadActor(file, {}, reflectance, detail);
+        auto actor = cast.loadActor(file, {}, occlusion::Parts::ByShape, kBodyParts, reflectance, detail);
         if (!actor) return actor.error();
         cast.species_.push_back(std::move(*actor));
     }
     const std::array files = {leftHand, rightHand};
     for (size_t side = 0; side < files.size(); ++side) {
-        auto actor = cast.loadActor(files[side], handLook, reflectance, detail);
+        auto actor =
+            cast.loadActor(files[side], handLook, occlusion::Parts::ByJoint, kHandParts, reflectance, detail);
         if (!actor) return actor.error();
         for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
             actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));
@@ -118,6 +124,12 @@ void Cast::pose(const game::CreatureView& creature, Actor& actor) {
     scene::updateGlobals(actor.model, actor.pose);
 }
 
+std::vector<scene::Silhouette> Cast::silhouettes() const {
+    std::vector<scene::Silhouette> all;
+    for (const Actor& actor : species_) all.push_back(actor.silhouette);
+    return all;
+}
+
 void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
     for (const game::CreatureView& creature : snapshot.creatures) {
         Actor& actor = species_[static_cast<size_t>(creature.species)];
@@ -127,7 +139,7 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
                                                     glm::vec3(creature.length / actor.length_m));
         // No fin reaches further from the middle than this, however the body bends.
         pass.add(actor.model, actor.gpu, actor.pose, worldFromModel,
-                 {creature.position, creature.length * 0.7f});
+                 {creature.position, creature.length * 0.7f}, &actor.body);
     }
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
         const game::HandView& hand = snapshot.hands[side];
@@ -139,7 +151,8 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
                 glm::mat4_cast(hand.joints[joint].orientation);
         // The joints already stand in the world.
         constexpr float kHandRadius_m = 0.25f;
-        pass.add(actor.model, actor.gpu, actor.pose, glm::mat4(1), {hand.joints[0].position, kHandRadius_m});
+        pass.add(actor.model, actor.gpu, actor.pose, glm::mat4(1), {hand.joints[0].position, kHandRadius_m},
+                 &actor.body);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
+#include "engine/scene/Silhouette.h"
 #include "engine/scene/Spine.h"
 #include "game/Snapshot.h"
 
@@ -24,6 +25,8 @@ class Cast {
 
     float leastRoughness() const { return leastRoughness_; } // of all surfaces
 
+    std::vector<scene::Silhouette> silhouettes() const; // by species
+
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
     void show(const game::Snapshot& snapshot, render::ObjectPass& pass);
 
@@ -35,14 +38,16 @@ class Cast {
         scene::Spine spine;
         std::array<scene::Beat, game::kMotionNames.size()> beats{}; // by Motion
         std::array<int, 2> pectorals{-1, -1};                       // nodes: left, right
-        float length_m = 1;                                         // of the rest pose along z
+        scene::Silhouette silhouette;
+        render::BodyOccluders body;
+        float length_m = 1;                                      // of the rest pose along z
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
     // look: a variant of the model; empty: as it is.
-    Result<Actor> loadActor(const Path& file, const std::string& look, render::Reflectance reflectance,
-                            render::Detail detail);
+    Result<Actor> loadActor(const Path& file, const std::string& look, occlusion::Parts parts, size_t most,
+                            render::Reflectance reflectance, render::Detail detail);
 
     float leastRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading

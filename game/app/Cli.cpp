@@ -1,6 +1,7 @@
 #include "game/app/Cli.h"
 
 #include "engine/core/Log.h"
+#include "engine/panorama/Panorama.h"
 #include "game/app/Commands.h"
 #include "game/app/Settings.h"
 
@@ -47,8 +48,10 @@ void addSurround(CLI::App& app, SurroundOptions& options) {
                 "A 360-degree video, lat-long: a file; or live: camera:NUMBER, a named pipe, or a URL "
                 "(rtsp, http, https, tcp, udp)")
             ->type_name("FILE");
-    auto* photo =
-        group->add_option("--photo", options.photo, "A 360-degree photo, lat-long")->type_name("FILE");
+    auto* photo = group
+                      ->add_option("--photo", options.photo,
+                                   "A 360-degree photo, lat-long; an ordinary one is grown to one")
+                      ->type_name("FILE");
     auto* env =
         group->add_option("--env", options.env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm")
             ->type_name("FILE");
@@ -76,6 +79,11 @@ void addLook(CLI::App& app, LookOptions& options) {
     app.add_option("--glossy", options.glossy,
                    "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples")
         ->check(CLI::IsMember({"ggx", "phong36"}))
+        ->capture_default_str();
+    app.add_option(
+           "--occlusion", options.occlusion,
+           "on: bodies take light from each other, and folds from themselves; with any OpenGL from 3.3")
+        ->check(CLI::IsMember({"off", "on"}))
         ->capture_default_str();
     app.add_option("--samples", options.samples,
                    "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or 1 without a graphics card")
@@ -199,6 +207,10 @@ void addPlay(CLI::App& app, PlayOptions& options) {
         ->check(CLI::IsMember({"auto", "on", "off"}))
         ->capture_default_str();
     app.add_flag("!--no-snow", options.snow, "No specks that drift in the water");
+    app.add_option("--shadows", options.shadows,
+                   "Of what swims and of your hands, on the ground that the dive's own video shows")
+        ->check(CLI::IsMember({"on", "off"}))
+        ->capture_default_str();
 }
 
 void addView(CLI::App& app, ViewOptions& options) {
@@ -250,6 +262,19 @@ void addLight(CLI::App& app, LightOptions& options) {
     app.add_option("--at", options.at_s, "Second of the video")->check(CLI::Range(0.0f, 36000.0f));
 }
 
+void addPanorama(CLI::App& app, PanoramaOptions& options) {
+    app.add_option("PHOTO", options.photo, "JPEG, PNG, WebP, BMP, PNM; .hdr, .exr, .pfm")->required();
+    app.add_option("-o,--out", options.out,
+                   "The surround, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "
+                   "high dynamic range photo")
+        ->required()
+        ->type_name("FILE");
+    app.add_option("--fov", options.fov_deg,
+                   "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
+                   "Given, a photo that is twice as wide as high is taken for an ordinary one too")
+        ->check(CLI::Range(shoal::panorama::kLeastFov_deg, shoal::panorama::kLargestFov_deg));
+}
+
 } // namespace
 
 int run(int argc, char** argv) {
@@ -273,6 +298,7 @@ int run(int argc, char** argv) {
     playOptions.skin = settings.skin;
     ViewOptions viewOptions;
     LightOptions lightOptions;
+    PanoramaOptions panoramaOptions;
     CheckOptions checkOptions;
     DevicesOptions devicesOptions;
     auto* playCommand = app.add_subcommand("play", "Play a dive (the default)")->fallthrough();
@@ -282,6 +308,9 @@ int run(int argc, char** argv) {
     auto* lightCommand =
         app.add_subcommand("light", "Write the light of a surround, for other engines")->fallthrough();
     addLight(*lightCommand, lightOptions);
+    auto* panoramaCommand =
+        app.add_subcommand("panorama", "Grow an ordinary photo to a full surround")->fallthrough();
+    addPanorama(*panoramaCommand, panoramaOptions);
     auto* checkCommand =
         app.add_subcommand("check", "Is this video, photo, model, dive, playthrough or replay usable?");
     checkCommand->add_option("FILE", checkOptions.files, "Files to look at")->required();
@@ -292,10 +321,10 @@ int run(int argc, char** argv) {
 
     // `shoal --size 640x360` means `shoal play --size 640x360`.
     std::vector<std::string> words(argv + 1, argv + argc);
-    const bool named =
-        !words.empty() && (words[0] == "play" || words[0] == "view" || words[0] == "light" ||
-                           words[0] == "check" || words[0] == "devices" || words[0] == "--help" ||
-                           words[0] == "-h" || words[0] == "--version" || words[0] == "--verbose");
+    const bool named = !words.empty() && (words[0] == "play" || words[0] == "view" || words[0] == "light" ||
+                                          words[0] == "panorama" || words[0] == "check" ||
+                                          words[0] == "devices" || words[0] == "--help" || words[0] == "-h" ||
+                                          words[0] == "--version" || words[0] == "--verbose");
     if (!named) words.insert(words.begin(), "play");
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
@@ -311,6 +340,7 @@ int run(int argc, char** argv) {
     if (verbose) log::setUp(true);
     if (*viewCommand) return view(viewOptions);
     if (*lightCommand) return light(lightOptions);
+    if (*panoramaCommand) return panorama(panoramaOptions);
     if (*checkCommand) return check(checkOptions);
     if (*devicesCommand) return devices(devicesOptions);
     return play(playOptions);

@@ -9,6 +9,7 @@ namespace shoal::app {
 int play(const PlayOptions& options);
 int view(const ViewOptions& options);
 int light(const LightOptions& options);
+int panorama(const PanoramaOptions& options);
 int check(const CheckOptions& options);
 int devices(const DevicesOptions& options);
 

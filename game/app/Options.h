@@ -30,6 +30,7 @@ struct LookOptions {
     std::string glossy = "ggx"; // ggx, phong36
     int samples = 0;            // for anti-aliasing; 0: 4, or 1 on a software renderer
     glm::ivec2 size{1280, 720};
+    std::string occlusion = "on"; // off, on
 };
 
 struct HandOptions {
@@ -73,6 +74,7 @@ struct PlayOptions {
     bool captions = true;
     std::string water = "auto"; // auto, on, off
     bool snow = true;           // specks that drift in the water
+    std::string shadows = "on"; // on, off: what swims darkens the ground that the dive's video shows
 };
 
 struct ViewOptions {
@@ -96,6 +98,11 @@ struct LightOptions {
     std::string method = "thesis";
     bool ldrAsIs = false;
     float at_s = 0;
+};
+
+struct PanoramaOptions {
+    std::string photo, out;
+    std::optional<double> fov_deg; // horizontal, of the photo
 };
 
 struct CheckOptions {

@@ -139,6 +139,7 @@ Status Player::open() {
                            reflectanceIn(options.surround), detail);
     if (!cast) return cast.error();
     const bool own = isOwnVideo(options.surround);
+    const bool shadows = options.shadows == "on" && own && !plan.dive.ground.empty();
     auto opened =
         Surround::open({.options = options.surround,
                         .defaultVideo = dataRoot() / "content" / plan.dive.video,
@@ -148,6 +149,7 @@ Status Player::open() {
                         .immersed = immersedIn(options, plan.dive),
                         .filmLook = composeNamed(options.compose) == Compose::Camera,
                         .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt,
+                        .findLights = own && shadows,
                         .wait = [&] { return !window || !window->poll().closing; }});
     if (!opened) return opened.error();
     surround = std::move(*opened);
@@ -155,6 +157,8 @@ Status Player::open() {
     auto madeStage =
         Stage::make(std::move(*cast), {.detail = detail,
                                        .snow = options.snow,
+                                       .shadows = shadows,
+                                       .occlusion = options.look.occlusion == "on",
                                        .compose = composeNamed(options.compose),
                                        .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
     if (!madeStage) return madeStage.error();
@@ -213,7 +217,7 @@ HudInfo Player::hudInfo(const Run& run, const render::View& view) const {
 
 // Both eyes, the panel with the text, and the window for those who look on. size: of the window.
 Status Player::drawHeadset(const Run& run, glm::ivec2 size) {
-    stage->set(run.shown, options.backdropOnly);
+    stage->set(run.shown, *surround, options.backdropOnly);
     const auto hudOn = [&](HudPart part, const render::View& view, glm::ivec2 pixels) {
         if (options.backdropOnly) return;
         HudInfo info = hudInfo(run, view);
@@ -266,7 +270,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         coarse.clear();
         for (int eye = 0; eye < eyes; ++eye) coarse.emplace_back(drawnSize.x, drawnSize.y, samples);
     }
-    stage->set(run.shown, options.backdropOnly);
+    stage->set(run.shown, *surround, options.backdropOnly);
     const std::vector<gl::Target>& canvases = coarse.empty() ? targets : coarse;
     std::vector<Stage::Eye> seen;
     for (int eye = 0; eye < eyes; ++eye) {

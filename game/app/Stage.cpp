@@ -7,13 +7,18 @@ namespace shoal::app {
 Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
-    auto objects = render::ObjectPass::make(setup.detail);
+    auto objects = render::ObjectPass::make(setup.detail, setup.occlusion);
     if (!objects) return objects.error();
     Stage stage(std::move(cast), std::move(*backdrop), std::move(*objects));
     if (setup.snow) {
         auto snow = render::SnowPass::make();
         if (!snow) return snow.error();
         stage.snow_ = std::move(*snow);
+    }
+    if (setup.shadows) {
+        auto shadows = Shadows::make(stage.cast_.silhouettes());
+        if (!shadows) return shadows.error();
+        stage.shadows_ = std::move(*shadows);
     }
     stage.layerSamples_ = setup.layerSamples;
     stage.compose_ = setup.compose;
@@ -29,7 +34,11 @@ Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
     return stage;
 }
 
-void Stage::set(const game::Snapshot& snapshot, bool backdropOnly) {
+void Stage::set(const game::Snapshot& snapshot, const Surround& surround, bool backdropOnly) {
+    if (shadows_ && !backdropOnly)
+        shadows_->set(snapshot,
+                      floorLight(surround.castingLight(), surround.envFromWorld(), snapshot.ground));
+    headWorld_ = snapshot.headWorld;
     objects_.begin();
     if (!backdropOnly) cast_.show(snapshot, objects_);
     objects_.upload();
@@ -100,7 +109,13 @@ Status Stage::drawBackdrop(const Eye& eye) {
         glViewport(0, 0, eye.size.x, eye.size.y);
     }
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.
-    return backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure);
+    Status drawn =
+        backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure);
+    // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
+    const glm::vec3 filmedFrom =
+        eye.surround.eyesSeeTheSame() ? glm::vec3(0) : eye.view.eyeWorld - headWorld_;
+    if (drawn && shadows_ && !backdropOnly_) shadows_->draw(eye.view, filmedFrom, eye.water);
+    return drawn;
 }
 
 Status Stage::drawObjects(const Eye& eye) {

@@ -7,6 +7,7 @@
 #include "engine/render/ObjectPass.h"
 #include "engine/render/SnowPass.h"
 #include "game/app/Cast.h"
+#include "game/app/Shadows.h"
 #include "game/app/Surround.h"
 
 #include <optional>
@@ -24,7 +25,9 @@ enum class Compose {
 
 struct StageSetup {
     render::Detail detail = render::Detail::Full;
-    bool snow = true; // specks drift in the water, where there is water
+    bool snow = true;      // specks drift in the water, where there is water
+    bool shadows = true;   // fall on the video's ground, where that is known and the surround finds lights
+    bool occlusion = true; // bodies take light from each other
     Compose compose = Compose::Plain;
     int layerSamples = 4; // for anti-aliasing, of objects that are scaled up
 };
@@ -34,7 +37,7 @@ class Stage {
     static Result<Stage> make(Cast cast, const StageSetup& setup);
 
     // Once a frame, before draw().
-    void set(const game::Snapshot& snapshot, bool backdropOnly);
+    void set(const game::Snapshot& snapshot, const Surround& surround, bool backdropOnly);
 
     // What one eye's picture is drawn with.
     struct Eye {
@@ -57,7 +60,10 @@ class Stage {
     // Where objects lie in the backdrop, each eye has its own.
     bool eyesShareBackdrop() const { return compose_ != Compose::Texels; }
 
-    int drawCount() const { return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (layers_.empty() ? 0 : 1); }
+    int drawCount() const {
+        return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (shadows_ ? shadows_->drawCount() : 0) +
+               (layers_.empty() ? 0 : 1);
+    }
     int triangleCount() const { return objects_.triangleCount(); }
 
   private:
@@ -74,11 +80,13 @@ class Stage {
     render::BackdropPass backdrop_;
     render::ObjectPass objects_;
     std::optional<render::SnowPass> snow_;
+    std::optional<Shadows> shadows_;
     std::vector<render::LayerPass> layers_;   // one an eye; none: objects are drawn straight into the picture
     std::vector<render::LatLongPass> frames_; // one an eye; for Compose::Texels
     Compose compose_ = Compose::Plain;
     int layerSamples_ = 1;
     double time_s_ = 0;
+    glm::vec3 headWorld_{0};
     bool backdropOnly_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
 #include "engine/water/WaterOverTime.h"
+#include "game/app/PhotoSurround.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -58,7 +59,7 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
 } // namespace
 
 struct Surround::State {
-    render::MirrorMaps mirrors = render::MirrorMaps::None;
+    light::MirrorMaps mirrors = light::MirrorMaps::None;
     float leastRoughness = 0;
     bool bothEyes = false;
     float yaw = 0; // radians, to the right
@@ -70,14 +71,16 @@ struct Surround::State {
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
     struct Prepared {
-        render::PackedLight light;
+        light::PackedLight light;
         water::WaterEstimate water;
+        light::FoundLights lights;
         camera::LookEstimate look;
     };
     std::vector<Prepared> prepared;
     std::vector<ImageRgba8> pictures; // the frames as they are uploaded
     std::optional<light::LightMaker> maker;
     std::optional<water::WaterEstimator> waterEstimator; // empty: dry
+    std::optional<light::LightFinder> lightFinder;       // empty: not asked for
     light::EnvironmentLight made;                        // before it is packed
     Prepared newest;                                     // while light is not made for every frame
     std::atomic<int> lightEvery = 1;
@@ -87,6 +90,8 @@ struct Surround::State {
     int64_t shownFrame = -1;
     Immersed immersed = Immersed::No;
     water::WaterOverTime water;
+    light::LightOverTime lights;
+    light::CastingLight casting;
     std::optional<camera::LookEstimator> lookEstimator; // empty: nobody asks
     camera::LookEstimate lastLook;
     int sinceLook = 0;
@@ -112,7 +117,7 @@ struct Surround::State {
         uploadLight(prepared[slot].light);
     }
 
-    void uploadLight(const render::PackedLight& light) {
+    void uploadLight(const light::PackedLight& light) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
             gpu[static_cast<size_t>(eye)].uploadLight(light);
     }
@@ -133,16 +138,24 @@ struct Surround::State {
         }
         sinceLight = 0;
         maker->make(frame, made);
-        render::packLight(made, mirrors, prepared[slot].light);
+        light::packLight(made, mirrors, prepared[slot].light);
         if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
+        if (lightFinder) lightFinder->find(made.radiance, prepared[slot].lights);
         if (every > 1) newest = prepared[slot];
     }
 
-    // What changes slowly, as of the picture that is shown.
-    void follow(const Prepared& shown, float dt_s) {
-        if (waterEstimator)
-            water.follow(shown.water, immersed == Immersed::Yes ? 1 : shown.water.evidence, dt_s);
-        if (lookEstimator) look.follow(shown.look, dt_s);
+    void followWater(const water::WaterEstimate& estimate, float dt_s) {
+        if (!waterEstimator) return;
+        water.follow(estimate, immersed == Immersed::Yes ? 1 : estimate.evidence, dt_s);
+    }
+
+    // With every picture and not only with new frames: smoother than the video.
+    void follow(const Prepared& now, double time_s) {
+        const auto dt_s = static_cast<float>(time_s - lastUpdate_s);
+        lastUpdate_s = time_s;
+        followWater(now.water, dt_s);
+        if (lightFinder) casting = lights.follow(now.lights, dt_s);
+        if (lookEstimator) look.follow(now.look, dt_s);
     }
 
     // For a player with kSlots slots.
@@ -154,8 +167,9 @@ struct Surround::State {
     }
 
     void prepare(const ImageRgb8& bgr, const EyePart& part, int slot) {
-        makeLight(viewOf(bgr, part, true), static_cast<size_t>(slot));
-        findLook(viewOf(bgr, part, true), static_cast<size_t>(slot));
+        const light::FrameView frame = viewOf(bgr, part, true);
+        makeLight(frame, static_cast<size_t>(slot));
+        findLook(frame, static_cast<size_t>(slot));
         media::toRgba(bgr, true, pictures[static_cast<size_t>(slot)]);
     }
 
@@ -201,8 +215,7 @@ bool Surround::State::updateLive(double time_s) {
         notice.empty() ? log::info("pictures come again") : log::warn("{}", notice);
     }
     const auto slot = static_cast<size_t>(live->slotOf(frame));
-    follow(prepared[slot], static_cast<float>(time_s - lastUpdate_s));
-    lastUpdate_s = time_s;
+    follow(prepared[slot], time_s);
     if (frame.index == shownFrame) return false;
     shownFrame = frame.index;
     setLayout(frame.layout);
@@ -233,6 +246,11 @@ Status Surround::State::openFile(const Path& file, media::Layout wish) {
 Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     auto picture = media::readPicture(file);
     if (!picture) return picture.error();
+    if (wish == media::Layout::Auto) { // with a layout, somebody says that it is a surround
+        auto full = surroundFrom(file, std::move(*picture), std::nullopt);
+        if (!full) return full.error();
+        picture = std::move(full->picture);
+    }
     if (wish == media::Layout::Auto) wish = media::layoutFromShape(picture->width, picture->height);
     if (wish == media::Layout::Auto) wish = media::layoutFromContent(*picture);
     setLayout(wish);
@@ -259,7 +277,7 @@ Status Surround::State::openEnv(const Path& file) {
     const auto began = std::chrono::steady_clock::now();
     const size_t mended = static_cast<size_t>(picture->repaired) +
                           maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
-    render::packLight(made, mirrors, prepared[0].light);
+    light::packLight(made, mirrors, prepared[0].light);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
@@ -277,13 +295,14 @@ render::Reflectance reflectanceIn(const SurroundOptions& options) {
 Result<Surround> Surround::open(const SurroundSetup& setup) {
     auto state = std::make_unique<State>();
     state->leastRoughness = setup.leastRoughness;
-    state->mirrors = setup.pyramid                                           ? render::MirrorMaps::Pyramid
-                     : setup.leastRoughness < light::kLeastFilteredRoughness ? render::MirrorMaps::Mirrors
-                                                                             : render::MirrorMaps::None;
+    state->mirrors = setup.pyramid                                           ? light::MirrorMaps::Pyramid
+                     : setup.leastRoughness < light::kLeastFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                             : light::MirrorMaps::None;
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
     if (setup.filmLook) state->lookEstimator.emplace();
     if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
+    if (setup.findLights) state->lightFinder.emplace();
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
     const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
@@ -312,9 +331,7 @@ bool Surround::update(double time_s, bool exact) {
         s.notice = std::move(status);
     }
     const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
-    // With every picture and not only with new frames: smoother than the video.
-    s.follow(prepared, static_cast<float>(time_s - s.lastUpdate_s));
-    s.lastUpdate_s = time_s;
+    s.follow(prepared, time_s);
     s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
@@ -327,6 +344,7 @@ bool Surround::update(double time_s, bool exact) {
 }
 
 water::Water Surround::water() const { return state_->water.water(); }
+const light::CastingLight& Surround::castingLight() const { return state_->casting; }
 
 camera::FilmLook Surround::filmLook() const { return state_->look.look(); }
 

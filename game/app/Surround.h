@@ -4,6 +4,7 @@
 
 #include "engine/camera/FilmLook.h"
 #include "engine/core/Files.h"
+#include "engine/light/LightOverTime.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
@@ -38,6 +39,7 @@ struct SurroundSetup {
     Immersed immersed = Immersed::No; // an HDR picture never is
     bool filmLook = false;            // find out what the camera did to it
     std::optional<float> eyeHeight_m; // of the camera above the floor, where known
+    bool findLights = false;          // of a video: where its light comes from, for shadows
     std::function<bool()> wait;       // of a live video: asked whether to go on waiting for its first picture
 };
 
@@ -59,6 +61,9 @@ class Surround {
 
     // Between the eye and all that is drawn, as of the last update(); none where the surround is dry.
     water::Water water() const;
+
+    // What throws shadows, as of the last update(); env frame. Nothing unless asked for.
+    const light::CastingLight& castingLight() const;
 
     // What its camera did to it, as of the last update(); nothing where that is not asked for, or an HDR
     // picture.

@@ -1,4 +1,4 @@
-// Light from an EnvironmentLight (engine/light/EnvironmentLight.h) as engine/render/PackedLight.h stores it:
+// Light from an EnvironmentLight (engine/light/EnvironmentLight.h) as engine/light/PackedLight.h stores it:
 // lightMap holds lat-long maps filtered by GGX lobes of roughness 10^(-k / 16), k = 0 .. smoothestMap, each with a border;
 // map k's u, v times lightPlaces[k].xy plus .zw is its place. Map 0 is the radiance leaving a white matte surface.
 // Needs light/LatLong.glsl.

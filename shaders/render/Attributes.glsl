@@ -8,6 +8,7 @@
 #define ATTRIBUTE_JOINTS 6
 #define ATTRIBUTE_WEIGHTS 7
 #define BLOCK_JOINTS 0
+#define BLOCK_OCCLUDERS 1
 #define UNIT_LIGHT 0
 #define UNIT_DFG 1
 #define UNIT_BASE_COLOUR 2
@@ -18,3 +19,4 @@
 #define UNIT_RADIANCE 7
 #define UNIT_FRAME 0
 #define MAX_JOINTS 256
+#define MAX_OCCLUDERS 24

@@ -2,6 +2,7 @@
 #include "render/Attributes.glsl"
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
+#include "light/Surface.glsl"
 #ifdef PHONG_RINGS
 #include "light/PhongRings.glsl"
 #endif
@@ -16,7 +17,6 @@ uniform float roughness;
 uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
-uniform sampler2D dfgTable;   // x: n.v, y: roughness; scale and bias of F0 (Karis 2013), z: their sum's white albedo
 uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
 
@@ -31,6 +31,13 @@ in vec4 vertexUv;
 in vec4 vertexColourLin;
 #ifdef VERTEX_DIFFUSE
 in vec3 diffuseLin;
+#endif
+#ifdef OCCLUDED
+#ifdef VERTEX_DIFFUSE
+in vec4 bodiesInLobe;
+#elif !defined(VERTEX_LIT)
+#include "occlusion/Bodies.glsl"
+#endif
 #endif
 #ifdef WATER
 in vec3 waterLeft, waterVeiled; // render/Water.glsl
@@ -75,15 +82,7 @@ void main() {
     float nv = clamp(dot(n, v), 1e-3, 1.0);
     vec3 r = envFromWorld * reflect(-v, n);
 
-    vec3 f0 = mix(vec3(0.04), base.rgb, metal);
-    vec2 dfg = textureLod(dfgTable, vec2(nv, rough), 0.0).rg;
-    vec3 single = f0 * dfg.x + dfg.y;
-    // Light that bounces between the microfacets more than once: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet
-    // Model for Real-Time Image Based Lighting", eq. 20.
-    float lost = 1.0 - (dfg.x + dfg.y);
-    vec3 average = f0 + (1.0 - f0) / 21.0;
-    vec3 multiple = single * average / (1.0 - lost * average) * lost;
-    vec3 matte = base.rgb * (1.0 - metal) * (1.0 - single - multiple);
+    Reflectance reflectance = reflectanceOf(base.rgb, metal, rough, nv);
 #ifdef PHONG_RINGS
     vec3 mirrored = phongRings(r, rough);
 #else
@@ -94,6 +93,14 @@ void main() {
 #else
     vec3 around = diffuseRadiance(envFromWorld * n);
 #endif
+#ifdef OCCLUDED
+#ifndef VERTEX_DIFFUSE
+    Shaded shaded = shadeByBodies(worldPosition, n, reflect(-v, n), rough);
+    around = max(around - shaded.taken, 0.0);
+    vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
+#endif
+    mirrored = mirrored * bodiesInLobe.a + bodiesInLobe.rgb;
+#endif
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
@@ -101,7 +108,7 @@ void main() {
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
-    vec3 radiance = single * mirrored * openMirrored + (multiple + matte) * around * open;
+    vec3 radiance = reflectance.mirrored * mirrored * openMirrored + reflectance.around * around * open;
 #endif
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP

@@ -19,16 +19,23 @@ uniform mat3 envFromWorld;
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
 #endif
+#if defined(OCCLUDED) && (defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT))
+#include "occlusion/Bodies.glsl"
+#endif
 #ifdef VERTEX_DIFFUSE
 out vec3 diffuseLin;
+#ifdef OCCLUDED
+uniform float roughness;
+out vec4 bodiesInLobe; // what they send into the glossy lobe, and what is left of it
+#endif
 #endif
 #ifdef VERTEX_LIT
 #include "render/VertexLight.glsl"
-#ifndef WATER
-uniform vec3 eyeWorld;
-#endif
 uniform float twoSided; // 1: the normal turns to whoever looks
 out vec3 perBaseLin, besidesLin; // what is sent back is base colour times the first, plus the second
+#endif
+#if !defined(WATER) && (defined(VERTEX_LIT) || defined(OCCLUDED))
+uniform vec3 eyeWorld;
 #endif
 #ifdef WATER
 #include "render/Output.glsl"
@@ -61,7 +68,7 @@ void main() {
 #ifdef VERTEX_LIT
     vec3 v = normalize(eyeWorld - world.xyz);
     if (twoSided * dot(n, v) < 0.0) n = -n;
-    lightVertex(n, v, perBaseLin, besidesLin);
+    lightVertex(world.xyz, n, v, perBaseLin, besidesLin);
 #else
     worldPosition = world.xyz;
     worldNormal = n;
@@ -69,6 +76,11 @@ void main() {
 #endif
 #ifdef VERTEX_DIFFUSE
     diffuseLin = diffuseRadiance(envFromWorld * n);
+#ifdef OCCLUDED
+    Shaded shaded = shadeByBodies(world.xyz, n, reflect(normalize(world.xyz - eyeWorld), n), roughness);
+    diffuseLin = max(diffuseLin - shaded.taken, 0.0);
+    bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
+#endif
 #endif
 #ifdef WATER
     throughWater(world.xyz - eyeWorld, envFromWorld, waterLeft, waterVeiled);

@@ -3,6 +3,7 @@
 
 #include "engine/gl/Target.h"
 #include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
 #include "engine/math/LatLong.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/ObjectPass.h"
@@ -50,14 +51,14 @@ inline scene::Model ball(float metallic, float roughness) {
     return model;
 }
 
-inline render::PackedLight lightOf(const ImageRgb8& frame) {
+inline light::PackedLight lightOf(const ImageRgb8& frame) {
     light::EnvironmentLight made;
     light::LightMaker maker({512, 0.1f});
     maker.make(
         {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
         made);
-    render::PackedLight packed;
-    render::packLight(made, render::MirrorMaps::Mirrors, packed);
+    light::PackedLight packed;
+    light::packLight(made, light::MirrorMaps::Mirrors, packed);
     return packed;
 }
 

@@ -1,8 +1,8 @@
 #include "HandClip.h"
 
 #include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
 #include "engine/media/Pictures.h"
-#include "engine/render/PackedLight.h"
 
 #include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>
@@ -121,8 +121,8 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
         .make(
             {light.pixels.data(), light.width, light.height, static_cast<ptrdiff_t>(light.width) * 3, false},
             made);
-    render::PackedLight packed;
-    render::packLight(made, render::MirrorMaps::Mirrors, packed);
+    light::PackedLight packed;
+    light::packLight(made, light::MirrorMaps::Mirrors, packed);
     clip.surround_.emplace();
     ImageRgba8 rgba;
     media::toRgba(light, false, rgba);

@@ -42,7 +42,7 @@ class XrPicture : public test::WithFakeRuntime {
                                         .leastRoughness = cast->leastRoughness()});
         ASSERT_TRUE(surround) << surround.error().sentence();
         surround_ = std::move(*surround);
-        auto stage = Stage::make(std::move(*cast), render::Detail::Lean, true);
+        auto stage = Stage::make(std::move(*cast), {.detail = render::Detail::Lean});
         ASSERT_TRUE(stage) << stage.error().sentence();
         stage_ = std::move(*stage);
         run_.emplace(*plan_);
@@ -59,14 +59,23 @@ class XrPicture : public test::WithFakeRuntime {
         WithFakeRuntime::TearDown();
     }
 
-    Status draw(int eye, const render::View& view) {
-        return stage_->draw(*surround_, eye, view, {surround_->naturalTone(), plan_->dive.exposure_ev},
-                            surround_->water(), render::Glossy::Prefiltered);
+    Status draw(int eye, const render::View& view, const gl::Target& canvas) {
+        const Stage::Eye seen{.surround = *surround_,
+                              .eye = eye,
+                              .view = view,
+                              .exposure = {surround_->naturalTone(), plan_->dive.exposure_ev},
+                              .water = surround_->water(),
+                              .size = {canvas.width(), canvas.height()}};
+        if (Status s = stage_->drawLayer(seen); !s) return s;
+        canvas.bind();
+        if (Status s = stage_->drawBackdrop(seen); !s) return s;
+        return stage_->drawObjects(seen);
     }
     // Frames until nothing is dark any more, then one in which the scene stands as it is.
     void show(XrPlay& headset, float scale) {
         const XrPlay::Painter painter{
-            .scene = [&](int eye, const render::View& view) { return draw(eye, view); },
+            .scene = [&](int eye, const render::View& view,
+                         const gl::Target& canvas) { return draw(eye, view, canvas); },
             .marks = [](const render::View&, glm::ivec2) {},
             .panel = [](const render::View&, glm::ivec2) {}};
         for (int i = 0; i < 80; ++i) {
@@ -94,8 +103,7 @@ class XrPicture : public test::WithFakeRuntime {
         view.shift = {(left + right) / 2, (up + down) / 2};
         view.heightPixels = size.y;
         const gl::Target target(size.x, size.y, samples);
-        target.bind();
-        EXPECT_TRUE(draw(eye, view));
+        EXPECT_TRUE(draw(eye, view, target));
         const ImageRgba8 image = target.read();
         std::vector<uint8_t> rgba; // lowest row first, as OpenGL has it
         for (int y = size.y - 1; y >= 0; --y)

@@ -92,6 +92,62 @@ TEST_F(Program, SurroundsThatAreNone) {
     expectOneSentence(run(play + "--video " + folder_.string()), folder_.string());
 }
 
+// A grey ramp without end, in the plainest of formats.
+std::string pnm(int width, int height, const char* kind = "P5") {
+    std::string bytes =
+        std::string(kind) + " " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+    const int channels = kind[1] == '6' ? 3 : 1;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width * channels; ++x) bytes += static_cast<char>((x / channels + y) % 200 + 20);
+    return bytes;
+}
+
+TEST_F(Program, PanoramasThatCannotBe) {
+    const Path photo = write("photo.pgm", pnm(64, 48)), out = folder_ / "out.png";
+    const std::string to = " -o " + out.string();
+    expectOneSentence(run("panorama " + photo.string()), "--out", 2);
+    expectOneSentence(run("panorama " + photo.string() + to + " --fov 9"), "--fov", 2);
+    expectOneSentence(run("panorama " + photo.string() + to + " --fov 151"), "--fov", 2);
+    expectOneSentence(run("panorama " + photo.string() + " -o " + (folder_ / "out.gif").string()), "out.gif");
+    expectOneSentence(run("panorama " + photo.string() + " -o " + (folder_ / "out.hdr").string()), "out.hdr");
+    expectOneSentence(run("panorama /nowhere/there.jpg" + to), "there.jpg");
+    expectOneSentence(run("panorama " + folder_.string() + to), folder_.string());
+    expectOneSentence(run("panorama " + write("cut.jpg", "\xff\xd8\xff").string() + to), "cut.jpg");
+    expectOneSentence(run("panorama " + write("huge.pgm", "P5 20000 20000 255\n").string() + to), "huge.pgm");
+    // Two lines: that it begins, and why it ends.
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 64}, {300, 16}}) {
+        const Outcome tiny = run("panorama " + write("tiny.pgm", pnm(width, height)).string() + to);
+        EXPECT_EQ(tiny.status, 1);
+        EXPECT_NE(tiny.err.find("tiny.pgm: its "), std::string::npos) << tiny.err;
+    }
+    const Outcome unwritable = run("panorama " + photo.string() + " -o /proc/out.png");
+    EXPECT_EQ(unwritable.status, 1);
+    EXPECT_NE(unwritable.err.find("/proc/out.png: cannot be written"), std::string::npos) << unwritable.err;
+    EXPECT_FALSE(fs::exists(out));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()),
+              6); // nothing half written
+}
+
+TEST_F(Program, PhotosOfAnyKindBecomeSurrounds) {
+    const std::string photo = write("photo.ppm", pnm(64, 48, "P6")).string();
+    for (const char* name : {"out.png", "out.JPG"}) {
+        const std::string out = (folder_ / name).string();
+        const Outcome grown = run("panorama " + photo + " -o " + out + " --fov 60");
+        EXPECT_EQ(grown.status, 0) << grown.err;
+        EXPECT_NE(grown.out.find("grown around its light"), std::string::npos) << grown.out;
+        const Outcome checked = run("check " + out);
+        EXPECT_NE(checked.out.find("lat-long mono"), std::string::npos) << checked.out << checked.err;
+    }
+    // Once it is a surround it stays as it is, unless somebody says that it is a photo all the same.
+    const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();
+    EXPECT_NE(run("panorama " + full + " -o " + again).out.find("kept as it is"), std::string::npos);
+    // What is no surround by its shape is grown for play and view too.
+    const Outcome played = run("play --headless --at 0.1 --size 64x36 --photo " + photo + " --screenshot " +
+                               (folder_ / "shot.png").string());
+    EXPECT_EQ(played.status, 0) << played.err;
+    EXPECT_NE(played.err.find("growing"), std::string::npos) << played.err;
+}
+
 TEST_F(Program, HandsAndDivesThatAreNone) {
     const std::string play = "play --headless --at 0.1 --size 64x36 ";
     expectOneSentence(run(play + "--hands script:/nowhere/s.toml"), "s.toml");

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
+#include "engine/occlusion/SmoothLight.h"
 
 #include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <vector>
 
-namespace shoal::render {
+namespace shoal::light {
 
 struct HalfImage {
     int width = 0, height = 0;
@@ -33,9 +34,10 @@ struct PackedLight {
     std::vector<HalfImage> mirrors;     // mip levels
     std::vector<float> mirrorRoughness; // of the unfiltered levels, then of the smoothest filtered one
     bool complete = false;              // mirrors are all of the pyramid
+    occlusion::SmoothLight smooth;      // what bodies take from each other; env frame
 };
 
 // Buffers of out are reused while sizes stay.
-void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out);
+void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out);
 
-} // namespace shoal::render
+} // namespace shoal::light

@@ -1,4 +1,4 @@
-#include "engine/render/PackedLight.h"
+#include "engine/light/PackedLight.h"
 
 #include "engine/light/Vectorise.h"
 #include "engine/math/Half.h"
@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cassert>
 
-namespace shoal::render {
+namespace shoal::light {
 
 namespace {
 
 constexpr uint16_t kOne = 0x3c00;
+constexpr int kSmoothWidth = 32; // texels around: enough for soft shadows
 
 SHOAL_VECTORISE
 void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) {
@@ -53,10 +54,10 @@ void packBordered(const ImageRgbF& map, int top, HalfImage& atlas) {
 
 } // namespace
 
-void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out) {
+void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out) {
     size_t unfiltered = 0;
     int width = 0, height = 0;
-    for (const light::GlossyLevel& level : light.glossy) {
+    for (const GlossyLevel& level : light.glossy) {
         unfiltered += level.radianceLin.empty();
         if (level.radianceLin.empty()) continue;
         width = std::max(width, level.radianceLin.width + 2);
@@ -76,6 +77,12 @@ void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedL
         top += map.height + 2;
     }
 
+    for (const ImageRgbF& level : light.radiance.levels)
+        if (level.width <= kSmoothWidth) {
+            out.smooth = occlusion::smoothLight(level);
+            break;
+        }
+
     out.mirrorRoughness.clear();
     for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);
     out.complete = mirrors == MirrorMaps::Pyramid;
@@ -85,4 +92,4 @@ void packLight(const light::EnvironmentLight& light, MirrorMaps mirrors, PackedL
     for (size_t k = 0; k < out.mirrors.size(); ++k) packMirror(light.radiance.levels[k], out.mirrors[k]);
 }
 
-} // namespace shoal::render
+} // namespace shoal::light

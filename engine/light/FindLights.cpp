@@ -1,0 +1,236 @@
+#include "engine/light/FindLights.h"
+
+#include "engine/light/InverseToneMap.h"
+#include "engine/math/LatLong.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::light {
+
+namespace {
+
+constexpr int kCoarse = 64, kFine = 256; // texels around
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kFirst = std::numbers::sqrt3_v<float>, kRamp = 0.4f; // standard deviations above the mean
+constexpr float kLeastReach = 0.21f, kMostReach = 1.4f;              // of the window, radians
+constexpr float kRefined = 0.5f; // wider windows hold so many coarse texels that finer ones tell no more
+constexpr float kLeastShare = 1e-4f;
+
+const ImageRgbF& levelOf(const RadiancePyramid& radiance, int width) {
+    const auto found = std::ranges::find(radiance.levels, width, &ImageRgbF::width);
+    assert(found != radiance.levels.end());
+    return *found;
+}
+
+float luminanceAt(const ImageRgbF& level, int x, int y) {
+    const float* c = level.at(x, y);
+    return thesisLuminance({c[0], c[1], c[2]});
+}
+
+std::vector<glm::vec3> texelDirections(int width) {
+    std::vector<glm::vec3> directions;
+    for (int y = 0; y < width / 2; ++y)
+        for (int x = 0; x < width; ++x)
+            directions.push_back(
+                directionFromLatLong(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(2 * y) + 1) /
+                                     static_cast<float>(width)));
+    return directions;
+}
+
+float solidAngle(const ImageRgbF& level, int y) {
+    return static_cast<float>(texelSolidAngle(y, level.width, level.height));
+}
+
+// Falls from the middle of a window to its edge, linear in the squared chord.
+float kernel(float cosine, float cosReach) { return std::max(0.0f, (cosine - cosReach) / (1 - cosReach)); }
+
+// 1 within, soft at the edge only.
+float inside(float cosine, float cosReach) { return std::min(1.0f, 2 * kernel(cosine, cosReach)); }
+
+float reachAround(float radius) { return std::clamp(1.5f * radius + 0.14f, kLeastReach, kMostReach); }
+
+// Takes the texels' own width s out of a spread: about its middle an even disc of radius r has the variance
+// r^2 / 2, a square s^2 / 6. Nothing is smaller than half a texel.
+float withoutTexels(float radius, int texelsAround) {
+    const float side = 2 * kPi / static_cast<float>(texelsAround);
+    return std::sqrt(std::max(radius * radius - side * side / 3, side * side / 4));
+}
+
+} // namespace
+
+struct LightFinder::Moments {
+    float flux = 0;
+    glm::vec3 sum{0};     // of directions by flux
+    glm::vec3 towards{0}; // the same by the kernel: points to where the window shall go
+
+    // The mean direction's length R tells how spread they are: of a cap of radius r it is (1 + cos r) / 2.
+    float radius() const {
+        return flux > 0 ? std::acos(std::clamp(2 * glm::length(sum) / flux - 1, -1.0f, 1.0f)) : 0;
+    }
+};
+
+LightFinder::LightFinder() : directions_(texelDirections(kCoarse)), fineDirections_(texelDirections(kFine)) {
+    luminance_.resize(directions_.size());
+    bright_.reserve(directions_.size());
+    near_.reserve(fineDirections_.size());
+}
+
+float LightFinder::asLight(float luminance) const {
+    return std::clamp(((luminance - mean_) / deviation_ - kFirst) / kRamp, 0.0f, 1.0f);
+}
+
+LightFinder::Moments LightFinder::momentsWithin(const std::vector<Texel>& texels, const glm::vec3& middle,
+                                                float cosReach) {
+    Moments moments;
+    for (const Texel& texel : texels) {
+        const float k = kernel(glm::dot(texel.direction, middle), cosReach) * texel.weight;
+        if (k <= 0) continue;
+        const float whole = std::min(texel.weight, 2 * k);
+        moments.flux += whole;
+        moments.sum += whole * texel.direction;
+        moments.towards += k * texel.direction;
+    }
+    return moments;
+}
+
+void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRgbF& level) {
+    near_.clear();
+    const float latitude = std::asin(std::clamp(middle.y, -1.0f, 1.0f));
+    const auto rowAt = [&](float angle) {
+        return static_cast<int>(std::floor((0.5f - angle / kPi) * static_cast<float>(level.height)));
+    };
+    const int first = std::max(0, rowAt(latitude + reach)),
+              last = std::min(level.height - 1, rowAt(latitude - reach));
+    const float cosReach = std::cos(reach);
+    for (int y = first; y <= last; ++y)
+        for (int x = 0; x < level.width; ++x) {
+            const float luminance = luminanceAt(level, x, y), part = asLight(luminance);
+            if (part <= 0) continue;
+            const glm::vec3& direction = fineDirections_[static_cast<size_t>(y * kFine + x)];
+            if (glm::dot(direction, middle) > cosReach)
+                near_.push_back({direction, part * (luminance - mean_) * solidAngle(level, y)});
+        }
+}
+
+// From a bright texel to the light that it belongs to; reach: of the window in the end.
+FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float& reach) {
+    FoundLight light;
+    light.direction = seed;
+    reach = kLeastReach;
+    float rough = 0;
+    for (int i = 0; i < 16; ++i) {
+        const Moments moments = momentsWithin(bright_, light.direction, std::cos(reach));
+        if (glm::length(moments.towards) <= 0) return light;
+        const glm::vec3 next = glm::normalize(moments.towards);
+        rough = moments.radius();
+        const float nextReach = reachAround(rough);
+        const bool still =
+            glm::dot(next, light.direction) > 1 - 1e-7f && std::abs(nextReach - reach) < 0.002f;
+        light.direction = next;
+        reach = nextReach;
+        if (still) break;
+    }
+    light.radius = withoutTexels(rough, kCoarse);
+    if (reach > kRefined) return light;
+    gatherNear(light.direction, reach, fine);
+    for (int i = 0; i < 3; ++i) {
+        const Moments moments = momentsWithin(near_, light.direction, std::cos(reach));
+        if (glm::length(moments.towards) <= 0) break;
+        light.direction = glm::normalize(moments.towards);
+        light.radius = withoutTexels(moments.radius(), kFine);
+    }
+    return light;
+}
+
+// What it gives beyond its surround: the mean radiance, as a plane that faces it weighs it, of all the rest.
+// Texels that its edge crosses count by how far they lie above the sphere's mean.
+void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const {
+    const float cosReach = std::cos(reach);
+    glm::vec3 bright(0), rest(0);
+    float brightWeight = 0, restWeight = 0;
+    for (int y = 0; y < coarse.height; ++y) {
+        const float solid = solidAngle(coarse, y);
+        for (int x = 0; x < coarse.width; ++x) {
+            const auto i = static_cast<size_t>(y * coarse.width + x);
+            const float cosine = glm::dot(directions_[i], light.direction);
+            if (cosine <= 0) continue;
+            const float part = std::clamp((luminance_[i] - mean_) / (kFirst * deviation_), 0.0f, 1.0f) *
+                               inside(cosine, cosReach);
+            const float weight = solid * cosine;
+            const float* c = coarse.at(x, y);
+            const glm::vec3 radiance(c[0], c[1], c[2]);
+            bright += part * weight * radiance;
+            brightWeight += part * weight;
+            rest += (1 - part) * weight * radiance;
+            restWeight += (1 - part) * weight;
+        }
+    }
+    light.irradiance = glm::max(bright - rest * (brightWeight / restWeight), 0.0f);
+    light.share = thesisLuminance(light.irradiance) / thesisLuminance(bright + rest);
+}
+
+void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
+    const ImageRgbF& coarse = levelOf(radiance, kCoarse);
+    out.count = 0;
+    out.groundIrradiance = glm::vec3(0);
+    double sum = 0, squares = 0;
+    for (int y = 0; y < coarse.height; ++y) {
+        const float solid = solidAngle(coarse, y);
+        glm::vec3 upward(0);
+        for (int x = 0; x < coarse.width; ++x) {
+            const auto i = static_cast<size_t>(y * coarse.width + x);
+            const float luminance = luminanceAt(coarse, x, y);
+            luminance_[i] = luminance;
+            sum += static_cast<double>(solid * luminance);
+            squares +=
+                static_cast<double>(solid) * static_cast<double>(luminance) * static_cast<double>(luminance);
+            const float* c = coarse.at(x, y);
+            upward += glm::vec3(c[0], c[1], c[2]);
+        }
+        out.groundIrradiance +=
+            solid * std::max(directions_[static_cast<size_t>(y * coarse.width)].y, 0.0f) * upward;
+    }
+    const ImageRgbF& thumb = levelOf(radiance, static_cast<int>(kThumbWidth));
+    for (size_t i = 0; i < out.thumb.size(); ++i)
+        out.thumb[i] =
+            luminanceAt(thumb, static_cast<int>(i % kThumbWidth), static_cast<int>(i / kThumbWidth));
+
+    const double mean = sum / (4 * std::numbers::pi);
+    mean_ = static_cast<float>(mean);
+    deviation_ = static_cast<float>(std::sqrt(std::max(0.0, squares / (4 * std::numbers::pi) - mean * mean)));
+    if (!(deviation_ > 1e-4f * mean_)) return; // even, but for rounding
+
+    bright_.clear();
+    for (size_t i = 0; i < luminance_.size(); ++i)
+        if (const float part = asLight(luminance_[i]); part > 0)
+            bright_.push_back({directions_[i], part * (luminance_[i] - mean_) *
+                                                   solidAngle(coarse, static_cast<int>(i) / coarse.width)});
+    const ImageRgbF& fine = levelOf(radiance, kFine);
+    while (out.count < kMostLights && !bright_.empty()) {
+        const auto seed = std::ranges::max_element(bright_, {}, &Texel::weight);
+        float reach = 0;
+        FoundLight light = seek(seed->direction, fine, reach);
+        weigh(coarse, reach, light);
+        // What this window held is not sought again.
+        const glm::vec3 from = seed->direction;
+        std::erase_if(bright_, [&](const Texel& texel) {
+            return glm::dot(texel.direction, light.direction) > std::cos(reach) || texel.direction == from;
+        });
+        if (light.share >= kLeastShare)
+            out.lights[out.count++] = light;
+        else
+            break;
+    }
+    std::sort(out.lights.begin(), out.lights.begin() + static_cast<ptrdiff_t>(out.count),
+              [](const FoundLight& a, const FoundLight& b) {
+                  return thesisLuminance(a.irradiance) > thesisLuminance(b.irradiance);
+              });
+}
+
+} // namespace shoal::light

@@ -1,0 +1,63 @@
+// Where the light comes from: the few bright places of a surround that throw shadows, such as the sun or
+// Snell's window, found in every frame's radiance pyramid.
+//
+// A texel counts as light by how many standard deviations its luminance lies above the mean of the sphere,
+// as in Rhee, Petikam, Allen and Chalmers 2017, "MR360: Mixed Reality Rendering for 360 Panoramic Videos",
+// which takes two; here from the square root of three on, where a linear gradient over the sphere ends, and
+// wholly a little above. By Cantelli's inequality no more than a quarter of any sphere lies there: an
+// overcast sky throws no shadow, and is none. From the brightest of them a window shifts to the mode (mean
+// shift: Cheng 1995) and takes the size of what it holds as it goes (Bradski 1998, "Computer Vision Face
+// Tracking for Use in a Perceptual User Interface"); a place and a size are the spherical moments in it.
+#pragma once
+
+#include "engine/light/EnvironmentLight.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <vector>
+
+namespace shoal::light {
+
+struct FoundLight {
+    glm::vec3 direction{0, 1, 0}; // towards it, unit length, env frame
+    float radius = 0;             // radians: of a cap of even radiance as widely spread
+    glm::vec3 irradiance{0};      // on a plane that faces it, beyond what would come without it
+    float share = 0;              // of the luminance of all that falls on that plane, 0 to 1
+};
+
+constexpr size_t kMostLights = 3;
+constexpr size_t kThumbWidth = 32, kThumbHeight = 16;
+
+struct FoundLights {
+    std::array<FoundLight, kMostLights> lights; // the first `count`, the strongest first
+    size_t count = 0;
+    glm::vec3 groundIrradiance{0};                         // on level ground, by all the sphere
+    std::array<float, kThumbWidth * kThumbHeight> thumb{}; // luminance, lat-long: to tell scenes apart
+};
+
+// Keeps tables and scratch: nothing is allocated after the first call. One thread at a time.
+class LightFinder {
+  public:
+    LightFinder();
+    void find(const RadiancePyramid& radiance, FoundLights& out);
+
+  private:
+    struct Texel {
+        glm::vec3 direction{0};
+        float weight = 0; // flux above the sphere's mean, as far as it counts as light
+    };
+    struct Moments;
+    static Moments momentsWithin(const std::vector<Texel>& texels, const glm::vec3& middle, float cosReach);
+    void gatherNear(const glm::vec3& middle, float reach, const ImageRgbF& fine);
+    FoundLight seek(const glm::vec3& seed, const ImageRgbF& fine, float& reach);
+    void weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const;
+    float asLight(float luminance) const; // 0 to 1
+
+    const std::vector<glm::vec3> directions_, fineDirections_; // of the texels of the two levels looked at
+    std::vector<float> luminance_;                             // of the coarse one
+    std::vector<Texel> bright_, near_; // of the coarse one; of the fine, about a light
+    float mean_ = 0, deviation_ = 0;   // of luminance over the sphere
+};
+
+} // namespace shoal::light

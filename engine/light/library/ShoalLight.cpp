@@ -1,0 +1,228 @@
+#include "engine/light/library/ShoalLight.h"
+
+#include "engine/light/GlossyLevels.h"
+#include "engine/light/InverseToneMap.h"
+#include "engine/light/Lookup.h"
+#include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
+#include "engine/math/Brdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace light = shoal::light;
+
+struct ShoalLightMaker {
+    light::LightOptions options;
+    light::LightMaker maker{options};
+    light::MirrorMaps mirrors = light::MirrorMaps::None;
+    std::vector<uint8_t> threeBytes = {}; // a frame without its alpha
+    shoal::ImageRgbF radianceLin = {};    // an HDR frame
+};
+
+struct ShoalLight {
+    light::EnvironmentLight made;
+    light::PackedLight packed;
+    std::vector<ShoalLightTexture> mirrors; // of packed
+};
+
+namespace {
+
+constexpr int kMaxSide = 16384;
+constexpr int kMaxMirror = 8192; // Environment.glsl has room for the roughness of 5 levels and one more
+constexpr int kMaxTable = 1024;
+
+thread_local const char* error = "";
+
+ShoalLightStatus fail(ShoalLightStatus status, const char* why) {
+    error = why;
+    return status;
+}
+ShoalLightStatus bad(const char* why) { return fail(SHOAL_LIGHT_BAD_ARGUMENT, why); }
+
+// What can fail here but for arguments is memory.
+template <class Work> ShoalLightStatus guarded(const Work& work) {
+    try {
+        work();
+        return SHOAL_LIGHT_OK;
+    } catch (...) {
+        return fail(SHOAL_LIGHT_OUT_OF_MEMORY, "there is not enough memory");
+    }
+}
+
+int bytesPerPixel(int32_t format) {
+    switch (format) {
+    case SHOAL_LIGHT_BGR8:
+    case SHOAL_LIGHT_RGB8:
+        return 3;
+    case SHOAL_LIGHT_BGRA8:
+    case SHOAL_LIGHT_RGBA8:
+        return 4;
+    case SHOAL_LIGHT_RGB32F:
+        return 12;
+    case SHOAL_LIGHT_RGBA32F:
+        return 16;
+    default:
+        return 0;
+    }
+}
+
+const uint8_t* rowOf(const ShoalLightFrame& frame, ptrdiff_t rowBytes, int y) {
+    return static_cast<const uint8_t*>(frame.pixels) + rowBytes * y;
+}
+
+void makeFromFloats(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
+                    light::EnvironmentLight& out) {
+    if (maker.radianceLin.width != frame.width || maker.radianceLin.height != frame.height)
+        maker.radianceLin = shoal::ImageRgbF(frame.width, frame.height);
+    const int step = bytesPerPixel(frame.format);
+    for (int y = 0; y < frame.height; ++y) {
+        const uint8_t* row = rowOf(frame, rowBytes, y);
+        for (int x = 0; x < frame.width; ++x)
+            std::memcpy(maker.radianceLin.at(x, y), row + static_cast<ptrdiff_t>(step) * x,
+                        3 * sizeof(float));
+    }
+    maker.maker.makeFromHdr(maker.radianceLin, out);
+}
+
+void makeFromBytes(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
+                   light::EnvironmentLight& out) {
+    const bool bgr = frame.format == SHOAL_LIGHT_BGR8 || frame.format == SHOAL_LIGHT_BGRA8;
+    if (bytesPerPixel(frame.format) == 3) {
+        maker.maker.make({rowOf(frame, rowBytes, 0), frame.width, frame.height, rowBytes, bgr}, out);
+        return;
+    }
+    const auto width = static_cast<size_t>(frame.width);
+    maker.threeBytes.resize(3 * width * static_cast<size_t>(frame.height));
+    for (int y = 0; y < frame.height; ++y) {
+        const uint8_t* from = rowOf(frame, rowBytes, y);
+        uint8_t* to = maker.threeBytes.data() + 3 * width * static_cast<size_t>(y);
+        // Four bytes at once; the fourth lies where the next pixel comes.
+        for (size_t x = 0; x + 1 < width; ++x) std::memcpy(to + 3 * x, from + 4 * x, 4);
+        std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
+    }
+    maker.maker.make(
+        {maker.threeBytes.data(), frame.width, frame.height, static_cast<ptrdiff_t>(3 * width), bgr}, out);
+}
+
+ShoalLightTexture textureOf(const light::HalfImage& image) {
+    return {image.rgba.data(), image.width, image.height};
+}
+
+// A look-up must not leave the map, whatever it is asked.
+bool canBeLookedUp(const ShoalLight* light, const float* direction) {
+    return light && !light->packed.places.empty() &&
+           std::isfinite(direction[0] + direction[1] + direction[2]);
+}
+
+void put(const glm::vec3& colour, float* out) {
+    for (int c = 0; c < 3; ++c) out[c] = colour[c];
+}
+
+glm::vec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
+
+} // namespace
+
+const char* shoalLightError() { return error; }
+
+const char* shoalLightVersion() { return SHOAL_LIGHT_VERSION; }
+
+ShoalLightOptions shoalLightDefaults() { return {SHOAL_LIGHT_VIDEO, 0.25f, 512}; }
+
+ShoalLightStatus shoalLightMakerCreate(const ShoalLightOptions* options, ShoalLightMaker** maker) {
+    if (!maker) return bad("there is nowhere to put the maker");
+    *maker = nullptr;
+    const ShoalLightOptions o = options ? *options : shoalLightDefaults();
+    if (o.quality != SHOAL_LIGHT_VIDEO && o.quality != SHOAL_LIGHT_STILL)
+        return bad("there is no such quality");
+    if (!(o.leastRoughness >= 0 && o.leastRoughness <= 1)) return bad("leastRoughness lies outside 0 to 1");
+    if (o.widestMirror < light::kMinBaseWidth || o.widestMirror > kMaxMirror)
+        return bad("widestMirror lies outside 256 to 8192");
+    return guarded([&] {
+        const bool still = o.quality == SHOAL_LIGHT_STILL;
+        const bool smooth = o.leastRoughness < light::kLeastFilteredRoughness;
+        *maker =
+            new ShoalLightMaker{.options = {o.widestMirror, o.leastRoughness,
+                                            still ? light::LightQuality::Still : light::LightQuality::Video},
+                                .mirrors = smooth ? light::MirrorMaps::Mirrors : light::MirrorMaps::None};
+    });
+}
+
+void shoalLightMakerDestroy(ShoalLightMaker* maker) { delete maker; }
+
+ShoalLightStatus shoalLightCreate(ShoalLight** light) {
+    if (!light) return bad("there is nowhere to put the light");
+    *light = nullptr;
+    return guarded([&] { *light = new ShoalLight; });
+}
+
+void shoalLightDestroy(ShoalLight* light) { delete light; }
+
+ShoalLightStatus shoalLightMake(ShoalLightMaker* maker, const ShoalLightFrame* frame, ShoalLight* light) {
+    if (!maker || !frame || !light) return bad("the maker, the frame or the light is missing");
+    if (!frame->pixels) return bad("the frame has no pixels");
+    if (frame->width < 2 || frame->height < 2 || frame->width > kMaxSide || frame->height > kMaxSide)
+        return bad("the frame's width or height lies outside 2 to 16384");
+    const int pixelBytes = bytesPerPixel(frame->format);
+    if (pixelBytes == 0) return bad("the frame has no known format");
+    const ptrdiff_t tight = static_cast<ptrdiff_t>(pixelBytes) * frame->width;
+    const ptrdiff_t rowBytes = frame->rowBytes == 0 ? tight : frame->rowBytes;
+    if (rowBytes > -tight && rowBytes < tight)
+        return bad("the frame's rowBytes are fewer than its pixels take");
+    const ShoalLightStatus status = guarded([&] {
+        if (pixelBytes > 4)
+            makeFromFloats(*maker, *frame, rowBytes, light->made);
+        else
+            makeFromBytes(*maker, *frame, rowBytes, light->made);
+        light::packLight(light->made, maker->mirrors, light->packed);
+        light->mirrors.clear();
+        for (const light::HalfImage& level : light->packed.mirrors)
+            light->mirrors.push_back(textureOf(level));
+    });
+    if (status != SHOAL_LIGHT_OK) { // both may be half made
+        *light = ShoalLight();
+        *maker = ShoalLightMaker{.options = maker->options, .mirrors = maker->mirrors};
+    }
+    return status;
+}
+
+void shoalLightMaps(const ShoalLight* light, ShoalLightMaps* maps) {
+    if (!maps) return;
+    *maps = {};
+    if (!light || light->packed.places.empty()) return;
+    const light::PackedLight& packed = light->packed;
+    maps->lightMap = textureOf(packed.atlas);
+    maps->lightPlaces = &packed.places[0].x;
+    maps->mapCount = static_cast<int32_t>(packed.places.size());
+    maps->mirrorLevels = static_cast<int32_t>(light->mirrors.size());
+    maps->mirrors = light->mirrors.data();
+    maps->mirrorRoughness = packed.mirrorRoughness.data();
+}
+
+ShoalLightStatus shoalLightSurfaceTable(int32_t size, float* scaleBias) {
+    if (size < 2 || size > kMaxTable) return bad("the table's size lies outside 2 to 1024");
+    if (!scaleBias) return bad("there is nowhere to put the table");
+    return guarded([&] { std::ranges::copy(shoal::math::makeDfgTable(size).scaleBias, scaleBias); });
+}
+
+void shoalLightDiffuse(const ShoalLight* light, const float normal[3], float radiance[3]) {
+    put(canBeLookedUp(light, normal) ? light::lookUp(light->made.diffuse, vec(normal)) : glm::vec3(0),
+        radiance);
+}
+
+void shoalLightGlossy(const ShoalLight* light, const float direction[3], float roughness, float radiance[3]) {
+    const float known = roughness > 0 ? std::min(roughness, 1.0f) : 0; // NaN: 0
+    put(canBeLookedUp(light, direction) ? light::lookUpGlossy(light->made, vec(direction), known)
+                                        : glm::vec3(0),
+        radiance);
+}
+
+void shoalLightRadianceFromDisplay(const float display[3], float radiance[3]) {
+    put(light::radianceFromDisplay(vec(display)), radiance);
+}
+
+void shoalLightDisplayFromRadiance(const float radiance[3], float display[3]) {
+    put(light::displayFromRadiance(vec(radiance)), display);
+}

@@ -1,0 +1,41 @@
+// From the sixteen samples of a pixel to its layers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace shoal::occlusion {
+
+// One triangle at one sample.
+struct Fragment {
+    float depth = 0;      // pixels
+    glm::vec3 normal{0};  // unit, view frame
+    uint8_t sample = 0;   // 4 y + x in the pixel
+    bool towards = false; // whether the outside is on the viewer's side
+};
+
+// A plane through a pixel: depth at its middle, and depth per pixel right and up.
+struct Plane {
+    float depth = 0;
+    glm::vec2 slope{0};
+    glm::vec3 normal{0}; // unit, view frame; its z has the sign of the side it faces and is never small
+    uint16_t coverage = 0;
+};
+
+// Of the middle of a sample from the middle of the pixel, pixels.
+inline glm::vec2 sampleOffset(int sample) {
+    return {static_cast<float>(sample % 4) * 0.25f - 0.375f, static_cast<float>(sample / 4) * 0.25f - 0.375f};
+}
+
+// Unit normal, laid back to kSteepest where it is steeper; towards: whether its z shall be negative.
+glm::vec3 layBack(const glm::vec3& normal, bool towards);
+// Depth per pixel of the plane with this normal, whose z is not zero.
+inline glm::vec2 slopeOf(const glm::vec3& normal) { return -glm::vec2(normal) / normal.z; }
+
+// Appends to `planes` the surfaces that these fragments of one pixel are samples of, by growing depth. Every
+// fragment belongs to one plane, every plane covers a sample once. Uses up the fragments.
+void mergeLayers(std::vector<Fragment>& fragments, std::vector<Plane>& planes);
+
+} // namespace shoal::occlusion

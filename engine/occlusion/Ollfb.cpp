@@ -1,0 +1,181 @@
+#include "engine/occlusion/Ollfb.h"
+
+#include "engine/occlusion/MergeLayers.h"
+#include "engine/occlusion/Octahedral.h"
+#include "engine/occlusion/Scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+namespace shoal::occlusion {
+
+namespace {
+
+constexpr int kMostViews = 4096, kMostResolution = 256;
+constexpr int kTurns = 8; // in a quarter turn, tried for the smallest frame
+// Of what one view sees, before it is merged; some 600 MB.
+constexpr size_t kMostFragments = 1u << 24;
+
+struct Frame {
+    OllfbView view;
+    std::vector<glm::vec3> corners; // the mesh's positions in pixels
+};
+
+// Turned so that the frame around what is seen is smallest, and scaled to fill it.
+void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Frame& frame) {
+    const glm::mat3 upright = lookingAlong(axis, 0);
+    frame.corners.resize(mesh.positions.size());
+    std::transform(mesh.positions.begin(), mesh.positions.end(), frame.corners.begin(),
+                   [&](const glm::vec3& p) { return upright * p; });
+    float least = INFINITY, turn = 0;
+    for (int i = 0; i < kTurns; ++i) {
+        const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / kTurns;
+        const float c = std::cos(angle), s = std::sin(angle);
+        glm::vec2 low(INFINITY), high(-INFINITY);
+        for (const glm::uvec3& t : mesh.triangles)
+            for (int k = 0; k < 3; ++k) {
+                const glm::vec3& p = frame.corners[t[k]];
+                const glm::vec2 turned(c * p.x + s * p.y, c * p.y - s * p.x);
+                low = glm::min(low, turned), high = glm::max(high, turned);
+            }
+        const glm::vec2 size = high - low;
+        if (size.x * size.y < least) least = size.x * size.y, turn = angle;
+    }
+    OllfbView& view = frame.view;
+    view.viewFromBody = lookingAlong(axis, turn);
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const glm::uvec3& t : mesh.triangles)
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 p = view.viewFromBody * mesh.positions[t[k]];
+            low = glm::min(low, p), high = glm::max(high, p);
+        }
+    // A hundredth of a pixel of margin all round.
+    constexpr float kMargin_px = 0.01f;
+    const glm::vec3 size = high - low;
+    const float longest = std::max({size.x, size.y, 1e-6f * size.z});
+    view.pixelsPerMetre = (static_cast<float>(resolution) - 2 * kMargin_px) / longest;
+    view.low = low * view.pixelsPerMetre - glm::vec3(kMargin_px, kMargin_px, kDepthMargin_px);
+    view.size = glm::clamp(glm::ivec2(glm::ceil(glm::vec2(size) * view.pixelsPerMetre + 2 * kMargin_px)),
+                           glm::ivec2(1), glm::ivec2(resolution));
+    view.depthRange_px = size.z * view.pixelsPerMetre + 2 * kDepthMargin_px;
+    for (size_t i = 0; i < frame.corners.size(); ++i)
+        frame.corners[i] = view.pixelFromBody(mesh.positions[i]);
+}
+
+// Whether triangles run counter-clockwise around their normals, as most of the surface has it.
+bool runsWithNormals(const BodyMesh& mesh) {
+    double sum = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::vec3& a = mesh.positions[t.x];
+        const glm::vec3 area = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
+        sum += glm::dot(area, mesh.normals[t.x] + mesh.normals[t.y] + mesh.normals[t.z]);
+    }
+    return sum >= 0;
+}
+
+// What one view sees at four by four samples a pixel, pixel by pixel.
+struct Seen {
+    std::vector<uint32_t> starts;
+    std::vector<Fragment> fragments;
+};
+
+// Calls found(pixel, sample, weights) for a triangle.
+template <class Found> void scan(const Frame& frame, const glm::uvec3& triangle, Found&& found) {
+    std::array<glm::vec3, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[static_cast<size_t>(k)] = frame.corners[triangle[k]] * 4.0f;
+    const glm::ivec2& size = frame.view.size;
+    scanTriangle(corners, size.x * 4, size.y * 4, [&](int x, int y, const glm::vec3& weights) {
+        found(static_cast<size_t>(y / 4 * size.x + x / 4), y % 4 * 4 + x % 4, weights);
+    });
+}
+
+Status see(const BodyMesh& mesh, const Frame& frame, bool withNormals, Seen& seen) {
+    const glm::ivec2& size = frame.view.size;
+    seen.starts.assign(static_cast<size_t>(size.x * size.y) + 1, 0);
+    uint64_t total = 0;
+    for (const glm::uvec3& t : mesh.triangles)
+        scan(frame, t, [&](size_t pixel, int, const glm::vec3&) { ++seen.starts[pixel + 1], ++total; });
+    if (total > kMostFragments) return Error{"", "a body has too many layers behind each other to be seen"};
+    std::inclusive_scan(seen.starts.begin(), seen.starts.end(), seen.starts.begin());
+    seen.fragments.resize(total);
+    std::vector<uint32_t> next(seen.starts.begin(), seen.starts.end() - 1);
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::vec3 &a = frame.corners[t.x], &b = frame.corners[t.y], &c = frame.corners[t.z];
+        const glm::vec3 flat = glm::cross(b - a, c - a) * (withNormals ? 1.0f : -1.0f);
+        const glm::mat3 normals =
+            frame.view.viewFromBody * glm::mat3(mesh.normals[t.x], mesh.normals[t.y], mesh.normals[t.z]);
+        scan(frame, t, [&](size_t pixel, int sample, const glm::vec3& weights) {
+            const glm::vec3 sum = normals * weights;
+            const float length = glm::length(sum);
+            seen.fragments[next[pixel]++] = {glm::dot(weights, glm::vec3(a.z, b.z, c.z)),
+                                             length > 0 ? sum / length : glm::normalize(flat),
+                                             static_cast<uint8_t>(sample), flat.z < 0};
+        });
+    }
+    return Done{};
+}
+
+OllfbLayer pack(const Plane& plane, float depthRange_px) {
+    const float share = std::clamp(plane.depth / depthRange_px, 0.0f, 1.0f);
+    return {static_cast<uint16_t>(std::lround(share * 65535)),
+            static_cast<uint16_t>(packDirection(plane.normal, 8)), plane.coverage};
+}
+
+} // namespace
+
+Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
+    if (Status status = checkMesh(mesh); !status) return status.error();
+    if (options.views < 1 || options.views > kMostViews) return Error{"", "views must be 1 to 4096"};
+    if (options.resolution < 1 || options.resolution > kMostResolution)
+        return Error{"", "the resolution of a view must be 1 to 256"};
+    Ollfb result;
+    result.ball_ = boundingBall(mesh);
+    if (!(result.ball_.radius > 0)) return result;
+    result.closed_ = isClosed(mesh);
+    result.onlyOuter_ = options.sides == Sides::Outer || (options.sides == Sides::ByMesh && result.closed_);
+    result.axes_ = Axes(options.views);
+    const bool withNormals = runsWithNormals(mesh);
+
+    Frame frame;
+    Seen seen;
+    std::vector<Fragment> pixelFragments;
+    std::vector<Plane> planes;
+    for (const glm::vec3& axis : result.axes_.axes()) {
+        frameView(mesh, axis, options.resolution, frame);
+        if (Status status = see(mesh, frame, withNormals, seen); !status) return status.error();
+        frame.view.firstRow = static_cast<uint32_t>(result.rows_.size());
+        result.views_.push_back(frame.view);
+        for (int y = 0; y < frame.view.size.y; ++y) {
+            const uint32_t* const pixels = seen.starts.data() + y * frame.view.size.x;
+            OllfbRow row{static_cast<uint32_t>(result.layers_.size()),
+                         static_cast<uint32_t>(result.starts_.size()), 0,
+                         static_cast<uint16_t>(frame.view.size.x)};
+            while (row.begin < row.end && pixels[row.begin] == pixels[row.begin + 1]) ++row.begin;
+            while (row.begin < row.end && pixels[row.end] == pixels[row.end - 1]) --row.end;
+            result.rows_.push_back(row);
+            result.starts_.push_back(0);
+            for (int x = row.begin; x < row.end; ++x) {
+                pixelFragments.assign(seen.fragments.begin() + pixels[x],
+                                      seen.fragments.begin() + pixels[x + 1]);
+                planes.clear();
+                mergeLayers(pixelFragments, planes);
+                for (const Plane& plane : planes)
+                    result.layers_.push_back(pack(plane, frame.view.depthRange_px));
+                const size_t end = result.layers_.size() - row.firstLayer;
+                if (end > UINT16_MAX)
+                    return Error{"", "a body has more than 65535 layers in a row of pixels"};
+                result.starts_.push_back(static_cast<uint16_t>(end));
+            }
+        }
+        if (result.bytes() > options.mostBytes)
+            return Error{"", "a body's layers would take more than " + std::to_string(options.mostBytes) +
+                                 " bytes; see it from fewer sides or with fewer pixels"};
+    }
+    result.rows_.shrink_to_fit(), result.starts_.shrink_to_fit(), result.layers_.shrink_to_fit();
+    return result;
+}
+
+} // namespace shoal::occlusion

@@ -1,0 +1,116 @@
+// Orthographic linearised layered fragment buffers, cured of what Iorns 2016 (chapter 6) left open:
+// - A layer is a plane with the slope of its normal, and says which sixteenths of its pixel it covers. Steep
+// surfaces
+//   join, silhouettes are four times as fine as pixels.
+// - What is between two layers is inside the body. A ray that is outside in one cell and inside in the next
+// has gone
+//   through the wall between them, however steep.
+// - Where a hit lies and how the surface turns there is read in the view that looks straight at it, blended between
+//   four pixels.
+// - A view serves both ways along its axis, and is cropped and turned to what it sees.
+// - 48 bits a layer, 16 a pixel.
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/occlusion/CheckMesh.h"
+#include "engine/occlusion/Directions.h"
+#include "engine/occlusion/Visibility.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace shoal::occlusion {
+
+// One surface in one pixel.
+struct OllfbLayer {
+    uint16_t depth = 0;  // of its plane at the pixel's middle, 0 .. 65535 over the view's range
+    uint16_t normal = 0; // outwards, view frame, octahedral, 2 x 8 bits (Octahedral.h)
+    uint16_t coverage =
+        0; // bit 4 y + x: the sample at ((x + 1/2) / 4, (y + 1/2) / 4) of the pixel is covered
+};
+static_assert(sizeof(OllfbLayer) == 6, "48 bits a layer");
+
+// Steeper planes are laid back to this slope: pixels of depth per pixel.
+inline constexpr float kSteepest = 12;
+// A ray that begins this close behind a surface is taken to leave it.
+inline constexpr float kLeaving_px = 3;
+// Depth beyond the body's own that a view can say, either side: what a plane may reach at its pixel's middle.
+inline constexpr float kDepthMargin_px = kSteepest * 0.75f;
+
+struct OllfbView {
+    glm::mat3 viewFromBody{1};
+    glm::vec3 low{0};         // view frame, pixels: what becomes the origin of the pixels
+    float pixelsPerMetre = 1; // along all three axes
+    float depthRange_px = 1;  // of OllfbLayer::depth, margins included
+    glm::ivec2 size{0};       // pixels
+    uint32_t firstRow = 0;    // index into Ollfb::rows()
+
+    glm::vec3 pixelFromBody(const glm::vec3& position) const {
+        return viewFromBody * position * pixelsPerMetre - low;
+    }
+};
+
+// What a view sees in one row of pixels.
+struct OllfbRow {
+    uint32_t firstLayer = 0;     // index into Ollfb::layers()
+    uint32_t firstStart = 0;     // index into Ollfb::starts(), of pixel `begin`
+    uint16_t begin = 0, end = 0; // pixels from the first to past the last that have layers
+};
+static_assert(sizeof(OllfbRow) == 12);
+
+// From which sides rays meet a surface.
+enum class Sides {
+    Outer,  // only where they enter, as what is drawn with its back faces culled
+    Both,   // also where they leave
+    ByMesh, // Outer if the mesh is closed, else Both
+};
+
+class Ollfb {
+  public:
+    struct Options {
+        int views = 150;     // axes over half the sphere; 1 to 4096
+        int resolution = 64; // pixels along the longer side of a view; 1 to 256
+        Sides sides = Sides::ByMesh;
+        size_t mostBytes = 64u << 20;
+    };
+
+    // Errors: a mesh that cannot be (CheckMesh.h), options out of range, more than mostBytes, more than 65535
+    // layers in a row of pixels. What has no triangles or no extent is met by no ray.
+    static Result<Ollfb> make(const BodyMesh& mesh, const Options& options);
+    static Result<Ollfb> make(const BodyMesh& mesh) { return make(mesh, Options{}); }
+
+    // As TracesRays has it, up to `farthest` metres. A ray that begins on the surface is not caught by it as
+    // it leaves; with both sides to be met, this is so for its first kLeaving_px.
+    std::optional<Hit> trace(const glm::vec3& origin, const glm::vec3& direction, float nearest,
+                             float farthest = std::numeric_limits<float>::infinity()) const;
+
+    size_t bytes() const {
+        return axes_.bytes() + views_.size() * sizeof(OllfbView) + rows_.size() * sizeof(OllfbRow) +
+               starts_.size() * sizeof(uint16_t) + layers_.size() * sizeof(OllfbLayer);
+    }
+    const Ball& ball() const { return ball_; }
+    bool closed() const { return closed_; }       // isClosed(): what lies between two layers is inside
+    bool onlyOuter() const { return onlyOuter_; } // Sides::Outer, or by the mesh
+
+    // The buffers themselves. Pixel x of a row has the layers from starts()[firstStart + x - begin] after its
+    // firstLayer to where the next begins, by growing depth.
+    const Axes& axes() const { return axes_; }
+    const std::vector<OllfbView>& views() const { return views_; }
+    const std::vector<OllfbRow>& rows() const { return rows_; }
+    const std::vector<uint16_t>& starts() const { return starts_; }
+    const std::vector<OllfbLayer>& layers() const { return layers_; }
+
+  private:
+    Ball ball_;
+    bool closed_ = false, onlyOuter_ = true;
+    Axes axes_{0};
+    std::vector<OllfbView> views_;
+    std::vector<OllfbRow> rows_;
+    std::vector<uint16_t> starts_;
+    std::vector<OllfbLayer> layers_;
+};
+
+static_assert(TracesRays<Ollfb> && KeepsMemory<Ollfb>);
+
+} // namespace shoal::occlusion

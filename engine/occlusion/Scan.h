@@ -1,0 +1,66 @@
+// Which samples of a square grid a triangle covers, seen orthographically.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+namespace shoal::occlusion {
+
+// Calls found(x, y, b) for every sample of a width x height grid, its samples at half integers, that the
+// triangle covers; b: barycentric weights, sum 1. Corners are snapped to 1/256 of a sample, and of two
+// triangles that share an edge just one owns the samples on it, whichever way they face: what is closed has
+// as many layers towards as away. corners: xy in samples, within +-2^20.
+template <class Found>
+void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height, Found&& found) {
+    constexpr int64_t kOne = 256, kHalf = kOne / 2;
+    std::array<int64_t, 3> x, y;
+    for (size_t k = 0; k < 3; ++k) {
+        x[k] = std::llround(static_cast<double>(corners[k].x) * kOne);
+        y[k] = std::llround(static_cast<double>(corners[k].y) * kOne);
+    }
+    int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+    if (area == 0) return; // edge-on or collapsed: covers no sample
+    // Corners b and c change places where the triangle runs clockwise.
+    const size_t b = area > 0 ? 1 : 2, c = 3 - b;
+    area = std::abs(area);
+
+    const auto [lowX, highX] = std::minmax({x[0], x[1], x[2]});
+    const auto [lowY, highY] = std::minmax({y[0], y[1], y[2]});
+    const auto first = [&](int64_t low) { return std::max<int64_t>(0, (low - kHalf + kOne - 1) >> 8); };
+    const auto last = [&](int64_t high, int size) {
+        return std::min<int64_t>(size - 1, (high - kHalf) >> 8);
+    };
+
+    struct Edge {
+        int64_t value, perX, perY, least;
+    };
+    const int64_t startX = first(lowX) * kOne + kHalf, startY = first(lowY) * kOne + kHalf;
+    const auto edge = [&](size_t from, size_t to) {
+        const int64_t dx = x[to] - x[from], dy = y[to] - y[from];
+        const bool owned = dy < 0 || (dy == 0 && dx > 0); // this sense only, so the neighbour's is not
+        return Edge{dx * (startY - y[from]) - dy * (startX - x[from]), -dy * kOne, dx * kOne, owned ? 0 : 1};
+    };
+    Edge opposite0 = edge(b, c), oppositeB = edge(c, 0), oppositeC = edge(0, b);
+    const double perArea = 1.0 / static_cast<double>(area);
+    for (int64_t j = first(lowY), endY = last(highY, height), endX = last(highX, width); j <= endY; ++j) {
+        int64_t e0 = opposite0.value, eB = oppositeB.value, eC = oppositeC.value;
+        for (int64_t i = first(lowX); i <= endX; ++i) {
+            if (e0 >= opposite0.least && eB >= oppositeB.least && eC >= oppositeC.least) {
+                glm::vec3 weights;
+                weights[0] = static_cast<float>(static_cast<double>(e0) * perArea);
+                weights[static_cast<int>(b)] = static_cast<float>(static_cast<double>(eB) * perArea);
+                weights[static_cast<int>(c)] = static_cast<float>(static_cast<double>(eC) * perArea);
+                found(static_cast<int>(i), static_cast<int>(j), weights);
+            }
+            e0 += opposite0.perX, eB += oppositeB.perX, eC += oppositeC.perX;
+        }
+        opposite0.value += opposite0.perY, oppositeB.value += oppositeB.perY,
+            oppositeC.value += oppositeC.perY;
+    }
+}
+
+} // namespace shoal::occlusion

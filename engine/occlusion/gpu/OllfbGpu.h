@@ -1,0 +1,22 @@
+// The cured layers where shaders find them.
+#pragma once
+
+#include "engine/gl/Program.h"
+#include "engine/occlusion/Ollfb.h"
+
+namespace shoal::occlusion {
+
+class OllfbGpu {
+  public:
+    // Errors: no OpenGL 4.3, or no memory.
+    static Result<OllfbGpu> upload(const Ollfb& ollfb);
+
+    // For a program in use that includes occlusion/Ollfb.glsl.
+    void bind(const gl::Program& program) const;
+
+  private:
+    bool closed_ = false, onlyOuter_ = true;
+    gl::Buffer views_, rows_, starts_, layers_, axes_;
+};
+
+} // namespace shoal::occlusion

@@ -1,0 +1,124 @@
+#include "engine/panorama/Caps.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::panorama {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Extent {
+    int width, height;
+    int edge, inner; // rows: where the ring begins, and where it is left as it is
+
+    int rows(double degrees) const { return std::max(1, static_cast<int>(degrees * height / 180)); }
+    double colatitude(double row) const { return row / height * kPi; }
+};
+
+// Change of the logarithm of the mean colour a row, upwards, over rows from first to last.
+cv::Scalar slopeUp(const cv::Mat& picture, int first, int last) {
+    cv::Scalar sum;
+    double weights = 0;
+    const double middle = (first + last - 1) / 2.0;
+    for (int y = first; y < last; ++y) {
+        const cv::Scalar mean = cv::mean(picture.row(y));
+        for (int c = 0; c < 3; ++c) sum[c] += std::log(mean[c] + 0.02) * (middle - y);
+        weights += (middle - y) * (middle - y);
+    }
+    return weights > 0 ? sum * (1 / weights) : cv::Scalar();
+}
+
+// Rows 0 to inner, by harmonics.
+cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
+    const int below = std::min(cap.inner + cap.rows(1), cap.height);
+    cv::Mat source;
+    std::array<cv::Mat, 3> harmonics, filled;
+    cv::reduce(latLong.rowRange(cap.inner, below), source, 0, cv::REDUCE_AVG);
+    cv::split(source, harmonics.data());
+    for (cv::Mat& channel : harmonics) cv::dft(channel, channel, cv::DFT_COMPLEX_OUTPUT);
+
+    const cv::Scalar slope = slopeUp(latLong, cap.inner, std::min(cap.inner + cap.rows(12), cap.height));
+    const double rest = cap.rows(15); // rows
+    const double rim = std::tan(cap.colatitude((cap.inner + below) / 2.0) / 2);
+    constexpr double kMostChange = 0.5, kMostHue = 0.15; // of the logarithm
+    const double common = (slope[0] + slope[1] + slope[2]) / 3;
+    cv::Mat out(cap.inner, cap.width, CV_32FC3);
+    for (int y = 0; y < cap.inner; ++y) {
+        const double ratio = std::tan(cap.colatitude(y + 0.5) / 2) / rim;
+        for (size_t c = 0; c < 3; ++c) {
+            cv::Mat fallen = harmonics[c].clone();
+            for (int k = 0; k < cap.width; ++k)
+                fallen.at<cv::Vec2f>(k) *= static_cast<float>(std::pow(ratio, std::min(k, cap.width - k)));
+            cv::dft(fallen, filled[c], cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
+            // Sets out with the ring's own slope.
+            const double start =
+                std::clamp(slope[static_cast<int>(c)], common - kMostHue / rest, common + kMostHue / rest);
+            const double most = std::min(kMostChange, std::abs(start) * rest) + 1e-12;
+            const double change = most * (1 - std::exp(-std::abs(start) / most * (cap.inner - y - 0.5)));
+            filled[c] *= std::exp(std::copysign(change, start));
+        }
+        cv::Mat row = out.row(y);
+        cv::merge(filled.data(), 3, row);
+    }
+    return out;
+}
+
+// 0 to 1 and back again, for ever.
+double folded(double x) {
+    const double t = x - 2 * std::floor(x / 2);
+    return t <= 1 ? t : 2 - t;
+}
+
+// Of each pixel of rows 0 to inner, the ring's ratio to its blurred self at the place it is taken from: a
+// square of the plane just beyond the rim, set side by side in mirrored copies.
+cv::Mat texture(const cv::Mat& latLong, const Extent& cap) {
+    constexpr double kSteepest = 75 * kPi / 180; // colatitude of a rim beyond which the plane is too far
+    constexpr float kMostContrast = 1.3f;
+    const double rim = std::tan(std::min(cap.colatitude(cap.inner), kSteepest));
+    const double side = 0.35 * rim;
+    cv::Mat ring = latLong.rowRange(cap.inner, cap.height / 2), blurred, ratio;
+    cv::copyMakeBorder(ring, blurred, 0, 0, cap.width / 8, cap.width / 8, cv::BORDER_WRAP);
+    cv::GaussianBlur(blurred, blurred, {}, cap.rows(3), cap.rows(2), cv::BORDER_REPLICATE);
+    blurred = blurred.colRange(cap.width / 8, cap.width / 8 + cap.width);
+    cv::divide(ring + 0.02, blurred + 0.02, ratio);
+    ratio = cv::min(cv::max(ratio, 1 / kMostContrast), kMostContrast);
+
+    cv::Mat column(cap.inner, cap.width, CV_32F), row(column.size(), CV_32F), out;
+    for (int y = 0; y < cap.inner; ++y) {
+        const double distance = std::tan(std::min(cap.colatitude(y + 0.5), kSteepest));
+        for (int x = 0; x < cap.width; ++x) {
+            const double longitude = ((x + 0.5) / cap.width - 0.5) * 2 * kPi;
+            const double right = (folded(distance * std::sin(longitude) / side + 0.5) - 0.5) * side;
+            const double away = rim + side * folded((distance * std::cos(longitude) - rim) / side);
+            const double u = 0.5 + std::atan2(right, away) / (2 * kPi);
+            const double v = std::atan(std::hypot(right, away)) / kPi;
+            column.at<float>(y, x) = static_cast<float>(u * cap.width - 0.5);
+            row.at<float>(y, x) = static_cast<float>(v * cap.height - 0.5 - cap.inner);
+        }
+    }
+    cv::remap(ratio, out, column, row, cv::INTER_LINEAR, cv::BORDER_WRAP);
+    return out;
+}
+
+} // namespace
+
+void fillCap(cv::Mat& latLong, int edge, Cap kind) {
+    Extent cap{latLong.cols, latLong.rows, edge, 0};
+    cap.inner = std::min(edge + cap.rows(5), cap.height / 2 - 1);
+    cv::Mat filled = colours(latLong, cap);
+    if (kind == Cap::Ground) cv::multiply(filled, texture(latLong, cap), filled);
+    filled = cv::max(filled, 0.0);
+    for (int y = 0; y < cap.inner; ++y) {
+        const double t = y < edge ? 0 : (y - edge + 0.5) / (cap.inner - edge);
+        cv::Mat row = latLong.row(y);
+        cv::addWeighted(row, t * t * (3 - 2 * t), filled.row(y), 1 - t * t * (3 - 2 * t), 0, row);
+    }
+}
+
+} // namespace shoal::panorama

@@ -1,0 +1,47 @@
+// From a photo to latitude and longitude around the camera.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace shoal::panorama {
+
+// A photo taken with a level camera: straight lines are straight, the horizon is its middle row.
+//
+// A column of the photo is a meridian, and a point on it stands at latitude atan(up * cos(longitude)), up in
+// focal lengths: at the sides the photo sees less high than in the middle. To make a rectangle of it without
+// cutting anything off, that factor is let go smoothly towards the top and bottom edges: right around the
+// horizon, while the whole edge becomes one parallel.
+struct Lens {
+    double width = 0, height = 0; // pixels
+    double focal_px = 1;
+    double longitude = 0, latitude = 0; // of the right edge and of the middle of the top edge, radians
+
+    // horizontalFov: radians, below pi.
+    static Lens make(double width, double height, double horizontalFov) {
+        Lens lens{width, height, width / 2 / std::tan(horizontalFov / 2)};
+        lens.longitude = horizontalFov / 2;
+        lens.latitude = std::atan(height / 2 / lens.focal_px);
+        return lens;
+    }
+
+    // Longitudes to the right, latitudes up. Pixels: the middle of the first one is 0.5.
+    double columnOf(double lon) const { return width / 2 + focal_px * std::tan(lon); }
+    double rowOf(double lon, double lat) const {
+        const double share = std::tan(lat) / std::tan(latitude); // -1 to 1
+        const double narrow = std::cos(lon);
+        return height / 2 * (1 - share / (narrow + (1 - narrow) * std::abs(share)));
+    }
+    double longitudeOf(double column) const { return std::atan((column - width / 2) / focal_px); }
+    double latitudeOf(double lon, double row) const {
+        const double up = 1 - row / (height / 2);
+        const double narrow = std::cos(lon);
+        // rowOf solved for share, which has the sign of up
+        const double share = up * narrow / (1 - (1 - narrow) * std::abs(up));
+        return std::atan(share * std::tan(latitude));
+    }
+};
+
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+
+} // namespace shoal::panorama

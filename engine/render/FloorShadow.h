@@ -1,0 +1,67 @@
+// The soft shadow that a body throws on level ground, in closed form; no OpenGL.
+//
+// Seen from a place on the ground the light is a cap of even radiance, and a body a row of straight pieces
+// before it. On the plane through a piece at right angles to the way to the light, the cap is a disc and the
+// piece as good as a rectangle. The share of a disc that lies beyond a line at t of its radius is
+//     C(t) = 1/2 + (t sqrt(1 - t^2) + asin t) / pi,
+// so that a strip hides C(t1) - C(t0) of it, exactly; a rectangle is taken to hide the product of what the
+// two strips hide that it lies in. Integrated over the ground that is exact again, but for the ends of
+// bodies, which have no thickness: a body takes no more light than its silhouette does.
+//
+// Shafts are not dimmed. Integrated along the worst rays through the shadow of the shark 3 m away, or of a
+// hand at 0.5 m, single scattering in the film's water loses 4 to 6 % beside 1.3 of 255 display values of
+// green and 1.8 of blue, spread over tens of degrees: the film's own noise is as large.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace shoal::render {
+
+// Straight from end to end; across and up: half axes of its elliptic cross-section, at right angles to that
+// and to each other. World frame, metres.
+struct CastingPiece {
+    glm::vec3 from{0}, to{0};
+    glm::vec3 across{0}, up{0};
+};
+
+struct FloorLight {
+    glm::vec3 towards{0, 1, 0}; // unit, world frame
+    float tangent = 0;          // of its radius
+    glm::vec3 share{0};         // of the ground's irradiance that it gives, 0 to 1
+    float height_m = 0;         // of the ground, world frame
+
+    // 1 where its lower edge is well above the horizon, falling to 0 before shadows would grow without end.
+    float raised() const;
+};
+
+// A piece as the light sees it, whatever the place on the ground.
+struct FlatPiece {
+    glm::vec3 from{0}, middle{0};   // world frame
+    glm::vec3 along{0}, aside{0};   // unit, at right angles to the way to the light
+    float length_m = 0, half_m = 0; // along; aside, to either side
+};
+
+// Replaces out.
+void flatten(std::span<const CastingPiece> body, const FloorLight& light, std::vector<FlatPiece>& out);
+
+// The share of the light that a body hides from a place on the ground, 0 to 1. body: flattened for this
+// light.
+float covered(std::span<const FlatPiece> body, const FloorLight& light, const glm::vec2& groundXz);
+
+// A part of the ground, along world x and z.
+struct FloorPatch {
+    glm::vec2 low{0}, high{0};
+    int across = 0, down = 0; // cells, so small that what is hidden can be taken for linear in them; 0: none
+    float strength = 0;       // to multiply what is hidden with, 0 to 1
+};
+
+// Outside of it the body hides nothing. No cells where it would take less than `least` of the ground's light
+// anywhere; a body that takes a little more comes in faintly.
+FloorPatch patchOf(std::span<const CastingPiece> body, const FloorLight& light, float least);
+
+} // namespace shoal::render

@@ -1,0 +1,84 @@
+#include "engine/render/NearBodies.h"
+
+#include "shaders/render/Attributes.glsl"
+
+#include <algorithm>
+
+namespace shoal::render {
+
+namespace {
+
+// Of the cosine-weighted hemisphere: less is not worth a look, and twice as much counts in full.
+constexpr float kLeastShare = 0.01f;
+
+float smoothstep(float from, float to, float x) {
+    const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
+
+PackedOccluder pack(const occlusion::Ellipsoid<float>& shape, float strength, const glm::vec3& albedo) {
+    PackedOccluder packed;
+    for (int k = 0; k < 3; ++k)
+        packed.axesFromWorld[k] = {shape.worldFromAxes[k], -glm::dot(shape.worldFromAxes[k], shape.centre)};
+    packed.semiAxesStrength = {shape.semiAxes, strength};
+    packed.albedo = {albedo, 0};
+    return packed;
+}
+
+} // namespace
+
+void NearBodies::clear() {
+    parts_.clear();
+    bodies_.clear();
+}
+
+size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
+                       const Ball& bound) {
+    bodies_.push_back({bound, parts_.size(), body.parts.size(), body.albedo});
+    for (const BodyOccluders::Part& part : body.parts) {
+        const auto shape = placed(part, pose, worldFromModel);
+        const glm::vec3& a = shape.semiAxes;
+        const float least = std::min({a.x, a.y, a.z});
+        parts_.push_back(
+            {shape, std::max({a.x, a.y, a.z}), std::sqrt(a.x * a.y * a.z / std::max(least, 1e-9f))});
+    }
+    return bodies_.size() - 1;
+}
+
+std::span<const PackedOccluder> NearBodies::near(size_t receiver) {
+    found_.clear();
+    packed_.clear();
+    const Body& self = bodies_[receiver];
+    const std::span own(parts_.data() + self.first, self.count);
+    for (size_t b = 0; b < bodies_.size(); ++b) {
+        const Body& body = bodies_[b];
+        // Beyond this even all of it takes less than is worth a look.
+        const float apart = glm::distance(body.bound.centre, self.bound.centre) - self.bound.radius;
+        if (b == receiver || apart * apart * kLeastShare > body.bound.radius * body.bound.radius) continue;
+        for (size_t p = body.first; p < body.first + body.count; ++p) {
+            const Part& part = parts_[p];
+            float nearest = INFINITY;
+            for (const Part& mine : own)
+                nearest = std::min(nearest, glm::distance(part.shape.centre, mine.shape.centre) - mine.reach);
+            // Counted from its middle, so that it goes on growing once they touch.
+            const float away = std::max(nearest + part.size, 0.2f * part.size);
+            const float share = part.size * part.size / (away * away);
+            if (share > kLeastShare) found_.push_back({share, p, b});
+        }
+    }
+    constexpr size_t kMost = MAX_OCCLUDERS;
+    float least = kLeastShare;
+    if (found_.size() > kMost) {
+        std::partial_sort(found_.begin(), found_.begin() + kMost + 1, found_.end(),
+                          [](const Found& a, const Found& b) { return a.share > b.share; });
+        least = found_[kMost].share;
+        found_.resize(kMost);
+    }
+    for (const Found& found : found_)
+        packed_.push_back(pack(parts_[found.part].shape,
+                               smoothstep(least, std::max(2 * kLeastShare, 1.3f * least), found.share),
+                               bodies_[found.body].albedo));
+    return packed_;
+}
+
+} // namespace shoal::render

@@ -1,0 +1,59 @@
+// Which bodies stand so near another that they take light from it.
+#pragma once
+
+#include "engine/render/BodyOccluders.h"
+
+#include <glm/vec4.hpp>
+
+#include <span>
+#include <vector>
+
+namespace shoal::render {
+
+struct Ball {
+    glm::vec3 centre{0};
+    float radius = 0;
+};
+
+// As shaders/occlusion/Bodies.glsl has it, std140.
+struct PackedOccluder {
+    glm::vec4 axesFromWorld[3]; // rows
+    glm::vec4 semiAxesStrength{0};
+    glm::vec4 albedo{0};
+};
+static_assert(sizeof(PackedOccluder) == 80);
+
+// A frame: clear(), add() for each body, then near() for each. Nothing allocates once the vectors have grown.
+class NearBodies {
+  public:
+    void clear();
+    size_t count() const { return bodies_.size(); }
+    // Returns the body's number, from 0. bound: holds it.
+    size_t add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
+               const Ball& bound);
+
+    // What takes light from this body: no more than MAX_OCCLUDERS, those that take most. Their strengths fade
+    // towards the least share worth taking, and towards the first that is left out, so that nothing pops.
+    std::span<const PackedOccluder> near(size_t body);
+
+  private:
+    struct Part {
+        occlusion::Ellipsoid<float> shape;
+        float reach = 0, size = 0; // longest semi-axis; that of a disc as large as its largest shadow
+    };
+    struct Body {
+        Ball bound;
+        size_t first = 0, count = 0; // parts
+        glm::vec3 albedo{0};
+    };
+    struct Found {
+        float share;
+        size_t part, body;
+    };
+    std::vector<Part> parts_;
+    std::vector<Body> bodies_;
+    std::vector<Found> found_;
+    std::vector<PackedOccluder> packed_;
+};
+
+} // namespace shoal::render

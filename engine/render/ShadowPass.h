@@ -1,0 +1,61 @@
+// Dims the backdrop where bodies shade the ground that it shows. Pairs with shaders/render/Shadow.
+//
+// Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the picture is
+// multiplied by what the ground would send back shaded over what it sends back unshaded, never more than 1,
+// so that a wrong guess at the ground or the light is a faint mistake.
+#pragma once
+
+#include "engine/gl/Program.h"
+#include "engine/render/FloorShadow.h"
+#include "engine/render/View.h"
+#include "engine/water/Water.h"
+
+#include <span>
+#include <vector>
+
+namespace shoal::render {
+
+// What a shadow that hides `hidden` of the light leaves of the display values of ground `distance_m` away. As
+// objects are lit by coded values as good as linear where they are not bright (light/InverseToneMap.h), the
+// ground's are dimmed as its light is. The water between mixes squares (water/Water.h); its own light, which
+// is not dimmed, is taken to be as bright as the ground.
+glm::vec3 leftOfGround(const FloorLight& light, float hidden, const water::Water& water, float distance_m);
+
+class ShadowPass {
+  public:
+    static Result<ShadowPass> make();
+
+    // Once a frame: forgets the bodies of the last.
+    void begin();
+    void add(std::span<const CastingPiece> body, const FloorLight& light);
+
+    // After the backdrop, before objects; depth is neither asked nor changed. view: from where the ground was
+    // filmed, turned as the eye is. Nothing is drawn where nothing casts.
+    void draw(const View& view, const FloorLight& light, const water::Water& water);
+
+    size_t patches() const { return patches_.size(); } // since begin()
+
+  private:
+    struct Place {
+        glm::vec2 xz{0};
+        float hidden = 0;
+    };
+    struct Patch {
+        size_t first = 0; // of its places
+        int across = 0, down = 0;
+    };
+    struct Vertex {
+        glm::vec3 place, left;
+    };
+
+    gl::Program program_;
+    gl::VertexArray vertexArray_;
+    gl::Buffer vertexBuffer_, indexBuffer_;
+    std::vector<Patch> patches_;
+    std::vector<Place> places_;
+    std::vector<FlatPiece> flat_;  // scratch
+    std::vector<Vertex> vertices_; // scratch
+    std::vector<uint32_t> indices_;
+};
+
+} // namespace shoal::render

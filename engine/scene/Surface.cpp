@@ -1,0 +1,97 @@
+#include "engine/scene/Surface.h"
+
+#include "engine/math/Colour.h"
+#include "engine/scene/Vertices.h"
+
+#include <algorithm>
+#include <array>
+
+namespace shoal::scene {
+
+namespace {
+
+// Appends the primitive as this node's pose has it.
+void append(const Model& model, const Node& node, uint16_t index, const Pose& pose,
+            std::span<const glm::mat4> joints, const Primitive& primitive, Surface& surface) {
+    const bool skinned = node.skin >= 0 && !primitive.joints.empty();
+    const auto first = static_cast<uint32_t>(surface.positions.size());
+    for (size_t v = 0; v < primitive.positions.size(); ++v) {
+        glm::vec3 position = primitive.positions[v], normal = primitive.normals[v];
+        const auto& weights = pose.morphWeights[index];
+        for (size_t t = 0; t < primitive.morphTargets.size() && t < weights.size(); ++t) {
+            const MorphTarget& target = primitive.morphTargets[t];
+            if (!target.positions.empty()) position += weights[t] * target.positions[v];
+            if (!target.normals.empty()) normal += weights[t] * target.normals[v];
+        }
+        glm::mat4 modelFromMesh = pose.modelFromNode[index];
+        uint16_t mover = index;
+        if (skinned) {
+            modelFromMesh = glm::mat4(0);
+            int most = 0;
+            for (int k = 0; k < 4; ++k) {
+                modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
+                if (primitive.weights[v][k] > primitive.weights[v][most]) most = k;
+            }
+            mover = static_cast<uint16_t>(
+                model.skins[static_cast<size_t>(node.skin)].joints[primitive.joints[v][most]]);
+        }
+        const glm::mat3 m(modelFromMesh);
+        const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+        const float side = glm::dot(cofactor[0], m[0]) < 0 ? -1.0f : 1.0f;
+        surface.positions.emplace_back(modelFromMesh * glm::vec4(position, 1));
+        surface.normals.push_back(safeNormalize(glm::dvec3(side * (cofactor * normal)), {0, 1, 0}));
+        surface.nodesOf.push_back(mover);
+    }
+    for (const uint32_t i : primitive.indices) surface.indices.push_back(first + i);
+}
+
+} // namespace
+
+Surface posedSurface(const Model& model, const Pose& pose) {
+    Surface surface;
+    std::vector<glm::mat4> joints;
+    for (const int index : model.order) {
+        const Node& node = model.nodes[static_cast<size_t>(index)];
+        if (node.mesh < 0) continue;
+        if (node.skin >= 0) skinMatrices(model, node.skin, pose, joints);
+        for (const Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives)
+            append(model, node, static_cast<uint16_t>(index), pose, joints, primitive, surface);
+    }
+    return surface;
+}
+
+glm::vec3 meanBaseColour(const Model& model) {
+    std::array<double, 256> linear;
+    for (size_t i = 0; i < 256; ++i) linear[i] = math::linearFromSrgb(static_cast<double>(i) / 255);
+    glm::dvec3 sum(0);
+    double all = 0;
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& primitive : mesh.primitives) {
+            const Material material = primitive.material < 0
+                                          ? Material()
+                                          : model.materials[static_cast<size_t>(primitive.material)];
+            glm::dvec3 colour(material.baseColourLin);
+            const int texture = material.baseColour.texture;
+            const int image = texture < 0 ? -1 : model.textures[static_cast<size_t>(texture)].image;
+            if (image >= 0) {
+                const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
+                constexpr size_t kEvery = 7; // odd: no column of any width is left out
+                glm::dvec3 mean(0);
+                double count = 0;
+                for (size_t i = 0; i + 3 < texels.pixels.size(); i += 4 * kEvery, ++count)
+                    for (int c = 0; c < 3; ++c) mean[c] += linear[texels.pixels[i + static_cast<size_t>(c)]];
+                colour *= mean / std::max(count, 1.0);
+            }
+            double area = 0;
+            for (size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+                const glm::vec3& a = primitive.positions[primitive.indices[i]];
+                area += static_cast<double>(
+                    glm::length(glm::cross(primitive.positions[primitive.indices[i + 1]] - a,
+                                           primitive.positions[primitive.indices[i + 2]] - a)));
+            }
+            sum += area * colour, all += area;
+        }
+    return all > 0 ? glm::vec3(sum / all) : glm::vec3(0);
+}
+
+} // namespace shoal::scene

@@ -1,0 +1,97 @@
+// Light beneath the bodies around: twin of engine/occlusion/Ellipsoid.h and Shade.h, which say why. World frame. Needs no
+// more than OpenGL 3.3: no atomics, no buffers that a shader writes.
+layout(std140) uniform OccluderBlock {
+    // Each: three rows that take a point of the world to the ellipsoid's axes; semi-axes, strength; albedo.
+    vec4 occluders[5 * MAX_OCCLUDERS];
+};
+uniform int occluderCount;
+uniform vec3 smoothAround[9]; // factors of 1, x, y, z, xy, yz, xz, y^2 - 1/3, x^2 - z^2
+uniform vec3 lampTowards, lampRadiance;
+uniform float lampShare;
+
+struct Shaded {
+    vec3 taken;     // out of the diffuse radiance
+    float openLobe; // what is left of the glossy lobe
+    vec3 seenInLobe; // what it sees of the bodies instead
+};
+
+float clippedShare(float share, float cosine) {
+    float s = sqrt(share), k = sqrt(1.0 - share);
+    float t = clamp(cosine / max(s, 1e-6), -1.0, 1.0);
+    float sunk = 0.5 + k * (-0.60262 + k * (0.49891 - k * 0.18620));
+    return cosine >= s ? share * cosine : s * share * (t * 0.5 + sunk + (0.5 - sunk) * t * t);
+}
+
+// m, d: point and direction in the ellipsoid's axes, divided by them.
+float coverage(vec3 m, vec3 d, vec3 semiAxes, float lampSine, float capShare) {
+    float along = -dot(m, d) / dot(d, d), ahead = max(along, 0.0);
+    vec3 nearest = m + ahead * d;
+    float aside = length(nearest * semiAxes) * (1.0 - 1.0 / max(length(nearest), 1e-3));
+    float sine = aside * inversesqrt(aside * aside + ahead * ahead + 1e-12);
+    float x = clamp(0.5 - 0.5 * sine / lampSine, 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x) * min(1.0, capShare / (lampSine * lampSine));
+}
+
+Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness) {
+    float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
+    float lampSine = sqrt(lampShare);
+    float sum = 0.0, open = 1.0, lampOpen = 1.0, lobeOpen = 1.0, lobeSum = 0.0;
+    vec3 first = vec3(0.0), bounced = vec3(0.0), seen = vec3(0.0), second = vec3(0.0);
+    vec2 third = vec2(0.0);
+    for (int i = 0; i < occluderCount; ++i) {
+        vec4 rx = occluders[5 * i], ry = occluders[5 * i + 1], rz = occluders[5 * i + 2];
+        vec4 shape = occluders[5 * i + 3];
+        vec3 albedo = occluders[5 * i + 4].rgb;
+        vec3 b = shape.xyz * shape.xyz;
+        vec3 m = vec3(dot(rx.xyz, p) + rx.w, dot(ry.xyz, p) + ry.w, dot(rz.xyz, p) + rz.w);
+        vec3 m2 = max(m * m, 1e-6 * b);
+        float outside = dot(m2, 1.0 / b) - 1.0;
+        float square = m2.x + m2.y + m2.z;
+        float d = max(square - dot(m2, b) / square, 0.0);
+        for (int k = 0; k < 3; ++k) {
+            vec3 r = 1.0 / (b + d);
+            float s = dot(m2, r);
+            d = max(d + s * (s - 1.0) / dot(m2, r * r), 0.0);
+        }
+        vec3 c = 1.0 / (b + d), n = m * c, bc = b * c;
+        float length2 = dot(m2, c * c);
+        float capShare = outside > 1e-4 ? min(sqrt(outside * bc.x * bc.y * bc.z / max(d * length2, 1e-30)), 0.9999) : 0.9999;
+        n *= -inversesqrt(max(dot(n, n), 1e-30));
+        vec3 towards = n.x * rx.xyz + n.y * ry.xyz + n.z * rz.xyz;
+
+        float cosine = dot(towards, normal);
+        float share = clippedShare(capShare, cosine) * shape.w;
+        sum += share;
+        open *= 1.0 - share;
+        vec3 mUnit = m / shape.xyz;
+        vec3 lamp = vec3(dot(rx.xyz, lampTowards), dot(ry.xyz, lampTowards), dot(rz.xyz, lampTowards)) / shape.xyz;
+        lampOpen *= 1.0 - shape.w * coverage(mUnit, lamp, shape.xyz, lampSine, capShare);
+        float k = sqrt(1.0 - capShare);
+        float lift = (1.0 - k) * (2.0 + k) / (3.0 * (1.0 + k));
+        vec3 mean = k * towards + lift / max(max(cosine, sqrt(capShare)), 1e-6) * normal;
+        first += share * mean;
+        float mean2 = max(dot(mean, mean), 1e-6), meanLength = sqrt(mean2);
+        float f = share * max(2.0 * meanLength - 1.0, 0.0) * meanLength;
+        vec3 q = f / mean2 * mean;
+        second += q.xyx * mean.yzz;
+        third += vec2(q.y * mean.y - f / 3.0, q.x * mean.x - q.z * mean.z);
+        vec3 back = (-2.0 / 3.0) * towards;
+        vec3 sent = albedo * (max(smoothAround[0] + smoothAround[1] * back.x + smoothAround[2] * back.y + smoothAround[3] * back.z, 0.0) +
+                              lampShare * max(-dot(towards, lampTowards), 0.0) * lampRadiance);
+        bounced += share * sent;
+        vec3 lobe = vec3(dot(rx.xyz, reflected), dot(ry.xyz, reflected), dot(rz.xyz, reflected)) / shape.xyz;
+        float hidden = shape.w * coverage(mUnit, lobe, shape.xyz, lobeSine, capShare);
+        lobeOpen *= 1.0 - hidden;
+        lobeSum += hidden;
+        seen += hidden * sent;
+    }
+    vec3 lost = smoothAround[0] * sum + smoothAround[1] * first.x + smoothAround[2] * first.y + smoothAround[3] * first.z +
+                smoothAround[4] * second.x + smoothAround[5] * second.y + smoothAround[6] * second.z +
+                smoothAround[7] * third.x + smoothAround[8] * third.y;
+    Shaded shaded;
+    shaded.taken = (lost - open * bounced) * ((1.0 - open) / max(sum, 1e-6)) +
+                   lampRadiance * (clippedShare(lampShare, dot(normal, lampTowards)) * (1.0 - lampOpen));
+    shaded.openLobe = lobeOpen;
+    shaded.seenInLobe = seen * ((1.0 - lobeOpen) / max(lobeSum, 1e-6)) * open;
+    return shaded;
+}

@@ -1,0 +1,3 @@
+#include "occlusion/Screen.glsl"
+
+void main() { coverScreen(); }

@@ -1,0 +1,76 @@
+// Diffuse light of bodies near each other, by ellipsoids in closed form, against traced rays.
+#include "Truth.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace shoal {
+namespace {
+
+struct Error { // sums of squares
+    double ours = 0, ignoring = 0, truth = 0;
+    void add(const glm::dvec3& got, const glm::dvec3& open, const glm::dvec3& right) {
+        ours += glm::dot(got - right, got - right);
+        ignoring += glm::dot(open - right, open - right);
+        truth += glm::dot(right, right);
+    }
+};
+
+// Relative to the light's root mean square, over the surfaces of all receivers that can be seen.
+Error measure(const OcclusionScene& scene, const ImageRgbF& light, int bounces) {
+    const Truth truth(scene, light);
+    const occlusion::SmoothLight smooth = occlusion::smoothLight(light);
+    Error error;
+    for (const size_t receiver : scene.receivers) {
+        std::vector<occlusion::Occluder> others;
+        for (size_t b = 0; b < scene.bodies.size(); ++b)
+            for (occlusion::Occluder part : scene.bodies[b].parts) {
+                if (bounces == 0) part.albedo = glm::vec3(0);
+                if (b != receiver) others.push_back(part);
+            }
+        for (const SurfacePoint& at :
+             scatter(scene, receiver, 400 / static_cast<int>(scene.receivers.size()))) {
+            if (truth.buried(at)) continue;
+            const glm::dvec3 open = truth.unoccluded(at.normal);
+            const glm::dvec3 taken(occlusion::take(at.position, at.normal, others, smooth).radiance);
+            error.add(glm::max(open - taken, 0.0), open, open - truth.lost(at, false, bounces, 256));
+        }
+    }
+    return error;
+}
+
+// The bounds: what was measured, and a tenth.
+struct Case {
+    const char* name;
+    OcclusionScene (*make)();
+    double black, bouncing;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class Bodies : public testing::TestWithParam<Case> {};
+
+TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
+    const ImageRgbF light = reefLight(560);
+    for (const bool bouncing : {false, true}) {
+        const Error error = measure(GetParam().make(), light, bouncing ? 4 : 0);
+        const double ours = std::sqrt(error.ours / error.truth),
+                     ignoring = std::sqrt(error.ignoring / error.truth);
+        std::printf("[ BODIES ] %-20s %s: %.3f; ignoring occlusion %.3f\n", GetParam().name,
+                    bouncing ? "diffuse bounces" : "black bodies   ", ours, ignoring);
+        EXPECT_LE(ours, bouncing ? GetParam().bouncing : GetParam().black);
+        EXPECT_GE(ignoring, 2.5 * ours);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Bodies,
+                         testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.07, 0.07},
+                                         Case{"hand_closing", [] { return handOnFish(0.45f); }, 0.07, 0.08},
+                                         Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.075, 0.085},
+                                         Case{"shark_above_shoal", [] { return sharkAboveShoal(); }, 0.04,
+                                              0.04}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+} // namespace
+} // namespace shoal

@@ -1,0 +1,109 @@
+#include "Scenes.h"
+
+#include "engine/core/Files.h"
+#include "engine/light/InverseToneMap.h"
+#include "engine/media/VideoSource.h"
+#include "engine/scene/LoadModel.h"
+#include "input/hands/HandRig.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <stdexcept>
+
+namespace shoal {
+
+namespace {
+
+constexpr size_t kHandParts = 26, kFishParts = 4, kSharkParts = 6;
+
+Path content() { return Path(SHOAL_SOURCE_DIR) / "content"; }
+
+struct Actor {
+    scene::Model model;
+    scene::Pose pose;
+    render::BodyOccluders body;
+};
+
+Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
+    auto model = scene::loadModel(content() / "models" / (name + ".glb"));
+    if (!model) throw std::runtime_error(model.error().sentence());
+    Actor actor{std::move(*model), {}, {}};
+    scene::restPose(actor.model, actor.pose);
+    scene::updateGlobals(actor.model, actor.pose);
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
+    return actor;
+}
+
+SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
+    SceneBody body;
+    body.surface = scene::posedSurface(actor.model, actor.pose);
+    for (glm::vec3& p : body.surface.positions) p = glm::vec3(worldFromModel * glm::vec4(p, 1));
+    for (glm::vec3& n : body.surface.normals) n = glm::normalize(glm::mat3(worldFromModel) * n);
+    body.albedo = actor.body.albedo;
+    for (const auto& part : actor.body.parts)
+        body.parts.push_back({render::placed(part, actor.pose, worldFromModel), 1, body.albedo});
+    return body;
+}
+
+} // namespace
+
+OcclusionScene handOnFish(float curl) {
+    Actor hand = load("hand_right", occlusion::Parts::ByJoint, kHandParts);
+    const Actor fish = load("clownfish", occlusion::Parts::ByShape, kFishParts);
+    auto rig = hands::HandRig::load(content() / "models" / "hand_skeleton.json");
+    if (!rig) throw std::runtime_error(rig.error().sentence());
+    hands::HandShape shape;
+    shape.curl.fill(curl);
+    const hands::HandPose pose = rig->pose(hands::Side::Right, shape, {});
+    for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
+        hand.pose
+            .modelFromNode[static_cast<size_t>(hand.model.findNode(std::string(hands::kJointNames[joint])))] =
+            glm::translate(glm::mat4(1), pose.joints[joint].position) *
+            glm::mat4_cast(pose.joints[joint].orientation);
+    // Across the palm, where fingers close around it.
+    const glm::mat4 held = glm::rotate(glm::translate(glm::mat4(1), hands::graspCentre(pose.joints)),
+                                       glm::radians(80.0f), glm::vec3(0, 1, 0));
+    return {"hand closed by " + std::to_string(curl).substr(0, 4) + " on a fish",
+            {place(fish, held), place(hand, glm::mat4(1))},
+            {0, 1}};
+}
+
+OcclusionScene sharkAboveShoal() {
+    const Actor shark = load("shark", occlusion::Parts::ByShape, kSharkParts);
+    const Actor fish = load("sardine", occlusion::Parts::ByShape, kFishParts);
+    OcclusionScene scene{"shark above a shoal", {place(shark, glm::mat4(1))}, {}};
+    for (int i = 0; i < 8; ++i) {
+        const auto k = static_cast<float>(i);
+        const glm::vec3 at(0.10f * static_cast<float>(i % 3 - 1) + 0.03f * static_cast<float>(i % 2),
+                           -0.32f - 0.06f * static_cast<float>(i % 4), -0.5f + 0.16f * k);
+        scene.receivers.push_back(scene.bodies.size());
+        scene.bodies.push_back(
+            place(fish, glm::rotate(glm::translate(glm::mat4(1), at), 0.4f * k, glm::vec3(0.2f, 1, 0))));
+    }
+    return scene;
+}
+
+ImageRgbF reefLight(int64_t number) {
+    auto video = media::VideoSource::open(content() / "video" / "reef.mp4");
+    if (!video) throw std::runtime_error(video.error().sentence());
+    video->seek(number);
+    ImageRgb8 frame(video->info().width, video->info().height);
+    while (video->position() <= number)
+        if (!video->grab()) throw std::runtime_error("the dive's video is too short");
+    if (!video->retrieve(frame)) throw std::runtime_error("the dive's video cannot be read");
+    ImageRgbF small(64, 32);
+    const int step = frame.width / small.width;
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            glm::vec3 sum(0);
+            for (int v = 0; v < step; ++v)
+                for (int u = 0; u < step; ++u) {
+                    const uint8_t* bgr = frame.at(x * step + u, y * step + v);
+                    sum += light::radianceFromDisplay(glm::vec3(bgr[2], bgr[1], bgr[0]) / 255.0f);
+                }
+            for (int c = 0; c < 3; ++c) small.at(x, y)[c] = sum[c] / static_cast<float>(step * step);
+        }
+    return small;
+}
+
+} // namespace shoal

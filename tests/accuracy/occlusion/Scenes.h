@@ -1,0 +1,33 @@
+// Bodies near each other, as the game has them, and the light of its own surround.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/occlusion/Shade.h"
+#include "engine/render/BodyOccluders.h"
+#include "engine/scene/Surface.h"
+
+#include <string>
+#include <vector>
+
+namespace shoal {
+
+struct SceneBody {
+    scene::Surface surface; // in the world
+    glm::vec3 albedo{0};
+    std::vector<occlusion::Occluder> parts;
+};
+
+struct OcclusionScene {
+    std::string name;
+    std::vector<SceneBody> bodies;
+    std::vector<size_t> receivers; // whose light is measured
+};
+
+// curl: 0 an open hand to 1 a fist.
+OcclusionScene handOnFish(float curl);
+OcclusionScene sharkAboveShoal();
+
+// 64 x 32 texels of the light that the game makes of a frame of the dive's video.
+ImageRgbF reefLight(int64_t frame);
+
+} // namespace shoal

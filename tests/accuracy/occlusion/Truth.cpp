@@ -1,0 +1,175 @@
+#include "Truth.h"
+
+#include "engine/math/LatLong.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace shoal {
+
+namespace {
+
+constexpr float kGap_m = 2e-5f; // of a ray's start from its surface
+constexpr float kFar_m = 100;
+
+double uniform(uint64_t& state) { // SplitMix64: Steele, Lea and Flood 2014
+    uint64_t z = (state += 0x9e3779b97f4a7c15ull);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+glm::vec3 cosineDirection(const glm::vec3& normal, double u, double v) {
+    const glm::vec3 side = std::abs(normal.y) > 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 x = glm::normalize(glm::cross(side, normal)), y = glm::cross(normal, x);
+    const double r = std::sqrt(u), angle = 2 * std::numbers::pi * v;
+    return glm::normalize(static_cast<float>(r * std::cos(angle)) * x +
+                          static_cast<float>(r * std::sin(angle)) * y +
+                          static_cast<float>(std::sqrt(std::max(0.0, 1 - u))) * normal);
+}
+
+struct Triangles {
+    std::vector<glm::vec3> positions;
+    std::vector<uint32_t> indices;
+};
+
+Triangles gather(const OcclusionScene& scene, size_t leftOut) {
+    Triangles all;
+    for (size_t b = 0; b < scene.bodies.size(); ++b) {
+        if (b == leftOut) continue;
+        const auto first = static_cast<uint32_t>(all.positions.size());
+        const scene::Surface& s = scene.bodies[b].surface;
+        all.positions.insert(all.positions.end(), s.positions.begin(), s.positions.end());
+        for (const uint32_t i : s.indices) all.indices.push_back(first + i);
+    }
+    return all;
+}
+
+occlusion::Bvh treeOf(const OcclusionScene& scene, size_t leftOut) {
+    const Triangles all = gather(scene, leftOut);
+    return {all.positions, all.indices};
+}
+
+} // namespace
+
+std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int count) {
+    const scene::Surface& s = scene.bodies[body].surface;
+    std::vector<double> areas = {0};
+    for (size_t i = 0; i < s.indices.size(); i += 3) {
+        const glm::vec3& a = s.positions[s.indices[i]];
+        areas.push_back(areas.back() +
+                        static_cast<double>(glm::length(glm::cross(s.positions[s.indices[i + 1]] - a,
+                                                                   s.positions[s.indices[i + 2]] - a))));
+    }
+    std::vector<SurfacePoint> points;
+    uint64_t state = 1;
+    for (int k = 0; k < count; ++k) {
+        const double at = (k + uniform(state)) / count * areas.back();
+        const size_t t = std::min<size_t>(
+            static_cast<size_t>(std::upper_bound(areas.begin(), areas.end(), at) - areas.begin()),
+            areas.size() - 1);
+        const uint32_t* corner = &s.indices[3 * (t - 1)];
+        double u = uniform(state), v = uniform(state);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const auto mix = [&](const std::vector<glm::vec3>& of) {
+            return static_cast<float>(1 - u - v) * of[corner[0]] + static_cast<float>(u) * of[corner[1]] +
+                   static_cast<float>(v) * of[corner[2]];
+        };
+        points.push_back({body, mix(s.positions), glm::normalize(mix(s.normals))});
+    }
+    return points;
+}
+
+Truth::Truth(const OcclusionScene& scene, const ImageRgbF& light)
+    : scene_(scene), light_(light), all_(treeOf(scene, scene.bodies.size())) {
+    for (size_t b = 0; b < scene.bodies.size(); ++b) {
+        without_.push_back(treeOf(scene, b));
+        const scene::Surface& s = scene.bodies[b].surface;
+        for (size_t i = 0; i < s.indices.size(); i += 3) {
+            const glm::vec3& a = s.positions[s.indices[i]];
+            bodyOf_.push_back(b);
+            normals_.push_back(glm::normalize(
+                glm::cross(s.positions[s.indices[i + 1]] - a, s.positions[s.indices[i + 2]] - a)));
+        }
+    }
+}
+
+glm::dvec3 Truth::radiance(const glm::vec3& direction) const {
+    const glm::vec2 uv = latLongFromDirection(direction);
+    const float* texel =
+        light_.at(std::min(static_cast<int>(uv.x * static_cast<float>(light_.width)), light_.width - 1),
+                  std::min(static_cast<int>(uv.y * static_cast<float>(light_.height)), light_.height - 1));
+    return {texel[0], texel[1], texel[2]};
+}
+
+glm::dvec3 Truth::unoccluded(const glm::vec3& normal) const {
+    glm::dvec3 sum(0);
+    for (int y = 0; y < light_.height; ++y)
+        for (int x = 0; x < light_.width; ++x) {
+            const glm::vec3 dir = directionFromLatLong(
+                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(light_.width),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(light_.height)));
+            const double cosine = std::max(0.0, static_cast<double>(glm::dot(dir, normal)));
+            const float* texel = light_.at(x, y);
+            sum += cosine * texelSolidAngle(y, light_.width, light_.height) *
+                   glm::dvec3(texel[0], texel[1], texel[2]);
+        }
+    return sum / std::numbers::pi;
+}
+
+// By one path.
+glm::dvec3 Truth::arriving(const glm::vec3& from, const glm::vec3& normal, int bounces,
+                           uint64_t& state) const {
+    const double u = uniform(state), v = uniform(state);
+    const glm::vec3 direction = cosineDirection(normal, u, v);
+    const auto touch = all_.first(from, direction, kGap_m, kFar_m);
+    if (!touch) return radiance(direction);
+    if (bounces == 0) return glm::dvec3(0);
+    const glm::vec3 there = from + touch->distance * direction;
+    glm::vec3 facing = normals_[touch->triangle];
+    if (glm::dot(facing, direction) > 0) facing = -facing;
+    return glm::dvec3(scene_.bodies[bodyOf_[touch->triangle]].albedo) *
+           arriving(there, facing, bounces - 1, state);
+}
+
+size_t Truth::triangleOf(size_t inTreeWithout, size_t body) const {
+    size_t before = 0;
+    for (size_t b = 0; b < body; ++b) before += scene_.bodies[b].surface.indices.size() / 3;
+    return inTreeWithout + (inTreeWithout >= before ? scene_.bodies[body].surface.indices.size() / 3 : 0);
+}
+
+bool Truth::buried(const SurfacePoint& at) const {
+    uint64_t state = 7;
+    int behind = 0, rays = 33;
+    for (int k = 0; k < rays; ++k) {
+        const double u = uniform(state), v = uniform(state);
+        const glm::vec3 direction = cosineDirection(at.normal, u, v);
+        const auto touch = without_[at.body].first(at.position, direction, kGap_m, kFar_m);
+        behind += touch && glm::dot(normals_[triangleOf(touch->triangle, at.body)], direction) > 0;
+    }
+    return 2 * behind > rays;
+}
+
+glm::dvec3 Truth::lost(const SurfacePoint& at, bool self, int bounces, int rays) const {
+    uint64_t state =
+        12345 + static_cast<uint64_t>(at.position.x * 1e6f) + static_cast<uint64_t>(at.position.z * 1e7f);
+    const double shift = uniform(state), turn = uniform(state);
+    glm::dvec3 sum(0);
+    for (int k = 0; k < rays; ++k) { // a lattice by the golden section, shifted
+        double u = (k + 0.5) / rays + shift, v = k * 0.6180339887498949 + turn;
+        u -= std::floor(u), v -= std::floor(v);
+        const glm::vec3 direction = cosineDirection(at.normal, u, v);
+        const auto touch = (self ? all_ : without_[at.body]).first(at.position, direction, kGap_m, kFar_m);
+        if (!touch) continue;
+        sum += radiance(direction);
+        if (bounces == 0) continue;
+        const size_t triangle = self ? touch->triangle : triangleOf(touch->triangle, at.body);
+        glm::vec3 facing = normals_[triangle];
+        if (glm::dot(facing, direction) > 0) facing = -facing;
+        sum -= glm::dvec3(scene_.bodies[bodyOf_[triangle]].albedo) *
+               arriving(at.position + touch->distance * direction, facing, bounces - 1, state);
+    }
+    return sum / static_cast<double>(rays);
+}
+
+} // namespace shoal

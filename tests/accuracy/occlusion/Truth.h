@@ -1,0 +1,45 @@
+// Diffuse light under occlusion by tracing rays: what the closed forms are measured against.
+#pragma once
+
+#include "Scenes.h"
+#include "engine/occlusion/Bvh.h"
+
+#include <vector>
+
+namespace shoal {
+
+struct SurfacePoint {
+    size_t body = 0;
+    glm::vec3 position{0}, normal{0, 1, 0};
+};
+
+// Spread evenly over the surface of one body.
+std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int count);
+
+class Truth {
+  public:
+    Truth(const OcclusionScene& scene, const ImageRgbF& light);
+
+    glm::dvec3 unoccluded(const glm::vec3& normal) const; // irradiance / pi, sum over all texels
+
+    // What is lost of it. self: whether the point's own body takes light too. bounces: diffuse, off bodies of
+    // their mean albedo; 0: black bodies. rays: of the point.
+    glm::dvec3 lost(const SurfacePoint& at, bool self, int bounces, int rays) const;
+
+    // Whether it lies within another body, where nobody sees it.
+    bool buried(const SurfacePoint& at) const;
+
+  private:
+    size_t triangleOf(size_t inTreeWithout, size_t body) const;
+    glm::dvec3 arriving(const glm::vec3& from, const glm::vec3& normal, int bounces, uint64_t& state) const;
+    glm::dvec3 radiance(const glm::vec3& direction) const;
+
+    const OcclusionScene& scene_;
+    const ImageRgbF& light_;
+    std::vector<size_t> bodyOf_;     // by triangle
+    std::vector<glm::vec3> normals_; // by triangle
+    occlusion::Bvh all_;
+    std::vector<occlusion::Bvh> without_; // by body
+};
+
+} // namespace shoal

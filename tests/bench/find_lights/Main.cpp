@@ -1,0 +1,239 @@
+// Tables: how far found lights lie from where they are, how they move through a film, what finding costs.
+#include "engine/light/LightOverTime.h"
+#include "engine/light/MakeLight.h"
+#include "engine/math/Colour.h"
+#include "engine/media/VideoPlayer.h"
+#include "tests/bench/light/Surrounds.h"
+#include "tests/unit/light/Angles.h"
+#include "tests/unit/light/Surrounds.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+using namespace shoal;
+using namespace shoal::light;
+
+namespace {
+
+constexpr int kBaseWidth = 512; // of the game's pyramids
+
+double degreesOf(float radians) { return glm::degrees(static_cast<double>(radians)); }
+
+struct Eye {
+    PyramidMaker pyramid;
+    RadiancePyramid radiance;
+    LightFinder finder;
+
+    FoundLights look(const ImageRgbF& radianceLin) {
+        pyramid.make(radianceLin, kBaseWidth, radiance);
+        return find();
+    }
+    FoundLights look(const FrameView& frame) {
+        pyramid.make(frame, kBaseWidth, radiance);
+        return find();
+    }
+
+  private:
+    FoundLights find() {
+        FoundLights found;
+        finder.find(radiance, found);
+        return found;
+    }
+};
+
+// As a camera would keep it that shows the sphere's mean as `key`.
+ImageRgb8 filmed(const ImageRgbF& radianceLin, double key) {
+    const double mean = glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11));
+    const float exposure = static_cast<float>(key / mean);
+    ImageRgb8 frame(radianceLin.width, radianceLin.height);
+    for (size_t i = 0; i < frame.pixels.size(); ++i)
+        frame.pixels[i] = static_cast<uint8_t>(
+            255 * math::srgbFromLinear(std::clamp(exposure * radianceLin.pixels[i], 0.0f, 1.0f)) + 0.5f);
+    return frame;
+}
+
+FrameView viewOf(const ImageRgb8& frame, bool bgr) {
+    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
+}
+
+void sayNearest(const FoundLights& found, const glm::vec3& towards) {
+    size_t nearest = 0;
+    for (size_t i = 1; i < found.count; ++i)
+        if (glm::dot(found.lights[i].direction, towards) > glm::dot(found.lights[nearest].direction, towards))
+            nearest = i;
+    if (found.count == 0) {
+        std::printf(" none | | |");
+        return;
+    }
+    const FoundLight& light = found.lights[nearest];
+    std::printf(" %.1f | %.1f | %.1f%s |", degreesBetween(light.direction, towards), degreesOf(light.radius),
+                100 * static_cast<double>(light.share),
+                nearest == 0   ? ""
+                : nearest == 1 ? " (second)"
+                               : " (third)");
+}
+
+void madeTable() {
+    struct Made {
+        const char* name;
+        glm::dvec2 uv;
+        double radius_deg, within, without;
+    };
+    std::printf("| made surround | off, degrees | radius, degrees | share of the light, %% | as a video: off "
+                "| radius "
+                "| share |\n|---|--:|--:|--:|--:|--:|--:|\n");
+    Eye eye;
+    for (const Made& made : {Made{"sun of four texels, zenith", {0.5, 0}, 0.4, 1e4, 1},
+                             {"sun of four texels, beside the pole", {0.3, 0.015}, 0.4, 1e4, 1},
+                             {"sun of four texels, horizon", {0.5, 0.5}, 0.4, 1e4, 1},
+                             {"sun of four texels, seam", {0, 0.5}, 0.4, 1e4, 1},
+                             {"cap of 10 degrees", {0.2, 0.3}, 10, 12, 0.5},
+                             {"cap of 25 degrees, seam", {0.99, 0.2}, 25, 12, 0.5},
+                             {"Snell's window, 48.6 degrees", {0.5, 0}, 48.6, 6, 0.4}}) {
+        const glm::dvec3 middle = directionFromLatLong(made.uv);
+        const ImageRgbF image = paint(1024, 512, [&](const glm::dvec3& d) {
+            return glm::dvec3(degreesBetween(d, middle) < made.radius_deg ? made.within : made.without);
+        });
+        std::printf("| %s |", made.name);
+        sayNearest(eye.look(image), middle);
+        sayNearest(eye.look(viewOf(filmed(image, 0.2), false)), middle);
+        std::printf("\n");
+    }
+    const auto none = [&](const char* name, const ImageRgbF& image) {
+        std::printf("| %s |", name);
+        sayNearest(eye.look(image), {0, 1, 0});
+        sayNearest(eye.look(viewOf(filmed(image, 0.2), false)), {0, 1, 0});
+        std::printf("\n");
+    };
+    none("uniform", uniform(1024, glm::dvec3(1)));
+    none("gradient", paint(1024, 512, [](const glm::dvec3& d) { return glm::dvec3(1 + 0.8 * d.y); }));
+    none("half black, half white", paint(1024, 512, [](const glm::dvec3& d) { return glm::dvec3(d.x > 0); }));
+}
+
+void clippedTable(const Path& shared) {
+    std::printf("\n| picture of high dynamic range: its strongest light | share, %% | clipped, mean at 10 %% "
+                "of white: off, "
+                "degrees | radius | share | mean at 20 %%: off | radius | share "
+                "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
+    Eye eye;
+    for (const auto& source : bench::hdrSources(shared)) {
+        const auto surround = source.load();
+        if (!surround) continue;
+        const FoundLights truth = eye.look(surround->radianceLin);
+        if (truth.count == 0) continue;
+        std::printf("| %s | %.1f |", surround->name.c_str(),
+                    100 * static_cast<double>(truth.lights[0].share));
+        for (const double key : {0.1, 0.2})
+            sayNearest(eye.look(viewOf(filmed(surround->radianceLin, key), false)),
+                       truth.lights[0].direction);
+        std::printf("\n");
+    }
+}
+
+void truthTable() {
+    std::printf("\n| frame of the film: its true light | radius, degrees | share, %% | found in the video: "
+                "off, degrees "
+                "| radius | share |\n|---|--:|--:|--:|--:|--:|\n");
+    Eye eye;
+    for (const auto& source : bench::filmedSources()) {
+        const auto surround = source.load();
+        if (!surround) continue;
+        const FoundLights truth = eye.look(surround->radianceLin);
+        if (truth.count == 0) continue;
+        std::printf("| %s | %.1f | %.1f |", surround->name.c_str(), degreesOf(truth.lights[0].radius),
+                    100 * static_cast<double>(truth.lights[0].share));
+        sayNearest(eye.look(surround->view()), truth.lights[0].direction);
+        std::printf("\n");
+    }
+}
+
+struct Jumps {
+    double found = 0, followed = 0, scene = 0; // the most, degrees; degrees; sceneDistance()
+    int frames = 0;
+};
+
+// Between neighbouring frames, while a light is there to be seen.
+bool filmTable() {
+    auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4");
+    if (!player) return false;
+    const double fps = player->info().fps;
+    const int open = static_cast<int>(37 * fps), count = static_cast<int>(player->info().duration_s * fps);
+    Eye eye;
+    LightOverTime steady;
+    FoundLights before;
+    glm::vec3 followedBefore(0);
+    bool shownBefore = false;
+    std::array<Jumps, 2> jumps; // in open water; in the tunnel
+    std::vector<double> times_us;
+    LightMaker maker({kBaseWidth, 0.25f});
+    EnvironmentLight light;
+    LightFinder finder;
+    double light_ms = 1e9;
+    for (int i = 0; i < count; ++i) {
+        const auto* frame = player->waitFor((i + 0.5) / fps);
+        const FrameView view = viewOf(frame->pixelsBgr, true);
+        if (i % 60 == 0)
+            light_ms = std::min(light_ms, static_cast<double>(maker.make(view, light).total_ms()));
+        eye.pyramid.make(view, kBaseWidth, eye.radiance);
+        FoundLights found;
+        const auto began = std::chrono::steady_clock::now();
+        finder.find(eye.radiance, found);
+        times_us.push_back(
+            std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - began).count());
+        const CastingLight& now = steady.follow(found, static_cast<float>(1 / fps));
+        Jumps& here = jumps[i < open ? 0 : 1];
+        ++here.frames;
+        if (i > 0) {
+            here.scene = std::max(here.scene, static_cast<double>(sceneDistance(before, found)));
+            if (found.count && before.count)
+                here.found = std::max(here.found,
+                                      degreesBetween(found.lights[0].direction, before.lights[0].direction));
+            if (shownBefore && now.presence > 0.02f)
+                here.followed = std::max(here.followed, degreesBetween(now.light.direction, followedBefore));
+        }
+        before = found;
+        followedBefore = now.light.direction;
+        shownBefore = now.presence > 0.02f;
+    }
+    std::printf("\n| through the film | frames | largest jump from frame to frame, degrees: as found | as "
+                "followed | largest "
+                "difference of scenes |\n|---|--:|--:|--:|--:|\n");
+    for (size_t i = 0; i < jumps.size(); ++i)
+        std::printf("| %s | %d | %.1f | %.2f | %.3f |\n",
+                    i == 0 ? "open water" : "under the overhang and in the tunnel", jumps[i].frames,
+                    jumps[i].found, jumps[i].followed, jumps[i].scene);
+    std::ranges::sort(times_us);
+    std::printf("\nFinding them takes %.0f us a frame (median; 90th percentile %.0f), the frame's light %.2f "
+                "ms (least).\n",
+                times_us[times_us.size() / 2], times_us[times_us.size() * 9 / 10], light_ms);
+    return true;
+}
+
+// The least that two of the chart's real surrounds differ.
+void cuts(const Path& shared) {
+    Eye eye;
+    std::vector<FoundLights> all;
+    for (const auto& source : bench::surroundSources(shared, false)) {
+        const auto surround = source.load();
+        if (surround && surround->coded()) all.push_back(eye.look(surround->view()));
+    }
+    double least = 1;
+    for (size_t i = 0; i < all.size(); ++i)
+        for (size_t k = 0; k < i; ++k)
+            least = std::min(least, static_cast<double>(sceneDistance(all[i], all[k])));
+    std::printf("\nThe two most alike of %zu videos and photos differ by %.2f.\n", all.size(), least);
+}
+
+} // namespace
+
+int main() {
+    const char* set = std::getenv("SHOAL_SHARED");
+    const Path shared = set ? Path(set) : Path();
+    madeTable();
+    clippedTable(shared);
+    truthTable();
+    if (!filmTable()) std::printf("\ncontent/video/reef.mp4 is not at hand.\n");
+    cuts(shared);
+}

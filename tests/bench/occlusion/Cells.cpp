@@ -1,0 +1,99 @@
+#include "tests/bench/occlusion/Cells.h"
+
+#include "engine/math/LatLong.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr int kBase = 96, kFine = 768; // cells along the square's side: the widest, the narrowest
+constexpr float kShare = 1e-3f;        // of a surround's whole light: a cell with more is cut in four
+
+float signOf(float x) { return x < 0 ? -1.0f : 1.0f; }
+
+glm::vec2 folded(const glm::vec2& at) {
+    return {(1 - std::abs(at.y)) * signOf(at.x), (1 - std::abs(at.x)) * signOf(at.y)};
+}
+
+} // namespace
+
+glm::vec3 directionOfSquare(const glm::vec2& at) {
+    const glm::vec2 p = at * 2.0f - 1.0f;
+    const float y = 1 - std::abs(p.x) - std::abs(p.y);
+    const glm::vec2 flat = y < 0 ? folded(p) : p;
+    return glm::normalize(glm::vec3(flat.x, y, flat.y));
+}
+
+glm::vec2 squareOfDirection(const glm::vec3& d) {
+    const glm::vec3 p = d / (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
+    const glm::vec2 flat(p.x, p.z);
+    return (p.y < 0 ? folded(flat) : flat) * 0.5f + 0.5f;
+}
+
+Fine fineOf(const ImageRgbF& image) {
+    std::vector<glm::dvec3> sums(static_cast<size_t>(kFine) * kFine);
+    const int parts = std::max(1, 2048 / image.width); // of a texel, each way
+    for (int y = 0; y < image.height; ++y) {
+        const double share = texelSolidAngle(y, image.width, image.height) / (parts * parts);
+        for (int x = 0; x < image.width; ++x) {
+            const float* texel = image.at(x, y);
+            const glm::dvec3 power = share * glm::dvec3(texel[0], texel[1], texel[2]);
+            for (int part = 0; part < parts * parts; ++part) {
+                const glm::vec2 uv((static_cast<float>(x) +
+                                    (static_cast<float>(part % parts) + 0.5f) / static_cast<float>(parts)) /
+                                       static_cast<float>(image.width),
+                                   (static_cast<float>(y) +
+                                    (static_cast<float>(part / parts) + 0.5f) / static_cast<float>(parts)) /
+                                       static_cast<float>(image.height));
+                const glm::ivec2 at = glm::min(
+                    glm::ivec2(squareOfDirection(directionFromLatLong(uv)) * static_cast<float>(kFine)),
+                    kFine - 1);
+                sums[static_cast<size_t>(at.y) * kFine + static_cast<size_t>(at.x)] += power;
+            }
+        }
+    }
+    return {sums.begin(), sums.end()};
+}
+
+Cells cellsOf(std::span<const Fine> surrounds) {
+    Cells out;
+    out.surrounds = surrounds.size();
+    std::vector<float> whole;
+    for (const Fine& fine : surrounds) {
+        glm::dvec3 sum(0);
+        for (const glm::vec3& power : fine) sum += power;
+        whole.push_back(static_cast<float>(sum.x + sum.y + sum.z));
+    }
+    std::vector<glm::vec3> power(surrounds.size());
+    const auto visit = [&](auto&& self, glm::ivec2 low, int side) -> void {
+        bool bright = false;
+        for (size_t s = 0; s < surrounds.size(); ++s) {
+            glm::dvec3 sum(0);
+            for (int y = low.y; y < low.y + side; ++y)
+                for (int x = low.x; x < low.x + side; ++x)
+                    sum += surrounds[s][static_cast<size_t>(y * kFine + x)];
+            power[s] = sum;
+            bright = bright || power[s].x + power[s].y + power[s].z > kShare * whole[s];
+        }
+        if (bright && side > 1) {
+            for (int quarter = 0; quarter < 4; ++quarter)
+                self(self, low + glm::ivec2(quarter & 1, quarter >> 1) * (side / 2), side / 2);
+            return;
+        }
+        const glm::vec2 corner = glm::vec2(low) / static_cast<float>(kFine);
+        const float width = static_cast<float>(side) / kFine;
+        const glm::vec3 centre = directionOfSquare(corner + 0.5f * width);
+        // The octahedron's faces, at the length 1 / k of the ray that meets them, seen from the middle.
+        const float k = std::abs(centre.x) + std::abs(centre.y) + std::abs(centre.z);
+        out.cells.push_back({corner, width, centre, 4 * width * width * k * k * k});
+        out.power.insert(out.power.end(), power.begin(), power.end());
+    };
+    for (int y = 0; y < kBase; ++y)
+        for (int x = 0; x < kBase; ++x) visit(visit, glm::ivec2(x, y) * (kFine / kBase), kFine / kBase);
+    return out;
+}
+
+} // namespace shoal::bench

@@ -1,0 +1,38 @@
+// The sphere of directions cut into cells, finer where any of the surrounds is bright; what each surround
+// sends through each cell is exact, so that one ray a cell tells the light of all surrounds at once.
+#pragma once
+
+#include "engine/core/Image.h"
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <vector>
+
+namespace shoal::bench {
+
+struct Cell {
+    glm::vec2 low{0}; // corner in the octahedral square [0, 1]^2
+    float side = 0;
+    glm::vec3 centre{0}; // unit
+    float solidAngle = 0;
+};
+
+struct Cells {
+    std::vector<Cell> cells;
+    size_t surrounds = 0;
+    std::vector<glm::vec3> power; // [cell][surround]: integral of radiance over the cell
+
+    std::span<const glm::vec3> of(size_t cell) const { return {power.data() + cell * surrounds, surrounds}; }
+};
+
+glm::vec3 directionOfSquare(const glm::vec2& at); // [0, 1]^2; Meyer et al. 2010, octahedral map
+glm::vec2 squareOfDirection(const glm::vec3& direction);
+
+// Radiance summed on a fine square; one a surround.
+using Fine = std::vector<glm::vec3>;
+Fine fineOf(const ImageRgbF& radianceLin);
+
+Cells cellsOf(std::span<const Fine> surrounds);
+
+} // namespace shoal::bench

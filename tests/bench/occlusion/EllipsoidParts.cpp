@@ -1,0 +1,47 @@
+#include "tests/bench/occlusion/EllipsoidParts.h"
+
+#include <cmath>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr size_t kHandParts = 26, kFishParts = 4, kSharkParts = 6; // as the game fits them
+
+occlusion::Ellipsoid<float> moved(const occlusion::Ellipsoid<float>& at, const glm::mat4& to) {
+    occlusion::Ellipsoid<float> out = at;
+    const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(to))));
+    out.centre = glm::vec3(to * glm::vec4(at.centre, 1));
+    out.worldFromAxes = glm::mat3(to) * at.worldFromAxes / scale;
+    out.semiAxes = scale * at.semiAxes;
+    return out;
+}
+
+} // namespace
+
+std::vector<occlusion::BodyPart> partsOf(const Body& body) {
+    const std::vector<uint16_t> joints(body.boneOf.begin(), body.boneOf.end());
+    std::vector<uint32_t> indices;
+    for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+    const bool hand = body.name == "hand";
+    return occlusion::fitEllipsoids({body.rest.positions, indices, joints},
+                                    hand ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape,
+                                    hand                   ? kHandParts
+                                    : body.name == "shark" ? kSharkParts
+                                                           : kFishParts);
+}
+
+occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body) {
+    return {moved(part.atRest, body.worldFromRest[part.joint])};
+}
+
+std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene) {
+    std::vector<std::vector<occlusion::Occluder>> casting(scene.bodies.size());
+    for (size_t b = 0; b < scene.bodies.size(); ++b)
+        for (const occlusion::BodyPart& part : partsOf(scene.bodies[b]))
+            for (size_t other = 0; other < scene.bodies.size(); ++other)
+                if (other != b) casting[other].push_back(posed(part, scene.bodies[b]));
+    return casting;
+}
+
+} // namespace shoal::bench

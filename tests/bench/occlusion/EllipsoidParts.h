@@ -1,0 +1,18 @@
+// The ellipsoids that the game gives bodies.
+#pragma once
+
+#include "engine/occlusion/FitEllipsoids.h"
+#include "engine/occlusion/Shade.h"
+#include "tests/bench/occlusion/Scene.h"
+
+namespace shoal::bench {
+
+std::vector<occlusion::BodyPart> partsOf(const Body& body);
+
+// As it stands in the world.
+occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body);
+
+// [body]: those of all the others.
+std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene);
+
+} // namespace shoal::bench

@@ -1,0 +1,25 @@
+// Glossy light under occlusion.
+#pragma once
+
+#include "tests/bench/occlusion/Surround.h"
+
+namespace shoal::bench {
+
+constexpr float kGlossyRoughness = 0.25f; // of the smoothest surface in the game's dive
+
+struct GlossyMeasured {
+    std::string name;
+    std::vector<double> errors;      // [scene]: relative RMS, surrounds without point suns weighing the same
+    std::vector<double> receiver_ns; // [scene]
+};
+
+struct GlossyChart {
+    std::vector<double> noise; // [scene]: of the truth, the largest of any surround
+    std::vector<GlossyMeasured> methods;
+};
+
+// Adds a scene to the chart.
+void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays,
+                   std::span<const Receiver> receivers, std::span<const LitSurround> surrounds);
+
+} // namespace shoal::bench

@@ -1,0 +1,74 @@
+// Each body of a scene in layered fragment buffers of its own, as it is posed.
+#pragma once
+
+#include "engine/occlusion/CheckMesh.h"
+#include "engine/occlusion/OllfbThesis.h"
+#include "tests/bench/occlusion/Scene.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace shoal::bench {
+
+// Rays begin so many pixels from where they start, so that buffers do not meet the surface itself: what gives
+// each the least gaps.
+template <class Buffers> inline constexpr float startOf = 0.32f;
+template <> inline constexpr float startOf<occlusion::OllfbThesis> = 3;
+
+template <class Buffers> class LayeredBodies {
+  public:
+    LayeredBodies(const Scene& scene, const typename Buffers::Options& options)
+        : nearest_(2 * startOf<Buffers> / static_cast<float>(options.resolution)) {
+        for (const Body& body : scene.bodies) {
+            auto made = Buffers::make(body.posed.view(), options);
+            if (!made) {
+                std::fprintf(stderr, "occlusion: %s: %s\n", body.name.c_str(),
+                             made.error().sentence().c_str());
+                std::abort();
+            }
+            const occlusion::Ball ball = occlusion::boundingBall(body.posed.view());
+            bodies_.push_back({std::move(*made), ball});
+        }
+    }
+
+    // own: the body that the ray begins on; what touches it may be nearer than its buffers could tell.
+    bool occluded(const glm::vec3& origin, const glm::vec3& direction, size_t own) const {
+        for (size_t b = 0; b < bodies_.size(); ++b)
+            if (meets(bodies_[b].ball, origin, direction) &&
+                bodies_[b].buffers.trace(origin, direction, b == own ? nearestOf(bodies_[b]) : 0))
+                return true;
+        return false;
+    }
+    std::optional<occlusion::Hit> trace(glm::vec3 origin, glm::vec3 direction, float nearest) const {
+        std::optional<occlusion::Hit> first;
+        for (const One& body : bodies_) {
+            if (!meets(body.ball, origin, direction)) continue;
+            const auto hit = body.buffers.trace(origin, direction, std::max(nearest, nearestOf(body)));
+            if (hit && (!first || hit->distance < first->distance)) first = hit;
+        }
+        return first;
+    }
+    size_t bytes() const {
+        size_t sum = 0;
+        for (const One& body : bodies_) sum += body.buffers.bytes();
+        return sum;
+    }
+
+  private:
+    struct One {
+        Buffers buffers;
+        occlusion::Ball ball;
+    };
+    float nearestOf(const One& body) const { return nearest_ * body.ball.radius; }
+    static bool meets(const occlusion::Ball& ball, const glm::vec3& origin, const glm::vec3& direction) {
+        const glm::vec3 to = ball.centre - origin;
+        const float along = glm::dot(to, direction), square = ball.radius * ball.radius;
+        const float outside = glm::dot(to, to) - square;
+        return outside <= 0 || (along > 0 && outside <= along * along);
+    }
+    float nearest_ = 0; // of a ball's radius
+    std::vector<One> bodies_;
+};
+
+} // namespace shoal::bench

@@ -1,0 +1,86 @@
+#include "tests/bench/occlusion/Measure.h"
+
+#include "tests/bench/light/Timing.h"
+#include "tests/bench/occlusion/Surround.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr float kEnclosed =
+    0.005f; // less of the hemisphere than this is free: a mouth's inside, which nobody sees
+
+SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, size_t surround,
+                   std::span<const glm::vec3> unshaded) {
+    const auto& want = truth.diffuse[surround];
+    double off[2] = {0, 0}, whole[2] = {0, 0};
+    for (size_t i = 0; i < got.size(); ++i) {
+        if (got[i].x <= kUnknown.x || truth.open[i] < kEnclosed) continue;
+        const glm::dvec3 miss = glm::dvec3(got[i]) - want[i];
+        const auto sum = [](const glm::dvec3& c) { return c.x + c.y + c.z; };
+        const bool shaded = sum(want[i]) < 0.9 * sum(glm::dvec3(unshaded[i]));
+        for (int k = 0; k <= (shaded ? 1 : 0); ++k) {
+            off[k] += glm::dot(miss, miss);
+            whole[k] += glm::dot(want[i], want[i]);
+        }
+    }
+    return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
+}
+
+} // namespace
+
+OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick) {
+    OcclusionChart chart;
+    std::fprintf(stderr, "occlusion: light of the surrounds\n");
+    const auto surrounds = litSurrounds(shared, quick);
+    std::vector<Fine> fine;
+    for (const LitSurround& each : surrounds) {
+        chart.surrounds.push_back(each.lit.name);
+        chart.pointSun.push_back(each.lit.pointSun);
+        fine.push_back(each.fine);
+    }
+    const Cells cells = cellsOf(fine);
+    auto methods = occlusionMethods();
+    for (const OcclusionMethod& each : methods)
+        chart.methods.push_back({.label = each.label, .moves = each.moves});
+    for (const Scene& scene : scenes) {
+        std::fprintf(stderr, "occlusion: %s: truth by %zu cells", scene.name.c_str(), cells.cells.size());
+        chart.scenes.push_back(scene.name);
+        const Rays rays(scene.meshes());
+        const auto receivers = spreadReceivers(scene, quick ? 60 : 240);
+        const OccludedLight truth = occludedLight(scene, rays, receivers, cells);
+        chart.noise.push_back(truth.noise);
+        double open = 0;
+        for (const float each : truth.open) open += static_cast<double>(each);
+        chart.open.push_back(open / static_cast<double>(receivers.size()));
+        std::vector<std::vector<glm::vec3>> unshaded;
+        std::fprintf(stderr, ", methods\n");
+        std::vector<glm::vec3> out(receivers.size());
+        for (size_t m = 0; m < methods.size(); ++m) {
+            const double begin = now_us();
+            methods[m].build(scene, rays);
+            chart.methods[m].body_us.push_back((now_us() - begin) / static_cast<double>(scene.bodies.size()));
+            chart.methods[m].bytes.push_back(methods[m].bytes());
+            chart.methods[m].errors.emplace_back();
+            if (methods[m].foresee) methods[m].foresee(receivers);
+            for (size_t s = 0; s < surrounds.size(); ++s) {
+                methods[m].relight(surrounds[s].lit);
+                methods[m].shade(receivers, out);
+                if (m == 0) unshaded.push_back(out);
+                chart.methods[m].errors.back().push_back(errorOf(out, truth, s, unshaded[s]));
+            }
+            if (methods[m].foresee) methods[m].foresee({});
+            const double shade_us = shortest_us(quick ? 5 : 30, [&] { methods[m].shade(receivers, out); });
+            chart.methods[m].receiver_ns.push_back(1e3 * shade_us / static_cast<double>(receivers.size()));
+        }
+        std::fprintf(stderr, "occlusion: %s: glossy\n", scene.name.c_str());
+        measureGlossy(chart.glossy, scene, rays, std::span(receivers).first(quick ? 50 : receivers.size()),
+                      surrounds);
+    }
+    return chart;
+}
+
+} // namespace shoal::bench

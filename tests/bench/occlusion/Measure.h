@@ -1,0 +1,38 @@
+// Every method over every scene and surround.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "tests/bench/occlusion/Glossy.h"
+#include "tests/bench/occlusion/Method.h"
+#include "tests/bench/occlusion/Truth.h"
+
+namespace shoal::bench {
+
+// Relative root mean square of one scene in one surround; NaN where there is none.
+struct SceneError {
+    double all = 0;    // over all receivers
+    double shaded = 0; // over those of whose light a tenth or more is taken
+};
+
+struct OcclusionMeasured {
+    OcclusionLabel label;
+    OcclusionMethod::Moves moves = OcclusionMethod::Moves::Free;
+    std::vector<std::vector<SceneError>> errors; // [scene][surround]
+    std::vector<double> receiver_ns;             // [scene]
+    std::vector<double> body_us;                 // [scene]: to build what it keeps, a body
+    std::vector<size_t> bytes;                   // [scene]
+};
+
+struct OcclusionChart {
+    std::vector<std::string> scenes, surrounds;
+    std::vector<bool> pointSun;             // [surround]
+    std::vector<std::vector<double>> noise; // [scene][surround]: of the truth
+    std::vector<double> shadedShare;        // [scene]: of receivers, in the first surround
+    std::vector<double> open;               // [scene]: mean free share of the hemisphere
+    std::vector<OcclusionMeasured> methods; // the first ignores occlusion
+    GlossyChart glossy;
+};
+
+OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick);
+
+} // namespace shoal::bench

@@ -1,0 +1,58 @@
+#include "tests/bench/occlusion/Rays.h"
+
+namespace shoal::bench {
+
+Rays::Rays(const std::vector<const Mesh*>& meshes) : meshes_(meshes) {
+    const RTCDevice device = rtcNewDevice("threads=1");
+    scene_ = {rtcNewScene(device), [](RTCScene scene) { rtcReleaseScene(scene); }};
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    for (const Mesh* mesh : meshes) {
+        const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* positions = static_cast<glm::vec3*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                    mesh->positions.size()));
+        std::copy(mesh->positions.begin(), mesh->positions.end(), positions);
+        auto* triangles = static_cast<glm::uvec3*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3),
+                                    mesh->triangles.size()));
+        std::copy(mesh->triangles.begin(), mesh->triangles.end(), triangles);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_.get(), geometry);
+        rtcReleaseGeometry(geometry);
+    }
+    rtcCommitScene(scene_.get());
+    rtcReleaseDevice(device); // the scene keeps it
+}
+
+bool Rays::occluded(const glm::vec3& o, const glm::vec3& d, float nearest, float furthest) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray{o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0, furthest, ~0u, 0, 0};
+    rtcOccluded1(scene_.get(), &context, &ray);
+    return ray.tfar < 0;
+}
+
+std::optional<Touch> Rays::touch(const glm::vec3& o, const glm::vec3& d, float nearest) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit ray;
+    ray.ray = {o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0, 1e30f, ~0u, 0, 0};
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene_.get(), &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return Touch{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, ray.hit.u, ray.hit.v};
+}
+
+std::optional<occlusion::Hit> Rays::trace(glm::vec3 origin, glm::vec3 direction, float nearest) const {
+    const auto at = touch(origin, direction, nearest);
+    if (!at) return std::nullopt;
+    const Mesh& mesh = *meshes_[at->mesh];
+    const glm::uvec3 corner = mesh.triangles[at->triangle];
+    const glm::vec3 normal = glm::normalize((1 - at->u - at->v) * mesh.normals[corner.x] +
+                                            at->u * mesh.normals[corner.y] + at->v * mesh.normals[corner.z]);
+    return occlusion::Hit{at->distance, glm::dot(normal, direction) > 0 ? -normal : normal};
+}
+
+static_assert(occlusion::TracesRays<Rays>);
+
+} // namespace shoal::bench

@@ -1,0 +1,38 @@
+// Rays against triangles, exactly: what every method is measured against. Embree.
+#pragma once
+
+#include "tests/bench/occlusion/Mesh.h"
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <optional>
+#include <type_traits>
+
+namespace shoal::bench {
+
+// Where on which of the meshes.
+struct Touch {
+    float distance = 0;
+    uint32_t mesh = 0, triangle = 0;
+    float u = 0, v = 0; // weights of the triangle's second and third corner
+};
+
+// Many threads may ask at once. Copies share.
+class Rays {
+  public:
+    explicit Rays(
+        const std::vector<const Mesh*>& meshes); // kept by the caller; each at its place in the world
+
+    bool occluded(const glm::vec3& origin, const glm::vec3& direction, float nearest,
+                  float furthest = 1e30f) const;
+    std::optional<Touch> touch(const glm::vec3& origin, const glm::vec3& direction, float nearest) const;
+    // As methods answer: with the interpolated normal, turned towards the origin.
+    std::optional<occlusion::Hit> trace(glm::vec3 origin, glm::vec3 direction, float nearest) const;
+
+  private:
+    std::vector<const Mesh*> meshes_;
+    std::shared_ptr<std::remove_pointer_t<RTCScene>> scene_;
+};
+
+} // namespace shoal::bench

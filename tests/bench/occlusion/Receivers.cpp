@@ -1,0 +1,66 @@
+#include "engine/core/Random.h"
+#include "tests/bench/occlusion/Scene.h"
+
+#include <algorithm>
+
+namespace shoal::bench {
+
+// Moved out to where the corners' tangent planes lie, so that a facet does not stand in its own light at
+// grazing angles. Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II.
+Receiver receiverAt(const Scene& scene, size_t body, uint32_t triangle, const glm::vec3& weights) {
+    const Mesh& mesh = scene.bodies[body].posed;
+    const glm::uvec3 corner = mesh.triangles[triangle];
+    Receiver at{.body = body, .triangle = triangle, .weights = weights};
+    for (int i = 0; i < 3; ++i) {
+        at.position += weights[i] * mesh.positions[corner[i]];
+        at.normal += weights[i] * mesh.normals[corner[i]];
+    }
+    at.normal = glm::normalize(at.normal);
+    glm::vec3 out(0);
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3& normal = mesh.normals[corner[i]];
+        out -=
+            weights[i] * std::min(0.0f, glm::dot(at.position - mesh.positions[corner[i]], normal)) * normal;
+    }
+    at.position += out;
+    at.mirrored = glm::reflect(glm::normalize(at.position - scene.camera.eye), at.normal);
+    return at;
+}
+
+std::vector<Receiver> spreadReceivers(const Scene& scene, int count) {
+    struct Facet {
+        size_t body = 0;
+        uint32_t triangle = 0;
+    };
+    std::vector<Facet> facets[2];
+    std::vector<double> upTo[2];
+    for (size_t b = 0; b < scene.bodies.size(); ++b) {
+        const Body& body = scene.bodies[b];
+        auto& sums = upTo[body.group];
+        for (uint32_t t = 0; t < body.posed.triangles.size(); ++t) {
+            const glm::uvec3 corner = body.posed.triangles[t];
+            const glm::vec3 a = body.posed.positions[corner.x];
+            const double area = glm::length(
+                glm::cross(body.posed.positions[corner.y] - a, body.posed.positions[corner.z] - a));
+            facets[body.group].push_back({b, t});
+            sums.push_back((sums.empty() ? 0 : sums.back()) + area);
+        }
+    }
+    Random random(7);
+    std::vector<Receiver> receivers;
+    for (int group = 0; group < 2; ++group) {
+        if (facets[group].empty()) continue;
+        const int share = facets[1 - group].empty() ? count : count / 2;
+        for (int i = 0; i < share; ++i) {
+            const double place = (i + static_cast<double>(random.unit())) / share * upTo[group].back();
+            const auto found = std::ranges::lower_bound(upTo[group], place) - upTo[group].begin();
+            const Facet& facet = facets[group][static_cast<size_t>(found)];
+            const float root = std::sqrt(random.unit()), part = random.unit();
+            receivers.push_back(
+                receiverAt(scene, facet.body, facet.triangle, {1 - root, root * (1 - part), root * part}));
+        }
+    }
+    return receivers;
+}
+
+} // namespace shoal::bench

@@ -1,0 +1,219 @@
+#include "tests/bench/occlusion/Report.h"
+
+#include "tests/bench/light/Text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::bench {
+
+double pooledError(const OcclusionChart& chart, const OcclusionMeasured& method, size_t scene, Under which,
+                   double SceneError::*part) {
+    double squares = 0;
+    int count = 0;
+    for (size_t s = 0; s < chart.surrounds.size(); ++s) {
+        const bool fits = which == Under::Reef   ? chart.surrounds[s] == "video: reef"
+                          : which == Under::Suns ? chart.pointSun[s]
+                                                 : !chart.pointSun[s];
+        const double error = method.errors[scene][s].*part;
+        if (!fits || !std::isfinite(error)) continue;
+        squares += error * error;
+        ++count;
+    }
+    return std::sqrt(squares / count);
+}
+
+namespace {
+
+std::string percent(double value) {
+    if (!std::isfinite(value)) return "-";
+    return text(value < 0.0995 ? "%.2f" : "%.1f", 100 * value);
+}
+
+const char* movesOf(const OcclusionMeasured& method) {
+    using Moves = OcclusionMethod::Moves;
+    return method.moves == Moves::Free ? "free" : method.moves == Moves::Rigid ? "bodies" : "rebuilt";
+}
+
+std::string sceneTable(const OcclusionChart& chart, size_t scene) {
+    std::string out =
+        "| method | reef video, % | without suns | shaded points | with suns | ns a receiver | kB | "
+        "us a rebuilt body | moves | source |\n|---|--:|--:|--:|--:|--:|--:|--:|---|---|\n";
+    for (const OcclusionMeasured& each : chart.methods)
+        out += text("| %s | %s | %s | %s | %s | %.0f | %.1f | %.0f | %s | %s |\n", each.label.name.c_str(),
+                    percent(pooledError(chart, each, scene, Under::Reef)).c_str(),
+                    percent(pooledError(chart, each, scene, Under::NoSuns)).c_str(),
+                    percent(pooledError(chart, each, scene, Under::NoSuns, &SceneError::shaded)).c_str(),
+                    percent(pooledError(chart, each, scene, Under::Suns)).c_str(), each.receiver_ns[scene],
+                    static_cast<double>(each.bytes[scene]) * 1e-3, each.body_us[scene], movesOf(each),
+                    each.label.source.c_str());
+    return out;
+}
+
+double worstNoise(const OcclusionChart& chart, size_t scene, bool suns) {
+    double most = 0;
+    for (size_t s = 0; s < chart.surrounds.size(); ++s)
+        if (chart.pointSun[s] == suns) most = std::max(most, chart.noise[scene][s]);
+    return most;
+}
+
+std::string layerTable(const std::vector<LayerQuality>& layers) {
+    std::string out = R"(
+## Layered fragment buffers by themselves
+
+Rays from the body's surface to where it mirrors the eye. "Gaps": rays that hit where they should not, or the reverse.
+"Picture": what the body as a mirror shows of a surround with detail down to a tenth of a radian, relative root mean
+square, the truth being followed for as many bounces.
+
+| body | method | views | pixels | kB | gaps, % | picture with 1 bounce, % | 2 | 8 | ns a ray | ms to build |
+|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+)";
+    for (const LayerQuality& each : layers)
+        out += text("| %s | %s | %d | %d | %.0f | %s | %s | %s | %s | %.0f | %.0f |\n", each.body.c_str(),
+                    each.method.c_str(), each.views, each.resolution, static_cast<double>(each.bytes) * 1e-3,
+                    percent(each.gaps).c_str(), percent(each.bounced[0]).c_str(),
+                    percent(each.bounced[1]).c_str(), percent(each.bounced[2]).c_str(), each.ray_ns,
+                    each.build_ms);
+    return out;
+}
+
+std::string glossyTable(const OcclusionChart& chart) {
+    std::string out = text("\n## Glossy light, roughness %.2f\n\nSurrounds without point suns; error in %% "
+                           "and ns a receiver, for "
+                           "each scene. Noise of the truth:",
+                           static_cast<double>(kGlossyRoughness));
+    for (const double noise : chart.glossy.noise) out += " " + percent(noise);
+    out += " %.\n\n| method |";
+    std::string rule = "|---|";
+    for (const std::string& scene : chart.scenes) {
+        out += " " + scene + ", % | ns |";
+        rule += "--:|--:|";
+    }
+    out += "\n" + rule + "\n";
+    for (const GlossyMeasured& each : chart.glossy.methods) {
+        out += "| " + each.name + " |";
+        for (size_t k = 0; k < chart.scenes.size(); ++k)
+            out += text(" %s | %.0f |", percent(each.errors[k]).c_str(), each.receiver_ns[k]);
+        out += "\n";
+    }
+    return out;
+}
+
+// The two scenes that the game's default is judged by.
+bool isJudged(const std::string& scene) { return scene.starts_with("hand") || scene.starts_with("shark"); }
+
+// Cheapest first, those at most `limit` wrong in both judged scenes.
+std::string answer(const OcclusionChart& chart, Under which, double limit) {
+    const OcclusionMeasured* best = nullptr;
+    double least = 1e30;
+    for (const OcclusionMeasured& each : chart.methods) {
+        double cost = 0, worst = 0;
+        for (size_t k = 0; k < chart.scenes.size(); ++k)
+            if (isJudged(chart.scenes[k])) {
+                cost = std::max(cost, each.receiver_ns[k]);
+                worst = std::max(worst, pooledError(chart, each, k, which));
+            }
+        const bool kept = each.label.part != Part::Exact && each.moves != OcclusionMethod::Moves::Rebuilt;
+        if (!kept || worst > limit || cost >= least || each.label.part == Part::Off) continue;
+        least = cost;
+        best = &each;
+    }
+    return best ? text("%s (%.0f ns)", best->label.name.c_str(), least) : "none";
+}
+
+} // namespace
+
+Status writeOcclusionMarkdown(const OcclusionChart& chart, const std::vector<LayerQuality>& layers,
+                              const Path& folder) {
+    std::string md = R"(# Light where something stands in its way
+
+![Error over cost](occlusion.svg)
+
+![Off, methods, truth](occlusion_sheet.jpg)
+
+Error of diffuse light: relative root mean square over points spread by area over the bodies (half of them on each of the
+two kinds where there are two), against rays through every cell of the surround; surrounds weigh the same however bright
+they are. "Shaded points": only those of whose light a tenth or more is taken, surrounds without point suns. Time: one core,
+warm, the shortest of many runs, a receiver's unoccluded light included. "Moves": free, the method follows bending bodies
+as they are; bodies, it follows bodies but not their bending; rebuilt, it holds for the scene as it was built. "Exact": rays
+against the triangles, so that what is left is the error of so few directions.
+
+)";
+    for (const double limit : {0.05, 0.10, 0.20})
+        md += text("Cheapest that moves and is at most %.0f %% wrong in both the hand's and the shark's "
+                   "scene: %s; in the reef's "
+                   "video: %s.\n",
+                   100 * limit, answer(chart, Under::NoSuns, limit).c_str(),
+                   answer(chart, Under::Reef, limit).c_str());
+    for (size_t k = 0; k < chart.scenes.size(); ++k) {
+        md += text("\n## %s\n\n%.1f %% of the hemisphere is free on the mean. Noise of the truth at most %s "
+                   "%%, with point suns "
+                   "%s %%.\n\n",
+                   chart.scenes[k].c_str(), 100 * chart.open[k], percent(worstNoise(chart, k, false)).c_str(),
+                   percent(worstNoise(chart, k, true)).c_str());
+        md += sceneTable(chart, k);
+    }
+    md += glossyTable(chart) + layerTable(layers);
+    return writeFileWhole(folder / "occlusion.md", md);
+}
+
+Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder) {
+    std::string out =
+        "scene,surround,point_sun,method,rms,rms_shaded,truth_noise,receiver_ns,bytes,body_us\n";
+    for (size_t k = 0; k < chart.scenes.size(); ++k)
+        for (size_t s = 0; s < chart.surrounds.size(); ++s)
+            for (const OcclusionMeasured& each : chart.methods)
+                out += text("\"%s\",\"%s\",%d,\"%s\",%.6g,%.6g,%.3g,%.1f,%zu,%.1f\n", chart.scenes[k].c_str(),
+                            chart.surrounds[s].c_str(), static_cast<int>(chart.pointSun[s]),
+                            each.label.name.c_str(), each.errors[k][s].all, each.errors[k][s].shaded,
+                            chart.noise[k][s], each.receiver_ns[k], each.bytes[k], each.body_us[k]);
+    return writeFileWhole(folder / "occlusion.csv", out);
+}
+
+Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder) {
+    std::string out;
+    std::vector<std::string> families;
+    for (const OcclusionMeasured& each : chart.methods)
+        if (std::ranges::find(families, each.label.family) == families.end())
+            families.push_back(each.label.family);
+    std::string names;
+    for (const std::string& each : families) names += "\"" + each + "\" ";
+    out += "families = '" + names + "'\n";
+    int panel = 0;
+    for (size_t k = 0; k < chart.scenes.size(); ++k) {
+        if (!isJudged(chart.scenes[k])) continue;
+        ++panel;
+        out += text("title%d = '%s'\n", panel, chart.scenes[k].c_str());
+        std::string labels;
+        struct Placed {
+            double x = 0, y = 0; // decades
+        };
+        std::vector<Placed> taken;
+        for (size_t f = 0; f < families.size(); ++f) {
+            out += text("$points%d_%zu << END\n", panel, f + 1);
+            for (const OcclusionMeasured& each : chart.methods) {
+                if (each.label.family != families[f]) continue;
+                const double x = each.receiver_ns[k], y = 100 * pooledError(chart, each, k, Under::NoSuns);
+                out += text("%.6g %.6g\n", x, y);
+                // Beside its point, moved up or down until it covers no other's.
+                Placed at{std::log10(x), std::log10(y)};
+                const auto covers = [&](const Placed& p) {
+                    return std::ranges::any_of(taken, [&](const Placed& other) {
+                        return std::abs(p.x - other.x) < 0.55 && std::abs(p.y - other.y) < 0.042;
+                    });
+                };
+                for (int step = 1; covers(at) && step < 40; ++step)
+                    at.y = std::log10(y) + 0.022 * static_cast<double>((step + 1) / 2) * (step % 2 ? 1 : -1);
+                taken.push_back(at);
+                const double kB = static_cast<double>(each.bytes[k]) * 1e-3;
+                labels += text("%.6g %.6g \"%s%s\"\n", x, std::pow(10, at.y), each.label.brief.c_str(),
+                               kB > 0 ? text(kB < 10 ? ", %.1f kB" : ", %.0f kB", kB).c_str() : "");
+            }
+            out += "END\n";
+        }
+        out += text("$labels%d << END\n%sEND\n", panel, labels.c_str());
+    }
+    return writeFileWhole(folder / "occlusion.data.gp", out);
+}
+
+} // namespace shoal::bench

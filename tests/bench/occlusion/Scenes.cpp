@@ -1,0 +1,201 @@
+#include "tests/bench/occlusion/Scene.h"
+
+#include "engine/core/Files.h"
+#include "engine/physics/Finger.h"
+#include "engine/scene/LoadModel.h"
+#include "input/hands/HandRig.h"
+#include "tests/bench/occlusion/Shapes.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+
+namespace shoal::bench {
+
+namespace {
+
+using glm::mat4;
+using glm::vec3;
+
+Path models() { return dataRoot() / "content" / "models"; }
+
+// The model's skin in this pose; bounds: of its rest pose along z, fins and all.
+struct Actor {
+    scene::Model model;
+    scene::Pose pose;
+    float length_m = 1;
+};
+
+Result<Actor> loadActor(const std::string& name) {
+    auto model = scene::loadModel(models() / (name + ".glb"));
+    if (!model) return model.error();
+    Actor actor{std::move(*model), {}, 1};
+    scene::restPose(actor.model, actor.pose);
+    const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
+    actor.length_m = bounds.high.z - bounds.low.z;
+    return actor;
+}
+
+// As linear blend skinning draws it. fins: whether thin ones that let some light through count as solid, or
+// not at all.
+Body bodyOf(const std::string& name, const Actor& actor, const mat4& worldFromModel, bool fins) {
+    Body body{.name = name};
+    const float size = glm::length(vec3(worldFromModel[0]));
+    for (const int index : actor.model.order) {
+        const scene::Node& node = actor.model.nodes[static_cast<size_t>(index)];
+        if (node.mesh < 0 || node.skin < 0) continue;
+        std::vector<mat4> bones;
+        scene::skinMatrices(actor.model, node.skin, actor.pose, bones);
+        for (mat4& bone : bones) bone = worldFromModel * bone;
+        for (const scene::Primitive& part : actor.model.meshes[static_cast<size_t>(node.mesh)].primitives) {
+            const auto blended =
+                part.material >= 0 && actor.model.materials[static_cast<size_t>(part.material)].alphaMode !=
+                                          scene::AlphaMode::Opaque;
+            if (blended && !fins) continue;
+            const auto base = static_cast<uint32_t>(body.posed.positions.size());
+            for (size_t i = 0; i < part.positions.size(); ++i) {
+                mat4 moved(0);
+                int most = 0;
+                for (int k = 0; k < 4; ++k) {
+                    moved += part.weights[i][k] * bones[part.joints[i][k]];
+                    if (part.weights[i][k] > part.weights[i][most]) most = k;
+                }
+                body.posed.positions.emplace_back(moved * glm::vec4(part.positions[i], 1));
+                body.posed.normals.push_back(glm::normalize(glm::mat3(moved) * part.normals[i]));
+                body.rest.positions.push_back(size * part.positions[i]);
+                body.rest.normals.push_back(part.normals[i]);
+                body.boneOf.push_back(part.joints[i][most]);
+            }
+            for (size_t i = 0; i < part.indices.size(); i += 3)
+                body.posed.triangles.emplace_back(base + part.indices[i], base + part.indices[i + 1],
+                                                  base + part.indices[i + 2]);
+        }
+        for (const mat4& bone : bones)
+            body.worldFromRest.push_back(bone * glm::scale(mat4(1), vec3(1 / size)));
+    }
+    body.rest.triangles = body.posed.triangles;
+    return body;
+}
+
+Body rigid(const std::string& name, Mesh mesh) {
+    Body body{.name = name};
+    body.rest = body.posed = std::move(mesh);
+    body.boneOf.assign(body.posed.positions.size(), 0);
+    body.worldFromRest = {mat4(1)};
+    return body;
+}
+
+mat4 placed(const vec3& at, float yaw, float pitch, float size) {
+    const mat4 turned = glm::rotate(glm::translate(mat4(1), at), yaw, vec3(0, 1, 0));
+    return glm::scale(glm::rotate(turned, pitch, vec3(1, 0, 0)), vec3(size));
+}
+
+Scene single(const std::string& name, Body body, const vec3& eye, float fovY, bool mirror) {
+    Scene scene{.name = name, .camera = {eye, {0, 0, 0}, fovY}, .mirror = mirror};
+    scene.bodies.push_back(std::move(body));
+    return scene;
+}
+
+Result<Scene> fishScene() {
+    auto fish = loadActor("snapper");
+    if (!fish) return fish.error();
+    scene::animate(fish->model, fish->model.findAnimation("dart"), 0.2f, fish->pose);
+    scene::updateGlobals(fish->model, fish->pose);
+    Scene scene =
+        single("fish", bodyOf("snapper", *fish, placed({0, 0, 0}, 0.9f, 0, 0.30f / fish->length_m), true),
+               {0, 0.06f, 0.50f}, 0.46f, false);
+    scene.bodies[0].albedoLin = {0.75f, 0.45f, 0.40f};
+    return scene;
+}
+
+// A fist around a clownfish that lies across the palm, as the game closes it: bone by bone until they touch.
+Result<Scene> handScene() {
+    auto fish = loadActor("clownfish"), hand = loadActor("hand_right");
+    if (!fish) return fish.error();
+    if (!hand) return hand.error();
+    const auto rig = hands::HandRig::load(models() / "hand_skeleton.json");
+    if (!rig) return rig.error();
+    const glm::quat roll = glm::angleAxis(-0.9f, vec3(0, 0, 1));
+    hands::HandPose held = rig->pose(hands::Side::Right, {{0.75f, 0.85f, 0.85f, 0.85f, 0.85f}, 0},
+                                     {roll * vec3(0, 0, 0.09f), roll});
+    constexpr float kRadius = 0.022f, kHalf = 0.030f; // of the fish's capsule
+    const hands::Joint& palm = held.joints[0];
+    const vec3 hollow = palm.position + palm.orientation * vec3(0, -0.008f - kRadius, -0.030f);
+    const vec3 along = palm.orientation * glm::normalize(vec3(-1, 0, -0.25f));
+    for (int finger = 0; finger < hands::kFingerCount; ++finger) {
+        const int first = finger == 0 ? 2 : 1 + 5 * finger;
+        physics::Finger given;
+        given.count = finger == 0 ? 4 : 5;
+        for (int i = 0; i < given.count; ++i) {
+            given.joints[static_cast<size_t>(i)] = held.joints[static_cast<size_t>(first + i)].position;
+            given.radii[static_cast<size_t>(i)] = i ? held.joints[static_cast<size_t>(first + i)].radius : 0;
+        }
+        const physics::Finger rests =
+            physics::wrapped(given, {hollow - along * kHalf, hollow + along * kHalf, kRadius});
+        for (int i = 1; i < given.count; ++i) {
+            hands::Joint& joint = held.joints[static_cast<size_t>(first + i)];
+            joint.position = rests.joints[static_cast<size_t>(i)];
+            joint.orientation =
+                rests.turned[static_cast<size_t>(std::min(i + 1, given.count - 1))] * joint.orientation;
+        }
+    }
+    for (size_t j = 0; j < hands::kJointNames.size(); ++j) {
+        const int node = hand->model.findNode(std::string(hands::kJointNames[j]));
+        hand->pose.modelFromNode[static_cast<size_t>(node)] =
+            glm::translate(mat4(1), held.joints[j].position) * glm::mat4_cast(held.joints[j].orientation);
+    }
+    const vec3 back = palm.orientation * vec3(0, 1, 0), right = glm::cross(back, along);
+    const mat4 turned(glm::vec4(right, 0), glm::vec4(back, 0), glm::vec4(along, 0), glm::vec4(hollow, 1));
+    Scene scene{.name = "hand closing on a fish",
+                .camera = {{-0.26f, 0.10f, -0.30f}, {0, -0.01f, -0.02f}, 0.38f}};
+    scene.bodies.push_back(
+        bodyOf("clownfish", *fish, glm::scale(turned, vec3(0.13f / fish->length_m)), false));
+    scene.bodies.push_back(bodyOf("hand", *hand, mat4(1), false));
+    scene.bodies[0].albedoLin = {0.85f, 0.40f, 0.12f};
+    scene.bodies[1].albedoLin = {0.70f, 0.50f, 0.40f};
+    scene.bodies[1].group = 1;
+    return scene;
+}
+
+Result<Scene> sharkScene() {
+    auto shark = loadActor("shark"), fish = loadActor("sardine");
+    if (!shark) return shark.error();
+    if (!fish) return fish.error();
+    scene::animate(shark->model, shark->model.findAnimation("cruise"), 0.3f, shark->pose);
+    scene::updateGlobals(shark->model, shark->pose);
+    Scene scene{.name = "shark above a shoal",
+                .camera = {{-1.05f, -0.42f, 1.0f}, {0, -0.04f, 0.1f}, 0.62f},
+                .nearest = 3e-4f};
+    scene.bodies.push_back(
+        bodyOf("shark", *shark, placed({0, 0.22f, 0}, 0.3f, 0, 2.2f / shark->length_m), false));
+    scene.bodies[0].albedoLin = {0.45f, 0.50f, 0.55f};
+    for (int i = 0; i < 10; ++i) {
+        const auto k = static_cast<float>(i);
+        const vec3 at(-0.20f + 0.13f * static_cast<float>(i % 4), -0.16f - 0.07f * static_cast<float>(i % 3),
+                      -0.35f + 0.09f * k);
+        scene::animate(fish->model, fish->model.findAnimation("swim"), 0.07f * k, fish->pose);
+        scene::updateGlobals(fish->model, fish->pose);
+        scene.bodies.push_back(bodyOf(
+            "sardine", *fish, placed(at, 0.4f + 0.05f * k, 0.04f * k - 0.2f, 0.14f / fish->length_m), false));
+        scene.bodies.back().group = 1;
+        scene.bodies.back().albedoLin = {0.60f, 0.65f, 0.70f};
+    }
+    return scene;
+}
+
+} // namespace
+
+Result<std::vector<Scene>> makeScenes() {
+    std::vector<Scene> scenes;
+    scenes.push_back(single("teapot-like", rigid("teapot", teapot()), {0.10f, 0.20f, 0.42f}, 0.44f, true));
+    scenes.push_back(single("bunny-like", rigid("bunny", bunny()), {0.30f, 0.14f, 0.42f}, 0.60f, false));
+    scenes.push_back(single("torus", rigid("torus", torus()), {0.05f, 0.24f, 0.30f}, 0.46f, true));
+    for (auto* make : {fishScene, handScene, sharkScene}) {
+        auto scene = make();
+        if (!scene) return scene.error();
+        scenes.push_back(std::move(*scene));
+    }
+    return scenes;
+}
+
+} // namespace shoal::bench

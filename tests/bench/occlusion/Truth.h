@@ -1,0 +1,23 @@
+// What light reaches a surface when whatever stands in the way is counted.
+#pragma once
+
+#include "tests/bench/occlusion/Cells.h"
+#include "tests/bench/occlusion/Scene.h"
+
+namespace shoal::bench {
+
+struct OccludedLight {
+    std::vector<std::vector<glm::dvec3>>
+        diffuse;               // [surround][receiver]: radiance leaving a white matte surface
+    std::vector<double> noise; // [surround]: standard error of it, relative root mean square
+    std::vector<float> open;   // [receiver]: share of the cosine-weighted hemisphere that is free
+};
+
+// Two rays a cell, each somewhere in it; from how they differ comes the noise of their mean. On all cores.
+OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<const Receiver> receivers,
+                            const Cells& cells);
+
+// Runs job(i) for 0 .. count - 1 on all cores.
+void onAllCores(size_t count, const std::function<void(size_t)>& job);
+
+} // namespace shoal::bench

@@ -1,0 +1,96 @@
+// Shadows on the ground as drawn.
+#include "Balls.h"
+#include "engine/render/ShadowPass.h"
+
+namespace shoal {
+namespace {
+
+class ShadowGL : public WithContext {};
+
+constexpr int kSize = 200;
+constexpr uint8_t kBefore = 200;
+
+render::FloorLight sunlight() {
+    return {.towards = glm::normalize(glm::vec3(-0.2f, 0.9f, 0.35f)),
+            .tangent = 0.28f,
+            .share = {0.5f, 0.4f, 0.3f},
+            .height_m = -1.25f};
+}
+
+std::vector<render::CastingPiece> shark() {
+    std::vector<render::CastingPiece> body;
+    for (int i = 0; i < 6; ++i) {
+        const glm::vec3 from(-1.1f + static_cast<float>(i) * 0.36f, -0.3f, -2.2f);
+        body.push_back({from, from + glm::vec3(0.36f, 0, 0), {0, 0, 0.17f}, {0, 0.17f, 0}});
+    }
+    return body;
+}
+
+ImageRgba8 shaded(std::span<const render::CastingPiece> body, const render::FloorLight& light,
+                  const render::View& view, const water::Water& water) {
+    auto pass = render::ShadowPass::make();
+    EXPECT_TRUE(pass) << pass.error().sentence();
+    const gl::Target target(kSize, kSize, 1);
+    target.bind();
+    glClearColor(kBefore / 255.0f, kBefore / 255.0f, kBefore / 255.0f, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    pass->begin();
+    pass->add(body, light);
+    pass->draw(view, light, water);
+    return target.read();
+}
+
+// Looking down ahead, so that ground fills the picture.
+render::View downwards() {
+    return {.worldFromEye = glm::angleAxis(-0.7f, glm::vec3(1, 0, 0)), .verticalFov = 0.9f, .aspect = 1};
+}
+
+TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
+    const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
+    const auto body = shark();
+    const render::FloorLight light = sunlight();
+    std::vector<render::FlatPiece> flat;
+    flatten(body, light, flat);
+    const render::View view = downwards();
+    const ImageRgba8 picture = shaded(body, light, view, sea);
+    int darkest = 255;
+    double differences = 0;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const glm::vec2 place(2 * (static_cast<float>(x) + 0.5f) / kSize - 1,
+                                  1 - 2 * (static_cast<float>(y) + 0.5f) / kSize);
+            const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
+            const glm::vec3 ground = ray * (light.height_m / ray.y);
+            const glm::vec3 left = render::leftOfGround(
+                light, render::covered(flat, light, {ground.x, ground.z}), sea, glm::length(ground));
+            for (int c = 0; c < 3; ++c) {
+                const float expected = static_cast<float>(kBefore) * left[c];
+                // Cells in which what is hidden is taken for linear, and rounding.
+                ASSERT_NEAR(picture.at(x, y)[c], expected, 5) << x << ", " << y;
+                ASSERT_LE(picture.at(x, y)[c], kBefore);
+                differences +=
+                    std::abs(static_cast<double>(static_cast<float>(picture.at(x, y)[c]) - expected));
+            }
+            darkest = std::min<int>(darkest, picture.at(x, y)[0]);
+        }
+    EXPECT_LT(differences / (3.0 * kSize * kSize), 0.6);
+    EXPECT_LT(darkest, 175); // there is a shadow at all
+}
+
+TEST_F(ShadowGL, NothingIsDrawnWhereNothingCasts) {
+    const auto untouched = [](const ImageRgba8& picture) {
+        for (size_t i = 0; i < picture.pixels.size(); ++i)
+            if (picture.pixels[i] != (i % 4 == 3 ? 255 : kBefore)) return false;
+        return true;
+    };
+    render::FloorLight dark = sunlight();
+    dark.share = glm::vec3(0);
+    EXPECT_TRUE(untouched(shaded(shark(), dark, downwards(), {}))) << "no light, or no ground";
+    EXPECT_TRUE(untouched(shaded({}, sunlight(), downwards(), {}))) << "no body";
+    const render::View up{
+        .worldFromEye = glm::angleAxis(0.8f, glm::vec3(1, 0, 0)), .verticalFov = 0.9f, .aspect = 1};
+    EXPECT_TRUE(untouched(shaded(shark(), sunlight(), up, {}))) << "looking up";
+}
+
+} // namespace
+} // namespace shoal

@@ -1,0 +1,138 @@
+// Lights of known place, size and strength are found there; where there is none, none is.
+#include "engine/light/FindLights.h"
+#include "engine/light/Pyramid.h"
+#include "tests/unit/light/Angles.h"
+#include "tests/unit/light/Surrounds.h"
+
+#include <gtest/gtest.h>
+
+namespace shoal::light {
+namespace {
+
+FoundLights lightsIn(const ImageRgbF& surround) {
+    PyramidMaker pyramid;
+    RadiancePyramid radiance;
+    pyramid.make(surround, 512, radiance);
+    LightFinder finder;
+    FoundLights found;
+    finder.find(radiance, found);
+    return found;
+}
+
+FoundLights lightsIn(const ImageRgb8& frame) {
+    PyramidMaker pyramid;
+    RadiancePyramid radiance;
+    pyramid.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, 512,
+                 radiance);
+    LightFinder finder;
+    FoundLights found;
+    finder.find(radiance, found);
+    return found;
+}
+
+// Where the middle of a square of two texels by two lies, whose top left one this is.
+glm::dvec3 middleOf(int column, int row) {
+    return directionFromLatLong(glm::dvec2((column + 1.0) / 1024, (row + 1.0) / 512));
+}
+
+constexpr std::array<std::array<int, 2>, 6> kSuns = {
+    {{300, 0}, {511, 255}, {1023, 255}, {200, 4}, {700, 509}, {130, 77}}}; // column, row
+
+// A texel of the pyramid's base is 0.7 degrees wide.
+TEST(FindLights, FourTexelSunsAreFoundWhereTheyStand) {
+    for (const auto& [column, row] : kSuns) {
+        ImageRgbF sky = uniform(1024, glm::dvec3(1));
+        for (int i = 0; i < 4; ++i)
+            for (int c = 0; c < 3; ++c) sky.at((column + i % 2) % 1024, row + i / 2)[c] = 1e4f;
+        const FoundLights found = lightsIn(sky);
+        ASSERT_EQ(found.count, 1u) << column << ", " << row;
+        const FoundLight& light = found.lights[0];
+        EXPECT_LT(degreesBetween(light.direction, middleOf(column, row)), 0.6) << column << ", " << row;
+        EXPECT_LT(light.radius, 0.03f); // about a texel of the level that is looked at
+        const double flux =
+            2 * (1e4 - 1) * (texelSolidAngle(row, 1024, 512) + texelSolidAngle(row + 1, 1024, 512));
+        EXPECT_NEAR(light.irradiance.y, flux, 0.02 * flux) << column << ", " << row;
+    }
+}
+
+// White on grey, all that a display-coded frame leaves of them: discs of 0.4 degrees' radius, which at the
+// horizon cover as many texels.
+TEST(FindLights, FourTexelSunsOfAVideoToo) {
+    for (const glm::dvec2& uv : {glm::dvec2(0.5, 0), glm::dvec2(0.3, 0.015), glm::dvec2(0.5, 0.5),
+                                 glm::dvec2(0, 0.5), glm::dvec2(0.13, 0.2), glm::dvec2(0.7, 0.99)}) {
+        const glm::dvec3 sun = directionFromLatLong(uv);
+        ImageRgb8 frame(1024, 512);
+        for (int y = 0; y < frame.height; ++y)
+            for (int x = 0; x < frame.width; ++x) {
+                const glm::dvec3 d = directionFromLatLong(glm::dvec2((x + 0.5) / 1024, (y + 0.5) / 512));
+                std::fill_n(frame.at(x, y), 3, degreesBetween(d, sun) < 0.4 ? uint8_t{255} : uint8_t{120});
+            }
+        const FoundLights found = lightsIn(frame);
+        ASSERT_EQ(found.count, 1u) << uv.x << ", " << uv.y;
+        EXPECT_LT(degreesBetween(found.lights[0].direction, sun), 0.6) << uv.x << ", " << uv.y;
+    }
+}
+
+// Lamps to Snell's window, which is 48.6 degrees wide.
+TEST(FindLights, CapsAreFoundWithTheirSizeAndStrength) {
+    for (const double radius_deg : {3.0, 10.0, 25.0, 40.0, 48.6})
+        for (const glm::dvec3& towards :
+             {glm::dvec3(0, 1, 0), glm::dvec3(0.2, 0.97, -0.1), glm::dvec3(0, 0, 1), glm::dvec3(0.1, -1, 0),
+              glm::dvec3(-0.7, 0.2, 0.6)}) {
+            const glm::dvec3 middle = glm::normalize(towards);
+            const double cosine = std::cos(glm::radians(radius_deg));
+            const glm::dvec3 within(6, 5, 4), without(0.3, 0.4, 0.5);
+            const FoundLights found = lightsIn(paint(512, 256, [&](const glm::dvec3& d) {
+                return glm::dot(d, middle) > cosine ? within : without;
+            }));
+            ASSERT_EQ(found.count, 1u) << radius_deg << " degrees";
+            const FoundLight& light = found.lights[0];
+            EXPECT_LT(degreesBetween(light.direction, middle), 0.6) << radius_deg << " degrees";
+            EXPECT_NEAR(glm::degrees(static_cast<double>(light.radius)), radius_deg, 0.6 + 0.08 * radius_deg);
+            // The edge crosses coarse texels, 5.6 degrees wide: some of them count in part.
+            const double form = std::numbers::pi * (1 - cosine * cosine);
+            const double slack = radius_deg < 5 ? 0.15 : 0.08;
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(light.irradiance[c], (within - without)[c] * form,
+                            slack * (within - without)[c] * form)
+                    << radius_deg << " degrees";
+        }
+}
+
+TEST(FindLights, TwoLampsAreTwoLightsTheStrongerFirst) {
+    const glm::dvec3 strong(0, 0.6, -0.8), weak(0, 0.6, 0.8);
+    const FoundLights found = lightsIn(paint(512, 256, [&](const glm::dvec3& d) {
+        return glm::dvec3(glm::dot(d, strong) > 0.98 ? 9.0 : glm::dot(d, weak) > 0.98 ? 6.0 : 0.2);
+    }));
+    ASSERT_EQ(found.count, 2u);
+    EXPECT_LT(degreesBetween(found.lights[0].direction, strong), 0.5);
+    EXPECT_LT(degreesBetween(found.lights[1].direction, weak), 0.5);
+}
+
+TEST(FindLights, WhereLightComesFromEverywhereThereIsNone) {
+    EXPECT_EQ(lightsIn(uniform(512, glm::dvec3(0))).count, 0u) << "black";
+    EXPECT_EQ(lightsIn(uniform(512, glm::dvec3(0.7, 0.8, 0.9))).count, 0u) << "uniform";
+    const auto along = [](const glm::dvec3& axis) {
+        return paint(512, 256, [=](const glm::dvec3& d) { return glm::dvec3(1 + 0.8 * glm::dot(d, axis)); });
+    };
+    EXPECT_EQ(lightsIn(along({0, 1, 0})).count, 0u) << "gradient upwards";
+    EXPECT_EQ(lightsIn(along({0.6, 0, 0.8})).count, 0u) << "gradient sideways";
+    EXPECT_EQ(lightsIn(paint(512, 256, [](const glm::dvec3& d) { return glm::dvec3(d.x > 0); })).count, 0u)
+        << "half black, half white";
+    EXPECT_LT(lightsIn(noise(1024, 512)).lights[0].share, 1e-3f) << "noise";
+    ImageRgb8 grain(1024, 512);
+    uint32_t seed = 1;
+    for (uint8_t& value : grain.pixels)
+        value = static_cast<uint8_t>(127 + ((seed = seed * 1664525u + 1013904223u) >> 30) % 3);
+    EXPECT_EQ(lightsIn(grain).count, 0u) << "a sensor's noise";
+}
+
+TEST(FindLights, GroundIsLitByTheUpperHalf) {
+    const FoundLights found = lightsIn(
+        paint(512, 256, [](const glm::dvec3& d) { return d.y > 0 ? glm::dvec3(2, 1, 0.5) : glm::dvec3(9); }));
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(found.groundIrradiance[c], std::numbers::pi * glm::dvec3(2, 1, 0.5)[c], 0.01);
+}
+
+} // namespace
+} // namespace shoal::light

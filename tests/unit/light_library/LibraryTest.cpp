@@ -1,0 +1,268 @@
+// The library's C interface: what it takes, what it refuses, and that its textures, sampled as
+// shaders/light/Environment.glsl samples them, hold the light that its look-ups give.
+#include "engine/light/library/ShoalLight.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using shoallight::Colour;
+using shoallight::Direction;
+
+constexpr int kWidth = 256, kHeight = 128;
+
+// Four bytes a pixel: blue above, sand below, a bright patch between.
+std::vector<uint8_t> scene() {
+    std::vector<uint8_t> rgba;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const bool sun = x > 90 && x < 120 && y > 60 && y < 80;
+            const int shade = 40 + y / 2;
+            const int red = sun ? 255 : shade, green = sun ? 250 : 90, blue = sun ? 240 : 255 - shade;
+            for (const int byte : {red, green, blue, x & 255}) rgba.push_back(static_cast<uint8_t>(byte));
+        }
+    return rgba;
+}
+
+ShoalLightFrame frameOf(const std::vector<uint8_t>& rgba) {
+    return {rgba.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGBA8};
+}
+
+// Of every layout but the one given, made from it.
+std::vector<uint8_t> reordered(const std::vector<uint8_t>& rgba, int channels, bool bgr) {
+    std::vector<uint8_t> out;
+    for (size_t i = 0; i < rgba.size(); i += 4)
+        for (size_t c = 0; c < static_cast<size_t>(channels); ++c)
+            out.push_back(rgba[i + (bgr && c < 3 ? 2 - c : c)]);
+    return out;
+}
+
+std::vector<uint16_t> halvesOf(const shoallight::Light& light) {
+    const ShoalLightTexture map = light.maps().lightMap;
+    return {map.rgba, map.rgba + 4 * static_cast<size_t>(map.width) * static_cast<size_t>(map.height)};
+}
+
+float floatFromHalf(uint16_t half) { // finite, not negative
+    const int exponent = half >> 10, fraction = half & 1023;
+    return exponent ? std::ldexp(1024.0f + static_cast<float>(fraction), exponent - 25)
+                    : std::ldexp(static_cast<float>(fraction), -24);
+}
+
+// What a sampler gives: linear, clamped.
+Colour sampled(const ShoalLightTexture& texture, float u, float v) {
+    const float x = u * static_cast<float>(texture.width) - 0.5f,
+                y = v * static_cast<float>(texture.height) - 0.5f;
+    const float x0 = std::floor(x), y0 = std::floor(y);
+    Colour sum{};
+    for (int corner = 0; corner < 4; ++corner) {
+        const int dx = corner & 1, dy = corner >> 1;
+        const float weight = (dx ? x - x0 : 1 - x + x0) * (dy ? y - y0 : 1 - y + y0);
+        const int column = std::clamp(static_cast<int>(x0) + dx, 0, texture.width - 1);
+        const int row = std::clamp(static_cast<int>(y0) + dy, 0, texture.height - 1);
+        for (size_t c = 0; c < 3; ++c)
+            sum[c] +=
+                weight * floatFromHalf(
+                             texture.rgba[4 * (static_cast<size_t>(row) * static_cast<size_t>(texture.width) +
+                                               static_cast<size_t>(column)) +
+                                          c]);
+    }
+    return sum;
+}
+
+// Twin of filteredRadiance() in Environment.glsl.
+Colour filtered(const ShoalLightMaps& maps, const Direction& d, int map) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    const float u = 0.5f + std::atan2(d[0], -d[2]) * 0.5f / kPi, v = 0.5f - std::asin(d[1]) / kPi;
+    const float* place = maps.lightPlaces + 4 * map;
+    return sampled(maps.lightMap, u * place[0] + place[2], v * place[1] + place[3]);
+}
+
+// Over the sphere, poles and both sides of the seam among them.
+std::vector<Direction> directions() {
+    std::vector<Direction> out = {{0, 1, 0}, {0, -1, 0}, {1e-4f, 0, 1}, {-1e-4f, 0, 1}};
+    for (int i = 0; i < 60; ++i) {
+        const float y = 1 - (static_cast<float>(i) + 0.5f) / 30, ring = std::sqrt(1 - y * y);
+        const float turn = 2.39996f * static_cast<float>(i);
+        out.push_back({ring * std::sin(turn), y, ring * std::cos(turn)});
+    }
+    return out;
+}
+
+TEST(LightLibrary, TexturesHoldWhatTheLookUpsGive) {
+    shoallight::Maker maker({SHOAL_LIGHT_VIDEO, 0.1f, 512});
+    shoallight::Light light;
+    maker.make(frameOf(scene()), light);
+    const ShoalLightMaps maps = light.maps();
+    ASSERT_EQ(maps.mapCount, 17);
+    for (const Direction& d : directions()) {
+        const Colour matte = light.diffuse(d), sampledMatte = filtered(maps, d, 0);
+        for (size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(sampledMatte[c] / matte[c], 1, 1e-3); // of a half float: 5e-4
+        for (int k = 0; k < maps.mapCount; ++k) {
+            const float roughness = std::pow(10.0f, -static_cast<float>(k) / 16);
+            const Colour wanted = light.glossy(d, roughness), got = filtered(maps, d, k);
+            for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(got[c] / wanted[c], 1, 2e-3) << "map " << k;
+        }
+    }
+}
+
+TEST(LightLibrary, EveryLayoutOfAFrameGivesTheSameLight) {
+    const std::vector<uint8_t> rgba = scene();
+    shoallight::Maker maker;
+    shoallight::Light light;
+    maker.make(frameOf(rgba), light);
+    const std::vector<uint16_t> wanted = halvesOf(light);
+    for (const auto& [format, channels, bgr] : {std::tuple{SHOAL_LIGHT_BGR8, 3, true},
+                                                {SHOAL_LIGHT_RGB8, 3, false},
+                                                {SHOAL_LIGHT_BGRA8, 4, true}}) {
+        const std::vector<uint8_t> pixels = reordered(rgba, channels, bgr);
+        maker.make({pixels.data(), kWidth, kHeight, 0, format}, light);
+        EXPECT_EQ(halvesOf(light), wanted) << format;
+    }
+}
+
+TEST(LightLibrary, RowsMayHaveGapsAndRunUpwards) {
+    const std::vector<uint8_t> rgba = scene();
+    shoallight::Maker maker;
+    shoallight::Light light;
+    maker.make(frameOf(rgba), light);
+    const std::vector<uint16_t> wanted = halvesOf(light);
+    const std::vector<uint8_t> bgr = reordered(rgba, 3, true);
+    constexpr ptrdiff_t kTight = 3 * kWidth, kWide = kTight + 40;
+    std::vector<uint8_t> upwards(kWide * kHeight, 200);
+    for (int y = 0; y < kHeight; ++y)
+        std::memcpy(upwards.data() + (kHeight - 1 - y) * kWide, bgr.data() + y * kTight, kTight);
+    maker.make({upwards.data() + (kHeight - 1) * kWide, kWidth, kHeight, -kWide, SHOAL_LIGHT_BGR8}, light);
+    EXPECT_EQ(halvesOf(light), wanted);
+}
+
+TEST(LightLibrary, FloatsAreTakenAsRadianceAndMended) {
+    shoallight::Maker maker;
+    shoallight::Light light;
+    std::vector<float> rgb(3 * kWidth * kHeight, 2.0f);
+    maker.make({rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F}, light);
+    EXPECT_NEAR(light.diffuse({0, 1, 0})[0], 2, 1e-4);
+    rgb[0] = std::numeric_limits<float>::quiet_NaN();
+    rgb[4] = std::numeric_limits<float>::infinity();
+    rgb[8] = -3;
+    maker.make({rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F}, light);
+    for (const uint16_t half : halvesOf(light)) ASSERT_LT(half, 0x7c00); // finite, not negative
+}
+
+TEST(LightLibrary, MirrorsAreMadeForSmoothSurfacesOnly) {
+    const std::vector<uint8_t> rgba = scene();
+    shoallight::Light light;
+    shoallight::Maker({SHOAL_LIGHT_VIDEO, 0.1f, 1024}).make(frameOf(rgba), light);
+    EXPECT_EQ(light.maps().mirrorLevels, 0);
+    shoallight::Maker({SHOAL_LIGHT_VIDEO, 0.05f, 1024}).make(frameOf(rgba), light);
+    const ShoalLightMaps maps = light.maps();
+    ASSERT_EQ(maps.mirrorLevels, 1); // as wide as the frame
+    EXPECT_EQ(maps.mirrors[0].width, kWidth);
+    EXPECT_LT(maps.mirrorRoughness[0], maps.mirrorRoughness[1]);
+    EXPECT_NEAR(maps.mirrorRoughness[1], 0.1f, 1e-6);
+    // The mirror shows the frame's own light: sand, row 110.
+    const Colour shown = sampled(maps.mirrors[0], (100 + 0.5f) / kWidth, (110 + 0.5f) / kHeight);
+    const float coded[3] = {95 / 255.0f, 90 / 255.0f, 160 / 255.0f};
+    Colour wanted;
+    shoalLightRadianceFromDisplay(coded, wanted.data());
+    for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(shown[c] / wanted[c], 1, 0.01);
+    shoallight::Maker({SHOAL_LIGHT_VIDEO, 0.5f, 1024}).make(frameOf(rgba), light);
+    EXPECT_LT(light.maps().mapCount, 17);
+}
+
+TEST(LightLibrary, WhatIsWrongIsSaidAndLeavesTheLight) {
+    const std::vector<uint8_t> rgba = scene();
+    shoallight::Maker maker;
+    shoallight::Light light;
+    maker.make(frameOf(rgba), light);
+    const std::vector<uint16_t> before = halvesOf(light);
+    const ShoalLightFrame good = frameOf(rgba);
+    const auto refuses = [&](ShoalLightFrame frame, const char* word) {
+        try {
+            maker.make(frame, light);
+            FAIL() << "takes it: " << word;
+        } catch (const shoallight::Error& error) {
+            EXPECT_EQ(error.status, SHOAL_LIGHT_BAD_ARGUMENT);
+            EXPECT_NE(std::strstr(error.what(), word), nullptr) << error.what();
+        }
+    };
+    ShoalLightFrame bad = good;
+    bad.pixels = nullptr, refuses(bad, "pixels");
+    for (const int32_t size : {-1, 0, 1, 16385, std::numeric_limits<int32_t>::max()}) {
+        bad = good, bad.width = size, refuses(bad, "width");
+        bad = good, bad.height = size, refuses(bad, "height");
+    }
+    for (const ptrdiff_t rowBytes : {4 * kWidth - 1, 1, -1, 1 - 4 * kWidth}) {
+        bad = good, bad.rowBytes = rowBytes, refuses(bad, "rowBytes");
+    }
+    for (const int32_t format : {-1, 6, 1000}) bad = good, bad.format = format, refuses(bad, "format");
+    EXPECT_EQ(halvesOf(light), before);
+
+    ShoalLightMaker* none = nullptr;
+    for (const ShoalLightOptions& options :
+         {ShoalLightOptions{2, 0.1f, 1024}, ShoalLightOptions{0, 1.1f, 1024},
+          ShoalLightOptions{0, std::numeric_limits<float>::quiet_NaN(), 1024},
+          ShoalLightOptions{0, 0.1f, 255}, ShoalLightOptions{0, 0.1f, 8193}}) {
+        EXPECT_EQ(shoalLightMakerCreate(&options, &none), SHOAL_LIGHT_BAD_ARGUMENT);
+        EXPECT_EQ(none, nullptr);
+    }
+    float table[8];
+    for (const int32_t size : {-1, 0, 1, 1025})
+        EXPECT_EQ(shoalLightSurfaceTable(size, table), SHOAL_LIGHT_BAD_ARGUMENT);
+    EXPECT_EQ(shoalLightSurfaceTable(2, nullptr), SHOAL_LIGHT_BAD_ARGUMENT);
+    EXPECT_EQ(shoalLightMake(nullptr, &good, light.get()), SHOAL_LIGHT_BAD_ARGUMENT);
+    EXPECT_EQ(shoalLightMakerCreate(nullptr, nullptr), SHOAL_LIGHT_BAD_ARGUMENT);
+    EXPECT_EQ(shoalLightCreate(nullptr), SHOAL_LIGHT_BAD_ARGUMENT);
+}
+
+TEST(LightLibrary, NothingAndNonsenseAreBlack) {
+    shoallight::Light empty;
+    EXPECT_EQ(empty.maps().lightMap.rgba, nullptr);
+    EXPECT_EQ(empty.glossy({0, 1, 0}, 0.5f), Colour{});
+    Colour radiance{1, 1, 1};
+    shoalLightDiffuse(nullptr, Direction{0, 1, 0}.data(), radiance.data());
+    EXPECT_EQ(radiance, Colour{});
+    shoalLightDestroy(nullptr);
+    shoalLightMakerDestroy(nullptr);
+
+    shoallight::Light light;
+    shoallight::Maker().make(frameOf(scene()), light);
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
+                    kInf = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(light.diffuse({kNan, 0, 0}), Colour{});
+    EXPECT_EQ(light.glossy({0, kInf, 0}, 0.5f), Colour{});
+    for (const float roughness : {-1.0f, 7.0f, kNan, kInf})
+        EXPECT_GT(light.glossy({0, 1, 0}, roughness)[2], 0);
+    EXPECT_GT(light.diffuse({0, 1000, 0})[2], 0);
+}
+
+TEST(LightLibrary, TheFormulaHasAnInverse) {
+    for (int i = 0; i <= 255; ++i) {
+        const float coded[3] = {static_cast<float>(i) / 255, static_cast<float>(255 - i) / 255, 0.5f};
+        Colour radiance, back;
+        shoalLightRadianceFromDisplay(coded, radiance.data());
+        shoalLightDisplayFromRadiance(radiance.data(), back.data());
+        for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(back[c], coded[c], 1e-4);
+    }
+}
+
+TEST(LightLibrary, TheSurfaceTableKeepsEnergy) {
+    const std::vector<float> table = shoallight::surfaceTable(32);
+    for (size_t i = 0; i < table.size(); i += 2) {
+        EXPECT_GE(table[i], 0);
+        EXPECT_GE(table[i + 1], 0);
+        EXPECT_LE(table[i] + table[i + 1], 1.001f);
+    }
+    EXPECT_THROW(shoallight::surfaceTable(0), shoallight::Error);
+    EXPECT_STREQ(shoalLightVersion(), "1.0.0");
+}
+
+} // namespace

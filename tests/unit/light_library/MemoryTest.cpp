@@ -1,0 +1,85 @@
+// From a light's second frame on nothing is allocated; where there is not enough memory, that is said, and
+// the maker and the light serve again.
+#include "engine/light/library/ShoalLight.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <vector>
+
+namespace {
+constexpr long kUnlimited = std::numeric_limits<long>::max();
+long left = kUnlimited; // allocations that succeed
+
+void* take(std::size_t size) {
+    if (left != kUnlimited && left-- <= 0) throw std::bad_alloc();
+    if (void* p = std::malloc(size ? size : 1)) return p;
+    throw std::bad_alloc();
+}
+} // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void* operator new[](std::size_t size) { return take(size); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+
+namespace {
+
+constexpr int kWidth = 256, kHeight = 128;
+
+TEST(LightLibraryMemory, ASecondFrameTakesNone) {
+    const std::vector<uint8_t> bytes(4 * kWidth * kHeight, 99);
+    const std::vector<float> floats(4 * kWidth * kHeight, 0.5f);
+    for (const int32_t format : {SHOAL_LIGHT_BGR8, SHOAL_LIGHT_RGBA8, SHOAL_LIGHT_RGBA32F}) {
+        const bool coded = format != SHOAL_LIGHT_RGBA32F;
+        const void* pixels = coded ? static_cast<const void*>(bytes.data()) : floats.data();
+        const ShoalLightFrame frame{pixels, kWidth, kHeight, 0, format};
+        shoallight::Maker maker({SHOAL_LIGHT_VIDEO, 0.05f, 512});
+        shoallight::Light light;
+        maker.make(frame, light);
+        left = 0;
+        EXPECT_NO_THROW(maker.make(frame, light)) << format;
+        left = kUnlimited;
+    }
+}
+
+TEST(LightLibraryMemory, TooLittleIsSaidWhereverItEnds) {
+    const std::vector<uint8_t> bytes(4 * kWidth * kHeight, 99);
+    const ShoalLightFrame frame{bytes.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGBA8};
+    const ShoalLightOptions options{SHOAL_LIGHT_VIDEO, 0.5f, 256};
+    ShoalLightMaker* none = nullptr;
+    left = 0;
+    EXPECT_EQ(shoalLightMakerCreate(&options, &none), SHOAL_LIGHT_OUT_OF_MEMORY);
+    left = kUnlimited;
+    EXPECT_EQ(none, nullptr);
+
+    shoallight::Light wanted;
+    shoallight::Maker(options).make(frame, wanted);
+    ShoalLightMaker* maker = nullptr;
+    ASSERT_EQ(shoalLightMakerCreate(&options, &maker), SHOAL_LIGHT_OK);
+    int failures = 0;
+    for (long enough = 0;; enough += 1 + enough / 4) {
+        shoallight::Light light;
+        left = enough;
+        const ShoalLightStatus status = shoalLightMake(maker, &frame, light.get());
+        left = kUnlimited;
+        if (status == SHOAL_LIGHT_OK) break;
+        ++failures;
+        ASSERT_EQ(status, SHOAL_LIGHT_OUT_OF_MEMORY);
+        EXPECT_EQ(light.maps().mapCount, 0);
+        if (failures % 5) continue; // now and then: the same maker, with enough of it
+        ASSERT_EQ(shoalLightMake(maker, &frame, light.get()), SHOAL_LIGHT_OK);
+        EXPECT_EQ(light.diffuse({0, 1, 0}), wanted.diffuse({0, 1, 0}));
+        shoalLightMakerDestroy(maker);
+        ASSERT_EQ(shoalLightMakerCreate(&options, &maker), SHOAL_LIGHT_OK);
+    }
+    EXPECT_GT(failures, 10);
+    shoalLightMakerDestroy(maker);
+}
+
+} // namespace

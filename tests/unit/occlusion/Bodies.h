@@ -1,0 +1,231 @@
+// Bodies made by formula, and what rays really meet.
+#pragma once
+
+#include "engine/core/Random.h"
+#include "engine/occlusion/CheckMesh.h"
+#include "engine/occlusion/Visibility.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace shoal::occlusion {
+
+inline constexpr float kPi = std::numbers::pi_v<float>;
+
+struct Body {
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::uvec3> triangles;
+
+    BodyMesh mesh() const { return {positions, normals, triangles}; }
+};
+
+// Normals from the triangles around each position, by area.
+inline void addNormals(Body& body) {
+    body.normals.assign(body.positions.size(), glm::vec3(0));
+    for (const glm::uvec3& t : body.triangles) {
+        const glm::vec3& a = body.positions[t.x];
+        const glm::vec3 area = glm::cross(body.positions[t.y] - a, body.positions[t.z] - a);
+        for (int k = 0; k < 3; ++k) body.normals[t[k]] += area;
+    }
+    for (glm::vec3& n : body.normals) n = glm::length(n) > 0 ? glm::normalize(n) : glm::vec3(0, 0, 1);
+}
+
+// A sheet of columns x rows cells, place(u, v) for u, v in [0, 1], outside where u cross v points. Rows close
+// to a ring over u; over v too if `ring`, else the ends are closed with a point each.
+inline void addTube(Body& body, int columns, int rows, bool ring,
+                    const std::function<glm::vec3(float, float)>& place) {
+    const auto first = static_cast<uint32_t>(body.positions.size());
+    const int rings = ring ? rows : rows + 1;
+    for (int j = 0; j < rings; ++j)
+        for (int i = 0; i < columns; ++i)
+            body.positions.push_back(place(static_cast<float>(i) / static_cast<float>(columns),
+                                           static_cast<float>(j) / static_cast<float>(rows)));
+    const auto at = [&](int i, int j) {
+        return first + static_cast<uint32_t>((j % rings) * columns + i % columns);
+    };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            body.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+            body.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+    if (ring) return;
+    for (const int j : {0, rows}) {
+        glm::vec3 middle(0);
+        for (int i = 0; i < columns; ++i) middle += body.positions[at(i, j)] / static_cast<float>(columns);
+        const auto tip = static_cast<uint32_t>(body.positions.size());
+        body.positions.push_back(middle);
+        for (int i = 0; i < columns; ++i)
+            j ? body.triangles.emplace_back(at(i, j), at(i + 1, j), tip)
+              : body.triangles.emplace_back(at(i + 1, j), at(i, j), tip);
+    }
+}
+
+// Around the y axis.
+inline Body torus(float large, float small, int columns, int rows) {
+    Body body;
+    addTube(body, columns, rows, true, [=](float u, float v) {
+        const float a = 2 * kPi * u, b = 2 * kPi * v;
+        const float r = large + small * std::cos(b);
+        return glm::vec3(r * std::cos(a), -small * std::sin(b), r * std::sin(a));
+    });
+    addNormals(body);
+    return body;
+}
+
+// Star-shaped: radius(direction) from the origin, closed at the poles.
+inline Body star(int columns, int rows, const std::function<float(const glm::vec3&)>& radius) {
+    Body body;
+    addTube(body, columns, rows, false, [&](float u, float v) {
+        const float a = -2 * kPi * u;
+        const float b = kPi * (0.002f + 0.996f * v);
+        const glm::vec3 d(std::sin(b) * std::cos(a), -std::cos(b), std::sin(b) * std::sin(a));
+        return d * radius(d);
+    });
+    addNormals(body);
+    return body;
+}
+
+inline Body sphere(float radius, int columns = 64, int rows = 32) {
+    return star(columns, rows, [=](const glm::vec3&) { return radius; });
+}
+
+// Bunny-like: a lump with two ears, a snout and a tail.
+inline Body bunny() {
+    struct Bump {
+        glm::vec3 along;
+        float height, width;
+    };
+    static const Bump bumps[] = {{glm::normalize(glm::vec3(0.3f, 1, 0.2f)), 0.9f, 0.2f},
+                                 {glm::normalize(glm::vec3(-0.3f, 1, 0.2f)), 0.9f, 0.2f},
+                                 {glm::normalize(glm::vec3(0, 0.2f, 1)), 0.5f, 0.45f},
+                                 {glm::normalize(glm::vec3(0, -0.5f, -1)), 0.35f, 0.3f}};
+    return star(72, 40, [](const glm::vec3& d) {
+        float r = 0.7f + 0.1f * std::sin(3 * d.x + 1) * std::cos(2 * d.z);
+        for (const Bump& bump : bumps) {
+            const float angle = std::acos(glm::clamp(glm::dot(d, bump.along), -1.0f, 1.0f));
+            r += bump.height * std::exp(-angle * angle / (bump.width * bump.width));
+        }
+        return r;
+    });
+}
+
+// Teapot-like: a body of revolution with a knob, and a spout and a handle that stick in it.
+inline Body teapot() {
+    Body body;
+    const auto bent = [&](const std::function<glm::vec3(float)>& spine,
+                          const std::function<float(float)>& radius, int columns, int rows) {
+        addTube(body, columns, rows, false, [=](float u, float v) {
+            const glm::vec3 along = glm::normalize(spine(v + 0.01f) - spine(v - 0.01f));
+            const glm::vec3 side(0, 0, 1), up = glm::cross(along, side);
+            const float a = 2 * kPi * u;
+            return spine(v) + radius(v) * (std::cos(a) * side + std::sin(a) * up);
+        });
+    };
+    addTube(body, 48, 28, false, [](float u, float v) {
+        const float a = -2 * kPi * u, h = 2 * v - 1;
+        const float belly = 0.8f * std::sqrt(glm::max(0.0f, 1 - h * h)) * (1 - 0.15f * h) + 0.01f;
+        const float knob = v > 0.93f ? 0.06f : 0.0f;
+        return glm::vec3((belly + knob) * std::cos(a), 0.65f * h + 2 * knob * v,
+                         (belly + knob) * std::sin(a));
+    });
+    bent([](float v) { return glm::vec3(0.55f + 0.75f * v, -0.15f + 0.65f * v * v, 0); },
+         [](float v) { return 0.17f - 0.09f * v; }, 20, 14);
+    bent(
+        [](float v) {
+            const float a = kPi * (0.15f + 0.7f * v);
+            return glm::vec3(-0.55f - 0.65f * std::sin(a), 0.45f * std::cos(a), 0);
+        },
+        [](float) { return 0.07f; }, 16, 20);
+    addNormals(body);
+    return body;
+}
+
+// A blended normal may look away from the ray where it grazes what faces it: laid down until it does not.
+inline glm::vec3 towardsOrigin(const glm::vec3& outwards, const glm::vec3& direction, bool fromBehind) {
+    const glm::vec3 n = fromBehind ? -outwards : outwards;
+    const float away = glm::dot(n, direction);
+    return away > 0 ? glm::normalize(n - away * direction) : n;
+}
+
+// Moeller and Trumbore 1997 in double precision, from either side; the nearest beyond `nearest`.
+struct TrueHit {
+    double distance = INFINITY;
+    glm::vec3 normal{0}; // of the vertices, blended, towards the origin
+    bool fromBehind = false;
+};
+inline std::optional<TrueHit> truth(const Body& body, const glm::vec3& origin, const glm::vec3& direction,
+                                    double nearest) {
+    TrueHit best;
+    const glm::dvec3 o(origin), d(direction);
+    for (const glm::uvec3& t : body.triangles) {
+        const glm::dvec3 a(body.positions[t.x]), ab = glm::dvec3(body.positions[t.y]) - a,
+                                                 ac = glm::dvec3(body.positions[t.z]) - a;
+        const glm::dvec3 p = glm::cross(d, ac);
+        const double det = glm::dot(ab, p);
+        if (det == 0) continue;
+        const glm::dvec3 s = o - a;
+        const double u = glm::dot(s, p) / det;
+        if (u < 0 || u > 1) continue;
+        const glm::dvec3 q = glm::cross(s, ab);
+        const double v = glm::dot(d, q) / det;
+        if (v < 0 || u + v > 1) continue;
+        const double distance = glm::dot(ac, q) / det;
+        if (distance <= nearest || distance >= best.distance) continue;
+        const glm::vec3 n = glm::normalize(static_cast<float>(1 - u - v) * body.normals[t.x] +
+                                           static_cast<float>(u) * body.normals[t.y] +
+                                           static_cast<float>(v) * body.normals[t.z]);
+        best = {distance, towardsOrigin(n, direction, det < 0), det < 0};
+    }
+    if (best.distance == INFINITY) return {};
+    return best;
+}
+
+struct Ray {
+    glm::vec3 origin, direction;
+};
+
+inline glm::vec3 anyDirection(Random& random) {
+    const float z = random.between(-1, 1), a = random.between(0, 2 * kPi), r = std::sqrt(1 - z * z);
+    return {r * std::cos(a), r * std::sin(a), z};
+}
+
+// From outside, through anywhere in the bounding ball.
+inline Ray chord(Random& random, const Ball& ball) {
+    glm::vec3 in;
+    do in = glm::vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    while (glm::dot(in, in) > 1);
+    const glm::vec3 d = anyDirection(random);
+    return {ball.centre + ball.radius * (in - 3.0f * d), d};
+}
+
+// What a random eye's look becomes at a random place of the surface.
+inline Ray reflection(Random& random, const Body& body) {
+    std::vector<float> sums;
+    float sum = 0;
+    for (const glm::uvec3& t : body.triangles) {
+        const glm::vec3& a = body.positions[t.x];
+        sums.push_back(sum += glm::length(glm::cross(body.positions[t.y] - a, body.positions[t.z] - a)));
+    }
+    for (;;) {
+        const auto chosen = std::upper_bound(sums.begin(), sums.end(), random.unit() * sum) - sums.begin();
+        const glm::uvec3 t =
+            body.triangles[static_cast<size_t>(std::min<ptrdiff_t>(chosen, std::ssize(sums) - 1))];
+        const float r = std::sqrt(random.unit()), v = random.unit();
+        const glm::vec3 weights(1 - r, r * (1 - v), r * v);
+        const auto blend = [&](const std::vector<glm::vec3>& of) {
+            return weights.x * of[t.x] + weights.y * of[t.y] + weights.z * of[t.z];
+        };
+        const glm::vec3 n = glm::normalize(blend(body.normals));
+        const glm::vec3 flat =
+            glm::cross(body.positions[t.y] - body.positions[t.x], body.positions[t.z] - body.positions[t.x]);
+        const glm::vec3 look = anyDirection(random);
+        if (glm::dot(look, n) >= 0) continue;
+        const glm::vec3 out = glm::normalize(glm::reflect(look, n));
+        if (glm::dot(out, flat) > 0) return {blend(body.positions), out};
+    }
+}
+
+} // namespace shoal::occlusion

@@ -1,0 +1,272 @@
+// Where layers seen from a finite number of sides may fail, one case each.
+#include "Measure.h"
+#include "engine/occlusion/Ollfb.h"
+#include "engine/occlusion/OllfbThesis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace shoal::occlusion {
+namespace {
+
+Body box(const glm::vec3& half) {
+    Body body;
+    for (int face = 0; face < 6; ++face) {
+        const int a = face / 2, b = (a + 1) % 3, c = (a + 2) % 3;
+        const float side = face % 2 ? -1.0f : 1.0f;
+        const auto first = static_cast<uint32_t>(body.positions.size());
+        for (int k = 0; k < 4; ++k) {
+            glm::vec3 p;
+            p[a] = side * half[a];
+            p[b] = (k == 1 || k == 2 ? 1.0f : -1.0f) * half[b];
+            p[c] = (k >= 2 ? 1.0f : -1.0f) * half[c];
+            body.positions.push_back(p);
+            glm::vec3 n(0);
+            n[a] = side;
+            body.normals.push_back(n);
+        }
+        const uint32_t i = first + (side > 0 ? 1 : 3), j = first + (side > 0 ? 3 : 1);
+        body.triangles.emplace_back(first, i, first + 2);
+        body.triangles.emplace_back(first, first + 2, j);
+    }
+    return body;
+}
+
+Body oneTriangle() {
+    Body body;
+    body.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+    body.triangles = {{0, 1, 2}};
+    addNormals(body);
+    return body;
+}
+
+// Rays that only just leave a ball's surface stay clear of it; those that dip under it are no concern of
+// anybody.
+TEST(Failure, RaysAlongASurface) {
+    const Body body = sphere(1, 96, 48);
+    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    ASSERT_TRUE(cured.onlyOuter());
+    Random random(1);
+    int caught = 0;
+    constexpr int kRays = 5000;
+    for (int i = 0; i < kRays; ++i) {
+        const glm::vec3 n = anyDirection(random);
+        const glm::vec3 aside = glm::normalize(glm::cross(n, anyDirection(random)));
+        const float lift = random.between(0, 0.1f); // radians above the tangent
+        caught += cured.trace(n, std::cos(lift) * aside + std::sin(lift) * n, 0.01f).has_value();
+    }
+    // Rays within six degrees of the surface; 1.1 % measured.
+    EXPECT_LE(caught, kRays / 50);
+    // And along a wall, a pixel above its plane.
+    const Ollfb wall = Ollfb::make(box({1, 1, 0.2f}).mesh()).value();
+    for (int i = 0; i < 200; ++i) {
+        const float a = random.between(0, 2 * kPi);
+        EXPECT_FALSE(wall.trace({0, 0, 0.2f + 2.0f / 64}, {std::cos(a), std::sin(a), 0}, 0.01f)) << a;
+    }
+}
+
+// A fin a hundredth of a pixel thick: met from its sides, and whoever looks along it meets nothing but its
+// edge.
+TEST(Failure, ThinFinsSeenEdgeOn) {
+    const Body body = box({1, 0.5f, 0.0002f});
+    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    Random random(2);
+    int wrong = 0, all = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Ray ray = chord(random, {{0, 0, 0}, 1.1f});
+        const auto expected = truth(body, ray.origin, ray.direction, 0);
+        const auto hit = cured.trace(ray.origin, ray.direction, 0);
+        // What passes the rim within a quarter of a pixel may be either.
+        const float t = -ray.origin.z / ray.direction.z;
+        const glm::vec3 p = glm::abs(ray.origin + t * ray.direction);
+        const float rim = std::min(std::abs(p.x - 1), std::abs(p.y - 0.5f));
+        if (std::abs(ray.direction.z) < 0.05f || rim < 0.02f) continue;
+        ++all, wrong += hit.has_value() != expected.has_value();
+        if (hit && expected) {
+            EXPECT_NEAR(static_cast<double>(hit->distance), expected->distance,
+                        0.01 + 0.002 / static_cast<double>(std::abs(ray.direction.z)))
+                << i;
+        }
+    }
+    EXPECT_GT(all, 3000);
+    EXPECT_LE(wrong, all / 200);
+    for (const float height : {-0.4f, 0.1f, 0.3f}) // within its plane's neighbourhood, but beside it
+        EXPECT_FALSE(cured.trace({-3, height, 0.05f}, {1, 0, 0}, 0));
+}
+
+TEST(Failure, OneTriangle) {
+    const Body body = oneTriangle();
+    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    EXPECT_FALSE(cured.closed());
+    for (const float side : {1.0f, -1.0f}) { // from both sides: it has no inside
+        const auto hit = cured.trace({0, 0, 2 * side}, {0, 0, -side}, 0);
+        ASSERT_TRUE(hit);
+        EXPECT_NEAR(hit->distance, 2, 0.01f);
+        EXPECT_GT(hit->normal.z * side, 0.999f);
+        EXPECT_FALSE(cured.trace({0.9f, 0.9f, 2 * side}, {0, 0, -side}, 0));
+        EXPECT_FALSE(cured.trace({0, 0, 2 * side}, {0, 0, side}, 0));
+    }
+    const auto thesis = OllfbThesis::make(body.mesh());
+    ASSERT_TRUE(thesis);
+    EXPECT_TRUE(thesis->trace({0, 0, 2}, {0, 0, -1}, 0));
+    const auto questions = ask(body, 3000, false);
+    const Errors errors = measure(*Ollfb::make(body.mesh(), {.sides = Sides::Both}), questions, 1.4f);
+    EXPECT_LE(errors.gaps(), 0.01);
+}
+
+TEST(Failure, TwoHundredLayersInAPixel) {
+    Body body;
+    for (int i = 0; i < 100; ++i) { // boxes in a row along z: 200 layers from ahead
+        Body slab = box({1, 1, 0.004f});
+        for (glm::vec3& p : slab.positions) p.z += 0.02f * static_cast<float>(i) - 1;
+        const auto first = static_cast<uint32_t>(body.positions.size());
+        for (const glm::uvec3& t : slab.triangles) body.triangles.push_back(t + first);
+        body.positions.insert(body.positions.end(), slab.positions.begin(), slab.positions.end());
+        body.normals.insert(body.normals.end(), slab.normals.begin(), slab.normals.end());
+    }
+    const auto cured = Ollfb::make(body.mesh(), {.views = 20, .resolution = 32});
+    ASSERT_TRUE(cured) << cured.error().sentence();
+    const auto thesis = OllfbThesis::make(body.mesh(), {.cells = 3, .resolution = 32});
+    ASSERT_TRUE(thesis);
+    uint32_t most = 0;
+    for (size_t i = 0; i + 1 < thesis->starts().size(); ++i)
+        most = std::max(most, thesis->starts()[i + 1] - thesis->starts()[i]);
+    EXPECT_GE(most, 200u);
+    // Each gap lets a ray begin in it and meets it at the next slab's face.
+    for (int i = 0; i < 99; ++i) {
+        const float z = 0.02f * (static_cast<float>(i) + 0.5f) - 1;
+        for (const float side : {1.0f, -1.0f}) {
+            const auto hit = cured->trace({0.01f, 0.02f, z}, {0, 0, side}, 0);
+            ASSERT_TRUE(hit) << i;
+            EXPECT_NEAR(hit->distance, 0.006f, 0.004f) << i;
+        }
+    }
+    // Said, not taken: a hundredth of the memory.
+    const auto refused =
+        Ollfb::make(body.mesh(), {.views = 20, .resolution = 32, .mostBytes = cured->bytes() / 100});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().reason, testing::HasSubstr("fewer"));
+    const auto refusedThesis = OllfbThesis::make(body.mesh(), {.mostBytes = 1000});
+    ASSERT_FALSE(refusedThesis);
+}
+
+// Through the hole rays meet the far wall from inside.
+TEST(Failure, AHoleInAMesh) {
+    Body body = sphere(1, 48, 24);
+    std::erase_if(body.triangles, [&](const glm::uvec3& t) { return body.positions[t.x].y > 0.9f; });
+    EXPECT_FALSE(isClosed(body.mesh()));
+    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    EXPECT_FALSE(cured.onlyOuter());
+    const auto in = cured.trace({0.02f, 3, 0.03f}, {0, -1, 0}, 0);
+    ASSERT_TRUE(in);
+    EXPECT_NEAR(in->distance, 4, 0.02f);
+    EXPECT_GT(in->normal.y, 0.99f);
+    const auto outside = cured.trace({3, 0, 0.03f}, {-1, 0, 0}, 0);
+    ASSERT_TRUE(outside);
+    EXPECT_NEAR(outside->distance, 2, 0.02f);
+    // Chords, those through the hole and those from behind too.
+    Random random(4);
+    int wrong = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Ray ray = chord(random, {{0, 0, 0}, 1});
+        const auto expected = truth(body, ray.origin, ray.direction, 0);
+        const auto hit = cured.trace(ray.origin, ray.direction, 0);
+        wrong += hit.has_value() != expected.has_value();
+    }
+    EXPECT_LE(wrong, 30);
+}
+
+TEST(Failure, ADegenerateTriangleChangesNothing) {
+    const Body body = torus(1, 0.4f, 48, 24);
+    Body more = body;
+    more.triangles.insert(more.triangles.begin(), {{0, 0, 0}, {1, 1, 2}, {3, 4, 3}});
+    more.positions.push_back(body.positions[0]); // three places on a line
+    more.positions.push_back((body.positions[0] + body.positions[1]) / 2.0f);
+    more.normals.resize(more.positions.size(), glm::vec3(0, 0, 1));
+    const auto a = Ollfb::make(body.mesh(), {.views = 20}), b = Ollfb::make(more.mesh(), {.views = 20});
+    ASSERT_TRUE(a && b);
+    EXPECT_TRUE(b->closed());
+    ASSERT_EQ(a->layers().size(), b->layers().size());
+    for (size_t i = 0; i < a->layers().size(); ++i) {
+        EXPECT_EQ(a->layers()[i].depth, b->layers()[i].depth);
+        EXPECT_EQ(a->layers()[i].normal, b->layers()[i].normal);
+        EXPECT_EQ(a->layers()[i].coverage, b->layers()[i].coverage);
+    }
+    ASSERT_TRUE(OllfbThesis::make(more.mesh(), {.cells = 3}));
+}
+
+TEST(Failure, ABodyOfNoVolume) {
+    Body point;
+    point.positions.assign(3, glm::vec3(1, 2, 3));
+    point.normals.assign(3, glm::vec3(0, 0, 1));
+    point.triangles = {{0, 1, 2}};
+    Body line = point;
+    line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const Body nothing;
+    for (const Body* body : std::initializer_list<const Body*>{&point, &line, &nothing}) {
+        const auto cured = Ollfb::make(body->mesh());
+        ASSERT_TRUE(cured) << cured.error().sentence();
+        EXPECT_FALSE(cured->trace({1, 2, 5}, {0, 0, -1}, 0));
+        EXPECT_FALSE(cured->trace({1, 5, 0}, {0, -1, 0}, 0));
+        const auto thesis = OllfbThesis::make(body->mesh());
+        ASSERT_TRUE(thesis) << thesis.error().sentence();
+        EXPECT_FALSE(thesis->trace({1, 2, 5}, {0, 0, -1}, 0));
+    }
+    // A sheet has no volume either, but two sides.
+    const Ollfb sheet = Ollfb::make(oneTriangle().mesh()).value();
+    EXPECT_TRUE(sheet.trace({0, 0, 1}, {0, 0, -1}, 0));
+}
+
+TEST(Failure, BrokenMeshesAreRefusedWithAReason) {
+    const Body good = oneTriangle();
+    const auto refused = [](const Body& body, const char* why) {
+        const auto cured = Ollfb::make(body.mesh());
+        const auto thesis = OllfbThesis::make(body.mesh());
+        ASSERT_FALSE(cured);
+        ASSERT_FALSE(thesis);
+        EXPECT_THAT(cured.error().reason, testing::HasSubstr(why));
+        EXPECT_THAT(thesis.error().reason, testing::HasSubstr(why));
+    };
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        Body body = good;
+        body.positions[1].y = bad;
+        refused(body, "position 1 is not finite");
+        body = good;
+        body.normals[2].z = bad;
+        refused(body, "normal 2 is not finite");
+    }
+    Body body = good;
+    body.triangles.emplace_back(0, 1, 3);
+    refused(body, "triangle 1");
+    body = good;
+    body.normals.pop_back();
+    refused(body, "normals");
+    EXPECT_FALSE(Ollfb::make(good.mesh(), {.views = 0}));
+    EXPECT_FALSE(Ollfb::make(good.mesh(), {.resolution = 100000}));
+    EXPECT_FALSE(OllfbThesis::make(good.mesh(), {.cells = 0}));
+    // Normals of no length are taken from the triangle.
+    body = good;
+    body.normals.assign(3, glm::vec3(0));
+    const auto flat = Ollfb::make(body.mesh());
+    ASSERT_TRUE(flat);
+    EXPECT_TRUE(flat->trace({0, 0, 1}, {0, 0, -1}, 0));
+}
+
+// Rays that are no rays end, and meet nothing.
+TEST(Failure, OddRays) {
+    const Ollfb cured = Ollfb::make(sphere(1, 24, 12).mesh(), {.views = 20}).value();
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const glm::vec3 origin : {glm::vec3(1e30f, 0, 0), glm::vec3(nan, 0, 0), glm::vec3(0, 0, -1e8f)})
+        for (const glm::vec3 direction : {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0, 0)})
+            if (const auto hit = cured.trace(origin, direction, 0)) {
+                EXPECT_GE(hit->distance, 0);
+            }
+    EXPECT_FALSE(cured.trace({0, 0, 3}, {0, 0, -1}, INFINITY));
+    EXPECT_FALSE(cured.trace({0, 0, 3}, {0, 0, -1}, 0, 1.5f)); // ends before it
+}
+
+} // namespace
+} // namespace shoal::occlusion

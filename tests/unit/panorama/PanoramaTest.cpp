@@ -1,0 +1,298 @@
+// Photos grown to surrounds: where the light comes to stand, what bends, how the ends meet.
+#include "engine/panorama/Panorama.h"
+#include "engine/core/Files.h"
+#include "engine/media/Pictures.h"
+#include "engine/panorama/Caps.h"
+#include "engine/panorama/FindLight.h"
+#include "engine/panorama/Joint.h"
+#include "engine/panorama/Lens.h"
+#include "engine/panorama/Place.h"
+#include "tests/bench/panorama/Scenes.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace shoal::panorama {
+namespace {
+
+// Dusk with a clipped disc, and black pillars from top to bottom at these columns.
+ImageRgb8 dusk(int width, int height, double lightX, double lightY, double radius,
+               const std::vector<int>& pillars, int pillarWidth) {
+    ImageRgb8 picture(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double high = 1 - static_cast<double>(y) / height;
+            uint8_t* to = picture.at(x, y);
+            to[0] = static_cast<uint8_t>(90 + 60 * high + 20 * std::sin(x * 0.05 + y * 0.11));
+            to[1] = static_cast<uint8_t>(80 + 30 * high);
+            to[2] = static_cast<uint8_t>(70 + 70 * high + 15 * std::sin(x * 0.031 - y * 0.07));
+            if (std::hypot(x + 0.5 - lightX, y + 0.5 - lightY) < radius) std::fill_n(to, 3, uint8_t{255});
+            for (const int at : pillars)
+                if (x >= at && x < at + pillarWidth) std::fill_n(to, 3, uint8_t{12});
+        }
+    return picture;
+}
+
+TEST(FindLight, DiscIsFoundWithinATexel) {
+    for (const glm::dvec2 at : {glm::dvec2(300, 200), {77.5, 40.25}, {560, 333.3}, {8, 8}}) {
+        const ImageRgb8 photo = dusk(640, 480, at.x, at.y, 7, {}, 0);
+        cv::Mat coded;
+        cv::Mat(480, 640, CV_8UC3, const_cast<uint8_t*>(photo.pixels.data()))
+            .convertTo(coded, CV_32F, 1 / 255.0);
+        const MainLight found = findLight(coded);
+        EXPECT_NEAR(found.place.x, at.x, 0.5);
+        EXPECT_NEAR(found.place.y, at.y, 0.5);
+        EXPECT_NEAR(found.radius_px, 7, 0.5);
+    }
+}
+
+TEST(FindLight, BlackHasOneToo) {
+    const MainLight found = findLight(cv::Mat::zeros(20, 30, CV_32FC3));
+    EXPECT_TRUE(found.place.x >= 0 && found.place.x <= 30 && found.place.y >= 0 && found.place.y <= 20);
+}
+
+TEST(Lens, ThereAndBack) {
+    const Lens lens = Lens::make(800, 600, 1.2);
+    for (double x = 5; x < 800; x += 61)
+        for (double y = 5; y < 600; y += 47) {
+            const double lon = lens.longitudeOf(x), lat = lens.latitudeOf(lon, y);
+            EXPECT_NEAR(lens.columnOf(lon), x, 1e-9);
+            EXPECT_NEAR(lens.rowOf(lon, lat), y, 1e-9);
+        }
+    EXPECT_NEAR(lens.rowOf(0.5, lens.latitude), 0, 1e-9); // the top edge is one parallel
+    EXPECT_NEAR(lens.rowOf(0, 0.2), 300 - lens.focal_px * std::tan(0.2), 1e-9); // exact in the middle
+}
+
+// The mth harmonic of the rim falls as (tan(c/2) / tan(c0/2))^m.
+TEST(Caps, HarmonicsFallAsLaplaceWants) {
+    const int width = 512, height = 256, edge = 64;
+    cv::Mat sphere(height, width, CV_32FC3);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double lon = (x + 0.5) / width * 2 * std::numbers::pi;
+            const double value = y < edge ? 0 : 0.5 + 0.2 * std::cos(lon) + 0.1 * std::cos(3 * lon);
+            sphere.at<cv::Vec3f>(y, x) = cv::Vec3f::all(static_cast<float>(value));
+        }
+    fillCap(sphere, edge, Cap::Sky);
+    const double inner =
+        edge + 5 * height / 180; // as the header says: it fades in over the ring's first 5 degrees
+    const double rim = std::tan((inner + 0.5) / height * std::numbers::pi / 2);
+    for (const int y : {3, 20, 50}) {
+        const double fall = std::tan((y + 0.5) / height * std::numbers::pi / 2) / rim;
+        for (int x = 0; x < width; x += 37) {
+            const double lon = (x + 0.5) / width * 2 * std::numbers::pi;
+            const double expected =
+                0.5 + 0.2 * fall * std::cos(lon) + 0.1 * std::pow(fall, 3) * std::cos(3 * lon);
+            EXPECT_NEAR(sphere.at<cv::Vec3f>(y, x)[1], expected, 1e-4) << x << "," << y;
+        }
+    }
+}
+
+// The ends differ in colour and in the horizon's height; both meet.
+TEST(Joint, EndsMeet) {
+    cv::Mat ring(200, 720, CV_32FC3);
+    for (int y = 0; y < ring.rows; ++y)
+        for (int x = 0; x < ring.cols; ++x) {
+            const double horizon = 95 + 10.0 * x / ring.cols;
+            const double value =
+                (y < horizon ? 0.7 : 0.25) + 0.1 * x / ring.cols + 0.03 * std::sin(x * 0.7 + y * 0.9);
+            ring.at<cv::Vec3f>(y, x) = cv::Vec3f::all(static_cast<float>(value));
+        }
+    const JointStrength before = jointStrength(ring);
+    const cv::Mat middle = ring.col(360).clone();
+    closeRing(ring);
+    const JointStrength after = jointStrength(ring);
+    EXPECT_GT(before.joint, 2 * before.usual);
+    EXPECT_LE(after.joint, after.usual);
+    EXPECT_EQ(cv::norm(ring.col(360), middle, cv::NORM_INF), 0); // far from the ends nothing changes
+    // The horizon is one step still, not two half ones: at both ends it crosses the middle once, at one
+    // height.
+    for (const int x : {0, 719}) {
+        int crossings = 0, at = 0;
+        for (int y = 1; y < ring.rows; ++y)
+            if ((ring.at<cv::Vec3f>(y - 1, x)[0] > 0.52f) != (ring.at<cv::Vec3f>(y, x)[0] > 0.52f))
+                ++crossings, at = y;
+        EXPECT_EQ(crossings, 1);
+        EXPECT_NEAR(at, 100, 2);
+    }
+}
+
+TEST(Panorama, JointIsNoStrongerThanThePicturesOwnGradients) {
+    for (const bench::Scene& scene : {bench::beach(480, 360), bench::forest(480, 360)}) {
+        const auto grown = grow(scene.photo, {.fov_deg = bench::kSceneFov_deg});
+        ASSERT_TRUE(grown);
+        EXPECT_LE(grown->joint, grown->ownGradient);
+        // Both lights are wider than 2 degrees and one has a ragged edge.
+        EXPECT_LT(glm::distance(grown->lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
+    }
+}
+
+// Middle of the brightest texels of the columns around the middle.
+glm::dvec2 brightest(const ImageRgb8& picture) {
+    glm::dvec2 sum(0);
+    double count = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (picture.at(x, y)[1] > 235) sum += glm::dvec2(x + 0.5, y + 0.5), ++count;
+    return sum / count;
+}
+
+TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
+    for (const double x : {60.0, 300.0}) {
+        const auto grown = grow(dusk(480, 360, x, 100, 9, {}, 0), {.fov_deg = 60});
+        ASSERT_TRUE(grown);
+        const ImageRgb8& out = grown->latLong;
+        ASSERT_EQ(out.width, 2 * out.height);
+        const glm::dvec2 at = brightest(out);
+        EXPECT_NEAR(at.x, out.width / 2.0, 1) << x;
+        const Lens lens = Lens::make(480, 360, 60 * kRadiansPerDegree);
+        const double latitude = lens.latitudeOf(lens.longitudeOf(x), 100);
+        // Within a texel, and half a degree for the disc's middle, which is not the middle of its angles.
+        EXPECT_NEAR(90 - at.y / out.height * 180, latitude / kRadiansPerDegree, 0.5 + 180.0 / out.height)
+            << x;
+        EXPECT_NEAR(grown->lightLatitude_deg, latitude / kRadiansPerDegree, 0.2);
+    }
+}
+
+// Pillars stand beside the light and across the picture; in every row of the ring the edge of each lies
+// where the others' mean is.
+TEST(Panorama, PillarsStayUpright) {
+    const int width = 640;
+    const auto grown = grow(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}, 10), {.fov_deg = 65});
+    ASSERT_TRUE(grown);
+    const ImageRgb8& out = grown->latLong;
+    // Dark runs, followed up and down from the horizon.
+    const int middle = out.height / 2, reach = static_cast<int>(18.0 / 180 * out.height);
+    const auto dark = [&](int x, int y) { return out.at((x + out.width) % out.width, y)[0] < 60; };
+    int pillars = 0;
+    for (int x = 0; x < out.width; ++x) {
+        if (!dark(x, middle) || dark(x - 1, middle)) continue;
+        ++pillars;
+        const auto edgeAt = [&](int y) {
+            int at = x;
+            while (dark(at, y) && at > x - 100) --at;
+            while (!dark(at, y) && at < x + 100) ++at;
+            return at;
+        };
+        const double lean =
+            std::atan2(std::abs(edgeAt(middle - reach) - edgeAt(middle + reach)), 2.0 * reach) * 180 /
+            std::numbers::pi;
+        EXPECT_LE(lean, 1.0) << "pillar at column " << x;
+        for (int y = middle - reach; y <= middle + reach; ++y)
+            EXPECT_NEAR(edgeAt(y), x, 1) << "row " << y; // nor wobble between
+    }
+    EXPECT_EQ(pillars, 4);
+}
+
+TEST(Panorama, SameBytesTwice) {
+    const ImageRgb8 photo = bench::beach(320, 240).photo;
+    const auto a = grow(photo, {}), b = grow(photo, {});
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->latLong.pixels, b->latLong.pixels);
+}
+
+TEST(Panorama, ProgressRisesToOne) {
+    std::vector<double> shares;
+    ASSERT_TRUE(grow(dusk(200, 150, 60, 50, 5, {}, 0), {.progress = [&](double s) { shares.push_back(s); }}));
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GT(shares.size(), 50u);
+    EXPECT_EQ(shares.back(), 1);
+}
+
+TEST(Panorama, WhatCannotBeGrownIsRefused) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 400}, {400, 1}, {15, 15}, {16 * 9, 16}})
+        EXPECT_FALSE(grow(ImageRgb8(width, height), {})) << width << "x" << height;
+    for (const double fov : {0.0, 9.9, 151.0, std::nan("")})
+        EXPECT_FALSE(grow(dusk(64, 48, 20, 9, 4, {}, 0), {.fov_deg = fov}));
+}
+
+TEST(Panorama, BlackStaysBlack) {
+    for (const auto& [width, height] : {std::pair{16, 17}, {16, 128}, {128, 16}}) {
+        const auto grown = grow(ImageRgb8(width, height), {});
+        ASSERT_TRUE(grown) << width << "x" << height;
+        EXPECT_EQ(grown->latLong.width, 2 * grown->latLong.height);
+        EXPECT_EQ(*std::max_element(grown->latLong.pixels.begin(), grown->latLong.pixels.end()), 0);
+    }
+}
+
+TEST(Panorama, LightInACornerAtEitherEndOfFieldsOfView) {
+    EXPECT_TRUE(grow(dusk(64, 48, 1, 1, 4, {}, 0), {.fov_deg = kLeastFov_deg}));
+    EXPECT_TRUE(grow(dusk(64, 48, 63, 47, 4, {}, 0), {.fov_deg = kLargestFov_deg}));
+}
+
+// What the reader makes of odd files is a photo like any other.
+TEST(Panorama, SixteenBitsGreyAndAlpha) {
+    const Path folder = Path(testing::TempDir()) / ("shoal_panorama_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    for (const int type : {CV_8UC1, CV_8UC4, CV_16UC3}) {
+        cv::Mat made(24, 32, type, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 100 : 25700));
+        cv::rectangle(made, {20, 4, 4, 4}, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 255 : 65535),
+                      cv::FILLED);
+        ASSERT_TRUE(cv::imwrite((folder / "odd.png").string(), made));
+        const auto photo = media::readPicture(folder / "odd.png");
+        ASSERT_TRUE(photo) << photo.error().sentence();
+        const auto grown = grow(*photo, {});
+        ASSERT_TRUE(grown);
+        EXPECT_NEAR(grown->lightInPhoto.x, 22, 0.5) << type;
+        EXPECT_NEAR(grown->latLong.at(0, grown->latLong.height / 2)[0], 100, 12) << type;
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Panorama, HighDynamicRangeIsKept) {
+    ImageRgbF photo(160, 120);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const bool sun = std::hypot(x + 0.5 - 100, y + 0.5 - 40) < 5;
+            std::fill_n(photo.at(x, y), 3, sun ? 20000.0f : 0.3f);
+        }
+    const auto grown = grow(photo, {});
+    ASSERT_TRUE(grown);
+    const auto& pixels = grown->latLong.pixels;
+    const float most = *std::max_element(pixels.begin(), pixels.end());
+    EXPECT_GT(most, 15000.0f);
+    EXPECT_LT(most, 20001.0f);
+    EXPECT_TRUE(
+        std::all_of(pixels.begin(), pixels.end(), [](float p) { return std::isfinite(p) && p >= 0; }));
+}
+
+TEST(Place, PartLiesWhereItSays) {
+    ImageRgb8 part(512, 256);
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 512; ++x) part.at(x, y)[0] = static_cast<uint8_t>(x / 4), part.at(x, y)[1] = 200;
+    const auto placed = place(part, {0.25, 0.25, 0.75, 0.75});
+    ASSERT_TRUE(placed);
+    ASSERT_EQ(placed->width, 1024);
+    ASSERT_EQ(placed->height, 512);
+    for (int x = 0; x < 512; x += 31) EXPECT_EQ(placed->at(256 + x, 256)[0], x / 4);
+    for (int x = 0; x < 1024; ++x) { // no step at the sides, nor where the gap is closed
+        EXPECT_LE(std::abs(placed->at(x, 256)[0] - placed->at((x + 1) % 1024, 256)[0]), 3) << x;
+        EXPECT_NEAR(placed->at(x, 256)[1], 200, 1);
+    }
+    for (const int y : {0, 511}) EXPECT_NEAR(placed->at(100, y)[1], 200, 4); // sky and ground are filled
+    ImageRgb8 lit(256, 128); // one light, and no second one in the gap
+    std::fill(lit.pixels.begin(), lit.pixels.end(), uint8_t{60});
+    for (int y = 50; y < 60; ++y) std::fill_n(lit.at(120, y), 30, uint8_t{255});
+    const auto one = place(lit, {0.25, 0.25, 0.75, 0.75});
+    ASSERT_TRUE(one);
+    for (int y = 0; y < one->height; ++y)
+        for (int x = 0; x < one->width / 4; ++x) {
+            ASSERT_LT(one->at(x, y)[0], 100);
+            ASSERT_LT(one->at(one->width - 1 - x, y)[0], 100);
+        }
+    for (const Part& odd :
+         {Part{0, 0.8, 1, 1}, Part{0, 0, 1, 0.2}, Part{0.99, 0.4, 1, 0.6}, Part{0, 0, 1, 1}})
+        EXPECT_TRUE(place(part, odd));
+    EXPECT_FALSE(place(ImageRgb8(1, 1), {0.5, 0.5, 0.5001, 0.5001}));
+}
+
+} // namespace
+} // namespace shoal::panorama
