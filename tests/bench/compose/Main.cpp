@@ -98,7 +98,7 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         if (k) runOn(run, 1.0 / kFps);
         empty->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
-        stages.ways[0].set(run.shown, false);
+        stages.ways[0].set(run.shown, *empty, false);
         if (Status s = drawObjectsAlone(stages.ways[0], *empty, view, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
         const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
@@ -119,7 +119,7 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         auto filmed = openVideo(file, plan);
         if (!filmed) return filmed.error();
         filmed->update(timeOf(second ? kShown - 1 : kShown), true);
-        stages.ways[0].set(moment, true);
+        stages.ways[0].set(moment, *filmed, true);
         if (Status s = drawPicture(stages.ways[0], *filmed, view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         if (!second) truth = shown;
@@ -130,7 +130,7 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         // A fresh frame for each: one of them paints it.
         empty->update(timeOf(0), true);
         empty->update(timeOf(kShown), true);
-        stages.ways[way].set(moment, false);
+        stages.ways[way].set(moment, *empty, false);
         if (Status s = drawPicture(stages.ways[way], *empty, view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
@@ -163,7 +163,7 @@ Status measureCost(const app::Plan& plan, Stages& stages, int rounds, Report& re
             app::Stage& stage = stages.ways[backdropOnly ? 0 : way];
             const Clock::time_point began = Clock::now();
             const double processorBegan_ms = processor_ms();
-            stage.set(run.shown, backdropOnly);
+            stage.set(run.shown, *surround, backdropOnly);
             if (Status s = drawPicture(stage, *surround, viewOf(run.shown, 0, kPicture.y), target); !s)
                 return s;
             glFinish();
