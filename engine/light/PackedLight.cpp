@@ -11,7 +11,6 @@ namespace shoal::light {
 namespace {
 
 constexpr uint16_t kOne = 0x3c00;
-constexpr int kSmoothWidth = 32; // texels around: enough for soft shadows
 
 SHOAL_VECTORISE
 void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) {
@@ -76,12 +75,6 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
                                 static_cast<float>(top + 1) / h);
         top += map.height + 2;
     }
-
-    for (const ImageRgbF& level : light.radiance.levels)
-        if (level.width <= kSmoothWidth) {
-            out.smooth = occlusion::smoothLight(level);
-            break;
-        }
 
     out.mirrorRoughness.clear();
     for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);

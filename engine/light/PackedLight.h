@@ -3,7 +3,6 @@
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
-#include "engine/occlusion/SmoothLight.h"
 
 #include <glm/vec4.hpp>
 
@@ -34,7 +33,6 @@ struct PackedLight {
     std::vector<HalfImage> mirrors;     // mip levels
     std::vector<float> mirrorRoughness; // of the unfiltered levels, then of the smoothest filtered one
     bool complete = false;              // mirrors are all of the pyramid
-    occlusion::SmoothLight smooth;      // what bodies take from each other; env frame
 };
 
 // Buffers of out are reused while sizes stay.

@@ -73,7 +73,7 @@ void SurroundGpu::uploadFrame(const ImageRgbF& radianceLin) {
     frameHeight_ = radianceLin.height;
 }
 
-void SurroundGpu::uploadLight(const light::PackedLight& light) {
+void SurroundGpu::uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth) {
     assert(light.places.size() <= kMaxMaps && light.mirrorRoughness.size() <= kMaxMirrors);
     glBindTexture(GL_TEXTURE_2D, light_.name());
     putLevel(0, light.atlas, light.atlas.width != lightWidth_ || light.atlas.height != lightHeight_);
@@ -81,7 +81,7 @@ void SurroundGpu::uploadLight(const light::PackedLight& light) {
     lightHeight_ = light.atlas.height;
     places_ = light.places;
     mirrorRoughness_ = light.mirrorRoughness;
-    smooth_ = light.smooth;
+    smooth_ = smooth;
 
     if (light.mirrors.empty()) return;
     glBindTexture(GL_TEXTURE_2D, mirrors_.name());

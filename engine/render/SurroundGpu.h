@@ -4,6 +4,7 @@
 #include "engine/core/Image.h"
 #include "engine/gl/Program.h"
 #include "engine/light/PackedLight.h"
+#include "engine/occlusion/SmoothLight.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,8 @@ class SurroundGpu {
 
     void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
     void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
-    void uploadLight(const light::PackedLight& light);
+    // smooth: what bodies take from each other; env frame.
+    void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
 
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }

@@ -12,6 +12,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <optional>
@@ -27,6 +28,7 @@ constexpr int kVideoLightWidth = 512;
 constexpr int kStillLightWidth = 4096;
 
 constexpr int kSlots = 3;
+constexpr int kSmoothWidth = 32; // of the map that the light on bodies among each other is made from
 
 media::Layout layoutNamed(const std::string& name) {
     if (name == "mono") return media::Layout::Mono;
@@ -72,6 +74,7 @@ struct Surround::State {
     // thread writes them until it is gone.
     struct Prepared {
         light::PackedLight light;
+        occlusion::SmoothLight smooth;
         water::WaterEstimate water;
         light::FoundLights lights;
         camera::LookEstimate look;
@@ -114,12 +117,12 @@ struct Surround::State {
             gpu[static_cast<size_t>(eye)].uploadFrame(
                 {frame.at(part.x, part.y), part.width, part.height, frame.width});
         }
-        uploadLight(prepared[slot].light);
+        uploadLight(prepared[slot]);
     }
 
-    void uploadLight(const light::PackedLight& light) {
+    void uploadLight(const Prepared& now) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
-            gpu[static_cast<size_t>(eye)].uploadLight(light);
+            gpu[static_cast<size_t>(eye)].uploadLight(now.light, now.smooth);
     }
 
     // A camera stays what it is: one frame in so many tells enough.
@@ -138,10 +141,18 @@ struct Surround::State {
         }
         sinceLight = 0;
         maker->make(frame, made);
-        light::packLight(made, mirrors, prepared[slot].light);
+        pack(prepared[slot]);
         if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
         if (lightFinder) lightFinder->find(made.radiance, prepared[slot].lights);
         if (every > 1) newest = prepared[slot];
+    }
+
+    // Of what `made` holds.
+    void pack(Prepared& out) {
+        light::packLight(made, mirrors, out.light);
+        const auto small = std::ranges::find_if(
+            made.radiance.levels, [](const ImageRgbF& level) { return level.width <= kSmoothWidth; });
+        if (small != made.radiance.levels.end()) out.smooth = occlusion::smoothLight(*small);
     }
 
     void followWater(const water::WaterEstimate& estimate, float dt_s) {
@@ -277,13 +288,13 @@ Status Surround::State::openEnv(const Path& file) {
     const auto began = std::chrono::steady_clock::now();
     const size_t mended = static_cast<size_t>(picture->repaired) +
                           maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
-    light::packLight(made, mirrors, prepared[0].light);
+    pack(prepared[0]);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
                   file.string(), mended);
     gpu[0].uploadFrame(picture->radianceLin);
-    uploadLight(prepared[0].light);
+    uploadLight(prepared[0]);
     return Done{};
 }
 

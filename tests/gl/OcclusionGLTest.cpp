@@ -28,12 +28,11 @@ struct Other {
 // A white matte ball of radius 1 at the origin, seen from +Z; the others are not drawn, but take light.
 ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                      render::Detail detail, float roughness) {
-    render::PackedLight light = lightOf(uniformFrame(0, 0, 0));
+    light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
     for (size_t i = 0; i < light.atlas.rgba.size(); ++i)
         if (i % 4 != 3) light.atlas.rgba[i] = 0x3a66; // 0.8
-    light.smooth = smooth;
     render::SurroundGpu surround;
-    surround.uploadLight(light);
+    surround.uploadLight(light, smooth);
     const scene::Model model = ball(0, roughness);
     scene::Model nothing = model;
     nothing.order.clear();
