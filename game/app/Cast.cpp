@@ -24,16 +24,19 @@ float clipTime(const scene::Animation& clip, float phase_s) {
     return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
 }
 
-// What bites opens its mouth, the one place that must not glow. Closed, nobody looks into it.
-void foldMouth(scene::Model& model) {
+// Hands at rest; what bites with its mouth open, which must not glow: closed, nobody looks into it. Fish have
+// no folds that are seen, but fins whose roots are buried in them, and buried vertices would darken what lies
+// around.
+void foldBody(scene::Model& model, bool isHand) {
     constexpr int kRays = 16;
     const int bite = model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
-    if (bite < 0) return;
-    scene::Pose open;
-    scene::restPose(model, open);
-    scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, open);
-    scene::updateGlobals(model, open);
-    render::foldModel(model, open, kRays);
+    if (!isHand && bite < 0) return;
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    if (bite >= 0)
+        scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
+    scene::updateGlobals(model, pose);
+    render::foldModel(model, pose, kRays);
 }
 
 } // namespace
@@ -52,7 +55,7 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
                                                                  : scene::leastRoughness(actor.model));
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
-    foldMouth(actor.model);
+    foldBody(actor.model, parts == occlusion::Parts::ByJoint);
     actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));

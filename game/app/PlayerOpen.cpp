@@ -9,7 +9,9 @@ namespace shoal::app {
 
 namespace {
 
-Compose composeNamed(const std::string& name) {
+// A layer costs a software renderer half a frame more, a graphics card next to nothing.
+Compose composeNamed(const std::string& name, bool software) {
+    if (name == "auto") return software ? Compose::Plain : Compose::Resolution;
     return name == "resolution" ? Compose::Resolution
            : name == "texels"   ? Compose::Texels
            : name == "camera"   ? Compose::Camera
@@ -73,7 +75,7 @@ Status Player::open() {
                         .pyramid = options.look.glossy == "phong36",
                         .leastRoughness = cast->leastRoughness(),
                         .immersed = immersedIn(options, plan.dive),
-                        .filmLook = composeNamed(options.compose) == Compose::Camera,
+                        .filmLook = composeNamed(options.compose, software) == Compose::Camera,
                         .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt,
                         .findLights = own && shadows,
                         .wait = [&] { return !window || !window->poll().closing; }});
@@ -85,7 +87,7 @@ Status Player::open() {
                                        .snow = options.snow,
                                        .shadows = shadows,
                                        .occlusion = options.look.occlusion == "on",
-                                       .compose = composeNamed(options.compose),
+                                       .compose = composeNamed(options.compose, software),
                                        .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);

@@ -83,7 +83,7 @@ Pixels filtered(const Pixels& in, const std::vector<float>& weights, const Part&
 // Each texel the mean of kSamples^2 directions.
 Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat3& envFromWorld, int width) {
     static const std::array<float, 256> signal = signals();
-    constexpr int kSamples = 6;
+    constexpr int kSamples = 3;
     Layer out(width, width / 2);
     const glm::mat3 eyeFromEnv = glm::transpose(envFromWorld * glm::mat3_cast(view.worldFromEye));
     const glm::vec2 half = view.halfExtent(), size(objects.width, objects.height);
@@ -117,47 +117,19 @@ Layer seenBy(const ImageRgba8& objects, const render::View& view, const glm::mat
     return out;
 }
 
-// Twice the size. Lanczos with three lobes, as the encoder's enlargement.
-Layer enlarged(const Layer& in) {
-    const auto lanczos = [](float x) {
-        const float a = 3.14159265f * x;
-        return x == 0 ? 1.0f : std::abs(x) < 3 ? 3 * std::sin(a) * std::sin(a / 3) / (a * a) : 0.0f;
-    };
-    Layer along(2 * in.width, in.height), out(2 * in.width, 2 * in.height);
-    const auto put = [&](float* to, int place, auto&& at) {
-        const float middle = (static_cast<float>(place) + 0.5f) / 2 - 0.5f;
-        const int first = static_cast<int>(std::floor(middle)) - 2;
-        float sum = 0;
-        for (int i = first; i < first + 6; ++i) sum += lanczos(static_cast<float>(i) - middle);
-        for (int i = first; i < first + 6; ++i)
-            for (int c = 0; c < 4; ++c) to[c] += lanczos(static_cast<float>(i) - middle) / sum * at(i)[c];
-    };
-    const Part part = partOf(in, 4);
-    for (int y = part.top; y < part.bottom; ++y)
-        for (int x = 2 * part.left; x < 2 * part.right; ++x)
-            put(along.at(x, y), x, [&](int i) { return in.at(std::clamp(i, 0, in.width - 1), y); });
-    for (int y = 2 * part.top; y < 2 * part.bottom; ++y)
-        for (int x = 2 * part.left; x < 2 * part.right; ++x)
-            put(out.at(x, y), y, [&](int i) { return along.at(x, std::clamp(i, 0, in.height - 1)); });
-    return out;
-}
-
 float lumaOf(const float* c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
 
-// The frame's signal at half its size.
 ImageRgbF signalOf(const ImageRgb8& frame) {
     static const std::array<float, 256> signal = signals();
-    ImageRgbF out(frame.width / 2, frame.height / 2);
+    ImageRgbF out(frame.width, frame.height);
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x)
-            for (int i = 0; i < 4; ++i)
-                for (int c = 0; c < 3; ++c)
-                    out.at(x, y)[c] += 0.25f * signal[frame.at(2 * x + i % 2, 2 * y + i / 2)[c]];
+            for (int c = 0; c < 3; ++c) out.at(x, y)[c] = signal[frame.at(x, y)[c]];
     return out;
 }
 
 // What port and lens scatter: three running means over five squares of texels.
-constexpr int kGlowTexels = 4;
+constexpr int kGlowTexels = 8;
 ImageRgbF glowOf(const ImageRgbF& in) {
     ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);
     for (int y = 0; y < out.height * kGlowTexels; ++y)
@@ -169,7 +141,7 @@ ImageRgbF glowOf(const ImageRgbF& in) {
     return out;
 }
 
-// Glow, noise and tone at the size that was drawn, then the encoder's enlargement.
+// Glow, noise and tone, then the sharpening.
 void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
     const ImageRgbF behind = signalOf(frame), glow = glowOf(behind);
     Random random(seed, 11);
@@ -188,11 +160,10 @@ void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
                 to[c] = toned(signal) - unseen * toned(behind.at(x, y)[c]);
             }
         }
-    const Layer large = enlarged(layer),
-                soft = filtered(large, {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f}, partOf(large, 2));
+    const Layer soft = filtered(layer, {0.0625f, 0.25f, 0.375f, 0.25f, 0.0625f}, partOf(layer, 2));
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
-            const float* l = large.at(x, y);
+            const float* l = layer.at(x, y);
             const float* s = soft.at(x, y);
             if (l[3] == 0 && s[3] == 0) continue;
             uint8_t* to = frame.at(x, y);
@@ -209,9 +180,7 @@ void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
 
 void filmInto(std::span<ImageRgb8* const> takes, const ImageRgba8& objects, const render::View& view,
               const glm::mat3& envFromWorld, uint32_t seed) {
-    // Between two drawn times at any part of a texel: a tent, on average.
-    const Layer seen = seenBy(objects, view, envFromWorld, takes[0]->width / 2);
-    Layer layer = filtered(seen, {1 / 6.0f, 2 / 3.0f, 1 / 6.0f}, partOf(seen, 1));
+    Layer layer = seenBy(objects, view, envFromWorld, takes[0]->width);
     // The lens: 0.48 of a texel's light, 0.13 of each neighbour's.
     const Layer sharp = layer;
     const Part lit = partOf(sharp, 1);

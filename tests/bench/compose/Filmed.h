@@ -1,7 +1,6 @@
 // What the dive's film would hold had the game's objects stood before its camera: their picture at many times
 // the film's resolution goes through the film's own steps (content/make/video/Camera.cpp and make_video):
-// means over the 1024 texels around that it was drawn with, the softness between two drawn times, lens, noise
-// and tone there, then enlargement to 2048 by Lanczos and sharpening. The encoder follows (Encode.h).
+// means over its texels, lens, noise, tone and sharpening. The encoder follows (Encode.h).
 #pragma once
 
 #include "engine/core/Image.h"
@@ -13,8 +12,8 @@
 
 namespace shoal::bench {
 
-// objects: seen by `view`, display-coded, premultiplied by coverage; at least six pixels a texel of the
-// film's drawn size. takes: a frame of the film each, 2048 x 1024, red first, into which they are put with
+// objects: seen by `view`, display-coded, premultiplied by coverage; at least three pixels a texel of the
+// film. takes: a frame of the film each, 2048 x 1024, red first, into which they are put with
 // noise of its own.
 void filmInto(std::span<ImageRgb8* const> takes, const ImageRgba8& objects, const render::View& view,
               const glm::mat3& envFromWorld, uint32_t seed);
