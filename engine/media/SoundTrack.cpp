@@ -97,7 +97,7 @@ struct SoundTrack::Impl {
     void run() {
         stepBack();
         std::unique_lock lock(mutex);
-        int done = -1;
+        int done = 0; // nothing is read before somebody has said where from
         while (true) {
             changed.wait(lock, [&] { return stop || (generation != done && !broken); });
             if (stop) return;
