@@ -57,10 +57,9 @@ int nearestCubeDirection(const glm::vec3& direction, int n) {
 Axes::Axes(int count) {
     assert(count >= 0 && count <= 65536);
     if (count == 0) return;
-    const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
     for (int i = 0; i < count; ++i) {
         const double z = (i + 0.5) / count, r = std::sqrt(1 - z * z);
-        axes_.emplace_back(r * std::cos(golden * i), r * std::sin(golden * i), z);
+        axes_.emplace_back(r * std::cos(kGoldenAngle * i), r * std::sin(kGoldenAngle * i), z);
     }
     table_.resize(kTableWidth * kTableWidth);
     for (size_t c = 0; c < table_.size(); ++c) {
@@ -82,14 +81,28 @@ size_t Axes::cell(glm::vec3 direction) {
     return static_cast<size_t>(y * kTableWidth + x);
 }
 
+std::vector<glm::vec3> cosineDirections(int count) {
+    std::vector<glm::vec3> out;
+    for (int i = 0; i < count; ++i) {
+        const float square =
+            (static_cast<float>(i) + 0.5f) / static_cast<float>(count); // of the disc's radius
+        const float ring = std::sqrt(square);
+        out.emplace_back(ring * static_cast<float>(std::cos(i * kGoldenAngle)),
+                         ring * static_cast<float>(std::sin(i * kGoldenAngle)), std::sqrt(1 - square));
+    }
+    return out;
+}
+
+glm::mat3 frameAround(const glm::vec3& n) {
+    const float sign = n.z < 0 ? -1.0f : 1.0f;
+    const float a = -1.0f / (sign + n.z), b = n.x * n.y * a;
+    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
 glm::mat3 lookingAlong(const glm::vec3& axis, float turn) {
-    // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-    const float sign = axis.z < 0 ? -1.0f : 1.0f;
-    const float a = -1.0f / (sign + axis.z), b = axis.x * axis.y * a;
-    const glm::vec3 s(1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x);
-    const glm::vec3 t(b, sign + axis.y * axis.y * a, -axis.y);
+    const glm::mat3 frame = frameAround(axis);
     const float c = std::cos(turn), d = std::sin(turn);
-    return glm::transpose(glm::mat3(c * s + d * t, c * t - d * s, axis));
+    return glm::transpose(glm::mat3(c * frame[0] + d * frame[1], c * frame[1] - d * frame[0], axis));
 }
 
 } // namespace shoal::occlusion

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 namespace shoal::occlusion {
+
+// Radians from one point of a spiral to the next, so that they never line up.
+inline constexpr double kGoldenAngle = std::numbers::pi * 0.7639320225002103; // 3 - sqrt 5
 
 // The thesis' set: a cube around the body, each face cut into n x n cells of equal angle, one direction
 // through the middle of each; 6 n^2 in all: 54 (n = 3), 150 (5), 486 (9). Unit vectors.
@@ -35,6 +39,14 @@ class Axes {
     std::vector<glm::vec3> axes_;
     std::vector<uint16_t> table_;
 };
+
+// Cosine-weighted over the half sphere around +Z, stratified: Shirley and Chiu 1997 by rings of Vogel's
+// spiral.
+std::vector<glm::vec3> cosineDirections(int count);
+
+// Some right-handed frame with +Z along a unit normal; turns smoothly with it but at one point. Duff et al.
+// 2017, "Building an Orthonormal Basis, Revisited".
+glm::mat3 frameAround(const glm::vec3& normal);
 
 // A rotation whose third row is `axis` (unit), the others turned by `turn` radians around it.
 glm::mat3 lookingAlong(const glm::vec3& axis, float turn);

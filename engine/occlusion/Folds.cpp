@@ -1,13 +1,13 @@
 #include "engine/occlusion/Folds.h"
 
 #include "engine/occlusion/Bvh.h"
+#include "engine/occlusion/Directions.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <thread>
 
 namespace shoal::occlusion {
@@ -15,13 +15,6 @@ namespace shoal::occlusion {
 namespace {
 
 constexpr float kGap = 1e-4f; // of a ray's start from its surface, of the body's extent
-
-// A frame that turns smoothly with the normal but at one point: Duff et al. 2017, "Building an Orthonormal Basis,
-// Revisited".
-glm::mat3 frameOf(const glm::vec3& n) {
-    const float sign = std::copysign(1.0f, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
-}
 
 } // namespace
 
@@ -32,17 +25,11 @@ std::vector<glm::vec4> findFolds(std::span<const glm::vec3> positions, std::span
     for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
     const float gap = kGap * glm::distance(low, high);
     if (!(gap > 0) || !std::isfinite(gap) || rays < 1) return folds;
-    std::vector<glm::vec3> pattern; // cosine-weighted, by the golden section
-    for (int k = 0; k < rays; ++k) {
-        const float u = (static_cast<float>(k) + 0.5f) / static_cast<float>(rays);
-        const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0));
-        pattern.emplace_back(std::sqrt(u) * static_cast<float>(std::cos(angle)),
-                             std::sqrt(u) * static_cast<float>(std::sin(angle)), std::sqrt(1 - u));
-    }
+    const std::vector<glm::vec3> pattern = cosineDirections(rays);
     const Bvh bvh(positions, indices);
     const auto work = [&](size_t from, size_t to) {
         for (size_t v = from; v < to; ++v) {
-            const glm::mat3 frame = frameOf(normals[v]);
+            const glm::mat3 frame = frameAround(normals[v]);
             glm::vec4 sum(0);
             for (const glm::vec3& each : pattern) {
                 const glm::vec3 direction = frame * each;

@@ -2,7 +2,6 @@
 
 #include "engine/math/LatLong.h"
 #include "engine/render/ObjectPass.h"
-#include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
 #include <cassert>
@@ -35,15 +34,9 @@ Result<LatLongPass> LatLongPass::make() {
     auto program = gl::Program::load("render/LatLong");
     if (!program) return program.error();
     pass.program_ = std::move(*program);
-    pass.vertexArray_ = gl::VertexArray::make();
-    pass.vertices_ = gl::Buffer::make();
+    pass.drawn_ = Corners::make();
     pass.frameBuffer_ = gl::Framebuffer::make();
     pass.keptBuffer_ = gl::Framebuffer::make();
-    glBindVertexArray(pass.vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
-    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
-    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
-    glBindVertexArray(0);
     return pass;
 }
 
@@ -110,19 +103,13 @@ void LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& l
     runs_.clear();
     corners_.clear();
     const auto edge = [](int tile, int tiles, int texels) { return tile * texels / tiles; };
-    for (int y = 0; y < kTiles.y; ++y)
-        for (int x = 0; x < kTiles.x; ++x) {
-            const int first = x;
-            while (x < kTiles.x && marked_[static_cast<size_t>(y * kTiles.x + x)]) ++x;
-            if (x == first) continue;
-            const glm::ivec2 low(edge(first, kTiles.x, size.x), edge(y, kTiles.y, size.y));
-            const glm::ivec2 high(edge(x, kTiles.x, size.x), edge(y + 1, kTiles.y, size.y));
-            if (low.x == high.x || low.y == high.y) continue;
-            runs_.push_back({low.x, low.y, high.x - low.x, high.y - low.y});
-            const glm::vec2 a = glm::vec2(low) / glm::vec2(size), b = glm::vec2(high) / glm::vec2(size);
-            for (const glm::vec2 corner : {a, {b.x, a.y}, {a.x, b.y}, {a.x, b.y}, {b.x, a.y}, b})
-                corners_.push_back(corner);
-        }
+    eachRun(marked_, kTiles, [&](int first, int end, int row) {
+        const glm::ivec2 low(edge(first, kTiles.x, size.x), edge(row, kTiles.y, size.y));
+        const glm::ivec2 high(edge(end, kTiles.x, size.x), edge(row + 1, kTiles.y, size.y));
+        if (low.x == high.x || low.y == high.y) return;
+        runs_.push_back({low.x, low.y, high.x - low.x, high.y - low.y});
+        addRectangle(glm::vec2(low) / glm::vec2(size), glm::vec2(high) / glm::vec2(size), corners_);
+    });
     copy(frameBuffer_.name(), keptBuffer_.name());
     paintedFrame_ = surround.frameNumber();
 
@@ -135,17 +122,7 @@ void LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& l
     program_.set("eyeFromEnv", glm::transpose(envFromWorld * glm::mat3_cast(layerView.worldFromEye)));
     program_.set("rayScale", layerView.halfExtent());
     program_.set("rayShift", layerView.shift);
-    glBindVertexArray(vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(glm::vec2)),
-                 corners_.data(), GL_STREAM_DRAW);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
-    glDisable(GL_BLEND);
-    glBindVertexArray(0);
+    drawn_.drawOver(corners_);
 }
 
 } // namespace shoal::render

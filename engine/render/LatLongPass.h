@@ -7,6 +7,7 @@
 #pragma once
 
 #include "engine/gl/Program.h"
+#include "engine/render/Corners.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 
@@ -41,8 +42,7 @@ class LatLongPass {
     void copy(GLuint from, GLuint to) const; // the runs
 
     gl::Program program_;
-    gl::VertexArray vertexArray_;
-    gl::Buffer vertices_;
+    Corners drawn_;
     gl::Texture kept_;
     gl::Framebuffer frameBuffer_, keptBuffer_;
     glm::ivec2 size_{0};        // of the frame

@@ -1,7 +1,5 @@
 #include "engine/render/LayerPass.h"
 
-#include "shaders/render/Attributes.glsl"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,10 +10,10 @@ namespace shoal::render {
 namespace {
 
 constexpr std::array<const char*, 3> kDefines = {"FILMED", "GRAINY", "SHARES_COLOUR"}; // as LayerFeature
-constexpr glm::ivec2
-    kCells(40, 24); // about 32 pixels each: laying over what is empty costs as much as what is not
-constexpr float kWorthIt =
-    0.85f; // of the picture's width: a larger layer saves less than laying it over takes
+// About 32 pixels each: laying over what is empty costs as much as what is not.
+constexpr glm::ivec2 kCells(40, 24);
+// Of the picture's width: a larger layer saves less than laying it over takes.
+constexpr float kWorthIt = 0.85f;
 
 // Of a ball's shadow on the line at distance 1, seen from a pinhole: `across` and `ahead` of its centre.
 bool tangents(float across, float ahead, float radius, float& low, float& high) {
@@ -52,14 +50,7 @@ Result<LayerPass> LayerPass::make() {
     pass.programs_ = gl::Variants("render/Layer", kDefines);
     // Compiled now, so that a broken shader is known at the start.
     if (auto program = pass.programs_.get(0); !program) return program.error();
-    pass.grain_ = makeGrain();
-    pass.vertexArray_ = gl::VertexArray::make();
-    pass.vertices_ = gl::Buffer::make();
-    glBindVertexArray(pass.vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
-    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
-    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
-    glBindVertexArray(0);
+    pass.drawn_ = Corners::make();
     return pass;
 }
 
@@ -88,22 +79,10 @@ Status LayerPass::layOver(std::span<const Box> boxes, const Filmed* filmed) {
             for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
     }
     corners_.clear();
-    for (int y = 0; y < kCells.y; ++y)
-        for (int x = 0; x < kCells.x;) {
-            const auto isMarked = [&](int column) {
-                return column < kCells.x && marked_[static_cast<size_t>(y * kCells.x + column)];
-            };
-            int end = x;
-            while (isMarked(end)) ++end;
-            if (end > x) {
-                const glm::vec2 low = glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f;
-                const glm::vec2 high = glm::vec2(end, y + 1) / glm::vec2(kCells) * 2.0f - 1.0f;
-                for (const glm::vec2 corner :
-                     {low, {high.x, low.y}, {low.x, high.y}, {low.x, high.y}, {high.x, low.y}, high})
-                    corners_.push_back(corner);
-            }
-            x = end + 1;
-        }
+    eachRun(marked_, kCells, [&](int first, int end, int row) {
+        const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
+        addRectangle(placeOf(first, row), placeOf(end, row + 1), corners_);
+    });
     if (corners_.empty()) return Done{};
 
     auto found = programs_.get(filmed ? layerFeatures(filmed->look) : 0);
@@ -113,6 +92,7 @@ Status LayerPass::layOver(std::span<const Box> boxes, const Filmed* filmed) {
     if (filmed) {
         setLayerLook(program, filmed->look, filmed->texels, {layer_->width(), layer_->height()},
                      filmed->frame);
+        if (!grain_) grain_ = makeGrain();
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, grain_.name());
         program.set("grain", 1);
@@ -120,17 +100,7 @@ Status LayerPass::layOver(std::span<const Box> boxes, const Filmed* filmed) {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, layer_->texture());
     program.set("layer", 0);
-    glBindVertexArray(vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(glm::vec2)),
-                 corners_.data(), GL_STREAM_DRAW);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
-    glDisable(GL_BLEND);
-    glBindVertexArray(0);
+    drawn_.drawOver(corners_);
     return Done{};
 }
 

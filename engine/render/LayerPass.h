@@ -5,6 +5,7 @@
 
 #include "engine/gl/Target.h"
 #include "engine/gl/Variants.h"
+#include "engine/render/Corners.h"
 #include "engine/render/LayerLook.h"
 #include "engine/render/View.h"
 
@@ -51,9 +52,8 @@ class LayerPass {
 
   private:
     gl::Variants programs_;
-    gl::Texture grain_;
-    gl::VertexArray vertexArray_;
-    gl::Buffer vertices_;
+    gl::Texture grain_; // once something is filmed
+    Corners drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture

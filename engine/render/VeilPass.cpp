@@ -1,7 +1,5 @@
 #include "engine/render/VeilPass.h"
 
-#include "shaders/render/Attributes.glsl"
-
 #include <algorithm>
 #include <array>
 
@@ -12,30 +10,17 @@ Result<VeilPass> VeilPass::make() {
     auto program = gl::Program::load("render/Veil");
     if (!program) return program.error();
     pass.program_ = std::move(*program);
-    pass.vertexArray_ = gl::VertexArray::make();
-    pass.vertices_ = gl::Buffer::make();
-    glBindVertexArray(pass.vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, pass.vertices_.name());
-    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
-    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
-    glBindVertexArray(0);
+    pass.drawn_ = Corners::make();
     return pass;
 }
 
 void VeilPass::draw(std::span<const glm::vec2> corners, const glm::vec2& halfExtent, const glm::vec2& shift,
                     const glm::vec4& colour) {
-    glBindVertexArray(vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size_bytes()), corners.data(),
-                 GL_STREAM_DRAW);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
     program_.use();
     program_.set("halfExtent", halfExtent);
     program_.set("shift", shift);
     program_.set("colour", colour);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
-    glBindVertexArray(0);
+    drawn_.draw(corners);
 }
 
 void VeilPass::hide(std::span<const glm::vec2> corners, const View& view) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/gl/Program.h"
+#include "engine/render/Corners.h"
 #include "engine/render/View.h"
 
 #include <span>
@@ -35,8 +36,7 @@ class VeilPass {
               const glm::vec4& colour);
 
     gl::Program program_;
-    gl::VertexArray vertexArray_;
-    gl::Buffer vertices_;
+    Corners drawn_;
 };
 
 } // namespace shoal::render

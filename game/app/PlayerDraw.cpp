@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 namespace shoal::app {
@@ -107,8 +108,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
     }
     stage->set(run.shown, *surround, options.backdropOnly);
     const std::vector<gl::Target>& canvases = coarse.empty() ? targets : coarse;
-    std::vector<Stage::Eye> seen;
-    for (int eye = 0; eye < eyes; ++eye) {
+    const auto seenBy = [&](int eye) {
         render::View view;
         view.worldFromEye = run.shown.worldFromView;
         const float side = eyes == 2 ? (eye == 0 ? -0.5f : 0.5f) * options.eyeDistance_mm * 1e-3f : 0.0f;
@@ -116,9 +116,12 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
         view.verticalFov = glm::radians(options.fov_deg);
         view.aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
         view.heightPixels = drawnSize.y;
-        seen.push_back(eyeOf(eye, view, drawnSize));
-        if (Status drawn = stage->drawLayer(seen.back()); !drawn) return drawn;
-    }
+        return eyeOf(eye, view, drawnSize);
+    };
+    const std::array<Stage::Eye, 2> both = {seenBy(0), seenBy(1)};
+    const std::span seen = std::span(both).first(static_cast<size_t>(eyes));
+    for (const Stage::Eye& eye : seen)
+        if (Status drawn = stage->drawLayer(eye); !drawn) return drawn;
     for (const Stage::Eye& eye : seen) {
         const auto index = static_cast<size_t>(eye.eye);
         const gl::Target &target = targets[index], &canvas = canvases[index];

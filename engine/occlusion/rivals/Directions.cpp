@@ -8,34 +8,14 @@
 
 namespace shoal::occlusion::rivals {
 
-namespace {
-constexpr float kGolden = std::numbers::pi_v<float> * (3 - 2.2360679775f); // radians
-}
-
 std::vector<glm::vec3> evenDirections(int count) {
     std::vector<glm::vec3> out;
     for (int i = 0; i < count; ++i) {
         const float y = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(count);
-        const float ring = std::sqrt(1 - y * y), turn = static_cast<float>(i) * kGolden;
+        const float ring = std::sqrt(1 - y * y), turn = static_cast<float>(i * kGoldenAngle);
         out.emplace_back(ring * std::cos(turn), y, ring * std::sin(turn));
     }
     return out;
-}
-
-std::vector<glm::vec3> cosineDirections(int count) {
-    std::vector<glm::vec3> out;
-    for (int i = 0; i < count; ++i) {
-        const float square =
-            (static_cast<float>(i) + 0.5f) / static_cast<float>(count); // of the disc's radius
-        const float turn = static_cast<float>(i) * kGolden, ring = std::sqrt(square);
-        out.emplace_back(ring * std::cos(turn), ring * std::sin(turn), std::sqrt(1 - square));
-    }
-    return out;
-}
-
-glm::mat3 frameAround(const glm::vec3& n) {
-    const float sign = std::copysign(1.0f, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
 DirectedLight directedLight(const ImageRgbF& image, std::vector<glm::vec3> directions) {

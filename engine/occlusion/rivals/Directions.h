@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/Image.h"
+#include "engine/occlusion/Directions.h"
 
 #include <glm/glm.hpp>
 
@@ -15,14 +16,6 @@ using Occluded = std::function<bool(const glm::vec3& origin, const glm::vec3& di
 
 // Spread evenly over the sphere: Fibonacci lattice.
 std::vector<glm::vec3> evenDirections(int count);
-
-// Cosine-weighted over the hemisphere around +Z, stratified: Shirley and Chiu 1997 by rings of Vogel's
-// spiral.
-std::vector<glm::vec3> cosineDirections(int count);
-
-// Some right-handed frame with +Z along a unit normal. Duff et al. 2017, "Building an Orthonormal Basis,
-// Revisited".
-glm::mat3 frameAround(const glm::vec3& normal);
 
 // Radiance from every direction, shared out to the nearest of these: its integral over each one's part of the
 // sphere.

@@ -47,7 +47,7 @@ std::vector<LobeRay> lobeRays(int count, int turn) {
 template <class Occluded>
 glm::vec3 shareOf(std::span<const LobeRay> lobe, const glm::vec3& mirrored, const Lit& lit,
                   const Occluded& occluded) {
-    const glm::mat3 frame = occlusion::rivals::frameAround(mirrored);
+    const glm::mat3 frame = occlusion::frameAround(mirrored);
     glm::vec3 left(0), whole(1e-20f);
     for (const LobeRay& ray : lobe) {
         const glm::vec3 to = frame * ray.direction;

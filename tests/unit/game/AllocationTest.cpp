@@ -1,28 +1,8 @@
 // In steady state a tick takes no memory from the heap.
 #include "Fixture.h"
+#include "tests/unit/Heap.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <new>
-
-namespace {
-bool counting = false;
-int allocations = 0;
-
-void* take(std::size_t size) {
-    if (counting) ++allocations;
-    if (void* p = std::malloc(size ? size : 1)) return p;
-    throw std::bad_alloc();
-}
-} // namespace
-
-void* operator new(std::size_t size) { return take(size); }
-void* operator new[](std::size_t size) { return take(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
 
 namespace shoal::game {
 namespace {
@@ -37,7 +17,7 @@ TEST(Allocation, ATickTakesNoMemory) {
     dive.snapshot(b);
     interpolate(a, b, 0.5f, shown);
     for (int i = 0; i < 6000; ++i) {
-        if (i == 120) counting = true; // Bullet's pools and our scratch have their size
+        if (i == 120) heap::counting = true; // Bullet's pools and our scratch have their size
         events.clear();
         // Hands that swing and close, so that contacts and grabs happen; one of them gets lost at times.
         const float x = static_cast<float>(i % 240) / 240 - 0.5f;
@@ -51,8 +31,8 @@ TEST(Allocation, ATickTakesNoMemory) {
         interpolate(b, a, 0.5f, shown);
         (void)dive.stateHash();
     }
-    counting = false;
-    EXPECT_EQ(allocations, 0);
+    heap::counting = false;
+    EXPECT_EQ(heap::allocations, 0);
 }
 
 } // namespace

@@ -1,34 +1,16 @@
 // From a light's second frame on nothing is allocated; where there is not enough memory, that is said, and
 // the maker and the light serve again.
 #include "engine/light/library/ShoalLight.hpp"
+#include "tests/unit/Heap.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
-#include <new>
 #include <vector>
 
 namespace {
-constexpr long kUnlimited = std::numeric_limits<long>::max();
-long left = kUnlimited; // allocations that succeed
 
-void* take(std::size_t size) {
-    if (left != kUnlimited && left-- <= 0) throw std::bad_alloc();
-    if (void* p = std::malloc(size ? size : 1)) return p;
-    throw std::bad_alloc();
-}
-} // namespace
-
-void* operator new(std::size_t size) { return take(size); }
-void* operator new[](std::size_t size) { return take(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
-
-namespace {
+using shoal::heap::kUnlimited, shoal::heap::left;
 
 constexpr int kWidth = 256, kHeight = 128;
 
