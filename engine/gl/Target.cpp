@@ -10,44 +10,58 @@ Target::Target(int width, int height, int samples, Kind kind) : width_(width), h
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     samples_ = std::clamp(samples, 1, std::max(1, most));
     const int storage = samples_ > 1 ? samples_ : 0;
-    const auto attach = [&](Renderbuffer& buffer, GLenum format, GLenum point, int sampleCount) {
+    const auto make = [&](Renderbuffer& buffer, GLenum format) {
         buffer = Renderbuffer::make();
         glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, sampleCount, format, width, height);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer.name());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, storage, format, width, height);
     };
-    // What is read in the end: without samples that is what is drawn into.
-    const auto attachShown = [&](Renderbuffer& buffer) {
-        if (kind != Kind::Sampled) return attach(buffer, GL_RGBA8, GL_COLOR_ATTACHMENT0, 0);
-        texture_ = Texture::make();
-        glBindTexture(GL_TEXTURE_2D, texture_.name());
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    // What is read in the end: without samples that is what is drawn into. Blue first in memory, as windows
+    // have it, which Mesa grants only where the format is left open so far; other orders are copied more
+    // slowly.
+    texture_ = Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    if (samples_ > 1) make(samplesColour_, GL_RGBA8);
+    const bool stencil = kind == Kind::Stencilled;
+    make(depth_, stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24);
+
+    const auto bindNew = [](Framebuffer& buffer) {
+        buffer = Framebuffer::make();
+        glBindFramebuffer(GL_FRAMEBUFFER, buffer.name());
+    };
+    const auto attachTexture = [&] {
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
     };
-    drawn_ = Framebuffer::make();
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-    if (samples_ > 1)
-        attach(colour_, GL_RGBA8, GL_COLOR_ATTACHMENT0, storage);
-    else
-        attachShown(colour_);
-    const bool stencil = kind == Kind::Stencilled;
-    attach(depth_, stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24,
-           stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, storage);
-    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+    const auto attachColour = [&] {
+        if (samples_ == 1) return attachTexture();
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                  samplesColour_.name());
+    };
     if (samples_ > 1) {
-        resolved_ = Framebuffer::make();
-        glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
-        attachShown(resolvedColour_);
+        bindNew(resolved_);
+        attachTexture();
     }
+    bindNew(colourOnly_);
+    attachColour();
+    bindNew(drawn_);
+    attachColour();
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                              GL_RENDERBUFFER, depth_.name());
+    assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
 void Target::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
+    glViewport(0, 0, width_, height_);
+}
+
+void Target::bindColour() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, colourOnly_.name());
     glViewport(0, 0, width_, height_);
 }
 

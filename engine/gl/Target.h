@@ -8,11 +8,7 @@ namespace shoal::gl {
 
 class Target {
   public:
-    enum class Kind {
-        Plain,
-        Stencilled, // with a stencil
-        Sampled     // its colour is a texture, which is scaled with a linear filter and ends at its edges
-    };
+    enum class Kind { Plain, Stencilled };
 
     Target() = default;
     // samples: 1, or up to what the driver has (more is lowered to that).
@@ -22,9 +18,13 @@ class Target {
     int height() const { return height_; }
 
     void bind() const; // and sets the viewport
+    // The same without depth and stencil, for what asks for neither: Mesa's llvmpipe then takes rectangles
+    // whole instead of as triangles.
+    void bindColour() const;
     GLuint framebuffer() const { return drawn_.name(); }
 
-    // Of a Sampled one. What was drawn is in it after resolve(), which leaves another framebuffer bound.
+    // Scaled with a linear filter, ends at its edges. What was drawn is in it after resolve(), which leaves
+    // another framebuffer bound.
     GLuint texture() const { return texture_.name(); }
     void resolve() const;
 
@@ -37,8 +37,8 @@ class Target {
 
   private:
     int width_ = 0, height_ = 0, samples_ = 1;
-    Framebuffer drawn_, resolved_;
-    Renderbuffer colour_, depth_, resolvedColour_;
+    Framebuffer drawn_, colourOnly_, resolved_;
+    Renderbuffer samplesColour_, depth_; // the first only if multisampled
     Texture texture_;
 };
 

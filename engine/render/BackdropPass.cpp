@@ -31,15 +31,21 @@ unsigned featuresOf(const SurroundGpu& surround, const Exposure& exposure) {
                                                                                                    : 0u);
 }
 
-// Cells so small that a map's coordinates are linear in them: at most 0.4 texels of a 2048 wide video off,
-// 0.1 on average (0.2 and 0.04 where cells are not taken in fours).
+// Of the image plane at distance 1: so small that a map's coordinates are as good as affine within a cell. Of
+// a 2048 wide video at most 0.1 texels off up to 45 degrees of latitude, 0.2 where polar cells begin.
+constexpr float kCell = 0.04f;
+constexpr float kPolarSine = 0.85f; // of the latitude
+
 int cellsAcross(float halfExtent) {
-    constexpr float kCell = 0.04f; // of the image plane at distance 1
     return std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
 }
 
-constexpr float kLevelSine = 0.35f;   // below, cells may be twice as large
-constexpr float kPolarSine = 0.7071f; // sine of the latitude from which on a cell is polar
+// So coarse that sums of a few of them are exact: corners then lie in one plane to the last bit, by which
+// llvmpipe knows a rectangle. 1/1024 texel of a 2048 wide video.
+glm::vec2 rounded(const glm::vec2& uv) {
+    constexpr float kSteps = 1 << 21;
+    return glm::round(uv * kSteps) / kSteps;
+}
 
 } // namespace
 
@@ -68,11 +74,9 @@ Result<BackdropPass> BackdropPass::make() {
 
 size_t BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay) {
     const glm::vec2 half = view.halfExtent();
-    // Even, so that cells can be taken in fours.
-    const int across = 2 * cellsAcross(half.x / 2), down = 2 * cellsAcross(half.y / 2), stride = across + 1;
+    const int across = cellsAcross(half.x), down = cellsAcross(half.y), stride = across + 1;
     const auto placeOf = [&](int x, int y) {
-        return glm::vec2(2 * static_cast<float>(x) / static_cast<float>(across) - 1,
-                         2 * static_cast<float>(y) / static_cast<float>(down) - 1);
+        return 2.0f * glm::vec2(x, y) / glm::vec2(across, down) - 1.0f;
     };
     uvs_.clear();
     sines_.clear();
@@ -83,28 +87,24 @@ size_t BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay) {
             uvs_.push_back(latLongFromDirection(ray));
             sines_.push_back(std::abs(ray.y));
         }
-    const auto put = [&](int x, int y, int size) {
-        const float u = uvs_[static_cast<size_t>(y * stride + x)].x;
-        for (int i = 0; i < 4; ++i) {
-            const int cx = x + size * (i & 1), cy = y + size * (i >> 1);
-            glm::vec2 uv = uvs_[static_cast<size_t>(cy * stride + cx)];
-            uv.x += std::round(u - uv.x); // the map repeats: all corners on one side of the seam
-            corners_.push_back({placeOf(cx, cy), uv});
-        }
+    const auto put = [&](int x, int y) {
+        const auto at = [&](int i) { return static_cast<size_t>((y + (i >> 1)) * stride + x + (i & 1)); };
+        std::array<glm::vec2, 4> uv = {uvs_[at(0)], uvs_[at(1)], uvs_[at(2)], uvs_[at(3)]};
+        // The map repeats: all corners on one side of the seam.
+        for (glm::vec2& each : uv) each.x += std::round(uv[0].x - each.x);
+        const glm::vec2 right = rounded(0.5f * (uv[1] - uv[0] + uv[3] - uv[2]));
+        const glm::vec2 up = rounded(0.5f * (uv[2] - uv[0] + uv[3] - uv[1]));
+        const glm::vec2 first = rounded(0.25f * (uv[0] + uv[1] + uv[2] + uv[3]) - 0.5f * (right + up));
+        for (int i = 0; i < 4; ++i)
+            corners_.push_back({placeOf(x + (i & 1), y + (i >> 1)),
+                                first + static_cast<float>(i & 1) * right + static_cast<float>(i >> 1) * up});
     };
     corners_.clear();
     size_t plain = 0;
     for (const bool polarOnes : {false, true}) {
-        for (int y = 0; y < down; y += 2)
-            for (int x = 0; x < across; x += 2) {
-                const float sine = sines_[static_cast<size_t>((y + 1) * stride + x + 1)]; // of the middle
-                if ((sine > kPolarSine) != polarOnes) continue;
-                if (polarOnes || sine < kLevelSine) {
-                    put(x, y, 2);
-                    continue;
-                }
-                for (int i = 0; i < 4; ++i) put(x + (i & 1), y + (i >> 1), 1);
-            }
+        for (int y = 0; y < down; ++y)
+            for (int x = 0; x < across; ++x)
+                if ((sines_[static_cast<size_t>(y * stride + x)] > kPolarSine) == polarOnes) put(x, y);
         if (!polarOnes) plain = corners_.size() / 4;
     }
     return plain;
@@ -141,8 +141,12 @@ Status BackdropPass::draw(const SurroundGpu& surround, const View& view, const g
         program.set("rayScale", view.halfExtent());
         program.set("rayShift", view.shift);
         program.set("exposureScale", exposure.scale());
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(6 * first * sizeof(uint32_t)));
+        // Few at a time: llvmpipe cuts longer draws between the triangles of a rectangle.
+        constexpr size_t kAtOnce = 160;
+        for (size_t done = 0; done < count; done += kAtOnce)
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * std::min(kAtOnce, count - done)),
+                           GL_UNSIGNED_INT,
+                           reinterpret_cast<const void*>(6 * (first + done) * sizeof(uint32_t)));
         return Done{};
     };
     const unsigned features = featuresOf(surround, exposure);

@@ -13,8 +13,8 @@ class BackdropPass {
   public:
     static Result<BackdropPass> make();
 
-    // Over the whole picture, before the objects: depth is neither asked nor changed. The program for a curve
-    // that is new is compiled first.
+    // Over the whole picture, before the objects: depth is neither asked nor changed, and need not be there.
+    // The program for a curve that is new is compiled first.
     Status draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure);
 

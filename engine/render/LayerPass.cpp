@@ -56,7 +56,7 @@ Result<LayerPass> LayerPass::make() {
 
 void LayerPass::begin(glm::ivec2 size, int samples) {
     if (!layer_ || layer_->width() != size.x || layer_->height() != size.y || samples_ != samples) {
-        layer_.emplace(size.x, size.y, samples, gl::Target::Kind::Sampled);
+        layer_.emplace(size.x, size.y, samples);
         samples_ = samples;
     }
     layer_->bind();

@@ -125,17 +125,17 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
     for (const Stage::Eye& eye : seen) {
         const auto index = static_cast<size_t>(eye.eye);
         const gl::Target &target = targets[index], &canvas = canvases[index];
-        canvas.bind();
         // The backdrop is infinitely far: parallel eyes see the same of it, and copying is quicker than
         // drawing.
         const bool shared =
             eyes == 2 && samples == 1 && surround->eyesSeeTheSame() && stage->eyesShareBackdrop();
-        if (!shared || eye.eye == 0)
+        if (!shared || eye.eye == 0) {
+            canvas.bindColour();
             if (Status drawn = stage->drawBackdrop(eye); !drawn) return drawn;
-        if (shared && eye.eye == 0) {
-            canvas.blitTo(canvases[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
-            canvas.bind();
         }
+        if (shared && eye.eye == 0) canvas.blitTo(canvases[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
+        glFlush(); // its pixels are drawn while the objects' vertices are shaded
+        canvas.bind();
         if (Status drawn = stage->drawObjects(eye); !drawn) return drawn;
         if (!coarse.empty()) {
             canvas.blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);

@@ -1,5 +1,5 @@
 // The surround behind everything, at the far plane, in cells of a grid over the picture. Away from the poles the map's
-// coordinates are as good as linear within a cell, so that no pixel needs trigonometry; cells near a pole are drawn by
+// coordinates are as good as affine within a cell, so that no pixel needs trigonometry; cells near a pole are drawn by
 // a second program (POLAR), which computes them for each pixel.
 #include "render/Attributes.glsl"
 

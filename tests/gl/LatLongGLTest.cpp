@@ -54,7 +54,7 @@ class LatLongGL : public WithContext {
         constexpr int kSize = 400;
         render::View view = viewTowards(direction);
         view.eyeWorld = eyeWorld;
-        layer_ = gl::Target(kSize, kSize, 1, gl::Target::Kind::Sampled);
+        layer_ = gl::Target(kSize, kSize, 1);
         layer_.bind();
         glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
