@@ -14,6 +14,7 @@ namespace shoal::render {
 
 namespace {
 constexpr float kLeast = 0.012f; // of the ground's light: three of 255 display values where it is bright
+constexpr float kUnseen = 1 - 0.5f / 255; // a factor that leaves display values what they are
 
 // Whether all corners of the rectangle lie beyond one side of the view.
 bool isUnseen(const std::array<glm::vec3, 4>& corners, const glm::mat4& clipFromWorld) {
@@ -56,47 +57,67 @@ Result<ShadowPass> ShadowPass::make() {
     return pass;
 }
 
+glm::vec2 ShadowPass::Patch::at(int x, int y) const {
+    return floor.low + (floor.high - floor.low) * glm::vec2(x, y) / glm::vec2(floor.across, floor.down);
+}
+
 void ShadowPass::begin() {
     patches_.clear();
-    places_.clear();
+    flat_.clear();
+    hidden_.clear();
 }
 
 void ShadowPass::add(std::span<const CastingPiece> body, const FloorLight& light) {
-    const FloorPatch patch = patchOf(body, light, kLeast);
-    if (patch.across == 0) return;
-    flatten(body, light, flat_);
-    patches_.push_back({places_.size(), patch.across, patch.down});
-    const glm::vec2 step = (patch.high - patch.low) / glm::vec2(patch.across, patch.down);
-    for (int y = 0; y <= patch.down; ++y)
-        for (int x = 0; x <= patch.across; ++x) {
-            const glm::vec2 xz = patch.low + step * glm::vec2(x, y);
-            places_.push_back({xz, patch.strength * covered(flat_, light, xz)});
-        }
+    const FloorPatch floor = patchOf(body, light, kLeast);
+    if (floor.across == 0) return;
+    flatten(body, light, body_);
+    patches_.push_back({floor, flat_.size(), body_.size(), std::nullopt});
+    flat_.insert(flat_.end(), body_.begin(), body_.end());
+}
+
+std::span<const float> ShadowPass::hiddenIn(Patch& patch, const FloorLight& light) {
+    const FloorPatch& floor = patch.floor;
+    if (!patch.first) {
+        patch.first = hidden_.size();
+        const std::span body(flat_.data() + patch.firstPiece, patch.pieces);
+        for (int y = 0; y <= floor.down; ++y)
+            for (int x = 0; x <= floor.across; ++x)
+                hidden_.push_back(floor.strength * covered(body, light, patch.at(x, y)));
+    }
+    return {hidden_.data() + *patch.first, static_cast<size_t>((floor.across + 1) * (floor.down + 1))};
 }
 
 void ShadowPass::draw(const View& view, const FloorLight& light, const water::Water& water) {
     vertices_.clear();
     indices_.clear();
     const glm::mat4 clipFromWorld = view.clipFromWorld();
-    const auto onGround = [&](const Place& each) { return glm::vec3(each.xz.x, light.height_m, each.xz.y); };
-    for (const Patch& patch : patches_) {
-        const int stride = patch.across + 1, last = stride * (patch.down + 1) - 1;
-        const std::span places(places_.data() + patch.first, static_cast<size_t>(last) + 1);
-        const auto corner = [&](int i) { return onGround(places[static_cast<size_t>(i)]); };
-        if (isUnseen({corner(0), corner(patch.across), corner(last - patch.across), corner(last)},
+    for (Patch& patch : patches_) {
+        const int across = patch.floor.across, down = patch.floor.down, stride = across + 1;
+        const auto onGround = [&](int x, int y) {
+            const glm::vec2 xz = patch.at(x, y);
+            return glm::vec3(xz.x, light.height_m, xz.y);
+        };
+        if (isUnseen({onGround(0, 0), onGround(across, 0), onGround(0, down), onGround(across, down)},
                      clipFromWorld))
             continue;
+        const std::span<const float> hidden = hiddenIn(patch, light);
         const size_t first = vertices_.size();
-        for (const Place& each : places) {
-            const glm::vec3 place = onGround(each);
-            vertices_.push_back(
-                {place, leftOfGround(light, each.hidden, water, glm::distance(place, view.eyeWorld))});
-        }
-        for (int y = 0; y < patch.down; ++y)
-            for (int x = 0; x < patch.across; ++x) {
+        for (int y = 0; y <= down; ++y)
+            for (int x = 0; x <= across; ++x) {
+                const glm::vec3 place = onGround(x, y);
+                const float here = hidden[static_cast<size_t>(y * stride + x)];
+                vertices_.push_back(
+                    {place, here > 0 ? leftOfGround(light, here, water, glm::distance(place, view.eyeWorld))
+                                     : glm::vec3(1)});
+            }
+        for (int y = 0; y < down; ++y)
+            for (int x = 0; x < across; ++x) {
                 const int cell = y * stride + x;
-                const auto hides = [&](int i) { return places[static_cast<size_t>(cell + i)].hidden > 0; };
-                if (!hides(0) && !hides(1) && !hides(stride) && !hides(stride + 1)) continue;
+                const auto dims = [&](int i) {
+                    const glm::vec3& left = vertices_[first + static_cast<size_t>(cell + i)].left;
+                    return std::min({left.x, left.y, left.z}) < kUnseen;
+                };
+                if (!dims(0) && !dims(1) && !dims(stride) && !dims(stride + 1)) continue;
                 for (const int i : {0, 1, stride, stride, 1, stride + 1})
                     indices_.push_back(static_cast<uint32_t>(first) + static_cast<uint32_t>(cell + i));
             }

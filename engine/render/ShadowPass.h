@@ -10,6 +10,7 @@
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,24 +37,26 @@ class ShadowPass {
     size_t patches() const { return patches_.size(); } // since begin()
 
   private:
-    struct Place {
-        glm::vec2 xz{0};
-        float hidden = 0;
-    };
     struct Patch {
-        size_t first = 0; // of its places
-        int across = 0, down = 0;
+        FloorPatch floor;
+        size_t firstPiece = 0, pieces = 0; // of its body, in flat_
+        std::optional<size_t> first;       // of its places, row by row, in hidden_: once it has been seen
+
+        glm::vec2 at(int x, int y) const; // of its grid: world x and z
     };
     struct Vertex {
         glm::vec3 place, left;
     };
 
+    // The share of the light that is hidden at the patch's places.
+    std::span<const float> hiddenIn(Patch& patch, const FloorLight& light);
+
     gl::Program program_;
     gl::VertexArray vertexArray_;
     gl::Buffer vertexBuffer_, indexBuffer_;
     std::vector<Patch> patches_;
-    std::vector<Place> places_;
-    std::vector<FlatPiece> flat_;  // scratch
+    std::vector<FlatPiece> flat_, body_; // of all bodies; of one: scratch
+    std::vector<float> hidden_;
     std::vector<Vertex> vertices_; // scratch
     std::vector<uint32_t> indices_;
 };
