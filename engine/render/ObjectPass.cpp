@@ -95,7 +95,7 @@ bool sees(const View& view, const Ball& ball) {
 // World metres that no one sees at the ball's nearest point.
 float toleranceFor(const Ball& ball, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
-    const float unseen_px = detail == Detail::Lean ? 1.25f : 0.5f;
+    const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
     const float distance = glm::distance(ball.centre, view.eyeWorld) - ball.radius;
     return std::max(distance, view.near_m) * 2 * view.halfExtent().y / static_cast<float>(view.heightPixels) *
            unseen_px;

@@ -55,7 +55,8 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
                                                                  : scene::leastRoughness(actor.model));
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
-    foldBody(actor.model, parts == occlusion::Parts::ByJoint);
+    const bool isHand = parts == occlusion::Parts::ByJoint;
+    foldBody(actor.model, isHand);
     actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));
@@ -69,6 +70,7 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
     actor.silhouette = scene::silhouetteOf(actor.model, actor.pose);
+    if (isHand) actor.reach = scene::reachOf(actor.model, actor.pose);
     actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
     for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
@@ -166,10 +168,9 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
             actor.pose.modelFromNode[static_cast<size_t>(actor.jointNodes[joint])] =
                 glm::translate(glm::mat4(1), hand.joints[joint].position) *
                 glm::mat4_cast(hand.joints[joint].orientation);
-        // The joints already stand in the world.
-        constexpr float kHandRadius_m = 0.25f;
-        pass.add(actor.model, actor.gpu, actor.pose, glm::mat4(1), {hand.joints[0].position, kHandRadius_m},
-                 &actor.body);
+        const glm::mat4 worldFromModel(1); // the joints already stand in the world
+        const scene::ReachedBall ball = scene::ballAround(actor.reach, actor.pose, worldFromModel);
+        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel, {ball.centre, ball.radius}, &actor.body);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
+#include "engine/scene/Reach.h"
 #include "engine/scene/Silhouette.h"
 #include "engine/scene/Spine.h"
 #include "game/Snapshot.h"
@@ -43,6 +44,7 @@ class Cast {
         float length_m = 1;                                      // of the rest pose along z
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
+        std::vector<scene::NodeReach> reach;                     // hands only
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
     // look: a variant of the model; empty: as it is.

@@ -1,6 +1,8 @@
 // The models that come with the game hold what the game asks of them by name.
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Lod.h"
+#include "engine/scene/Reach.h"
+#include "engine/scene/Surface.h"
 #include "input/hands/HandRig.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -359,6 +361,31 @@ TEST(HandModels, AreMirrorImages) {
 
 INSTANTIATE_TEST_SUITE_P(Content, Hands, testing::Values("hand_left", "hand_right"),
                          [](const auto& spec) { return std::string(spec.param); });
+
+// However its fingers bend, a hand stays in the ball around it, and the ball is little larger than a hand.
+TEST(Hands, StayWithinTheirReach) {
+    const Model model = load("hand_left");
+    Pose pose;
+    restPose(model, pose);
+    updateGlobals(model, pose);
+    const std::vector<NodeReach> reach = reachOf(model, pose);
+    const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), {3, -1, 2}), glm::vec3(1.5f));
+    for (const float bend : {0.0f, 0.4f, 0.8f, 1.2f}) {
+        restPose(model, pose);
+        for (size_t n = 0; n < model.nodes.size(); ++n)
+            if (model.nodes[n].name.find("index") == 0 || model.nodes[n].name.find("thumb") == 0)
+                pose.local[n].rotation = pose.local[n].rotation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
+        updateGlobals(model, pose);
+        const ReachedBall ball = ballAround(reach, pose, worldFromModel);
+        EXPECT_LT(ball.radius, 1.5f * 0.2f);
+        float furthest = 0;
+        for (const glm::vec3& p : posedSurface(model, pose).positions)
+            furthest =
+                std::max(furthest, glm::distance(glm::vec3(worldFromModel * glm::vec4(p, 1)), ball.centre));
+        EXPECT_LT(furthest, ball.radius + 0.002f) << bend;
+        EXPECT_GT(furthest, 0.7f * ball.radius);
+    }
+}
 
 } // namespace
 } // namespace shoal::scene
