@@ -14,6 +14,7 @@
 #include <future>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -70,7 +71,8 @@ struct VideoPlayer::Impl {
     VideoCounts counts;
 
     std::atomic<bool> stop{false};
-    VideoSource source; // the decode thread's
+    VideoSource source;              // the decode thread's
+    std::optional<ImageRgb8> pixels; // the decode thread's: of all slots, if they do not keep theirs
     std::thread thread;
 
     explicit Impl(VideoSource opened) : source(std::move(opened)) {}
@@ -160,14 +162,16 @@ struct VideoPlayer::Impl {
             if (!source.grab()) return source.position();
             if (source.position() <= number) ++skipped;
         }
-        if (!source.retrieve(frame.pixelsBgr)) return number;
+        if (pixels) std::swap(frame.pixelsBgr, *pixels);
+        const bool had = source.retrieve(frame.pixelsBgr);
         frame.decode_ms = msSince(start);
         frame.number = number;
         frame.pts_s = static_cast<double>(frame.index) / info.fps;
         start = Clock::now();
-        if (prepare) prepare(frame, slotIndex);
+        if (had && prepare) prepare(frame, slotIndex);
         frame.prepare_ms = msSince(start);
-        return number + 1;
+        if (pixels) std::swap(frame.pixelsBgr, *pixels);
+        return had ? number + 1 : number;
     }
 
     // The pass that began at index `pass` gave only `count` frames. With the lock held.
@@ -258,7 +262,10 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, VideoOptions options) {
     impl->info = info;
     impl->prepare = std::move(options.prepare);
     impl->slots.resize(static_cast<size_t>(options.slots));
-    for (auto& slot : impl->slots) slot.frame.pixelsBgr = ImageRgb8(info.width, info.height);
+    const ImageRgb8 blank(info.width, info.height);
+    if (!options.keepPixels) impl->pixels = blank;
+    for (auto& slot : impl->slots)
+        if (options.keepPixels) slot.frame.pixelsBgr = blank;
     impl->thread = std::thread([raw = impl.get()] { raw->run(); });
 
     std::unique_lock lock(impl->mutex);

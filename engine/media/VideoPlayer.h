@@ -24,7 +24,7 @@
 namespace shoal::media {
 
 struct VideoFrame {
-    ImageRgb8 pixelsBgr;   // sRGB-coded, BLUE first, as the decoder gives it: upload as GL_BGR
+    ImageRgb8 pixelsBgr;   // sRGB-coded, BLUE first, as the decoder gives it; see VideoOptions::keepPixels
     int64_t index = -1;    // since the start of the first pass
     int64_t number = -1;   // within the video
     double pts_s = 0;      // when it is due: index / fps
@@ -40,6 +40,8 @@ struct VideoOptions {
     // keeps what it makes per slot (0 .. slots - 1). Nobody else reads or writes that slot meanwhile, and it
     // stays untouched for as long as the frame is shown. Must not throw nor call the player.
     std::function<void(const VideoFrame& frame, int slot)> prepare;
+    // False: only `prepare` sees pixelsBgr; in frames that are given out it is empty.
+    bool keepPixels = true;
 };
 
 // Since open(), for statistics.

@@ -146,8 +146,15 @@ bool VideoSource::retrieve(ImageRgb8& bgr) {
         cv::Mat target(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
         // A frame of another size would make OpenCV take memory of its own.
         if (!capture_.retrieve(target) || target.data != bgr.pixels.data()) return false;
-        if (info_.matrix != ColourMatrix::Bt601)
-            cv::transform(target, target, cv::Matx33f(correctionBgr(info_.matrix).data()));
+        if (info_.matrix == ColourMatrix::Bt601) return true;
+        // Few rows at a time: of a whole picture OpenCV would make a copy first.
+        constexpr int kRows = 16;
+        const cv::Matx33f correction(correctionBgr(info_.matrix).data());
+        for (int y = 0; y < target.rows; y += kRows) {
+            cv::Mat rows = target.rowRange(y, std::min(y + kRows, target.rows));
+            cv::transform(rows, corrected_, correction);
+            corrected_.copyTo(rows);
+        }
         return true;
     } catch (const std::exception&) {
         return false;

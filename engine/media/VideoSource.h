@@ -33,6 +33,7 @@ class VideoSource {
 
     Path file_;
     cv::VideoCapture capture_;
+    cv::Mat corrected_; // scratch: a few rows
     VideoInfo info_;
     int64_t position_ = 0;
     int64_t grabbedSinceSeek_ = 0;

@@ -190,10 +190,17 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         const bool smaller = relief && detail == Detail::Lean && texels.width >= kFineRelief;
         slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
     };
-    for (const scene::Material& material : model.materials) {
+    // Not of materials that another variant wears.
+    std::vector<bool> worn(model.materials.size());
+    for (const scene::Mesh& mesh : model.meshes)
+        for (const scene::Primitive& primitive : mesh.primitives)
+            if (primitive.material >= 0) worn[static_cast<size_t>(primitive.material)] = true;
+    for (size_t m = 0; m < model.materials.size(); ++m) {
+        if (!worn[m]) continue;
+        const scene::Material& material = model.materials[m];
         want(material.baseColour, reflectance == Reflectance::Linear);
         want(material.emissive, true);
-        want(material.metallicRoughness, false);
+        if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
         want(material.normal, false, true);
         want(material.occlusion, false);
     }

@@ -212,7 +212,8 @@ Status Surround::State::openLive(const media::LiveAddress& address, media::Layou
                                      [this](const media::LiveFrame& frame, int slot) {
                                          const ImageRgb8& bgr = frame.pixelsBgr;
                                          prepare(bgr, partOf(bgr.width, bgr.height, frame.layout, 0), slot);
-                                     }},
+                                     },
+                                 .keepPixels = false},
                                 wait);
     if (!opened) return opened.error();
     live = std::move(*opened);
@@ -243,12 +244,12 @@ Status Surround::State::openFile(const Path& file, media::Layout wish) {
     if (!info) return info.error();
     setLayout(info->layout);
     const EyePart part = partOf(info->width, info->height, layout, 0);
-    auto opened =
-        media::VideoPlayer::open(file, {.layout = layout,
-                                        .slots = kSlots,
-                                        .prepare = [this, part](const media::VideoFrame& frame, int slot) {
-                                            prepare(frame.pixelsBgr, part, slot);
-                                        }});
+    auto opened = media::VideoPlayer::open(
+        file, {.layout = layout,
+               .slots = kSlots,
+               .prepare = [this, part](const media::VideoFrame& frame,
+                                       int slot) { prepare(frame.pixelsBgr, part, slot); },
+               .keepPixels = false});
     if (!opened) return opened.error();
     player = std::move(*opened);
     return Done{};

@@ -61,6 +61,7 @@ struct LivePlayer::Impl {
     // The decode thread's:
     Layout layout = Layout::Mono;
     int width = 0, height = 0;
+    ImageRgb8 pixels; // of all slots, if they do not keep theirs
 
     // --- Decode thread -------------------------------------------------------------------------------------
 
@@ -113,11 +114,15 @@ struct LivePlayer::Impl {
             Slot& slot = slots[static_cast<size_t>(index)];
             slot.state = State::Filling;
             Result<LivePicture> picture = Error{};
-            if (!inCall(lock, [&] { picture = feed.read(slot.frame.pixelsBgr); }) || !picture) {
+            ImageRgb8& bgr = slot.frame.pixelsBgr;
+            if (!options.keepPixels) std::swap(bgr, pixels);
+            const bool going = inCall(lock, [&] { picture = feed.read(bgr); });
+            if (!going || !picture) {
+                if (!options.keepPixels) std::swap(bgr, pixels);
                 slot.state = State::Free;
                 return picture ? Error{} : picture.error();
             }
-            findLayout(slot.frame.pixelsBgr);
+            findLayout(bgr);
             slot.frame.layout = layout;
             slot.frame.index = counts.made;
             slot.frame.arrived_s = picture->arrived_s;
@@ -126,6 +131,7 @@ struct LivePlayer::Impl {
             const Clock::time_point began = Clock::now();
             if (options.prepare) options.prepare(slot.frame, index);
             slot.frame.prepare_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+            if (!options.keepPixels) std::swap(bgr, pixels);
             lock.lock();
             publish(index, *picture);
             backoff.succeeded();

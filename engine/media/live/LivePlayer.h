@@ -27,6 +27,7 @@ struct LiveOptions {
     // As VideoOptions::prepare.
     std::function<void(const LiveFrame& frame, int slot)> prepare;
     double firstPicture_s = 10; // open() waits so long
+    bool keepPixels = true;     // false: only `prepare` sees pixelsBgr; in frames given out it is empty
     double still_s = 1;         // without a new picture: it has stopped, and says so
     double retryFirst_s = 0.5, retryMost_s = 8;
     std::function<double()> now_s = liveNow_s;

@@ -105,6 +105,27 @@ TEST(VideoPlayer, NewestTakesUpAnEarlierTime) {
     while (player.newest(5 / kFps)->index != 5) std::this_thread::yield();
 }
 
+TEST(VideoPlayer, OnePictureServesAllSlotsWhereNoneIsKept) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 20);
+    std::set<const uint8_t*> memory;
+    std::array<int, 4> preparedNumber{};
+    VideoOptions options;
+    options.keepPixels = false;
+    options.prepare = [&](const VideoFrame& frame, int slot) {
+        memory.insert(frame.pixelsBgr.pixels.data());
+        preparedNumber.at(static_cast<size_t>(slot)) = numberOf(frame.pixelsBgr);
+    };
+    auto player = opened(file, std::move(options));
+    for (int i = 0; i < 60; ++i) {
+        const VideoFrame* frame = player.waitFor(i / kFps);
+        EXPECT_EQ(preparedNumber.at(static_cast<size_t>(player.slotOf(*frame))), i % 20);
+        EXPECT_TRUE(frame->pixelsBgr.empty());
+    }
+    EXPECT_EQ(memory.size(), 1u);
+}
+
 TEST(VideoPlayer, PrepareSeesTheFrameInTheSlotItIsShownFrom) {
     const TempFolder folder;
     const Path file = folder / "grey.avi";
