@@ -111,15 +111,15 @@ void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRg
     const int first = std::max(0, rowAt(latitude + reach)),
               last = std::min(level.height - 1, rowAt(latitude - reach));
     const float cosReach = std::cos(reach);
-    for (int y = first; y <= last; ++y)
+    for (int y = first; y <= last; ++y) {
+        const float solid = solidAngle(level, y);
         for (int x = 0; x < level.width; ++x) {
             const glm::vec3& direction = fineDirections_[static_cast<size_t>(y * kFine + x)];
             if (glm::dot(direction, middle) <= cosReach) continue;
             const float luminance = luminanceAt(level, x, y), part = asLight(luminance);
-            if (part > 0)
-                near_.push_back(
-                    {direction, part * (luminance - mean_) * solidAngle(level, y), luminance - mean_});
+            if (part > 0) near_.push_back({direction, part * (luminance - mean_) * solid, luminance - mean_});
         }
+    }
 }
 
 // Shifts a light to the middle of what is near, and its window, which holds that, with it.
