@@ -19,7 +19,10 @@ constexpr int kCoarse = 64, kFine = 256; // texels around
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kFirst = std::numbers::sqrt3_v<float>, kRamp = 0.4f; // standard deviations above the mean
 constexpr float kLeastReach = 0.21f, kMostReach = 1.4f;              // of the window, radians
-constexpr float kRefined = 0.5f; // wider windows hold so many coarse texels that finer ones tell no more
+constexpr float kNarrow = 0.6f, kWide = 0.7f; // of the same: a sun's with its glow; half a scene's
+constexpr float kFineSlack = 0.04f;           // of a window of the fine level: a texel and a half
+// The radius of 1 - r^2 to the fifth power by that of itself: sqrt(3 / 7).
+constexpr float kParaboloid = 0.65f;
 constexpr float kLeastShare = 1e-4f;
 
 const ImageRgbF& levelOf(const RadiancePyramid& radiance, int width) {
@@ -108,14 +111,46 @@ void LightFinder::gatherNear(const glm::vec3& middle, float reach, const ImageRg
     const int first = std::max(0, rowAt(latitude + reach)),
               last = std::min(level.height - 1, rowAt(latitude - reach));
     const float cosReach = std::cos(reach);
-    for (int y = first; y <= last; ++y)
+    for (int y = first; y <= last; ++y) {
+        const float solid = solidAngle(level, y);
         for (int x = 0; x < level.width; ++x) {
-            const float luminance = luminanceAt(level, x, y), part = asLight(luminance);
-            if (part <= 0) continue;
             const glm::vec3& direction = fineDirections_[static_cast<size_t>(y * kFine + x)];
-            if (glm::dot(direction, middle) > cosReach)
-                near_.push_back({direction, part * (luminance - mean_) * solidAngle(level, y)});
+            if (glm::dot(direction, middle) <= cosReach) continue;
+            const float luminance = luminanceAt(level, x, y), part = asLight(luminance);
+            if (part > 0) near_.push_back({direction, part * (luminance - mean_) * solid, luminance - mean_});
         }
+    }
+}
+
+// Shifts a light to the middle of what is near, and its window, which holds that, with it.
+void LightFinder::settle(FoundLight& light, float window) const {
+    for (int i = 0; i < 8; ++i) {
+        const Moments moments = momentsWithin(near_, light.direction, std::cos(window));
+        if (glm::length(moments.towards) <= 0) break;
+        const glm::vec3 next = glm::normalize(moments.towards);
+        const float radius = moments.radius(), narrower = std::min(window, 1.5f * radius + kFineSlack);
+        const bool still = glm::dot(next, light.direction) > 1 - 1e-6f && window - narrower < 0.002f;
+        light.direction = next;
+        light.radius = withoutTexels(radius, kFine);
+        window = narrower;
+        if (still) break;
+    }
+}
+
+// What a camera has clipped lies where what it left is brightest.
+void LightFinder::sharpen(float reach, FoundLight& light) {
+    float most = 0;
+    for (const Texel& texel : near_) most = std::max(most, texel.above);
+    for (Texel& texel : near_) {
+        const float height = texel.above / most, square = height * height;
+        texel.weight *= square * square;
+    }
+    FoundLight peak = light;
+    settle(peak, reach);
+    const float narrow = std::clamp((kWide - reach) / (kWide - kNarrow), 0.0f, 1.0f),
+                peaked = std::clamp((1 - peak.radius / light.radius) / (1 - kParaboloid), 0.0f, 1.0f);
+    light.direction = glm::normalize(glm::mix(light.direction, peak.direction, narrow * peaked));
+    light.radius += (peak.radius - light.radius) * narrow * peaked;
 }
 
 // From a bright texel to the light that it belongs to; reach: of the window in the end.
@@ -137,14 +172,10 @@ FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float
         if (still) break;
     }
     light.radius = withoutTexels(rough, kCoarse);
-    if (reach > kRefined) return light;
+    if (reach > kWide) return light;
     gatherNear(light.direction, reach, fine);
-    for (int i = 0; i < 3; ++i) {
-        const Moments moments = momentsWithin(near_, light.direction, std::cos(reach));
-        if (glm::length(moments.towards) <= 0) break;
-        light.direction = glm::normalize(moments.towards);
-        light.radius = withoutTexels(moments.radius(), kFine);
-    }
+    settle(light, reach);
+    sharpen(reach, light);
     return light;
 }
 
@@ -209,8 +240,10 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
     bright_.clear();
     for (size_t i = 0; i < luminance_.size(); ++i)
         if (const float part = asLight(luminance_[i]); part > 0)
-            bright_.push_back({directions_[i], part * (luminance_[i] - mean_) *
-                                                   solidAngle(coarse, static_cast<int>(i) / coarse.width)});
+            bright_.push_back(
+                {directions_[i],
+                 part * (luminance_[i] - mean_) * solidAngle(coarse, static_cast<int>(i) / coarse.width),
+                 luminance_[i] - mean_});
     const ImageRgbF& fine = levelOf(radiance, kFine);
     while (out.count < kMostLights && !bright_.empty()) {
         const auto seed = std::ranges::max_element(bright_, {}, &Texel::weight);

@@ -8,6 +8,12 @@
 // overcast sky throws no shadow, and is none. From the brightest of them a window shifts to the mode (mean
 // shift: Cheng 1995) and takes the size of what it holds as it goes (Bradski 1998, "Computer Vision Face
 // Tracking for Use in a Perceptual User Interface"); a place and a size are the spherical moments in it.
+//
+// A sun is ten thousand times as bright as the white to which a camera clips it, and the glow that is left
+// around it lies as haze, clouds and horizon have it. In a window no wider than a sun's with its glow texels
+// therefore count by the fifth power of what they have above the mean, and the window closes in on them. That
+// changes nothing where a lamp is evenly bright. Wider windows look out on half a scene, whose middle is that
+// of all its light.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
@@ -46,10 +52,13 @@ class LightFinder {
     struct Texel {
         glm::vec3 direction{0};
         float weight = 0; // flux above the sphere's mean, as far as it counts as light
+        float above = 0;  // luminance above the sphere's mean
     };
     struct Moments;
     static Moments momentsWithin(const std::vector<Texel>& texels, const glm::vec3& middle, float cosReach);
     void gatherNear(const glm::vec3& middle, float reach, const ImageRgbF& fine);
+    void settle(FoundLight& light, float window) const;
+    void sharpen(float reach, FoundLight& light);
     FoundLight seek(const glm::vec3& seed, const ImageRgbF& fine, float& reach);
     void weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const;
     float asLight(float luminance) const; // 0 to 1

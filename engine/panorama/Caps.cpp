@@ -69,40 +69,84 @@ cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
     return out;
 }
 
-// 0 to 1 and back again, for ever.
-double folded(double x) {
-    const double t = x - 2 * std::floor(x / 2);
-    return t <= 1 ? t : 2 - t;
+// The three corners of the triangle in which a place of the plane lies, of a lattice of triangles with sides
+// of length 1, and how near it is to each: 1 at the corner, 0 on the opposite side.
+struct Triangle {
+    std::array<cv::Point2i, 3> corners; // numbers in the lattice
+    std::array<double, 3> nearness;
+
+    static cv::Point2d placeOf(const cv::Point2i& corner) {
+        return {corner.x + 0.5 * corner.y, std::numbers::sqrt3 / 2 * corner.y};
+    }
+    static Triangle around(const cv::Point2d& place) {
+        const double v = place.y * 2 / std::numbers::sqrt3, u = place.x - v / 2;
+        const cv::Point2i base(static_cast<int>(std::floor(u)), static_cast<int>(std::floor(v)));
+        const double a = u - base.x, b = v - base.y;
+        const cv::Point2i right = base + cv::Point2i(1, 0), up = base + cv::Point2i(0, 1);
+        if (a + b < 1) return {{base, right, up}, {1 - a - b, a, b}};
+        return {{base + cv::Point2i(1, 1), up, right}, {a + b - 1, 1 - a, 1 - b}};
+    }
+};
+
+// -1 to 1 in either direction, for each corner its own.
+cv::Point2d dealt(const cv::Point2i& corner) {
+    uint32_t h =
+        static_cast<uint32_t>(corner.x) * 0x9e3779b1u ^ static_cast<uint32_t>(corner.y) * 0x85ebca77u;
+    const auto next = [&h] {
+        h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+        h = (h ^ (h >> 12)) * 0x297a2d39u;
+        h ^= h >> 15;
+        return h * 0x1p-31 - 1;
+    };
+    const double x = next();
+    return {x, next()};
 }
 
-// Of each pixel of rows 0 to inner, the ring's ratio to its blurred self at the place it is taken from: a
-// square of the plane just beyond the rim, set side by side in mirrored copies.
+// Of each pixel of rows 0 to inner, the ring's ratio to its blurred self, as a square of the plane just
+// beyond the rim has it, yet nowhere repeated: at each corner of a lattice lies a piece of the square, taken
+// anywhere from it, and three of them are blended so that their contrast stays (Heitz and Neyret 2018,
+// "High-Performance By-Example Noise using a Histogram-Preserving Blending Operator", its variance-preserving
+// blending).
 cv::Mat texture(const cv::Mat& latLong, const Extent& cap) {
     constexpr double kSteepest = 75 * kPi / 180; // colatitude of a rim beyond which the plane is too far
     constexpr float kMostContrast = 1.3f;
     const double rim = std::tan(std::min(cap.colatitude(cap.inner), kSteepest));
-    const double side = 0.35 * rim;
+    const double side = 0.35 * rim, lattice = 0.3 * side, room = side / 2 - lattice;
     cv::Mat ring = latLong.rowRange(cap.inner, cap.height / 2), blurred, ratio;
     cv::copyMakeBorder(ring, blurred, 0, 0, cap.width / 8, cap.width / 8, cv::BORDER_WRAP);
     cv::GaussianBlur(blurred, blurred, {}, cap.rows(3), cap.rows(2), cv::BORDER_REPLICATE);
     blurred = blurred.colRange(cap.width / 8, cap.width / 8 + cap.width);
-    cv::divide(ring + 0.02, blurred + 0.02, ratio);
-    ratio = cv::min(cv::max(ratio, 1 / kMostContrast), kMostContrast);
+    const cv::Scalar dark = cv::Scalar::all(0.02);
+    cv::divide(ring + dark, blurred + dark, ratio);
+    ratio = cv::min(cv::max(ratio, 1 / kMostContrast), kMostContrast) - cv::Scalar::all(1);
 
-    cv::Mat column(cap.inner, cap.width, CV_32F), row(column.size(), CV_32F), out;
-    for (int y = 0; y < cap.inner; ++y) {
-        const double distance = std::tan(std::min(cap.colatitude(y + 0.5), kSteepest));
-        for (int x = 0; x < cap.width; ++x) {
-            const double longitude = ((x + 0.5) / cap.width - 0.5) * 2 * kPi;
-            const double right = (folded(distance * std::sin(longitude) / side + 0.5) - 0.5) * side;
-            const double away = rim + side * folded((distance * std::cos(longitude) - rim) / side);
-            const double u = 0.5 + std::atan2(right, away) / (2 * kPi);
-            const double v = std::atan(std::hypot(right, away)) / kPi;
-            column.at<float>(y, x) = static_cast<float>(u * cap.width - 0.5);
-            row.at<float>(y, x) = static_cast<float>(v * cap.height - 0.5 - cap.inner);
+    cv::Mat out(cap.inner, cap.width, CV_32FC3, cv::Scalar::all(1)), column(cap.inner, cap.width, CV_32F),
+        row(column.size(), CV_32F), weight(column.size(), CV_32F), piece;
+    for (size_t layer = 0; layer < 3; ++layer) {
+        for (int y = 0; y < cap.inner; ++y) {
+            const double distance = std::tan(std::min(cap.colatitude(y + 0.5), kSteepest));
+            for (int x = 0; x < cap.width; ++x) {
+                const double longitude = ((x + 0.5) / cap.width - 0.5) * 2 * kPi;
+                const cv::Point2d place(distance * std::sin(longitude), distance * std::cos(longitude));
+                const Triangle triangle = Triangle::around(place / lattice);
+                const cv::Point2i corner = triangle.corners[layer];
+                const cv::Point2d in = place - Triangle::placeOf(corner) * lattice +
+                                       dealt(corner) * room; // about the square's middle
+                const double away = rim + side / 2 + in.y;
+                const double u = 0.5 + std::atan2(in.x, away) / (2 * kPi);
+                const double v = std::atan(std::hypot(in.x, away)) / kPi;
+                column.at<float>(y, x) = static_cast<float>(u * cap.width - 0.5);
+                row.at<float>(y, x) = static_cast<float>(v * cap.height - 0.5 - cap.inner);
+                const auto& n = triangle.nearness;
+                weight.at<float>(y, x) =
+                    static_cast<float>(n[layer] / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+            }
         }
+        cv::remap(ratio, piece, column, row, cv::INTER_LINEAR, cv::BORDER_WRAP);
+        cv::Mat weights;
+        cv::merge(std::array{weight, weight, weight}, weights);
+        out += piece.mul(weights);
     }
-    cv::remap(ratio, out, column, row, cv::INTER_LINEAR, cv::BORDER_WRAP);
     return out;
 }
 

@@ -14,8 +14,9 @@ enum class Cap { Sky, Ground };
 // Colours: the ring's edge continued as the solution of Laplace's equation on the cap, where the mth harmonic
 // around the pole falls as (tan(c / 2) / tan(c0 / 2))^m with the colatitude c, so that nothing converges on
 // the pole; times the ring's mean change with height, which comes to rest within some 20 degrees.
-// Texture, of the ground only (a sky is smooth): the cap is seen as a plane, and a square of that plane just
-// beyond its rim, in the picture's middle, is repeated all over it as its ratio to its own blurred self.
+// Texture, of the ground only (a sky is smooth): the cap is seen as a plane, and pieces of a square of that
+// plane just beyond its rim, in the picture's middle, are laid all over it at random and blended, as their
+// ratio to their own blurred selves: its grain and its contrast go on, and nothing repeats.
 void fillCap(cv::Mat& latLong, int edge, Cap kind);
 
 } // namespace shoal::panorama

@@ -16,14 +16,15 @@ namespace {
 
 struct Picture {
     const char* name;
+    double mostMean;   // of the exposures tried: the sphere's mean by white
     double within_deg; // of the clipped picture's lights the nearest to the true strongest one
 };
 
 class FoundLightsHdr : public testing::TestWithParam<Picture> {};
 
-ImageRgb8 clipped(const ImageRgbF& radianceLin) {
+ImageRgb8 clipped(const ImageRgbF& radianceLin, double mean) {
     const float exposure =
-        static_cast<float>(0.1 / glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11)));
+        static_cast<float>(mean / glm::dot(meanOf(radianceLin), glm::dvec3(0.3, 0.59, 0.11)));
     ImageRgb8 frame(radianceLin.width, radianceLin.height);
     for (size_t i = 0; i < frame.pixels.size(); ++i)
         frame.pixels[i] = static_cast<uint8_t>(
@@ -43,24 +44,29 @@ TEST_P(FoundLightsHdr, ClippedTheyAreFoundWhereTheyWere) {
     FoundLights truth, found;
     pyramid.make(*picture, 512, radiance);
     finder.find(radiance, truth);
-    const ImageRgb8 frame = clipped(*picture);
-    pyramid.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, 512,
-                 radiance);
-    finder.find(radiance, found);
     ASSERT_GT(truth.count, 0u);
-    double nearest = 180;
-    for (size_t i = 0; i < found.count; ++i)
-        nearest = std::min(nearest, degreesBetween(found.lights[i].direction, truth.lights[0].direction));
-    EXPECT_LT(nearest, GetParam().within_deg);
+    for (double mean = 0.05; mean <= GetParam().mostMean; mean *= std::sqrt(2.0)) {
+        const ImageRgb8 frame = clipped(*picture, mean);
+        pyramid.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, 512,
+                     radiance);
+        finder.find(radiance, found);
+        double nearest = 180;
+        for (size_t i = 0; i < found.count; ++i)
+            nearest = std::min(nearest, degreesBetween(found.lights[i].direction, truth.lights[0].direction));
+        EXPECT_LT(nearest, GetParam().within_deg) << "mean at " << mean << " of white";
+    }
 }
 
-// Suns and lamps: within 2 degrees. Glows that cover a tenth of the sky and have no middle of their own are
-// held by what is clipped of them: measured 2.4 degrees for the evening sky, 6.4 for the lamps of a town.
-INSTANTIATE_TEST_SUITE_P(Pictures, FoundLightsHdr,
-                         testing::Values(Picture{"kloppenheim_05", 2}, Picture{"studio_small_03", 2},
-                                         Picture{"st_fagans_interior", 2}, Picture{"rainforest_trail", 2},
-                                         Picture{"venice_sunset", 4}, Picture{"dikhololo_night", 8}),
-                         [](const auto& each) { return std::string(each.param.name); });
+// Suns and lamps: within 2 degrees, as far as they are not drowned in white walls. Glows and canopies of 20
+// to 50 degrees' radius have no middle of their own: half or double the window through which it is sought,
+// and the truth moves by 12 degrees (evening sky), 19 (lamps of a town), 14 (canopy). They are held to less
+// than that.
+INSTANTIATE_TEST_SUITE_P(
+    Pictures, FoundLightsHdr,
+    testing::Values(Picture{"kloppenheim_05", 0.41, 2}, Picture{"studio_small_03", 0.41, 2},
+                    Picture{"st_fagans_interior", 0.21, 2}, Picture{"rainforest_trail", 0.11, 13},
+                    Picture{"venice_sunset", 0.21, 6}, Picture{"dikhololo_night", 0.21, 8}),
+    [](const auto& each) { return std::string(each.param.name); });
 
 } // namespace
 } // namespace shoal::light

@@ -1,6 +1,7 @@
 // Lights of known place, size and strength are found there; where there is none, none is.
 #include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
+#include "engine/math/Colour.h"
 #include "tests/unit/light/Angles.h"
 #include "tests/unit/light/Surrounds.h"
 
@@ -71,6 +72,44 @@ TEST(FindLights, FourTexelSunsOfAVideoToo) {
         ASSERT_EQ(found.count, 1u) << uv.x << ", " << uv.y;
         EXPECT_LT(degreesBetween(found.lights[0].direction, sun), 0.6) << uv.x << ", " << uv.y;
     }
+}
+
+// What a camera leaves of a sun in haze: its glow falls with the power 1.5 of the angle, as in a clear sky,
+// and is clipped within 3 degrees of it. A lit cloud hangs 12 degrees beside it, a ridge may hide what is
+// below.
+ImageRgb8 hazySun(const glm::dvec3& sun, const glm::dvec3& cloud, double cloudRadiance, double ridge) {
+    ImageRgb8 frame(1024, 512);
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            const glm::dvec3 d = directionFromLatLong(glm::dvec2((x + 0.5) / 1024, (y + 0.5) / 512));
+            const double away = degreesBetween(d, sun), aside = degreesBetween(d, cloud) / 10;
+            const double sky =
+                0.15 + 5 * std::pow(std::max(away, 0.3), -1.5) + cloudRadiance * std::exp(-aside * aside);
+            const double seen = d.y < ridge ? 0.05 : std::min(sky, 1.0);
+            std::fill_n(frame.at(x, y), 3,
+                        static_cast<uint8_t>(255 * math::srgbFromLinear(static_cast<float>(seen)) + 0.5f));
+        }
+    return frame;
+}
+
+TEST(FindLights, AClippedSunIsFoundInALopsidedGlow) {
+    for (const double azimuth_deg : {0.0, 77.0, 181.0})
+        for (const double height_deg : {15.0, 50.0}) {
+            const auto at = [&](double up_deg) {
+                return directionFromLatLong(glm::dvec2(azimuth_deg / 360, 0.5 - (height_deg + up_deg) / 180));
+            };
+            const glm::dvec3 sun = at(0);
+            for (const double cloud : {0.0, 0.4})                    // as bright as half of what is clipped
+                for (const double ridge_deg : {-90.0, -2.0, -1.0}) { // of the sun's height
+                    const FoundLights found =
+                        lightsIn(hazySun(sun, at(12), cloud, std::sin(glm::radians(height_deg + ridge_deg))));
+                    ASSERT_GT(found.count, 0u);
+                    EXPECT_LT(degreesBetween(found.lights[0].direction, sun), 2)
+                        << "cloud " << cloud << ", ridge " << ridge_deg << ", height " << height_deg;
+                    EXPECT_LT(glm::degrees(found.lights[0].radius), 6)
+                        << "cloud " << cloud << ", ridge " << ridge_deg << ", height " << height_deg;
+                }
+        }
 }
 
 // Lamps to Snell's window, which is 48.6 degrees wide.

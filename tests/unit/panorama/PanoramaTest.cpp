@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -93,6 +94,52 @@ TEST(Caps, HarmonicsFallAsLaplaceWants) {
                 0.5 + 0.2 * fall * std::cos(lon) + 0.1 * std::pow(fall, 3) * std::cos(3 * lon);
             EXPECT_NEAR(sphere.at<cv::Vec3f>(y, x)[1], expected, 1e-4) << x << "," << y;
         }
+    }
+}
+
+// A ground of blots goes on to the nadir with its own contrast, and no part of it is another's copy, straight
+// or mirrored.
+TEST(Caps, GroundKeepsItsGrainAndDoesNotRepeat) {
+    const int width = 1024, height = 512, edge = 150; // a rim 53 degrees from the nadir
+    cv::Mat sphere(height, width, CV_32FC3), grain(height, width, CV_32F);
+    cv::RNG dice(5);
+    dice.fill(grain, cv::RNG::NORMAL, 0, 1);
+    cv::GaussianBlur(grain, grain, {}, 3);
+    cv::Scalar mean, spread;
+    cv::meanStdDev(grain, mean, spread);
+    grain = (grain - mean) * (0.04 / spread[0]) + 0.5;
+    cv::merge(std::array{grain, grain, grain}, sphere);
+    fillCap(sphere, edge, Cap::Ground);
+
+    // The plane below, from 1 to the left to 1 to the right, in units of the height above it.
+    const int side = 256;
+    cv::Mat column(side, side, CV_32F), row(column.size(), CV_32F), plane, grey;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const double right = 2.0 * (x + 0.5) / side - 1, ahead = 2.0 * (y + 0.5) / side - 1;
+            const double lon = std::atan2(right, ahead), away = std::atan(std::hypot(right, ahead));
+            column.at<float>(y, x) = static_cast<float>((lon / (2 * std::numbers::pi) + 0.5) * width - 0.5);
+            row.at<float>(y, x) = static_cast<float>(away / std::numbers::pi * height - 0.5);
+        }
+    cv::remap(sphere, plane, column, row, cv::INTER_LINEAR, cv::BORDER_WRAP);
+    cv::extractChannel(plane, grey, 1);
+    cv::Mat blurred;
+    cv::GaussianBlur(grey, blurred, {}, 20);
+    grey -= blurred;
+    cv::meanStdDev(grey, mean, spread);
+    // Of 0.04, what is finer than the two blurs: 0.022 where the square itself is laid there, unblended.
+    EXPECT_NEAR(spread[0], 0.022, 0.005);
+
+    const cv::Mat piece = grey(cv::Rect(100, 100, 64, 64));
+    for (const auto& [turn, name] :
+         {std::pair{2, "straight"}, {0, "upside down"}, {1, "mirrored"}, {-1, "both"}}) {
+        cv::Mat sought = piece.clone(), match;
+        if (turn != 2) cv::flip(piece, sought, turn);
+        cv::matchTemplate(grey, sought, match, cv::TM_CCOEFF_NORMED);
+        if (turn == 2) match(cv::Rect(92, 92, 17, 17)) = 0; // itself
+        double most = 0;
+        cv::minMaxLoc(match, nullptr, &most);
+        EXPECT_LT(most, 0.8) << name;
     }
 }
 
