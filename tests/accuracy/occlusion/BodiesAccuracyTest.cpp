@@ -33,7 +33,7 @@ Error measure(const OcclusionScene& scene, const ImageRgbF& light, int bounces) 
              scatter(scene, receiver, 400 / static_cast<int>(scene.receivers.size()))) {
             if (truth.buried(at)) continue;
             const glm::dvec3 open = truth.unoccluded(at.normal);
-            const glm::dvec3 taken(occlusion::take(at.position, at.normal, others, smooth).radiance);
+            const glm::dvec3 taken(occlusion::take(at.position, at.normal, {}, {}, others, smooth).radiance);
             error.add(glm::max(open - taken, 0.0), open, open - truth.lost(at, false, bounces, 256));
         }
     }

@@ -22,7 +22,7 @@ std::vector<occlusion::Occluder> nearFirst(const OcclusionScene& scene) {
         near.add(parts, pose, glm::mat4(1), {body.parts[0].shape.centre, 0.25f});
     }
     std::vector<occlusion::Occluder> found;
-    for (const render::PackedOccluder& packed : near.near(0)) {
+    for (const render::PackedOccluder& packed : near.near(0).occluders) {
         occlusion::Occluder occluder;
         for (int k = 0; k < 3; ++k) {
             occluder.shape.worldFromAxes[k] = glm::vec3(packed.axesFromWorld[k]);
@@ -62,7 +62,7 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
             for (const occlusion::Occluder& part : occluders)
                 if (occlusion::capOf(part.shape, points[k].position).share > 0.99f) swallowed[k] = true;
             const glm::vec3 taken =
-                occlusion::take(points[k].position, points[k].normal, occluders, smooth).radiance;
+                occlusion::take(points[k].position, points[k].normal, {}, {}, occluders, smooth).radiance;
             shades[static_cast<size_t>(tick)].push_back(std::max(0.0f, open[k].y - taken.y) / open[k].y);
             left += std::max(0.0f, open[k].y - taken.y), all += open[k].y;
         }
