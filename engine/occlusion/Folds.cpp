@@ -23,25 +23,38 @@ constexpr float kBuried = 0.03f;  // nobody sees what sees nothing, and of nothi
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
 
 struct Sample {
-    float weight = 0; // area, as far as it is seen
+    std::array<uint32_t, 3> corners{};
+    glm::vec3 shares{0}; // of the corners
+    float weight = 0;    // area, as far as it is seen
     glm::vec4 hidden{0};
 };
-
-// By nearness of the corners.
-glm::vec3 weightsOf(size_t sample) {
-    glm::vec3 weights(1 / 6.0f);
-    weights[static_cast<int>(sample)] = 4 / 6.0f;
-    return weights;
-}
 
 class Folding {
   public:
     Folding(const FoldingBody& body, std::span<const Occluder> own, int rays, float gap)
         : body_(body), own_(own), gap_(gap), pattern_(cosineDirections(rays)),
-          bvh_(body.positions, body.indices), samples_(body.indices.size() / 3 * kInTriangle) {}
+          bvh_(body.positions, body.indices) {
+        std::vector<Sample> corners(body.positions.size());
+        for (size_t i = 0; i < body.indices.size() / 3 * 3; i += 3) {
+            const uint32_t* corner = &body.indices[i];
+            const glm::vec3& a = body.positions[corner[0]];
+            const float area =
+                glm::length(glm::cross(body.positions[corner[1]] - a, body.positions[corner[2]] - a));
+            for (int near = 0; near < static_cast<int>(kInTriangle); ++near) {
+                Sample sample{{corner[0], corner[1], corner[2]}, glm::vec3(1 / 6.0f), area, {}};
+                sample.shares[near] = 4 / 6.0f;
+                samples_.push_back(sample);
+                Sample& there = corners[corner[near]];
+                there = {sample.corners, glm::vec3(0), there.weight + area / kInTriangle, {}};
+                there.shares[near] = 1;
+            }
+        }
+        samples_.insert(samples_.end(), corners.begin(), corners.end());
+    }
 
-    void lookFrom(size_t fromTriangle, size_t toTriangle) {
-        for (size_t k = fromTriangle * kInTriangle; k < toTriangle * kInTriangle; ++k) look(k);
+    size_t samples() const { return samples_.size(); }
+    void lookFrom(size_t first, size_t end) {
+        for (size_t k = first; k < end; ++k) look(k);
     }
 
     // Corners by what is amiss at their samples, in parts, again and again (Gilbert 1972, "Iterative Methods
@@ -52,15 +65,14 @@ class Folding {
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             std::ranges::fill(sums, glm::vec4(0));
             std::ranges::fill(weights, 0.0f);
-            for (size_t k = 0; k < samples_.size(); ++k) {
-                const Sample& sample = samples_[k];
-                const uint32_t* corner = &body_.indices[k / kInTriangle * 3];
-                const glm::vec3 share = weightsOf(k % kInTriangle);
+            for (const Sample& sample : samples_) {
                 glm::vec4 amiss = sample.hidden;
-                for (int i = 0; i < 3; ++i) amiss -= share[i] * folds[corner[i]];
+                for (int i = 0; i < 3; ++i)
+                    amiss -= sample.shares[i] * folds[sample.corners[static_cast<size_t>(i)]];
                 for (int i = 0; i < 3; ++i) {
-                    sums[corner[i]] += sample.weight * share[i] * amiss;
-                    weights[corner[i]] += sample.weight * share[i];
+                    const size_t corner = sample.corners[static_cast<size_t>(i)];
+                    sums[corner] += sample.weight * sample.shares[i] * amiss;
+                    weights[corner] += sample.weight * sample.shares[i];
                 }
             }
             for (size_t v = 0; v < folds.size(); ++v)
@@ -71,24 +83,21 @@ class Folding {
 
   private:
     void look(size_t k) {
-        const uint32_t* corner = &body_.indices[k / kInTriangle * 3];
-        const glm::vec3 weights = weightsOf(k % kInTriangle);
+        Sample& sample = samples_[k];
+        const glm::vec3& shares = sample.shares;
+        const auto placeOf = [&](int i) { return body_.positions[sample.corners[static_cast<size_t>(i)]]; };
+        const auto normalOf = [&](int i) { return body_.normals[sample.corners[static_cast<size_t>(i)]]; };
         glm::vec3 flat(0), normal(0);
-        std::array<glm::vec3, 3> places;
-        for (int i = 0; i < 3; ++i) {
-            places[static_cast<size_t>(i)] = body_.positions[corner[i]];
-            flat += weights[i] * places[static_cast<size_t>(i)];
-            normal += weights[i] * body_.normals[corner[i]];
+        for (int i = 0; i < 3; ++i) flat += shares[i] * placeOf(i), normal += shares[i] * normalOf(i);
+        if (!(sample.weight > 0) || !(glm::dot(normal, normal) > 0)) {
+            sample.weight = 0;
+            return;
         }
-        const float area = glm::length(glm::cross(places[1] - places[0], places[2] - places[0]));
-        if (!(area > 0) || !(glm::dot(normal, normal) > 0)) return;
         normal = glm::normalize(normal);
         // Out to where the smooth surface would be: Hanika 2021, "Hacking the Shadow Terminator".
         glm::vec3 origin = flat + gap_ * normal;
-        for (int i = 0; i < 3; ++i) {
-            const glm::vec3& n = body_.normals[corner[i]];
-            origin -= weights[i] * std::min(0.0f, glm::dot(flat - places[static_cast<size_t>(i)], n)) * n;
-        }
+        for (int i = 0; i < 3; ++i)
+            origin -= shares[i] * std::min(0.0f, glm::dot(flat - placeOf(i), normalOf(i))) * normalOf(i);
         // Each turned anew, so that few rays err differently in neighbours.
         const glm::mat3 frame = glm::transpose(lookingAlong(
             normal, static_cast<float>(std::fmod(static_cast<double>(k) * kGoldenAngle, 6.283))));
@@ -98,8 +107,8 @@ class Folding {
             if (bvh_.blocked(origin, direction, 0, INFINITY)) sum += glm::vec4(direction, 1);
         }
         const glm::vec4 hidden = sum / static_cast<float>(pattern_.size());
-        samples_[k] = {area * std::clamp((1 - hidden.w) / kSeen, kBuried, 1.0f),
-                       hidden - hiddenBy(origin, normal, own_)};
+        sample.weight *= std::clamp((1 - hidden.w) / kSeen, kBuried, 1.0f);
+        sample.hidden = hidden - hiddenBy(origin, normal, own_);
     }
 
     const FoldingBody& body_;
@@ -107,7 +116,7 @@ class Folding {
     float gap_;
     std::vector<glm::vec3> pattern_;
     Bvh bvh_;
-    std::vector<Sample> samples_; // triangle by triangle
+    std::vector<Sample> samples_;
 };
 
 } // namespace
@@ -119,14 +128,14 @@ std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occlud
     if (!(gap > 0) || !std::isfinite(gap) || rays < 1)
         return std::vector<glm::vec4>(body.positions.size(), glm::vec4(0));
     Folding folding(body, own, rays, gap);
-    const size_t triangles = body.indices.size() / 3;
+    const size_t samples = folding.samples();
     {
         const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
         std::vector<std::jthread> helpers;
         for (size_t t = 1; t < threads; ++t)
             helpers.emplace_back(
-                [&, t] { folding.lookFrom(triangles * t / threads, triangles * (t + 1) / threads); });
-        folding.lookFrom(0, triangles / threads);
+                [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
+        folding.lookFrom(0, samples / threads);
     }
     return folding.fit();
 }

@@ -49,6 +49,15 @@ TEST(Folds, ABuriedRootLeavesWhatIsSeenAsItIs) {
     }
 }
 
+// Nor do corners darken because all that is looked at between them lies behind a label.
+TEST(Folds, ALabelLeavesTheCornersOfItsWallAsTheyAre) {
+    Sheets sheets;
+    sheets.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+    sheets.add({0.1f, 0.1f, 0.001f}, {0.8f, 0, 0}, {0, 0.8f, 0}, 1);
+    const auto folds = findFolds(sheets.body(), {}, 64);
+    for (size_t corner = 0; corner < 4; ++corner) EXPECT_LT(folds[corner].w, 0.15f) << corner;
+}
+
 // Own ellipsoids and the folds that complete them hide together what folds alone do, at rest.
 TEST(Folds, CompleteTheBodysOwnEllipsoids) {
     Sheets sheets;
