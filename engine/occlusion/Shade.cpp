@@ -112,7 +112,13 @@ Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder
     };
     for (const Occluder& occluder : own) add(occluder);
     if (const FoldCap cap(fold.hidden); glm::dot(fold.hidden, fold.hidden) > 0) {
-        moments.sum = glm::clamp(moments.sum + fold.hidden.w, 0.0f, 1.0f);
+        const float before = moments.sum;
+        moments.sum = glm::clamp(before + fold.hidden.w, 0.0f, 1.0f);
+        // Where own parts stand out of the skin, what they take too much is given back of all that they took.
+        const float kept = std::min(moments.sum / std::max(before, 1e-6f), 1.0f);
+        for (float& each : moments.second) each *= kept;
+        lampOpen = 1 - kept * (1 - lampOpen);
+        bounced *= kept;
         moments.first += glm::vec3(fold.hidden);
         moments.addSecond(cap.share, cap.mean);
         lampOpen *= 1 - foldCoverage(cap, normal, light.lampTowards, lampSine);

@@ -81,7 +81,16 @@ Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 
         if (i == ownCount && dot(fold, fold) > 0.0) {
             float share = max(fold.w, 0.0);
             vec3 mean = fold.xyz / max(max(share, length(fold.xyz)), 1e-6);
-            taken.sum = clamp(taken.sum + fold.w, 0.0, 1.0);
+            float before = taken.sum;
+            taken.sum = clamp(before + fold.w, 0.0, 1.0);
+            float kept = min(taken.sum / max(before, 1e-6), 1.0);
+            taken.second *= kept;
+            taken.third *= kept;
+            lampOpen = 1.0 - kept * (1.0 - lampOpen);
+            bounced *= kept;
+            lobeOpen = 1.0 - kept * (1.0 - lobeOpen);
+            lobeSum *= kept;
+            seen *= kept;
             taken.first += fold.xyz;
             addSecond(share, mean, taken);
             lampOpen *= 1.0 - foldCoverage(share, mean, normal, lampTowards, lampSine);
