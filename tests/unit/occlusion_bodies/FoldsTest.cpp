@@ -78,6 +78,25 @@ TEST(Folds, CompleteTheBodysOwnEllipsoids) {
     EXPECT_LT(rest[12 * 13 + 6].w, 0.5f * alone[12 * 13 + 6].w + 0.05f);
 }
 
+// An ellipsoid that stands out of the skin that it stands for hides no lamp from it.
+TEST(Folds, GiveBackTheLampThatOwnEllipsoidsHide) {
+    Sheets skin;
+    skin.add({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 16);
+    const std::vector<Occluder> own = {{{{0.5f, -0.2f, 0}, glm::mat3(1), {0.5f, 0.4f, 0.5f}}, 1, {}}};
+    const auto folds = findFolds(skin.body(), own, 8);
+    SmoothLight light;
+    light.lampTowards = glm::normalize(glm::vec3(1, 0.2f, 0));
+    light.lampRadiance = glm::vec3(10);
+    const size_t before = 4 * 17 + 8; // it, as seen from the lamp: x = -0.5, z = 0
+    for (const size_t v : {before, before + 2 * 17, before + 3 * 17}) {
+        const glm::vec3 p = skin.positions[v];
+        const float alone = take(p, {0, 1, 0}, own, {}, {}, light).radiance.x,
+                    whole = take(p, {0, 1, 0}, own, {folds[v], {}}, {}, light).radiance.x;
+        EXPECT_GT(alone, 0.02f) << p.x;
+        EXPECT_LE(whole, 0.25f * alone) << p.x;
+    }
+}
+
 TEST(Folds, OfNothingAreNone) {
     EXPECT_TRUE(findFolds({}, {}, 8).empty());
     const std::vector<glm::vec3> point(3, glm::vec3(1)), up(3, glm::vec3(0, 1, 0));
