@@ -75,7 +75,8 @@ template <class T> glm::vec<3, T> meanDirection(const Cap<T>& cap, const glm::ve
 
 // How much of a small round lamp the ellipsoid hides from p, 0 to 1. capShare: of capOf(). The edge is where
 // the ray to the lamp's centre grazes: where it passes nearest, in the space in which the ellipsoid is a
-// ball.
+// ball. A ray that leaves has passed it so much the further: a body's skin lies now outside, now within its
+// own ellipsoids, and looks out of them all the same.
 template <class T>
 T coverage(const Ellipsoid<T>& ellipsoid, const glm::vec<3, T>& p, const glm::vec<3, T>& lampTowards,
            T lampSine, T capShare) {
@@ -83,12 +84,12 @@ T coverage(const Ellipsoid<T>& ellipsoid, const glm::vec<3, T>& p, const glm::ve
     const Vec m = ((p - ellipsoid.centre) * ellipsoid.worldFromAxes) / ellipsoid.semiAxes;
     const Vec d = (lampTowards * ellipsoid.worldFromAxes) / ellipsoid.semiAxes;
     const T along = -glm::dot(m, d) / glm::dot(d, d); // metres to the nearest place
-    const Vec nearest = m + glm::max(along, T(0)) * d;
+    const T ahead = glm::max(along, T(0));
+    const Vec nearest = m + ahead * d;
     const T far = glm::length(nearest);
-    const T aside =
-        glm::length(nearest * ellipsoid.semiAxes) * (T(1) - T(1) / glm::max(far, T(1e-3))); // metres outside
-    const T sine =
-        aside / std::sqrt(aside * aside + glm::max(along, T(0)) * glm::max(along, T(0)) + T(1e-12));
+    const T aside = // metres outside
+        glm::length(nearest * ellipsoid.semiAxes) * (T(1) - T(1) / glm::max(far, T(1e-3))) + (ahead - along);
+    const T sine = aside / std::sqrt(aside * aside + ahead * ahead + T(1e-12));
     const T x = glm::clamp(T(0.5) - T(0.5) * sine / lampSine, T(0), T(1));
     return x * x * (T(3) - T(2) * x) * glm::min(T(1), capShare / (lampSine * lampSine));
 }

@@ -1,5 +1,8 @@
-// What a body at rest hides of the world from its own surface: mouths, gills, what lies beneath fins and between fingers.
+// What a body at rest hides of the world from its own surface: mouths, gills, what lies beneath fins and
+// between fingers.
 #pragma once
+
+#include "engine/occlusion/Shade.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -10,10 +13,18 @@
 
 namespace shoal::occlusion {
 
-// For each position: of the cosine-weighted hemisphere, how much is hidden (w, 0 to 1), and that share's first moment
-// (xyz: w times the mean direction, same frame). indices: three a triangle; normals: unit, one a position. rays: of
-// each position, in one pattern turned by its normal. Several threads.
-std::vector<glm::vec4> findFolds(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-                                 std::span<const uint32_t> indices, int rays);
+// Views only; one frame. indices: three a triangle. Positions in none of them have no folds.
+struct FoldingBody {
+    std::span<const glm::vec3> positions, normals; // normals: unit, one a position
+    std::span<const uint32_t> indices;             // of what lets no light through
+};
+
+// For each position: of the cosine-weighted hemisphere, how much is hidden (w, 0 to 1), and that share's
+// first moment (xyz: w times the mean direction, same frame); less what the body's own ellipsoids hide, which
+// then may leave -1 to 1. What corners say in between comes as near as it can to what is seen from them and
+// from three points in each triangle, for corners alone are often buried, where fins have their roots, and
+// would darken what lies around: Kavan et al. 2011, "Least Squares Vertex Baking". rays: from each of these
+// points. Several threads.
+std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays);
 
 } // namespace shoal::occlusion

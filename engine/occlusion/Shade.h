@@ -23,17 +23,22 @@ struct Taken {
     glm::vec3 radiance{0}; // out of diffuse radiance: what is lost, less what the occluders send
 };
 
-// Shares of several ellipsoids join as if they lay at random, 1 - product of (1 - share): over a hand's
-// fingers and palm that comes out at the right mean, where a sum takes a tenth too much and the largest alone
-// too little. light: in the world's frame.
 // What the surface's own body hides of it: findFolds(), world; albedo: of that body.
 struct Fold {
     glm::vec4 hidden{0};
     glm::vec3 albedo{0};
 };
 
-Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders,
-           const SmoothLight& light, const Fold& fold = {});
+// One occluder after another takes what the former have left in its directions: of a density over directions
+// that has the former's share and first moment and changes evenly across the view of the hemisphere from
+// above, whose variance is a quarter. Over a hand's fingers and palm that comes nearer to the truth (5 % of
+// the light) than shares that join as if they lay at random (7 %), than a sum (18 %) or the largest alone.
+// own: of the surface's body, which the fold completes. light: in the world's frame.
+Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> own, const Fold& fold,
+           std::span<const Occluder> others, const SmoothLight& light);
+
+// Share (w) and first moment (xyz: w times the mean direction) of what occluders take, joined likewise.
+glm::vec4 hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders);
 
 // What is left of a glossy lobe around this direction, 0 to 1.
 float openLobe(const glm::vec3& p, const glm::vec3& direction, float roughness,

@@ -26,6 +26,7 @@ BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& re
                                 size_t most) {
     BodyOccluders body;
     body.albedo = scene::meanBaseColour(model);
+    body.onItself = parts == occlusion::Parts::ByJoint;
     const scene::Surface surface = scene::posedSurface(model, rest);
     for (const occlusion::BodyPart& part :
          occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf}, parts, most)) {

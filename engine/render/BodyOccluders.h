@@ -15,7 +15,8 @@ struct BodyOccluders {
         int node = 0;
     };
     std::vector<Part> parts;
-    glm::vec3 albedo{0}; // mean; linear
+    glm::vec3 albedo{0};   // mean; linear
+    bool onItself = false; // they take the body's own light too: of what bends sharply
 };
 
 // The model's meshes and pictures must still be there.

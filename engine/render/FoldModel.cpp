@@ -7,9 +7,39 @@
 
 namespace shoal::render {
 
-void foldModel(scene::Model& model, const scene::Pose& rest, int rays) {
+namespace {
+
+bool isBlended(const scene::Model& model, const scene::Primitive& primitive) {
+    return primitive.material >= 0 &&
+           model.materials[static_cast<size_t>(primitive.material)].alphaMode == scene::AlphaMode::Blend;
+}
+
+// Triangles of the surface that let no light through.
+std::vector<uint32_t> solidOf(const scene::Model& model, const scene::Surface& surface) {
+    std::vector<uint32_t> solid;
+    auto next = surface.indices.begin(); // in the surface's order
+    for (const int index : model.order) {
+        const scene::Node& node = model.nodes[static_cast<size_t>(index)];
+        if (node.mesh < 0) continue;
+        for (const scene::Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
+            const auto end = next + static_cast<std::ptrdiff_t>(primitive.indices.size());
+            if (!isBlended(model, primitive)) solid.insert(solid.end(), next, end);
+            next = end;
+        }
+    }
+    return solid;
+}
+
+} // namespace
+
+void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders& body, int rays) {
     const scene::Surface surface = scene::posedSurface(model, rest);
-    const auto folds = occlusion::findFolds(surface.positions, surface.normals, surface.indices, rays);
+    std::vector<occlusion::Occluder> own;
+    if (body.onItself)
+        for (const BodyOccluders::Part& part : body.parts)
+            own.push_back({placed(part, rest, glm::mat4(1)), 1, {}});
+    const std::vector<uint32_t> solid = solidOf(model, surface);
+    const auto folds = occlusion::findFolds({surface.positions, surface.normals, solid}, own, rays);
     std::vector<glm::mat4> joints;
     size_t next = 0; // in the surface's order
     for (const int index : model.order) {
@@ -18,8 +48,10 @@ void foldModel(scene::Model& model, const scene::Pose& rest, int rays) {
         if (node.mesh < 0) continue;
         if (node.skin >= 0) scene::skinMatrices(model, node.skin, rest, joints);
         for (scene::Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
-            if (primitive.material >= 0 &&
-                model.materials[static_cast<size_t>(primitive.material)].occlusion.texture >= 0) {
+            const bool mapped =
+                primitive.material >= 0 &&
+                model.materials[static_cast<size_t>(primitive.material)].occlusion.texture >= 0;
+            if (mapped || isBlended(model, primitive)) {
                 next += primitive.positions.size();
                 continue;
             }

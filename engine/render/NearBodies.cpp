@@ -34,7 +34,7 @@ void NearBodies::clear() {
 
 size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
                        const Ball& bound) {
-    bodies_.push_back({bound, parts_.size(), body.parts.size(), body.albedo});
+    bodies_.push_back({bound, parts_.size(), body.parts.size(), body.albedo, body.onItself});
     for (const BodyOccluders::Part& part : body.parts) {
         const auto shape = placed(part, pose, worldFromModel);
         const glm::vec3& a = shape.semiAxes;
@@ -45,7 +45,7 @@ size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const
     return bodies_.size() - 1;
 }
 
-std::span<const PackedOccluder> NearBodies::near(size_t receiver) {
+NearBodies::Near NearBodies::near(size_t receiver) {
     found_.clear();
     packed_.clear();
     const Body& self = bodies_[receiver];
@@ -66,7 +66,7 @@ std::span<const PackedOccluder> NearBodies::near(size_t receiver) {
             if (share > kLeastShare) found_.push_back({share, p, b});
         }
     }
-    constexpr size_t kMost = MAX_OCCLUDERS;
+    constexpr size_t kMost = MAX_OTHERS;
     float least = kLeastShare;
     if (found_.size() > kMost) {
         std::partial_sort(found_.begin(), found_.begin() + kMost + 1, found_.end(),
@@ -74,11 +74,15 @@ std::span<const PackedOccluder> NearBodies::near(size_t receiver) {
         least = found_[kMost].share;
         found_.resize(kMost);
     }
+    if (self.onItself)
+        for (const Part& mine : own.first(std::min<size_t>(own.size(), MAX_OCCLUDERS - MAX_OTHERS)))
+            packed_.push_back(pack(mine.shape, 1, self.albedo));
+    const size_t ownCount = packed_.size();
     for (const Found& found : found_)
         packed_.push_back(pack(parts_[found.part].shape,
                                smoothstep(least, std::max(2 * kLeastShare, 1.3f * least), found.share),
                                bodies_[found.body].albedo));
-    return packed_;
+    return {packed_, ownCount};
 }
 
 } // namespace shoal::render

@@ -32,9 +32,14 @@ class NearBodies {
     size_t add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
                const Ball& bound);
 
-    // What takes light from this body: no more than MAX_OCCLUDERS, those that take most. Their strengths fade
-    // towards the least share worth taking, and towards the first that is left out, so that nothing pops.
-    std::span<const PackedOccluder> near(size_t body);
+    struct Near {
+        std::span<const PackedOccluder> occluders;
+        size_t own = 0; // the first of them are the body's own
+    };
+    // What takes light from this body: its own parts, where they do, and no more than MAX_OTHERS of others,
+    // those that take most. Their strengths fade towards the least share worth taking, and towards the first
+    // that is left out, so that nothing pops.
+    Near near(size_t body);
 
   private:
     struct Part {
@@ -45,6 +50,7 @@ class NearBodies {
         Ball bound;
         size_t first = 0, count = 0; // parts
         glm::vec3 albedo{0};
+        bool onItself = false;
     };
     struct Found {
         float share;

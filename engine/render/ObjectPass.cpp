@@ -166,7 +166,8 @@ void ObjectPass::begin() {
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
                      const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body) {
-    const int number = body && occlusion_ ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
+    const int number =
+        body && occlusion_ ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
     for (const int index : model.order) {
         const auto n = static_cast<size_t>(index);
         const scene::Node& node = model.nodes[n];
@@ -183,7 +184,8 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
         const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale, number, body ? body->albedo : glm::vec3(0)});
+            items_.push_back(
+                {&gpu, &primitive, offset, bytes, bound, scale, number, body ? body->albedo : glm::vec3(0)});
     }
 }
 
@@ -197,9 +199,9 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
 void ObjectPass::upload() {
     shades_.clear();
     for (size_t body = 0; body < near_.count(); ++body) {
-        const auto occluders = near_.near(body);
+        const auto [occluders, own] = near_.near(body);
         shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
-                           static_cast<int>(occluders.size())});
+                           static_cast<int>(occluders.size()), static_cast<int>(own)});
     }
     // The shader's blocks have room for MAX_JOINTS; the range bound must cover it for the last object too.
     static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
@@ -210,8 +212,8 @@ void ObjectPass::upload() {
 }
 
 bool ObjectPass::shaded(const Item& item) const {
-    return occlusion_ && (item.primitive->folded ||
-                          (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
+    return occlusion_ &&
+           (item.primitive->folded || (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
@@ -339,6 +341,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
         const Shade shade = item.body >= 0 ? shades_[static_cast<size_t>(item.body)] : Shade{};
         program.set("foldAlbedo", item.albedo);
         program.set("occluderCount", shade.count);
+        program.set("ownCount", shade.own);
         glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_OCCLUDERS, matrixBuffer_.name(),
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
     }

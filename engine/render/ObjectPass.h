@@ -53,15 +53,15 @@ class ObjectPass {
         const PrimitiveGpu* primitive;
         size_t matrixOffset; // bytes into the buffer of matrices
         size_t matrixBytes;
-        Ball bound;  // world
-        float scale; // world metres for one of the mesh's units
-        int body;    // of near_; -1: none
+        Ball bound;       // world
+        float scale;      // world metres for one of the mesh's units
+        int body;         // of near_; -1: none
         glm::vec3 albedo; // mean, of the body that folds
     };
 
-    struct Shade {         // what takes light from a body
-        size_t offset = 0; // bytes into the buffer of matrices
-        int count = 0;
+    struct Shade {              // what takes light from a body
+        size_t offset = 0;      // bytes into the buffer of matrices
+        int count = 0, own = 0; // the first are its own parts
     };
 
     bool shaded(const Item& item) const;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr float kLeastSwing = 0.01f; // of a clip's tail, body lengths: below, it has no wave to scale
-constexpr size_t kBodyParts = 4, kHandParts = 20; // ellipsoids that take light from others
-constexpr float kMostScale = 2.5f;                // more would fold it
+constexpr size_t kBodyParts = 4, kHunterParts = 6, kHandParts = 20; // ellipsoids that take light from others
+constexpr float kMostScale = 2.5f;                                  // more would fold it
 
 // The clip's time for this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {
@@ -24,25 +24,30 @@ float clipTime(const scene::Animation& clip, float phase_s) {
     return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
 }
 
-// Hands at rest; what bites with its mouth open, which must not glow: closed, nobody looks into it. Fish have
-// no folds that are seen, but fins whose roots are buried in them, and buried vertices would darken what lies
-// around.
-void foldBody(scene::Model& model, bool isHand) {
-    constexpr int kRays = 16;
-    const int bite = model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
-    if (!isHand && bite < 0) return;
+int biteOf(const scene::Model& model) {
+    return model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
+}
+
+size_t mostParts(const scene::Model& model, occlusion::Parts parts) {
+    return parts == occlusion::Parts::ByJoint ? kHandParts : biteOf(model) < 0 ? kBodyParts : kHunterParts;
+}
+
+// At rest, but what bites with its mouth open, which must not glow: closed, nobody looks into it.
+void foldBody(scene::Model& model, const render::BodyOccluders& body) {
+    constexpr int kRays = 6;
+    const int bite = biteOf(model);
     scene::Pose pose;
     scene::restPose(model, pose);
     if (bite >= 0)
         scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
     scene::updateGlobals(model, pose);
-    render::foldModel(model, pose, kRays);
+    render::foldModel(model, pose, body, kRays);
 }
 
 } // namespace
 
 Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, occlusion::Parts parts,
-                                    size_t most, render::Reflectance reflectance, render::Detail detail) {
+                                    render::Reflectance reflectance, render::Detail detail) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     Actor actor;
@@ -55,9 +60,8 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
                                                                  : scene::leastRoughness(actor.model));
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
-    const bool isHand = parts == occlusion::Parts::ByJoint;
-    foldBody(actor.model, isHand);
-    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, mostParts(actor.model, parts));
+    foldBody(actor.model, actor.body);
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));
     // Two hands wear one skin.
@@ -70,7 +74,7 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
     actor.silhouette = scene::silhouetteOf(actor.model, actor.pose);
-    if (isHand) actor.reach = scene::reachOf(actor.model, actor.pose);
+    if (parts == occlusion::Parts::ByJoint) actor.reach = scene::reachOf(actor.model, actor.pose);
     actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
     for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
@@ -87,14 +91,13 @@ Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHan
                         const std::string& handLook, render::Reflectance reflectance, render::Detail detail) {
     Cast cast;
     for (const Path& file : speciesModels) {
-        auto actor = cast.loadActor(file, {}, occlusion::Parts::ByShape, kBodyParts, reflectance, detail);
+        auto actor = cast.loadActor(file, {}, occlusion::Parts::ByShape, reflectance, detail);
         if (!actor) return actor.error();
         cast.species_.push_back(std::move(*actor));
     }
     const std::array files = {leftHand, rightHand};
     for (size_t side = 0; side < files.size(); ++side) {
-        auto actor =
-            cast.loadActor(files[side], handLook, occlusion::Parts::ByJoint, kHandParts, reflectance, detail);
+        auto actor = cast.loadActor(files[side], handLook, occlusion::Parts::ByJoint, reflectance, detail);
         if (!actor) return actor.error();
         for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
             actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));

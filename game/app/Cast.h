@@ -48,7 +48,7 @@ class Cast {
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
     // look: a variant of the model; empty: as it is.
-    Result<Actor> loadActor(const Path& file, const std::string& look, occlusion::Parts parts, size_t most,
+    Result<Actor> loadActor(const Path& file, const std::string& look, occlusion::Parts parts,
                             render::Reflectance reflectance, render::Detail detail);
 
     float leastRoughness_ = 1;

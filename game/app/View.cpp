@@ -25,7 +25,7 @@ namespace shoal::app {
 
 namespace {
 
-constexpr int kFoldRays = 64, kFewestRays = 8; // from each vertex, once
+constexpr int kFoldRays = 16, kFewestRays = 2; // from each of three points in a triangle, once
 constexpr size_t kMostRays = 3'000'000;        // a few seconds
 constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
 
@@ -147,11 +147,11 @@ Status Viewer::open() {
         scene::restPose(model_, first);
         if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, first);
         scene::updateGlobals(model_, first);
-        size_t vertices = 1;
+        size_t indices = 1;
         for (const scene::Mesh& mesh : model_.meshes)
-            for (const scene::Primitive& primitive : mesh.primitives) vertices += primitive.positions.size();
-        const auto rays = static_cast<int>(std::min<size_t>(kMostRays / vertices, kFoldRays));
-        if (rays >= kFewestRays) render::foldModel(model_, first, rays);
+            for (const scene::Primitive& primitive : mesh.primitives) indices += primitive.indices.size();
+        const auto rays = static_cast<int>(std::min<size_t>(kMostRays / indices, kFoldRays));
+        if (rays >= kFewestRays) render::foldModel(model_, first, {}, rays);
         body_.albedo = scene::meanBaseColour(model_);
         if (reflectanceIn(options_.surround) == render::Reflectance::Coded)
             body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));

@@ -4,8 +4,8 @@ layout(std140) uniform OccluderBlock {
     // Each: three rows that take a point of the world to the ellipsoid's axes; semi-axes, strength; albedo.
     vec4 occluders[5 * MAX_OCCLUDERS];
 };
-uniform int occluderCount;
-uniform vec3 foldAlbedo; // of the surface's own body
+uniform int occluderCount, ownCount; // the first of them are the surface's own body's, which its folds complete
+uniform vec3 foldAlbedo;             // of the surface's own body
 uniform vec3 smoothAround[9]; // factors of 1, x, y, z, xy, yz, xz, y^2 - 1/3, x^2 - z^2
 uniform vec3 lampTowards, lampRadiance;
 uniform float lampShare;
@@ -27,20 +27,32 @@ float clippedShare(float share, float cosine) {
 float coverage(vec3 m, vec3 d, vec3 semiAxes, float lampSine, float capShare) {
     float along = -dot(m, d) / dot(d, d), ahead = max(along, 0.0);
     vec3 nearest = m + ahead * d;
-    float aside = length(nearest * semiAxes) * (1.0 - 1.0 / max(length(nearest), 1e-3));
+    float aside = length(nearest * semiAxes) * (1.0 - 1.0 / max(length(nearest), 1e-3)) + (ahead - along);
     float sine = aside * inversesqrt(aside * aside + ahead * ahead + 1e-12);
     float x = clamp(0.5 - 0.5 * sine / lampSine, 0.0, 1.0);
     return x * x * (3.0 - 2.0 * x) * min(1.0, capShare / (lampSine * lampSine));
 }
 
 // What is taken, by the powers of its direction.
-void addMoments(float share, vec3 mean, inout vec3 first, inout vec3 second, inout vec2 third) {
-    first += share * mean;
+struct Moments {
+    float sum;
+    vec3 first, second;
+    vec2 third;
+};
+
+// Of a share in this mean direction, what is not taken yet.
+float leftOf(Moments taken, float share, vec3 mean, vec3 normal) {
+    vec3 middle = (2.0 / 3.0) * normal;
+    float density = taken.sum + 4.0 * dot(taken.first - taken.sum * middle, mean - middle);
+    return min(share * (1.0 - clamp(density, 0.0, 1.0)), 1.0 - taken.sum);
+}
+
+void addSecond(float share, vec3 mean, inout Moments taken) {
     float mean2 = max(dot(mean, mean), 1e-6), meanLength = sqrt(mean2);
     float f = share * max(2.0 * meanLength - 1.0, 0.0) * meanLength;
     vec3 q = f / mean2 * mean;
-    second += q.xyx * mean.yzz;
-    third += vec2(q.y * mean.y - f / 3.0, q.x * mean.x - q.z * mean.z);
+    taken.second += q.xyx * mean.yzz;
+    taken.third += vec2(q.y * mean.y - f / 3.0, q.x * mean.x - q.z * mean.z);
 }
 
 // The light around on the side of a white body that is seen in this direction.
@@ -51,10 +63,10 @@ vec3 lightOnBody(vec3 towards) {
 }
 
 // Of a lamp, by a cap of this mean direction, as dense as its share of the hemisphere says.
-float foldCoverage(vec4 fold, vec3 normal, vec3 lamp, float lampSine) {
-    float meanLength = length(fold.xyz) / fold.w, edge = max(2.0 * meanLength - 1.0, 0.0), soft = 0.2 + lampSine;
-    vec3 towards = fold.xyz / (meanLength * fold.w);
-    float density = min(1.0, fold.w / max(clippedShare(1.0 - edge * edge, dot(towards, normal)), 1e-3));
+float foldCoverage(float share, vec3 mean, vec3 normal, vec3 lamp, float lampSine) {
+    float meanLength = max(length(mean), 1e-6), edge = max(2.0 * meanLength - 1.0, 0.0), soft = 0.2 + lampSine;
+    vec3 towards = mean / meanLength;
+    float density = min(1.0, share / max(clippedShare(1.0 - edge * edge, dot(towards, normal)), 1e-3));
     return density * smoothstep(edge - soft, edge + soft, dot(towards, lamp));
 }
 
@@ -62,21 +74,34 @@ float foldCoverage(vec4 fold, vec3 normal, vec3 lamp, float lampSine) {
 Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 fold) {
     float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
     float lampSine = sqrt(lampShare);
-    float sum = 0.0, open = 1.0, lampOpen = 1.0, lobeOpen = 1.0, lobeSum = 0.0;
-    vec3 first = vec3(0.0), bounced = vec3(0.0), seen = vec3(0.0), second = vec3(0.0);
-    vec2 third = vec2(0.0);
-    if (fold.w > 0.004) {
-        vec3 sent = foldAlbedo * lightOnBody(normalize(fold.xyz));
-        sum = fold.w;
-        open = 1.0 - fold.w;
-        lampOpen = 1.0 - foldCoverage(fold, normal, lampTowards, lampSine);
-        addMoments(fold.w, fold.xyz / fold.w, first, second, third);
-        bounced = fold.w * sent;
-        lobeSum = foldCoverage(fold, normal, reflected, lobeSine);
-        lobeOpen = 1.0 - lobeSum;
-        seen = lobeSum * sent;
-    }
-    for (int i = 0; i < occluderCount; ++i) {
+    float lampOpen = 1.0, lobeOpen = 1.0, lobeSum = 0.0;
+    vec3 bounced = vec3(0.0), seen = vec3(0.0);
+    Moments taken = Moments(0.0, vec3(0.0), vec3(0.0), vec2(0.0));
+    for (int i = 0; i <= occluderCount; ++i) {
+        if (i == ownCount && dot(fold, fold) > 0.0) {
+            float share = max(fold.w, 0.0);
+            vec3 mean = fold.xyz / max(max(share, length(fold.xyz)), 1e-6);
+            float before = taken.sum;
+            taken.sum = clamp(before + fold.w, 0.0, 1.0);
+            float kept = min(taken.sum / max(before, 1e-6), 1.0);
+            taken.second *= kept;
+            taken.third *= kept;
+            lampOpen = 1.0 - kept * (1.0 - lampOpen);
+            bounced *= kept;
+            lobeOpen = 1.0 - kept * (1.0 - lobeOpen);
+            lobeSum *= kept;
+            seen *= kept;
+            taken.first += fold.xyz;
+            addSecond(share, mean, taken);
+            lampOpen *= 1.0 - foldCoverage(share, mean, normal, lampTowards, lampSine);
+            vec3 sent = foldAlbedo * lightOnBody(mean / max(length(mean), 1e-6));
+            bounced += share * sent;
+            float hidden = foldCoverage(share, mean, normal, reflected, lobeSine);
+            lobeOpen *= 1.0 - hidden;
+            lobeSum += hidden;
+            seen += hidden * sent;
+        }
+        if (i == occluderCount) break;
         vec4 rx = occluders[5 * i], ry = occluders[5 * i + 1], rz = occluders[5 * i + 2];
         vec4 shape = occluders[5 * i + 3];
         vec3 albedo = occluders[5 * i + 4].rgb;
@@ -98,29 +123,30 @@ Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 
         vec3 towards = n.x * rx.xyz + n.y * ry.xyz + n.z * rz.xyz;
 
         float cosine = dot(towards, normal);
-        float share = clippedShare(capShare, cosine) * shape.w;
-        sum += share;
-        open *= 1.0 - share;
-        vec3 mUnit = m / shape.xyz;
-        vec3 lamp = vec3(dot(rx.xyz, lampTowards), dot(ry.xyz, lampTowards), dot(rz.xyz, lampTowards)) / shape.xyz;
-        lampOpen *= 1.0 - shape.w * coverage(mUnit, lamp, shape.xyz, lampSine, capShare);
         float k = sqrt(1.0 - capShare);
         float lift = (1.0 - k) * (2.0 + k) / (3.0 * (1.0 + k));
         vec3 mean = k * towards + lift / max(max(cosine, sqrt(capShare)), 1e-6) * normal;
-        addMoments(share, mean, first, second, third);
+        float share = leftOf(taken, clippedShare(capShare, cosine) * shape.w, mean, normal);
+        taken.sum += share;
+        taken.first += share * mean;
+        addSecond(share, mean, taken);
         vec3 sent = albedo * lightOnBody(towards);
         bounced += share * sent;
+        vec3 mUnit = m / shape.xyz;
+        vec3 lamp = vec3(dot(rx.xyz, lampTowards), dot(ry.xyz, lampTowards), dot(rz.xyz, lampTowards)) / shape.xyz;
+        lampOpen *= 1.0 - shape.w * coverage(mUnit, lamp, shape.xyz, lampSine, capShare);
         vec3 lobe = vec3(dot(rx.xyz, reflected), dot(ry.xyz, reflected), dot(rz.xyz, reflected)) / shape.xyz;
         float hidden = shape.w * coverage(mUnit, lobe, shape.xyz, lobeSine, capShare);
         lobeOpen *= 1.0 - hidden;
         lobeSum += hidden;
         seen += hidden * sent;
     }
-    vec3 lost = smoothAround[0] * sum + smoothAround[1] * first.x + smoothAround[2] * first.y + smoothAround[3] * first.z +
-                smoothAround[4] * second.x + smoothAround[5] * second.y + smoothAround[6] * second.z +
-                smoothAround[7] * third.x + smoothAround[8] * third.y;
+    vec3 lost = smoothAround[0] * taken.sum + smoothAround[1] * taken.first.x + smoothAround[2] * taken.first.y +
+                smoothAround[3] * taken.first.z + smoothAround[4] * taken.second.x + smoothAround[5] * taken.second.y +
+                smoothAround[6] * taken.second.z + smoothAround[7] * taken.third.x + smoothAround[8] * taken.third.y;
+    float open = 1.0 - taken.sum;
     Shaded shaded;
-    shaded.taken = (lost - open * bounced) * ((1.0 - open) / max(sum, 1e-6)) +
+    shaded.taken = lost - open * bounced +
                    lampRadiance * (clippedShare(lampShare, dot(normal, lampTowards)) * (1.0 - lampOpen));
     shaded.openLobe = lobeOpen;
     shaded.seenInLobe = seen * ((1.0 - lobeOpen) / max(lobeSum, 1e-6)) * open;

@@ -20,4 +20,5 @@
 #define UNIT_RADIANCE 7
 #define UNIT_FRAME 0
 #define MAX_JOINTS 256
-#define MAX_OCCLUDERS 24
+#define MAX_OTHERS 24 // occluders: parts of other bodies
+#define MAX_OCCLUDERS 48

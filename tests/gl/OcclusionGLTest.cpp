@@ -20,6 +20,15 @@ render::BodyOccluders ballBody(const glm::vec3& semiAxes) {
     return body;
 }
 
+// A part beside the ball that takes its light, as a finger does a palm's.
+render::BodyOccluders itself() {
+    render::BodyOccluders body = ballBody({0.2f, 0.5f, 0.2f});
+    body.parts[0].inNode.centre = {0.9f, 0.3f, 1};
+    body.albedo = {0.2f, 0.4f, 0.5f};
+    body.onItself = true;
+    return body;
+}
+
 struct Other {
     glm::mat4 worldFromModel;
     render::BodyOccluders body;
@@ -52,7 +61,7 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    const render::BodyOccluders self = ballBody(glm::vec3(1));
+    const render::BodyOccluders self = itself();
     pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, &self);
     for (const Other& other : others)
         pass->add(nothing, gpu, pose, other.worldFromModel, {glm::vec3(other.worldFromModel[3]), 1},
@@ -87,6 +96,8 @@ occlusion::SmoothLight unevenLight() {
 // What Object.frag makes of it on the CPU: NearBodies' choice, take() and openLobe().
 glm::vec3 expected(const glm::vec3& p, const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                    float roughness) {
+    const render::BodyOccluders self = itself();
+    const occlusion::Occluder own = {self.parts[0].inNode, 1, self.albedo};
     std::vector<occlusion::Occluder> occluders;
     for (const Other& other : others)
         occluders.push_back(
@@ -96,7 +107,8 @@ glm::vec3 expected(const glm::vec3& p, const std::vector<Other>& others, const o
     const math::Dfg dfg =
         math::dfg(std::max(static_cast<double>(glm::dot(n, v)), 1e-3), static_cast<double>(roughness));
     const float single = static_cast<float>(0.04 * dfg.scale + dfg.bias);
-    const glm::vec3 taken = occlusion::take(p, n, occluders, smooth).radiance;
+    const glm::vec3 taken = occlusion::take(p, n, {&own, 1}, {}, occluders, smooth).radiance;
+    occluders.push_back(own);
     const float open = occlusion::openLobe(p, glm::reflect(-v, n), roughness, occluders);
     return single * kLight * open + (1 - single) * glm::max(kLight - taken, 0.0f);
 }

@@ -3,6 +3,7 @@
 #include "engine/core/Files.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/VideoSource.h"
+#include "engine/occlusion/Folds.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"
 
@@ -14,23 +15,32 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kHandParts = 26, kFishParts = 4, kSharkParts = 6;
+constexpr size_t kHandParts = 20, kFishParts = 4, kSharkParts = 6; // as the game has them
+constexpr int kFoldRays = 6;
 
 Path content() { return Path(SHOAL_SOURCE_DIR) / "content"; }
 
 struct Actor {
     scene::Model model;
-    scene::Pose pose;
+    scene::Pose rest, pose;
     render::BodyOccluders body;
+    std::vector<glm::vec4> folds; // at rest
 };
 
 Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
     auto model = scene::loadModel(content() / "models" / (name + ".glb"));
     if (!model) throw std::runtime_error(model.error().sentence());
-    Actor actor{std::move(*model), {}, {}};
+    Actor actor{std::move(*model), {}, {}, {}, {}};
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
+    actor.rest = actor.pose;
     actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
+    const scene::Surface surface = scene::posedSurface(actor.model, actor.rest);
+    std::vector<occlusion::Occluder> own;
+    if (actor.body.onItself)
+        for (const auto& part : actor.body.parts)
+            own.push_back({render::placed(part, actor.rest, glm::mat4(1)), 1, {}});
+    actor.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kFoldRays);
     return actor;
 }
 
@@ -40,6 +50,14 @@ SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
     for (glm::vec3& p : body.surface.positions) p = glm::vec3(worldFromModel * glm::vec4(p, 1));
     for (glm::vec3& n : body.surface.normals) n = glm::normalize(glm::mat3(worldFromModel) * n);
     body.albedo = actor.body.albedo;
+    body.onItself = actor.body.onItself;
+    for (size_t v = 0; v < actor.folds.size(); ++v) {
+        const size_t node = body.surface.nodesOf[v];
+        const glm::mat3 turned(worldFromModel * actor.pose.modelFromNode[node] *
+                               glm::inverse(actor.rest.modelFromNode[node]));
+        body.folds.emplace_back(turned * glm::vec3(actor.folds[v]) / std::cbrt(glm::determinant(turned)),
+                                actor.folds[v].w);
+    }
     for (const auto& part : actor.body.parts)
         body.parts.push_back({render::placed(part, actor.pose, worldFromModel), 1, body.albedo});
     return body;
@@ -79,6 +97,13 @@ OcclusionScene ClosingHand::at(float curl) const {
 }
 
 OcclusionScene handOnFish(float curl) { return ClosingHand().at(curl); }
+
+OcclusionScene handBySelf(float curl) {
+    OcclusionScene scene = ClosingHand().at(curl);
+    scene.bodies.erase(scene.bodies.begin());
+    scene.receivers = {0};
+    return scene;
+}
 
 OcclusionScene sharkAboveShoal() {
     const Actor shark = load("shark", occlusion::Parts::ByShape, kSharkParts);

@@ -16,6 +16,8 @@ struct SceneBody {
     scene::Surface surface; // in the world
     glm::vec3 albedo{0};
     std::vector<occlusion::Occluder> parts;
+    bool onItself = false;        // they take its own light too
+    std::vector<glm::vec4> folds; // occlusion::findFolds() at rest, by position, world
 };
 
 struct OcclusionScene {
@@ -36,6 +38,7 @@ class ClosingHand {
 };
 
 OcclusionScene handOnFish(float curl);
+OcclusionScene handBySelf(float curl); // its own light
 OcclusionScene sharkAboveShoal();
 
 // 64 x 32 texels of the light that the game makes of a frame of the dive's video.

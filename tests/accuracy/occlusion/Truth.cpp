@@ -71,11 +71,12 @@ std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int 
         const uint32_t* corner = &s.indices[3 * (t - 1)];
         double u = uniform(state), v = uniform(state);
         if (u + v > 1) u = 1 - u, v = 1 - v;
-        const auto mix = [&](const std::vector<glm::vec3>& of) {
+        const auto mix = [&](const auto& of) {
             return static_cast<float>(1 - u - v) * of[corner[0]] + static_cast<float>(u) * of[corner[1]] +
                    static_cast<float>(v) * of[corner[2]];
         };
-        points.push_back({body, mix(s.positions), glm::normalize(mix(s.normals))});
+        points.push_back(
+            {body, mix(s.positions), glm::normalize(mix(s.normals)), mix(scene.bodies[body].folds)});
     }
     return points;
 }

@@ -1,40 +1,37 @@
 // What the game draws: bodies as ellipsoids on their joints, in closed form.
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/rivals/AmbientOcclusion.h"
+#include "engine/occlusion/Folds.h"
 #include "tests/bench/occlusion/EllipsoidParts.h"
 #include "tests/bench/occlusion/Method.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace shoal::bench {
 
 namespace {
 
-constexpr int kRays = 32; // at each of three points in a triangle, where occlusion is baked
+constexpr int kRays = 6; // at each of three points in a triangle, as the game folds
 
 struct State {
     const Scene* scene = nullptr;
     const ImageRgbF* map = nullptr;
     occlusion::SmoothLight smooth;
     std::vector<std::vector<occlusion::Occluder>> others, own; // [body]: what takes its light
-    std::vector<std::vector<float>> baked; // [body][vertex]: factor of the light; empty without
+    std::vector<std::vector<glm::vec4>> folds;                 // [body][vertex]: world; empty without
     size_t parts = 0;
 };
 
-// Factors of a body's light by itself. What its own ellipsoids take at rest is left to them.
-std::vector<float> bakedFactors(const Body& body, float nearest, std::span<const occlusion::Occluder> own) {
-    const Rays rays({&body.rest});
-    const auto occluded = [&](const glm::vec3& o, const glm::vec3& d) {
-        return rays.occluded(o, d, nearest);
-    };
-    auto factors = occlusion::rivals::bakeAmbientOcclusion(body.rest.view(), occluded, kRays, nearest);
-    for (size_t i = 0; i < factors.size(); ++i) {
-        const auto taken = occlusion::take(body.rest.positions[i], body.rest.normals[i], own, {});
-        factors[i] = std::min(factors[i] / std::max(1 - taken.share, 0.1f), 2.0f);
-    }
-    return factors;
+// At rest, then as each vertex has turned.
+std::vector<glm::vec4> foldsOf(const Body& body, std::span<const occlusion::Occluder> ownAtRest) {
+    std::vector<uint32_t> indices;
+    for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+    auto folds = occlusion::findFolds({body.rest.positions, body.rest.normals, indices}, ownAtRest, kRays);
+    for (size_t v = 0; v < folds.size(); ++v)
+        folds[v] = glm::vec4(glm::mat3(body.worldFromRest[static_cast<size_t>(body.boneOf[v])]) *
+                                 glm::vec3(folds[v]),
+                             folds[v].w);
+    return folds;
 }
 
 void build(State& state, const Scene& scene, Casting casting) {
@@ -46,19 +43,20 @@ void build(State& state, const Scene& scene, Casting casting) {
         std::vector<occlusion::Occluder> resting;
         for (const occlusion::BodyPart& part : partsOf(body)) {
             ++state.parts;
-            if (casting == Casting::All) state.own[b].push_back(posed(part, body));
-            if (casting == Casting::All) resting.push_back({part.atRest});
+            if (casting != Casting::All || !bendsSharply(body)) continue;
+            state.own[b].push_back(posed(part, body));
+            resting.push_back({part.atRest});
         }
-        if (casting != Casting::Others) state.baked.push_back(bakedFactors(body, scene.nearest, resting));
+        if (casting != Casting::Others) state.folds.push_back(foldsOf(body, resting));
     }
 }
 
 const OcclusionLabel kLabels[] = {
-    {"ellipsoids of other bodies", "ellipsoids", "ellipsoids on joints", "engine/occlusion", Part::Game},
-    {"ellipsoids of other bodies, own occlusion baked at rest", "ellipsoids, AO", "ellipsoids on joints",
+    {"ellipsoids of other bodies", "ellipsoids", "ellipsoids on joints", "engine/occlusion"},
+    {"ellipsoids of other bodies, folds at rest", "ellipsoids, folds", "ellipsoids on joints",
      "engine/occlusion"},
-    {"ellipsoids of all bodies, the rest of own occlusion baked", "all ellipsoids, AO",
-     "ellipsoids on joints", "engine/occlusion"}};
+    {"ellipsoids of other bodies and of a hand's own, folds at rest", "ellipsoids, folds, own",
+     "ellipsoids on joints", "engine/occlusion", Part::Game}};
 
 } // namespace
 
@@ -68,7 +66,7 @@ OcclusionMethod ellipsoids(Casting casting) {
             [=](const Scene& scene, const Rays&) { build(*state, scene, casting); },
             [=] {
                 size_t bytes = state->parts * sizeof(occlusion::BodyPart);
-                for (const auto& each : state->baked) bytes += each.size(); // one byte would do
+                for (const auto& each : state->folds) bytes += each.size() * sizeof(glm::vec4);
                 return bytes;
             },
             [=](const Lit& lit) {
@@ -79,19 +77,15 @@ OcclusionMethod ellipsoids(Casting casting) {
             },
             [=](std::span<const Receiver> at, std::span<glm::vec3> out) {
                 for (size_t i = 0; i < at.size(); ++i) {
+                    const size_t body = at[i].body;
+                    const glm::uvec3 corner = state->scene->bodies[body].posed.triangles[at[i].triangle];
+                    occlusion::Fold fold;
+                    for (int k = 0; k < 3 && !state->folds.empty(); ++k)
+                        fold.hidden += at[i].weights[k] * state->folds[body][corner[k]];
                     const glm::vec3 open = light::lookUp(*state->map, at[i].normal);
-                    const auto taken = occlusion::take(at[i].position, at[i].normal,
-                                                       state->others[at[i].body], state->smooth);
+                    const auto taken = occlusion::take(at[i].position, at[i].normal, state->own[body], fold,
+                                                       state->others[body], state->smooth);
                     out[i] = glm::max(open - taken.radiance, 0.0f);
-                    if (state->baked.empty()) continue;
-                    const glm::uvec3 corner =
-                        state->scene->bodies[at[i].body].posed.triangles[at[i].triangle];
-                    const auto& baked = state->baked[at[i].body];
-                    const auto byItself =
-                        occlusion::take(at[i].position, at[i].normal, state->own[at[i].body], state->smooth);
-                    out[i] *=
-                        (1 - byItself.share) *
-                        glm::dot(at[i].weights, glm::vec3(baked[corner.x], baked[corner.y], baked[corner.z]));
                 }
             },
             OcclusionMethod::Moves::Free};

@@ -6,7 +6,7 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr size_t kHandParts = 26, kFishParts = 4, kSharkParts = 6; // as the game fits them
+constexpr size_t kHandParts = 20, kHunterParts = 6, kBodyParts = 4; // as the game fits them
 
 occlusion::Ellipsoid<float> moved(const occlusion::Ellipsoid<float>& at, const glm::mat4& to) {
     occlusion::Ellipsoid<float> out = at;
@@ -19,16 +19,18 @@ occlusion::Ellipsoid<float> moved(const occlusion::Ellipsoid<float>& at, const g
 
 } // namespace
 
+bool bendsSharply(const Body& body) { return body.name == "hand"; }
+
 std::vector<occlusion::BodyPart> partsOf(const Body& body) {
     const std::vector<uint16_t> joints(body.boneOf.begin(), body.boneOf.end());
     std::vector<uint32_t> indices;
     for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    const bool hand = body.name == "hand";
+    const bool limbs = bendsSharply(body);
     return occlusion::fitEllipsoids({body.rest.positions, indices, joints},
-                                    hand ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape,
-                                    hand                   ? kHandParts
-                                    : body.name == "shark" ? kSharkParts
-                                                           : kFishParts);
+                                    limbs ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape,
+                                    limbs                  ? kHandParts
+                                    : body.name == "shark" ? kHunterParts
+                                                           : kBodyParts);
 }
 
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body) {

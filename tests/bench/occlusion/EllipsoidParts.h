@@ -9,6 +9,8 @@ namespace shoal::bench {
 
 std::vector<occlusion::BodyPart> partsOf(const Body& body);
 
+bool bendsSharply(const Body& body);
+
 // As it stands in the world.
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body);
 

@@ -60,8 +60,9 @@ OcclusionMethod exactRays(int directions);
 OcclusionMethod balls();
 OcclusionMethod screenSpace(int samples);
 OcclusionMethod boneDistances(int cones, int cells);
-// Whose ellipsoids take light, and whether each body's own occlusion is baked at rest.
-enum class Casting { Others, OthersAndBaked, All };
+// What takes light: others' ellipsoids; each body's folds at rest too; and of what bends sharply its own
+// ellipsoids.
+enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
 OcclusionMethod thesisLayers(int directions);
 OcclusionMethod curedLayers(int directions);

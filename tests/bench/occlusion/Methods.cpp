@@ -18,7 +18,7 @@ std::vector<OcclusionMethod> occlusionMethods() {
         all.push_back(thesisLayers(directions));
         all.push_back(curedLayers(directions));
     }
-    for (const Casting casting : {Casting::Others, Casting::OthersAndBaked, Casting::All})
+    for (const Casting casting : {Casting::Others, Casting::OthersAndFolds, Casting::All})
         all.push_back(ellipsoids(casting));
     all.push_back(balls());
     all.push_back(boneDistances(32, 12));

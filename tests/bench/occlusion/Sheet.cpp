@@ -89,7 +89,7 @@ std::vector<Colours> columnsOf(const Scene& scene, const Rays& rays, const Lit& 
     }
     std::vector<Colours> all;
     for (const OcclusionMethod& method :
-         {ignored(), thesisLayers(64), curedLayers(64), ellipsoids(Casting::OthersAndBaked), exactRays(512)})
+         {ignored(), thesisLayers(64), curedLayers(64), ellipsoids(Casting::All), exactRays(512)})
         all.push_back(matte(scene, rays, lit, samples, method));
     return all;
 }

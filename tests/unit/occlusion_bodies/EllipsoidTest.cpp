@@ -128,5 +128,15 @@ TEST(Coverage, OfALampRunsFromNoneToAllAcrossTheEdge) {
     EXPECT_EQ(coverage(e, p, -cap.towards, sine, cap.share), 0);
 }
 
+// A body's skin is now outside, now within its own ellipsoids.
+TEST(Coverage, LeavesWhatLooksOutOfItFree) {
+    const Ellipsoid<double> e{{}, glm::dmat3(1), {0.2, 0.3, 0.5}};
+    for (const double depth : {-0.02, 0.0, 0.02})
+        for (const Vec& towards :
+             {Vec(1, 0, 0), glm::normalize(Vec(1, 0.6, 0)), glm::normalize(Vec(1, 0, -0.6))})
+            EXPECT_EQ(coverage(e, Vec(0.2 - depth, 0, 0), towards, 0.2, 1.0), 0) << depth << ' ' << towards.y;
+    EXPECT_EQ(coverage(e, Vec(0.18, 0, 0), glm::normalize(Vec(-1, 0.1, 0)), 0.2, 1.0), 1);
+}
+
 } // namespace
 } // namespace shoal::occlusion

@@ -1,0 +1,140 @@
+// What a surface hides of itself, where it can be said on paper; and how several that hide join.
+#include "engine/occlusion/Folds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shoal::occlusion {
+namespace {
+
+struct Sheets {
+    std::vector<glm::vec3> positions, normals;
+    std::vector<uint32_t> indices;
+
+    // A parallelogram of cells by cells, facing cross(right, up).
+    void add(const glm::vec3& corner, const glm::vec3& right, const glm::vec3& up, int cells) {
+        const auto first = static_cast<uint32_t>(positions.size()), row = static_cast<uint32_t>(cells + 1);
+        for (int y = 0; y <= cells; ++y)
+            for (int x = 0; x <= cells; ++x) {
+                positions.push_back(corner + (right * static_cast<float>(x) + up * static_cast<float>(y)) /
+                                                 static_cast<float>(cells));
+                normals.push_back(glm::normalize(glm::cross(right, up)));
+            }
+        for (uint32_t y = 0; y + 1 < row; ++y)
+            for (uint32_t x = 0; x + 1 < row; ++x) {
+                const uint32_t a = first + y * row + x;
+                indices.insert(indices.end(), {a, a + 1, a + row, a + 1, a + row + 1, a + row});
+            }
+    }
+    FoldingBody body() const { return {positions, normals, indices}; }
+};
+
+// Ground as wide as the horizon hides half of what a wall sees, wherever on it. The wall's lowest corners are
+// buried and see nothing: what is seen of it must not darken for that. Corners that ask for themselves make
+// it 0.69 here.
+TEST(Folds, ABuriedRootLeavesWhatIsSeenAsItIs) {
+    Sheets sheets;
+    sheets.add({-0.5f, -0.4f, 0}, {1, 0, 0}, {0, 1.5f, 0}, 2); // the wall, facing +z
+    sheets.add({-40, 0, 40}, {80, 0, 0}, {0, 0, -80}, 2);      // the ground, facing up
+    sheets.add({-40, -0.5f, -40}, {80, 0, 0}, {0, 0, 80}, 1);  // and what is below it
+    const auto folds = findFolds(sheets.body(), {}, 256);
+    for (const float height : {0.1f, 0.2f, 0.3f}) {
+        const glm::vec4 hidden = glm::mix(folds[1], folds[4], (height + 0.4f) / 0.75f); // in the middle
+        EXPECT_NEAR(hidden.w, 0.5f, 0.1f) << height;
+        // The mean over the lower quarter of the sphere, which is half of what a wall sees: (0, -2 / (3 pi),
+        // 1 / 3).
+        EXPECT_NEAR(hidden.y, -0.2122f, 0.06f) << height;
+        EXPECT_NEAR(hidden.z, 0.3333f, 0.07f) << height;
+    }
+}
+
+// Nor do corners darken because all that is looked at between them lies behind a label.
+TEST(Folds, ALabelLeavesTheCornersOfItsWallAsTheyAre) {
+    Sheets sheets;
+    sheets.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+    sheets.add({0.1f, 0.1f, 0.001f}, {0.8f, 0, 0}, {0, 0.8f, 0}, 1);
+    const auto folds = findFolds(sheets.body(), {}, 64);
+    for (size_t corner = 0; corner < 4; ++corner) EXPECT_LT(folds[corner].w, 0.15f) << corner;
+}
+
+// Own ellipsoids and the folds that complete them hide together what folds alone do, at rest.
+TEST(Folds, CompleteTheBodysOwnEllipsoids) {
+    Sheets sheets;
+    sheets.add({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 12);   // a floor, facing up
+    sheets.add({-1, 0, -0.4f}, {2, 0, 0}, {0, 1, 0}, 6); // a wall on it, facing +z
+    const std::vector<Occluder> own = {{{{0, 0.5f, -0.5f}, glm::mat3(1), {1, 0.5f, 0.1f}}, 1, {}}};
+    const auto alone = findFolds(sheets.body(), {}, 64), rest = findFolds(sheets.body(), own, 64);
+    int compared = 0;
+    for (size_t v = 0; v < 13 * 13; ++v) {
+        const glm::vec3& p = sheets.positions[v];
+        if (p.z < 0.1f || std::abs(p.x) > 0.9f) continue;
+        const glm::vec4 both = rest[v] + hiddenBy(p, sheets.normals[v], own);
+        EXPECT_NEAR(both.w, alone[v].w, 0.03f) << p.x << ' ' << p.z;
+        EXPECT_LT(glm::distance(glm::vec3(both), glm::vec3(alone[v])), 0.03f) << p.x << ' ' << p.z;
+        ++compared;
+    }
+    EXPECT_GT(compared, 40);
+    EXPECT_LT(rest[12 * 13 + 6].w, 0.5f * alone[12 * 13 + 6].w + 0.05f);
+}
+
+// An ellipsoid that stands out of the skin that it stands for hides no lamp from it.
+TEST(Folds, GiveBackTheLampThatOwnEllipsoidsHide) {
+    Sheets skin;
+    skin.add({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 16);
+    const std::vector<Occluder> own = {{{{0.5f, -0.2f, 0}, glm::mat3(1), {0.5f, 0.4f, 0.5f}}, 1, {}}};
+    const auto folds = findFolds(skin.body(), own, 8);
+    SmoothLight light;
+    light.lampTowards = glm::normalize(glm::vec3(1, 0.2f, 0));
+    light.lampRadiance = glm::vec3(10);
+    const size_t before = 4 * 17 + 8; // it, as seen from the lamp: x = -0.5, z = 0
+    for (const size_t v : {before, before + 2 * 17, before + 3 * 17}) {
+        const glm::vec3 p = skin.positions[v];
+        const float alone = take(p, {0, 1, 0}, own, {}, {}, light).radiance.x,
+                    whole = take(p, {0, 1, 0}, own, {folds[v], {}}, {}, light).radiance.x;
+        EXPECT_GT(alone, 0.02f) << p.x;
+        EXPECT_LE(whole, 0.25f * alone) << p.x;
+    }
+}
+
+TEST(Folds, OfNothingAreNone) {
+    EXPECT_TRUE(findFolds({}, {}, 8).empty());
+    const std::vector<glm::vec3> point(3, glm::vec3(1)), up(3, glm::vec3(0, 1, 0));
+    const std::vector<uint32_t> indices = {0, 1, 2};
+    for (const glm::vec4& fold : findFolds({point, up, indices}, {}, 8)) EXPECT_EQ(fold, glm::vec4(0));
+    Sheets flat; // sees no part of itself
+    flat.add({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 3);
+    for (const glm::vec4& fold : findFolds(flat.body(), {}, 8)) EXPECT_EQ(fold, glm::vec4(0));
+}
+
+Occluder ballAt(const glm::vec3& centre, float radius) {
+    return {{centre, glm::mat3(1), glm::vec3(radius)}, 1, {}};
+}
+
+TEST(Joining, OfThoseSideBySideIsNearlyTheirSum) {
+    const glm::vec3 up(0, 1, 0);
+    const Occluder left = ballAt({-1.2f, 1, 0}, 1), right = ballAt({1.2f, 1, 0}, 1);
+    const float one = hiddenBy({}, up, {&left, 1}).w;
+    const Occluder both[] = {left, right};
+    const float joint = hiddenBy({}, up, both).w, product = 1 - (1 - one) * (1 - one);
+    EXPECT_GT(one, 0.2f);
+    EXPECT_GT(joint, 0.5f * (product + 2 * one));
+    EXPECT_LE(joint, 2 * one + 1e-6f);
+    EXPECT_NEAR(hiddenBy({}, up, both).x, 0, 0.05f * one);
+}
+
+TEST(Joining, OfManyNeverTakesMoreThanAll) {
+    std::vector<Occluder> many;
+    for (int k = 0; k < 24; ++k) {
+        const float angle = 0.8f * static_cast<float>(k);
+        many.push_back(
+            ballAt({std::cos(angle), 0.6f + 0.05f * static_cast<float>(k % 5), std::sin(angle)}, 0.7f));
+        const glm::vec4 hidden = hiddenBy({}, {0, 1, 0}, many);
+        EXPECT_LE(hidden.w, 1.0f);
+        EXPECT_LE(glm::length(glm::vec3(hidden)), hidden.w);
+    }
+    EXPECT_GT(hiddenBy({}, {0, 1, 0}, many).w, 0.9f);
+}
+
+} // namespace
+} // namespace shoal::occlusion
