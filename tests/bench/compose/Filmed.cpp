@@ -128,7 +128,7 @@ ImageRgbF signalOf(const ImageRgb8& frame) {
     return out;
 }
 
-// What port and lens scatter: three running means over five squares of texels.
+// What port and lens scatter: three running means over seven squares of texels.
 constexpr int kGlowTexels = 8;
 ImageRgbF glowOf(const ImageRgbF& in) {
     ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);
@@ -137,7 +137,7 @@ ImageRgbF glowOf(const ImageRgbF& in) {
             for (int c = 0; c < 3; ++c)
                 out.at(x / kGlowTexels, y / kGlowTexels)[c] += in.at(x, y)[c] / (kGlowTexels * kGlowTexels);
     for (int i = 0; i < 3; ++i)
-        out = filtered(out, std::vector<float>(5, 0.2f), {0, 0, out.width, out.height});
+        out = filtered(out, std::vector<float>(7, 1 / 7.0f), {0, 0, out.width, out.height});
     return out;
 }
 
