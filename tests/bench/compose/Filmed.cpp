@@ -28,7 +28,7 @@ float toned(float x) {
 std::array<float, 256> signals() {
     std::array<float, 256> table{};
     for (size_t i = 0; i < 256; ++i) {
-        float low = 0, high = 3;
+        float low = 0, high = 1.18f; // where it clips: white is no brighter for all that is known
         for (int step = 0; step < 40; ++step) {
             const float middle = (low + high) / 2;
             (toned(middle) * 255 < static_cast<float>(i) ? low : high) = middle;
