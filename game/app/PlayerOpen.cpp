@@ -80,14 +80,15 @@ Status Player::open() {
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
-    auto madeStage =
-        Stage::make(std::move(*cast), {.detail = detail,
-                                       .snow = options.snow,
-                                       .shadows = shadows,
-                                       .occlusion = options.look.occlusion == "on",
-                                       .compose = composeNamed(options.compose),
-                                       .layerSamples = options.look.samples > 0 ? options.look.samples
-                                                                                : layerSamplesFor(software)});
+    auto madeStage = Stage::make(
+        std::move(*cast), {.detail = detail,
+                           .snow = options.snow,
+                           .shadows = shadows,
+                           .occlusion = options.look.occlusion == "on",
+                           .compose = composeNamed(options.compose),
+                           .layerSamples = options.look.samples > 0
+                                               ? options.look.samples
+                                               : layerSamplesFor(composeNamed(options.compose), software)});
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();

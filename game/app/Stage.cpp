@@ -46,6 +46,7 @@ void Stage::set(const game::Snapshot& snapshot, const Surround& surround, bool b
 
 glm::ivec2 Stage::layerSize(const Eye& eye) const {
     if (layers_.empty() || backdropOnly_) return eye.size;
+    if (compose_ == Compose::Camera && !paintsTexels(eye)) return eye.size;
     auto rows = static_cast<float>(eye.surround.gpu(eye.eye).frameHeight());
     if (compose_ == Compose::Camera) rows /= render::layerTexels(eye.surround.filmLook(), layerSamples_);
     return render::sizeAsFine(layerView(eye), eye.size, static_cast<int>(rows));

@@ -20,7 +20,7 @@ enum class Compose {
     Plain,      // as finely as the picture is drawn
     Resolution, // as finely as the surround's own picture is, where that is coarser, and scaled up with it
     Texels,     // into the texels of the surround's own picture, and shown with it
-    Camera      // as Texels, and as the surround's camera would have filmed them
+    Camera // as Texels, and as the surround's camera would have filmed them; an HDR picture has none: plainly
 };
 
 struct StageSetup {
@@ -32,9 +32,11 @@ struct StageSetup {
     int layerSamples = 4; // for anti-aliasing, of objects that are scaled up
 };
 
-// Where nothing else is asked for. Four cost a software renderer half a frame; scaled up, or painted into
-// texels, one is smooth enough.
-constexpr int layerSamplesFor(bool software) { return software ? 1 : 4; }
+// Where nothing else is asked for. Four cost a software renderer half a frame; what is painted into texels is
+// drawn smooth between its pixels before it is enlarged, and one is enough.
+constexpr int layerSamplesFor(Compose compose, bool software) {
+    return software && compose != Compose::Resolution ? 1 : 4;
+}
 
 class Stage {
   public:

@@ -31,9 +31,10 @@ Result<Stage> makeStage(const Plan& plan, Compose compose) {
     auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
                            render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
-    return Stage::make(
-        std::move(*cast),
-        {.detail = detail, .snow = false, .compose = compose, .layerSamples = layerSamplesFor(software)});
+    return Stage::make(std::move(*cast), {.detail = detail,
+                                          .snow = false,
+                                          .compose = compose,
+                                          .layerSamples = layerSamplesFor(compose, software)});
 }
 
 Result<Surround> openVideo(const Path& file, const Plan& plan) {
