@@ -15,7 +15,7 @@ namespace shoal::render {
 // Variances in texels^2: between a layer's pixels of k texels values are drawn straight, k^2 / 6, and where
 // it has several samples a pixel each is a mean over its square, k^2 / 12; the video's own texels are such
 // means, 1 / 12, and its camera's blur^2 comes on top. With one sample a pixel, as software renderers draw,
-// never finer than the video: half as many again would show a fifth more of what is filmed.
+// never finer than the video: twice the pixels took only a fifth off the distance to what is filmed.
 float layerTexels(const camera::FilmLook& look, int samples);
 
 // The noise that films have: 256 x 256 texels that repeat; red: of single texels, green: of squares of 2 x 2;
