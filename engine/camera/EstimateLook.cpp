@@ -21,9 +21,15 @@ constexpr float kInsideTails =
 constexpr float kSlant = 0.5f; // tangent: gradients that lean more belong to other edges
 // A texel is a mean over its square, and a difference of neighbours one over two: a twelfth each.
 constexpr float kTexelVariance = 1.0f / 6;
-constexpr double kSharpest = 0.2; // quantile: most of what is filmed is softer by itself
+// Quantile: nearly all that is filmed is softer by itself, and what a codec has gone over softer still. In a
+// film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
+constexpr double kSharpest = 0.05;
+// Standard deviations of noise that a step is high at least: noise breaks the tails of lower ones off, and
+// the sharpest were those that it has broken most.
+constexpr float kAboveNoise = 20;
 
-// --- Noise. Of a block's Laplacians; the flattest thirtieth of the blocks are taken to show nothing but noise.
+// --- Noise. Of a block's Laplacians; the flattest thirtieth of the blocks are taken to show nothing but
+// noise.
 constexpr double kFlattest = 0.03;
 // Their luck in pure noise: that quantile of its deviation in a 16 x 16 block, fine and coarse, found by
 // drawing blocks.
@@ -112,9 +118,19 @@ void LookEstimator::measureEdges(float stretch) {
             const float centre = moment / step;
             const float along = (square / step - centre * centre) / kInsideTails - kTexelVariance;
             const float cosine2 = 1 / (1 + lean * lean / (peak * peak));
-            edges_.push_back(std::sqrt(std::max(along * cosine2, 0.0f)) / stretch);
+            edges_.push_back({std::sqrt(std::max(along * cosine2, 0.0f)) / stretch, step});
         }
     }
+}
+
+// Of the edges that stand out of the noise.
+void LookEstimator::measureBlur(LookEstimate& out) {
+    const float noise = 255 * *std::ranges::max_element(out.look.fineNoise);
+    blurs_.clear();
+    for (const Edge& edge : edges_)
+        if (edge.step >= kAboveNoise * noise) blurs_.push_back(edge.blur_texels);
+    out.edges = static_cast<int>(blurs_.size());
+    if (out.edges >= kFewEdges) out.look.blur_texels = quantile(blurs_, kSharpest);
 }
 
 void LookEstimator::measureNoise(LookEstimate& out) {
@@ -215,9 +231,6 @@ LookEstimate LookEstimator::estimate(const light::FrameView& frame) {
     }
     measureLevels(frame, out.look);
 
-    out.edges = static_cast<int>(edges_.size());
-    if (out.edges >= kFewEdges) out.look.blur_texels = quantile(edges_, kSharpest);
-
     for (size_t band = 0; band < kBrightnesses; ++band) {
         if (out.flatBlocks[band] < kFewBlocks) continue;
         const float fine = std::max(quantile(blocks_[band].fine, kFlattest) / kFineLuck, 0.0f);
@@ -241,6 +254,8 @@ LookEstimate LookEstimator::estimate(const light::FrameView& frame) {
                     away = kBrightnesses;
                     break;
                 }
+
+    measureBlur(out);
 
     for (int axis = 0; axis < 2; ++axis) {
         const Parity& sums = chroma_[static_cast<size_t>(axis)];

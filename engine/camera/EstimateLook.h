@@ -30,6 +30,7 @@ class LookEstimator {
   private:
     void readStripe(const light::FrameView& frame, int top);
     void measureEdges(float stretch);
+    void measureBlur(LookEstimate& out);
     void measureNoise(LookEstimate& out);
     void measureChroma();
     void measureLevels(const light::FrameView& frame, FilmLook& look);
@@ -43,7 +44,12 @@ class LookEstimator {
     struct Blocks {
         std::vector<float> fine, coarse; // standard deviations
     };
-    std::vector<float> edges_; // blurs
+    struct Edge {
+        float blur_texels;
+        float step; // of 255
+    };
+    std::vector<Edge> edges_;
+    std::vector<float> blurs_; // scratch
     std::array<Blocks, kBrightnesses> blocks_;
     // Squares of colours' differences of three orders, by whether they begin at an even texel.
     struct Parity {

@@ -23,6 +23,9 @@ struct FilmLook {
 
     glm::vec3 black{0}, white{1}; // what nearly nothing in the frame is darker or brighter than, by channel
 
+    // Share of the light that port and lens scatter over degrees; Glow.h.
+    float glare = 0;
+
     glm::ivec2 chromaTexels{1}; // texels across and down that share one colour: 2, 2 is 4:2:0
 };
 

@@ -13,9 +13,15 @@ class LookOverTime {
     // know stays.
     void follow(const LookEstimate& estimate, float dt_s);
 
+    // No frame's lens scatters more than this share of the light (Glow.h): the least of all frames is
+    // believed. While that says little, the lens is taken to be as others are.
+    void followGlare(float mostShare, float dt_s);
+
     FilmLook look() const; // before the first: none
 
   private:
+    float mostGlare_ = 1;
+    bool glareSeen_ = false;
     bool begun_ = false, edgesSeen_ = false, chromaSeen_ = false;
     FilmLook look_;
     glm::vec2 chromaTexels_{2};

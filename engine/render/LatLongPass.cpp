@@ -4,6 +4,7 @@
 #include "engine/render/ObjectPass.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -12,8 +13,11 @@ namespace shoal::render {
 
 namespace {
 
-constexpr glm::ivec2 kTiles(64, 64); // of the frame: 32 x 16 texels of a 2048 x 1024 one
-constexpr float kMargin = 2;         // texels that a layer's filter spreads an object by
+constexpr std::array<const char*, 3> kDefines = {"FILMED", "GRAINY", "SHARES_COLOUR"}; // as FilmedFeature
+// Of the frame: 16 x 16 texels of a 2048 x 1024 one. A row of texels bends by sin(2 latitude) / 16 of the
+// square of a tile's longitude from the straight line that its rays are drawn on: a twentieth of a texel.
+constexpr glm::ivec2 kTiles(128, 64);
+constexpr float kMargin = 2; // texels that a layer's filter spreads an object by
 
 void attach(const gl::Framebuffer& framebuffer, GLuint texture) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
@@ -31,9 +35,10 @@ View widened(const View& view, float factor) {
 
 Result<LatLongPass> LatLongPass::make() {
     LatLongPass pass;
-    auto program = gl::Program::load("render/LatLong");
-    if (!program) return program.error();
-    pass.program_ = std::move(*program);
+    pass.programs_ = gl::Variants("render/LatLong", kDefines);
+    // Compiled now, so that a broken shader is known at the start.
+    for (const unsigned features : {0u, static_cast<unsigned>(kFilmed)})
+        if (auto program = pass.programs_.get(features); !program) return program.error();
     pass.drawn_ = Corners::make();
     pass.frameBuffer_ = gl::Framebuffer::make();
     pass.keptBuffer_ = gl::Framebuffer::make();
@@ -75,18 +80,19 @@ void LatLongPass::restore(const SurroundGpu& surround) {
     paintedFrame_ = 0;
 }
 
-void LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
-                        const glm::mat3& envFromWorld, std::span<const Ball> balls,
-                        const glm::vec3& eyeWorld) {
+Status LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+                          const glm::mat3& envFromWorld, std::span<const Ball> balls,
+                          const glm::vec3& eyeWorld, const Filmed* filmed) {
     assert(surround.frameIsCoded());
     restore(surround);
-    if (balls.empty()) return;
+    if (balls.empty()) return Done{};
     const glm::ivec2 size(surround.frameWidth(), surround.frameHeight());
     if (size != size_) {
         size_ = size;
         kept_ = gl::Texture::make();
         glBindTexture(GL_TEXTURE_2D, kept_.name());
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
         attach(keptBuffer_, kept_.name());
     }
     attach(frameBuffer_, surround.frameTexture());
@@ -108,21 +114,43 @@ void LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& l
         const glm::ivec2 high(edge(end, kTiles.x, size.x), edge(row + 1, kTiles.y, size.y));
         if (low.x == high.x || low.y == high.y) return;
         runs_.push_back({low.x, low.y, high.x - low.x, high.y - low.y});
-        addRectangle(glm::vec2(low) / glm::vec2(size), glm::vec2(high) / glm::vec2(size), corners_);
+        for (int tile = first; tile < end; ++tile) {
+            const glm::vec2 left(edge(tile, kTiles.x, size.x), low.y),
+                right(edge(tile + 1, kTiles.x, size.x), high.y);
+            if (left.x < right.x) addRectangle(left / glm::vec2(size), right / glm::vec2(size), corners_);
+        }
     });
     copy(frameBuffer_.name(), keptBuffer_.name());
     paintedFrame_ = surround.frameNumber();
 
+    auto found = programs_.get(filmed ? filmedFeatures(filmed->look) : 0);
+    if (!found) return found.error();
+    const gl::Program& program = **found;
     glBindFramebuffer(GL_FRAMEBUFFER, frameBuffer_.name());
     glViewport(0, 0, size.x, size.y);
-    program_.use();
+    program.use();
+    if (filmed) {
+        if (!grain_) grain_ = makeGrain();
+        setFilmed(program, filmed->look, filmed->index);
+        surround.bindScattered(program, 1);
+        glActiveTexture(GL_TEXTURE2);
+        glBindTexture(GL_TEXTURE_2D, kept_.name());
+        program.set("kept", 2);
+        glActiveTexture(GL_TEXTURE3);
+        glBindTexture(GL_TEXTURE_2D, grain_.name());
+        program.set("grain", 3);
+    }
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, layer);
-    program_.set("layer", 0);
-    program_.set("eyeFromEnv", glm::transpose(envFromWorld * glm::mat3_cast(layerView.worldFromEye)));
-    program_.set("rayScale", layerView.halfExtent());
-    program_.set("rayShift", layerView.shift);
-    drawn_.drawOver(corners_);
+    program.set("layer", 0);
+    program.set("eyeFromEnv", glm::transpose(envFromWorld * glm::mat3_cast(layerView.worldFromEye)));
+    program.set("rayScale", layerView.halfExtent());
+    program.set("rayShift", layerView.shift);
+    if (filmed)
+        drawn_.draw(corners_); // mixes by itself
+    else
+        drawn_.drawOver(corners_);
+    return Done{};
 }
 
 } // namespace shoal::render

@@ -6,8 +6,9 @@
 // lat-long map, where straight edges bend and a pole tears them apart: seam and poles need no care.
 #pragma once
 
-#include "engine/gl/Program.h"
+#include "engine/gl/Variants.h"
 #include "engine/render/Corners.h"
+#include "engine/render/FilmedTexels.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 
@@ -25,11 +26,19 @@ class LatLongPass {
   public:
     static Result<LatLongPass> make();
 
+    // How the frame's camera would have seen what is painted into it.
+    struct Filmed {
+        camera::FilmLook look;
+        int64_t index = 0; // of the frame
+    };
+
     // Into the frame's texels. layer: a texture of display values, premultiplied, seen by layerView; balls:
     // there must be nothing in it beside them. What the texels held is kept aside. Leaves another framebuffer
-    // bound. Display-coded frames only.
-    void paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
-               const glm::mat3& envFromWorld, std::span<const Ball> balls, const glm::vec3& eyeWorld);
+    // bound. Display-coded frames only. filmed: null for the layer as it is; the program for a look of a new
+    // kind is compiled first.
+    Status paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+                 const glm::mat3& envFromWorld, std::span<const Ball> balls, const glm::vec3& eyeWorld,
+                 const Filmed* filmed = nullptr);
 
     // Gives the texels back what they held, unless the surround has a new frame since.
     void restore(const SurroundGpu& surround);
@@ -41,7 +50,8 @@ class LatLongPass {
     void mark(const glm::vec3& dirEnv, float halfAngle);
     void copy(GLuint from, GLuint to) const; // the runs
 
-    gl::Program program_;
+    gl::Variants programs_;
+    gl::Texture grain_; // once something is filmed
     Corners drawn_;
     gl::Texture kept_;
     gl::Framebuffer frameBuffer_, keptBuffer_;

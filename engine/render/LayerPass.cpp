@@ -1,7 +1,6 @@
 #include "engine/render/LayerPass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +8,6 @@ namespace shoal::render {
 
 namespace {
 
-constexpr std::array<const char*, 3> kDefines = {"FILMED", "GRAINY", "SHARES_COLOUR"}; // as LayerFeature
 // About 32 pixels each: laying over what is empty costs as much as what is not.
 constexpr glm::ivec2 kCells(40, 24);
 // Of the picture's width: a larger layer saves less than laying it over takes.
@@ -47,9 +45,9 @@ glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {
 
 Result<LayerPass> LayerPass::make() {
     LayerPass pass;
-    pass.programs_ = gl::Variants("render/Layer", kDefines);
-    // Compiled now, so that a broken shader is known at the start.
-    if (auto program = pass.programs_.get(0); !program) return program.error();
+    auto program = gl::Program::load("render/Layer");
+    if (!program) return program.error();
+    pass.program_ = std::move(*program);
     pass.drawn_ = Corners::make();
     return pass;
 }
@@ -65,11 +63,11 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-Status LayerPass::layOver(std::span<const Box> boxes, const Filmed* filmed) {
+void LayerPass::layOver(std::span<const Box> boxes) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const Box& box : boxes) {
         // Half a texel more on each side, which the filter reaches.
-        const glm::vec2 margin = (filmed ? 3.0f : 1.0f) / glm::vec2(layer_->width(), layer_->height());
+        const glm::vec2 margin = 1.0f / glm::vec2(layer_->width(), layer_->height());
         const auto cellOf = [](const glm::vec2& place) {
             return glm::ivec2(glm::floor((glm::clamp(place, -1.5f, 1.5f) * 0.5f + 0.5f) * glm::vec2(kCells)));
         };
@@ -83,25 +81,13 @@ Status LayerPass::layOver(std::span<const Box> boxes, const Filmed* filmed) {
         const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };
         addRectangle(placeOf(first, row), placeOf(end, row + 1), corners_);
     });
-    if (corners_.empty()) return Done{};
+    if (corners_.empty()) return;
 
-    auto found = programs_.get(filmed ? layerFeatures(filmed->look) : 0);
-    if (!found) return found.error();
-    const gl::Program& program = **found;
-    program.use();
-    if (filmed) {
-        setLayerLook(program, filmed->look, filmed->texels, {layer_->width(), layer_->height()},
-                     filmed->frame);
-        if (!grain_) grain_ = makeGrain();
-        glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, grain_.name());
-        program.set("grain", 1);
-    }
+    program_.use();
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, layer_->texture());
-    program.set("layer", 0);
+    program_.set("layer", 0);
     drawn_.drawOver(corners_);
-    return Done{};
 }
 
 } // namespace shoal::render

@@ -3,10 +3,9 @@
 // shaders/render/Layer.
 #pragma once
 
+#include "engine/gl/Program.h"
 #include "engine/gl/Target.h"
-#include "engine/gl/Variants.h"
 #include "engine/render/Corners.h"
-#include "engine/render/LayerLook.h"
 #include "engine/render/View.h"
 
 #include <optional>
@@ -37,22 +36,14 @@ class LayerPass {
     // Nothing more is drawn into it; leaves another framebuffer bound.
     void end() const { layer_->resolve(); }
 
-    // How the video would have filmed what is in the layer.
-    struct Filmed {
-        camera::FilmLook look;
-        glm::vec2 texels; // of the video, across and down the picture
-        int64_t frame;    // of the video
-    };
-
     // Over the bound framebuffer, wherever one of the boxes is: there must be nothing in the layer beside
-    // them. filmed: null for the layer as it is. The program for a look of a new kind is compiled first.
-    Status layOver(std::span<const Box> boxes, const Filmed* filmed = nullptr);
+    // them.
+    void layOver(std::span<const Box> boxes);
 
     const gl::Target& layer() const { return *layer_; } // after begin()
 
   private:
-    gl::Variants programs_;
-    gl::Texture grain_; // once something is filmed
+    gl::Program program_;
     Corners drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;

@@ -38,9 +38,11 @@ void bindTo(int unit, const gl::Texture& texture, const gl::Program& program, co
 } // namespace
 
 SurroundGpu::SurroundGpu()
-    : frame_(gl::Texture::make()), light_(gl::Texture::make()), mirrors_(gl::Texture::make()) {
+    : frame_(gl::Texture::make()), light_(gl::Texture::make()), mirrors_(gl::Texture::make()),
+      scattered_(gl::Texture::make()) {
     latLongSampling(frame_, false);
     latLongSampling(light_, false);
+    latLongSampling(scattered_, false);
     latLongSampling(mirrors_, true);
 }
 
@@ -91,6 +93,21 @@ void SurroundGpu::uploadLight(const light::PackedLight& light, const occlusion::
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
     mirrorWidth_ = light.mirrors[0].width;
     mirrorLevels_ = light.mirrors.size();
+}
+
+void SurroundGpu::uploadScattered(const ImageRgbF& light) {
+    glBindTexture(GL_TEXTURE_2D, scattered_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    const glm::ivec2 size(light.width, light.height);
+    if (size != scatteredSize_)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, size.x, size.y, 0, GL_RGB, GL_FLOAT, light.pixels.data());
+    else
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, light.pixels.data());
+    scatteredSize_ = size;
+}
+
+void SurroundGpu::bindScattered(const gl::Program& program, int unit) const {
+    bindTo(unit, scattered_, program, "scattered");
 }
 
 void SurroundGpu::bindFrame(const gl::Program& program) const {

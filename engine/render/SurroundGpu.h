@@ -29,6 +29,9 @@ class SurroundGpu {
     // smooth: what bodies take from each other; env frame.
     void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
 
+    // Light that port and lens scatter over the frame: squares of display values, lat-long.
+    void uploadScattered(const ImageRgbF& light);
+
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
     int frameHeight() const { return frameHeight_; }
@@ -38,16 +41,19 @@ class SurroundGpu {
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
 
+    void bindScattered(const gl::Program& program, int unit) const; // "scattered"
+
     const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
 
     // Of the smoothest filtered map: smoother surfaces look up the mirrors.
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
   private:
-    gl::Texture frame_, light_, mirrors_;
+    gl::Texture frame_, light_, mirrors_, scattered_;
     int frameWidth_ = 0, frameHeight_ = 0;
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
+    glm::ivec2 scatteredSize_{0};
     int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
     size_t mirrorLevels_ = 0;
     std::vector<glm::vec4> places_;

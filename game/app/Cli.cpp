@@ -176,8 +176,8 @@ void addPlay(CLI::App& app, PlayOptions& options) {
            "--compose", options.compose,
            "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
            "finely as the video is, and scaled up with it; texels, into the video's own frame; camera, as "
-           "its camera would have filmed them (blur, noise, levels, colours; all estimated); auto: "
-           "resolution, but plain without a graphics card")
+           "its camera would have filmed them (blur, glare, noise, levels, colours; all estimated); auto: "
+           "camera")
         ->check(CLI::IsMember({"auto", "plain", "resolution", "texels", "camera"}))
         ->capture_default_str();
     app.add_flag("--backdrop-only", options.backdropOnly,

@@ -64,7 +64,7 @@ struct PlayOptions {
     std::string stats;
     bool timedemo = false;
     bool backdropOnly = false;
-    std::string compose = "auto"; // auto, plain, resolution
+    std::string compose = "auto"; // auto, plain, resolution, texels, camera
     bool mute = false;
     bool headphones = false;
     float volume = 0.8f;

@@ -9,13 +9,11 @@ namespace shoal::app {
 
 namespace {
 
-// A layer costs a software renderer half a frame more, a graphics card next to nothing.
-Compose composeNamed(const std::string& name, bool software) {
-    if (name == "auto") return software ? Compose::Plain : Compose::Resolution;
-    return name == "resolution" ? Compose::Resolution
-           : name == "texels"   ? Compose::Texels
-           : name == "camera"   ? Compose::Camera
-                                : Compose::Plain;
+Compose composeNamed(const std::string& name) {
+    return name == "plain"        ? Compose::Plain
+           : name == "resolution" ? Compose::Resolution
+           : name == "texels"     ? Compose::Texels
+                                  : Compose::Camera;
 }
 
 Immersed immersedIn(const PlayOptions& options, const game::DiveFile& dive) {
@@ -75,20 +73,22 @@ Status Player::open() {
                         .pyramid = options.look.glossy == "phong36",
                         .leastRoughness = cast->leastRoughness(),
                         .immersed = immersedIn(options, plan.dive),
-                        .filmLook = composeNamed(options.compose, software) == Compose::Camera,
+                        .filmLook = composeNamed(options.compose) == Compose::Camera,
                         .eyeHeight_m = own ? std::optional<float>(-plan.dive.floor_m) : std::nullopt,
                         .findLights = own && shadows,
                         .wait = [&] { return !window || !window->poll().closing; }});
     if (!opened) return opened.error();
     surround = std::move(*opened);
     if (own) plan.dive.videoLength_s = surround->length_s();
-    auto madeStage =
-        Stage::make(std::move(*cast), {.detail = detail,
-                                       .snow = options.snow,
-                                       .shadows = shadows,
-                                       .occlusion = options.look.occlusion == "on",
-                                       .compose = composeNamed(options.compose, software),
-                                       .layerSamples = options.look.samples > 0 ? options.look.samples : 4});
+    auto madeStage = Stage::make(
+        std::move(*cast), {.detail = detail,
+                           .snow = options.snow,
+                           .shadows = shadows,
+                           .occlusion = options.look.occlusion == "on",
+                           .compose = composeNamed(options.compose),
+                           .layerSamples = options.look.samples > 0
+                                               ? options.look.samples
+                                               : layerSamplesFor(composeNamed(options.compose), software)});
     if (!madeStage) return madeStage.error();
     stage = std::move(*madeStage);
     auto madeHud = Hud::make();

@@ -1,7 +1,5 @@
 #include "game/app/Stage.h"
 
-#include <numbers>
-
 namespace shoal::app {
 
 Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
@@ -26,7 +24,7 @@ Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
         auto layer = render::LayerPass::make();
         if (!layer) return layer.error();
         stage.layers_.push_back(std::move(*layer));
-        if (setup.compose != Compose::Texels) continue;
+        if (setup.compose == Compose::Resolution) continue;
         auto frame = render::LatLongPass::make();
         if (!frame) return frame.error();
         stage.frames_.push_back(std::move(*frame));
@@ -48,15 +46,15 @@ void Stage::set(const game::Snapshot& snapshot, const Surround& surround, bool b
 
 glm::ivec2 Stage::layerSize(const Eye& eye) const {
     if (layers_.empty() || backdropOnly_) return eye.size;
-    int rows = eye.surround.gpu(eye.eye).frameHeight();
-    if (compose_ == Compose::Camera)
-        rows = static_cast<int>(static_cast<float>(rows) / render::layerLook(eye.surround.filmLook()).texels);
-    return render::sizeAsFine(layerView(eye), eye.size, rows);
+    if (compose_ == Compose::Camera && !paintsTexels(eye)) return eye.size;
+    auto rows = static_cast<float>(eye.surround.gpu(eye.eye).frameHeight());
+    if (compose_ == Compose::Camera) rows /= render::layerTexels(eye.surround.filmLook(), layerSamples_);
+    return render::sizeAsFine(layerView(eye), eye.size, static_cast<int>(rows));
 }
 
 // Only what is display-coded can hold what is drawn: an HDR picture cannot.
 bool Stage::paintsTexels(const Eye& eye) const {
-    return compose_ == Compose::Texels && !backdropOnly_ && eye.surround.gpu(eye.eye).frameIsCoded();
+    return !frames_.empty() && !backdropOnly_ && eye.surround.gpu(eye.eye).frameIsCoded();
 }
 
 render::View Stage::layerView(const Eye& eye) const {
@@ -102,9 +100,13 @@ Status Stage::drawBackdrop(const Eye& eye) {
         // A frame that both eyes see holds one eye's objects after the other's.
         const size_t frame = eye.surround.eyesSeeTheSame() ? 0 : static_cast<size_t>(eye.eye);
         const render::View view = layerView(eye);
-        frames_[frame].paint(eye.surround.gpu(eye.eye),
-                             layers_[static_cast<size_t>(eye.eye)].layer().texture(), view,
-                             eye.surround.envFromWorld(), objects_.ballsSeen(view), eye.view.eyeWorld);
+        const render::LatLongPass::Filmed filmed{eye.surround.filmLook(), eye.surround.frameIndex()};
+        if (Status s = frames_[frame].paint(
+                eye.surround.gpu(eye.eye), layers_[static_cast<size_t>(eye.eye)].layer().texture(), view,
+                eye.surround.envFromWorld(), objects_.ballsSeen(view), eye.view.eyeWorld,
+                compose_ == Compose::Camera ? &filmed : nullptr);
+            !s)
+            return s;
         glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(canvas));
         glViewport(0, 0, eye.size.x, eye.size.y);
     }
@@ -128,12 +130,8 @@ Status Stage::drawObjects(const Eye& eye) {
     // Of a layer, all specks lie behind its objects here; those before them are in it.
     if (Status s = drawSnow(render::SnowPass::On::Everything, eye, eye.view); !s) return s;
     if (!layered) return Done{};
-    render::LayerPass& layer = layers_[static_cast<size_t>(eye.eye)];
-    if (compose_ != Compose::Camera) return layer.layOver(objects_.seen(eye.view));
-    const float rows = static_cast<float>(eye.surround.gpu(eye.eye).frameHeight());
-    const glm::vec2 texels = rows / std::numbers::pi_v<float> * 2.0f * eye.view.halfExtent();
-    const render::LayerPass::Filmed filmed{eye.surround.filmLook(), texels, eye.surround.frameIndex()};
-    return layer.layOver(objects_.seen(eye.view), &filmed);
+    layers_[static_cast<size_t>(eye.eye)].layOver(objects_.seen(eye.view));
+    return Done{};
 }
 
 } // namespace shoal::app

@@ -20,7 +20,7 @@ enum class Compose {
     Plain,      // as finely as the picture is drawn
     Resolution, // as finely as the surround's own picture is, where that is coarser, and scaled up with it
     Texels,     // into the texels of the surround's own picture, and shown with it
-    Camera      // as Resolution, and as the surround's camera would have filmed them
+    Camera // as Texels, and as the surround's camera would have filmed them; an HDR picture has none: plainly
 };
 
 struct StageSetup {
@@ -31,6 +31,12 @@ struct StageSetup {
     Compose compose = Compose::Plain;
     int layerSamples = 4; // for anti-aliasing, of objects that are scaled up
 };
+
+// Where nothing else is asked for. Four cost a software renderer half a frame; what is painted into texels is
+// drawn smooth between its pixels before it is enlarged, and one is enough.
+constexpr int layerSamplesFor(Compose compose, bool software) {
+    return software && compose != Compose::Resolution ? 1 : 4;
+}
 
 class Stage {
   public:
@@ -58,7 +64,7 @@ class Stage {
     Status drawObjects(const Eye& eye);
 
     // Where objects lie in the backdrop, each eye has its own.
-    bool eyesShareBackdrop() const { return compose_ != Compose::Texels; }
+    bool eyesShareBackdrop() const { return frames_.empty(); }
 
     int drawCount() const {
         return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (shadows_ ? shadows_->drawCount() : 0) +
@@ -82,7 +88,7 @@ class Stage {
     std::optional<render::SnowPass> snow_;
     std::optional<Shadows> shadows_;
     std::vector<render::LayerPass> layers_;   // one an eye; none: objects are drawn straight into the picture
-    std::vector<render::LatLongPass> frames_; // one an eye; for Compose::Texels
+    std::vector<render::LatLongPass> frames_; // one an eye; where objects go into the surround's own picture
     Compose compose_ = Compose::Plain;
     int layerSamples_ = 1;
     double time_s_ = 0;

@@ -1,5 +1,6 @@
 #include "game/app/Surround.h"
 
+#include "engine/camera/Glow.h"
 #include "engine/camera/LookOverTime.h"
 #include "engine/core/Log.h"
 #include "engine/light/MakeLight.h"
@@ -78,6 +79,7 @@ struct Surround::State {
         water::WaterEstimate water;
         light::FoundLights lights;
         camera::LookEstimate look;
+        camera::Glow glow; // empty unless the look is asked for
     };
     std::vector<Prepared> prepared;
     std::vector<ImageRgba8> pictures; // the frames as they are uploaded
@@ -96,6 +98,7 @@ struct Surround::State {
     light::LightOverTime lights;
     light::CastingLight casting;
     std::optional<camera::LookEstimator> lookEstimator; // empty: nobody asks
+    camera::GlowMaker glowMaker;
     camera::LookEstimate lastLook;
     int sinceLook = 0;
     camera::LookOverTime look;
@@ -121,8 +124,11 @@ struct Surround::State {
     }
 
     void uploadLight(const Prepared& now) {
-        for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye)
-            gpu[static_cast<size_t>(eye)].uploadLight(now.light, now.smooth);
+        for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
+            render::SurroundGpu& on = gpu[static_cast<size_t>(eye)];
+            on.uploadLight(now.light, now.smooth);
+            if (lookEstimator && !hdr) on.uploadScattered(now.glow.spread);
+        }
     }
 
     // A camera stays what it is: one frame in so many tells enough.
@@ -131,6 +137,7 @@ struct Surround::State {
         constexpr int kEvery = 24;
         if (sinceLook++ % kEvery == 0) lastLook = lookEstimator->estimate(frame);
         prepared[slot].look = lastLook;
+        glowMaker.make(frame, prepared[slot].glow);
     }
 
     void makeLight(const light::FrameView& frame, size_t slot) {
@@ -166,7 +173,10 @@ struct Surround::State {
         lastUpdate_s = time_s;
         followWater(now.water, dt_s);
         if (lightFinder) casting = lights.follow(now.lights, dt_s);
-        if (lookEstimator) look.follow(now.look, dt_s);
+        if (lookEstimator) {
+            look.follow(now.look, dt_s);
+            look.followGlare(now.glow.mostShare, dt_s);
+        }
     }
 
     // For a player with kSlots slots.

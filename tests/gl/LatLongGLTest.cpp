@@ -70,7 +70,7 @@ class LatLongGL : public WithContext {
         }
         glDisable(GL_SCISSOR_TEST);
         const render::Ball ball{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
-        pass_->paint(*surround_, layer_.texture(), view, glm::mat3(1), {&ball, 1}, eyeWorld);
+        ASSERT_TRUE(pass_->paint(*surround_, layer_.texture(), view, glm::mat3(1), {&ball, 1}, eyeWorld));
     }
 
     ImageRgba8 frame_;

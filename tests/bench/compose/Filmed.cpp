@@ -28,7 +28,7 @@ float toned(float x) {
 std::array<float, 256> signals() {
     std::array<float, 256> table{};
     for (size_t i = 0; i < 256; ++i) {
-        float low = 0, high = 3;
+        float low = 0, high = 1.18f; // where it clips: white is no brighter for all that is known
         for (int step = 0; step < 40; ++step) {
             const float middle = (low + high) / 2;
             (toned(middle) * 255 < static_cast<float>(i) ? low : high) = middle;
@@ -128,7 +128,7 @@ ImageRgbF signalOf(const ImageRgb8& frame) {
     return out;
 }
 
-// What port and lens scatter: three running means over five squares of texels.
+// What port and lens scatter: three running means over seven squares of texels.
 constexpr int kGlowTexels = 8;
 ImageRgbF glowOf(const ImageRgbF& in) {
     ImageRgbF out(in.width / kGlowTexels, in.height / kGlowTexels);
@@ -137,7 +137,7 @@ ImageRgbF glowOf(const ImageRgbF& in) {
             for (int c = 0; c < 3; ++c)
                 out.at(x / kGlowTexels, y / kGlowTexels)[c] += in.at(x, y)[c] / (kGlowTexels * kGlowTexels);
     for (int i = 0; i < 3; ++i)
-        out = filtered(out, std::vector<float>(5, 0.2f), {0, 0, out.width, out.height});
+        out = filtered(out, std::vector<float>(7, 1 / 7.0f), {0, 0, out.width, out.height});
     return out;
 }
 

@@ -99,12 +99,15 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         empty->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
         stages.ways[0].set(run.shown, *empty, false);
-        if (Status s = drawObjectsAlone(stages.ways[0], *empty, view, fine); !s) return s;
+        // Wider, so that nothing is cut off where the picture ends.
+        const render::View wide = render::widened(view, 1.05f);
+        if (Status s = drawObjectsAlone(stages.ways[0], *empty, wide, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
         const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
-        filmInto(takes, objects, view, empty->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
+        filmInto(takes, objects, wide, empty->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
         if (k != kShown) continue;
-        coverage = coverageOf(objects);
+        if (Status s = drawObjectsAlone(stages.ways[0], *empty, view, fine); !s) return s;
+        coverage = coverageOf(fine.read());
         moment = run.shown;
     }
     const glm::ivec2 look = worthALook(coverage);

@@ -21,17 +21,20 @@ void runOn(Run& run, double seconds) {
     run.advance(seconds, false);
 }
 
-Result<Stage> makeStage(const Plan& plan, Compose compose, int layerSamples) {
+Result<Stage> makeStage(const Plan& plan, Compose compose) {
     std::vector<Path> models;
     for (const game::Species& species : plan.species)
         models.push_back(dataRoot() / "content" / species.model);
     const Path folder = dataRoot() / "content/models";
-    const auto detail = gl::rendersInSoftware() ? render::Detail::Lean : render::Detail::Full;
+    const bool software = gl::rendersInSoftware();
+    const auto detail = software ? render::Detail::Lean : render::Detail::Full;
     auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
                            render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
-    return Stage::make(std::move(*cast),
-                       {.detail = detail, .snow = false, .compose = compose, .layerSamples = layerSamples});
+    return Stage::make(std::move(*cast), {.detail = detail,
+                                          .snow = false,
+                                          .compose = compose,
+                                          .layerSamples = layerSamplesFor(compose, software)});
 }
 
 Result<Surround> openVideo(const Path& file, const Plan& plan) {

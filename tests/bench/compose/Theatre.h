@@ -28,7 +28,7 @@ inline constexpr Way kWays[] = {{app::Compose::Plain, "plain"},
 app::Run runTo(const app::Plan& plan, double time_s);
 void runOn(app::Run& run, double seconds);
 
-Result<app::Stage> makeStage(const app::Plan& plan, app::Compose compose, int layerSamples = 4);
+Result<app::Stage> makeStage(const app::Plan& plan, app::Compose compose);
 Result<app::Surround> openVideo(const Path& file, const app::Plan& plan);
 
 // yaw: to the right.

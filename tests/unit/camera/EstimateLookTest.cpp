@@ -24,6 +24,16 @@ INSTANTIATE_TEST_SUITE_P(BlursAndNoises, KnownBlur,
                          testing::Combine(testing::Values(0.3f, 0.6f, 1.0f, 1.5f, 2.2f),
                                           testing::Values(0.0f, 1.0f, 3.0f)));
 
+// The camera's blur is that of the sharpest: what is soft by itself says nothing about it.
+TEST(EstimateLook, SoftThingsDoNotMakeASoftCamera) {
+    for (const float blur : {0.2f, 0.5f, 0.8f})
+        for (const float noise : {0.0f, 1.0f}) {
+            const LookEstimate found =
+                estimated(filmed({.blur_texels = blur, .softer = 1.5f, .noise = noise}));
+            EXPECT_NEAR(found.look.blur_texels, blur, 0.12f + 0.12f * blur) << "noise " << noise;
+        }
+}
+
 class KnownNoise : public testing::TestWithParam<std::tuple<float, int>> {};
 
 // Within 15 % and a third of 255: edges lie in some blocks, and what is taken is the flattest thirtieth.

@@ -14,6 +14,7 @@ namespace shoal::camera {
 struct Film {
     int width = 800, height = 256; // the estimator reads every row of its middle half
     float blur_texels = 1;
+    float softer = 0;      // blur besides, of four edges in five: of things that are not sharp themselves
     float noise = 0;       // standard deviation of 255
     float noiseSlope = 0;  // more of it at white, of 255
     int grain_texels = 1;  // squares that share their noise
@@ -44,11 +45,12 @@ inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
     }
     const auto shown = [&](const std::vector<float>& of, float x, float y) {
         const float latitude = (0.5f - y / static_cast<float>(film.height)) * std::numbers::pi_v<float>;
-        const float sigma = std::max(film.blur_texels / std::cos(latitude), 1e-3f);
         const int near = static_cast<int>(x) / kApart;
         float value = of[static_cast<size_t>(std::clamp(near - 1, 0, bars - 1))];
         for (int i = std::max(near - 1, 0); i < std::min(near + 2, bars - 1); ++i) {
             const auto n = static_cast<size_t>(i);
+            const float blur = i % 5 ? std::hypot(film.blur_texels, film.softer) : film.blur_texels;
+            const float sigma = std::max(blur / std::cos(latitude), 1e-3f);
             const float at = places[n] + leans[n] * (std::fmod(y, 16.0f) - 8);
             const float beyond =
                 std::erf((x - at) * std::cos(std::atan(leans[n])) / sigma * std::numbers::sqrt2_v<float> / 2);

@@ -1,4 +1,4 @@
-#include "engine/render/LayerLook.h"
+#include "engine/render/FilmedTexels.h"
 
 #include "engine/core/Random.h"
 
@@ -6,12 +6,14 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace shoal::render {
 
 namespace {
 
+constexpr float kFinest = 0.6f;            // texels
 constexpr float kUnseenNoise = 0.3f / 255; // standard deviation
 // A range of 16 to 235 that is shown as 0 to 255 lacks both ends in all channels. Where one end alone is
 // missing, it is the scene that has nothing as dark or as bright, and what is drawn may.
@@ -19,11 +21,9 @@ constexpr float kMostLift = 16.0f / 255, kMostCut = 20.0f / 255, kMissing = 6.0f
 
 } // namespace
 
-LayerLook layerLook(const camera::FilmLook& look) {
-    const float variance = look.blur_texels * look.blur_texels;
-    // blur^2 = (k^2 - 1) / 4 + d^2 k^2, with d = 1/2 where k > 1.
-    if (variance <= 0.25f) return {1, look.blur_texels};
-    return {std::sqrt(2 * variance + 0.5f), 0.5f};
+float layerTexels(const camera::FilmLook& look, int samples) {
+    const float blur2 = 1 / 12.0f + look.blur_texels * look.blur_texels;
+    return samples > 1 ? std::max(std::sqrt(4 * blur2), kFinest) : std::max(std::sqrt(6 * blur2), 1.0f);
 }
 
 gl::Texture makeGrain() {
@@ -46,38 +46,34 @@ gl::Texture makeGrain() {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, kGrainSize, kGrainSize, 0, GL_RG, GL_UNSIGNED_BYTE, grains.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
 }
 
-unsigned layerFeatures(const camera::FilmLook& look) {
-    unsigned features = kLayerFilmed;
+unsigned filmedFeatures(const camera::FilmLook& look) {
+    unsigned features = kFilmed;
     const auto seen = [](const auto& noise) { return *std::ranges::max_element(noise) > kUnseenNoise; };
-    if (seen(look.fineNoise) || seen(look.coarseNoise)) features |= kLayerGrainy;
-    // A layer whose pixels are as large shares colours by itself.
-    const int shared = std::max(look.chromaTexels.x, look.chromaTexels.y);
-    if (layerLook(look).texels < 0.75f * static_cast<float>(shared)) features |= kLayerSharesColour;
+    if (seen(look.fineNoise) || seen(look.coarseNoise)) features |= kGrainy;
+    if (look.chromaTexels != glm::ivec2(1)) features |= kSharesColour;
     return features;
 }
 
-void setLayerLook(const gl::Program& program, const camera::FilmLook& look, const glm::vec2& texels,
-                  const glm::vec2& layer, int64_t frame) {
-    program.set("tap", layerLook(look).tap / layer);
+void setFilmed(const gl::Program& program, const camera::FilmLook& look, int64_t index) {
     const bool shortRange = glm::all(glm::greaterThan(look.black, glm::vec3(kMissing))) &&
                             glm::all(glm::lessThan(look.white, glm::vec3(1 - kMissing)));
     const glm::vec3 black = shortRange ? glm::min(look.black, kMostLift) : glm::vec3(0);
     const glm::vec3 white = shortRange ? glm::max(look.white, 1 - kMostCut) : glm::vec3(1);
     program.set("black", black);
     program.set("range", white - black);
-    program.set("colours", texels / glm::vec2(look.chromaTexels));
+    program.set("glare", look.glare);
+    program.set("shares", glm::vec2(look.chromaTexels - 1));
     program.setArray("fineNoise[0]", std::span<const float>(look.fineNoise));
     program.setArray("coarseNoise[0]", std::span<const float>(look.coarseNoise));
-    program.set("grainScale", texels / static_cast<float>(kGrainSize));
-    Random random(static_cast<uint64_t>(frame), 13);
-    const auto step = [&] { return static_cast<float>(random.below(kGrainSize)) / kGrainSize; };
-    const float x = step();
-    program.set("grainShift", glm::vec2(x, step()));
+    Random random(static_cast<uint64_t>(index), 13);
+    const auto step = [&] { return static_cast<int>(random.below(kGrainSize)); };
+    const int x = step();
+    program.set("grainShift", glm::ivec2(x, step()));
     program.set("perGrain", 0.5f / kGrainDeviation);
 }
 

@@ -1,0 +1,152 @@
+// Objects in the video's texels as its own camera would have filmed them.
+#include "Balls.h"
+#include "engine/render/LatLongPass.h"
+#include "engine/render/LayerPass.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace shoal {
+namespace {
+
+constexpr int kWidth = 512, kHeight = kWidth / 2;
+
+class FilmedTexelsGL : public WithContext {};
+
+// The middle 128 x 64 texels of a frame of one grey, before which two halves stand: left and right,
+// premultiplied. scattered: the light about them all.
+ImageRgba8 painted(const camera::FilmLook& look, const glm::vec4& left, const glm::vec4& right,
+                   float behind = 0, float scattered = 0, int64_t index = 0) {
+    ImageRgba8 frame(kWidth, kHeight);
+    std::ranges::fill(frame.pixels, static_cast<uint8_t>(255 * behind + 0.5f));
+    render::SurroundGpu surround;
+    surround.uploadFrame({frame.pixels.data(), kWidth, kHeight, kWidth});
+    ImageRgbF around(8, 4);
+    std::ranges::fill(around.pixels, scattered);
+    surround.uploadScattered(around);
+
+    constexpr int kSize = 512;
+    const gl::Target layer(kSize, kSize, 1, gl::Target::Kind::Sampled);
+    layer.bind();
+    const auto fill = [](const glm::vec4& c, int from) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(from, 0, kSize / 2, kSize);
+        glClearColor(c.x, c.y, c.z, c.w);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glDisable(GL_SCISSOR_TEST);
+    };
+    fill(left, 0);
+    fill(right, kSize / 2);
+    render::View view{.verticalFov = 2.0f, .aspect = 1};
+    const render::Ball ball{{0, 0, -2}, 1.4f};
+    auto pass = render::LatLongPass::make();
+    EXPECT_TRUE(pass) << pass.error().sentence();
+    const render::LatLongPass::Filmed filmed{look, index};
+    EXPECT_TRUE(
+        pass->paint(surround, layer.texture(), view, glm::mat3(1), {&ball, 1}, glm::vec3(0), &filmed));
+    ImageRgba8 all(kWidth, kHeight), middle(128, 64);
+    glBindTexture(GL_TEXTURE_2D, surround.frameTexture());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, all.pixels.data());
+    for (int y = 0; y < middle.height; ++y)
+        std::copy_n(all.at((kWidth - middle.width) / 2, (kHeight - middle.height) / 2 + y), 4 * middle.width,
+                    middle.at(0, y));
+    return middle;
+}
+
+TEST_F(FilmedTexelsGL, EdgesMixLight) {
+    const ImageRgba8 picture =
+        painted({}, glm::vec4(0, 0, 0, 0.5f), glm::vec4(0.25f, 0.25f, 0.25f, 0.5f), 0.8f);
+    // Half of black's, of a half's, and of 0.8's square.
+    EXPECT_NEAR(picture.at(20, 30)[0], 255 * std::sqrt(0.5 * 0.64), 1.5);
+    EXPECT_NEAR(picture.at(100, 30)[0], 255 * std::sqrt(0.5 * 0.64 + 0.5 * 0.25), 1.5);
+}
+
+TEST_F(FilmedTexelsGL, NothingIsChangedWhereNothingStands) {
+    camera::FilmLook look;
+    look.glare = 0.1f;
+    look.chromaTexels = {2, 2};
+    look.fineNoise.fill(0.02f);
+    EXPECT_EQ(painted(look, glm::vec4(0), glm::vec4(1), 0.4f, 0.9f).at(20, 30)[0], 102);
+}
+
+TEST_F(FilmedTexelsGL, PortAndLensScatterTheLightAround) {
+    camera::FilmLook look;
+    look.glare = 0.06f;
+    const ImageRgba8 picture = painted(look, glm::vec4(0, 0, 0, 1), glm::vec4(0.5f, 0.5f, 0.5f, 1), 0, 0.6f);
+    EXPECT_NEAR(picture.at(20, 30)[1], 255 * std::sqrt(0.06 * 0.6), 1.5);
+    EXPECT_NEAR(picture.at(100, 30)[1], 255 * std::sqrt(0.94 * 0.25 + 0.06 * 0.6), 1.5);
+}
+
+TEST_F(FilmedTexelsGL, GrainIsAsStrongAsTheFilmsAndItsFramesOwn) {
+    camera::FilmLook look;
+    for (size_t band = 4; band < camera::kBrightnesses; ++band) look.fineNoise[band] = 6 / 255.0f;
+    const auto shot = [&](int64_t index) {
+        return painted(look, glm::vec4(0.2f, 0.2f, 0.2f, 1), glm::vec4(0.8f, 0.8f, 0.8f, 1), 0, 0, index);
+    };
+    const ImageRgba8 one = shot(1);
+    EXPECT_EQ(one.pixels, shot(1).pixels);
+    EXPECT_NE(one.pixels, shot(2).pixels);
+    const auto deviation = [&](int left) {
+        double sum = 0, square = 0;
+        int count = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = left; x < left + 56; ++x, ++count) {
+                sum += one.at(x, y)[1];
+                square += one.at(x, y)[1] * one.at(x, y)[1];
+            }
+        return std::sqrt(square / count - std::pow(sum / count, 2));
+    };
+    EXPECT_LT(deviation(4), 0.5) << "dark: none";
+    EXPECT_NEAR(deviation(68), 6, 0.4); // 3584 texels: 1.2 %, and the grain's own steps
+}
+
+TEST_F(FilmedTexelsGL, LevelsAreTakenOnlyWhereBothEndsAreMissing) {
+    camera::FilmLook look;
+    look.black = glm::vec3(30 / 255.0f);
+    const glm::vec4 black(0, 0, 0, 1), white(1);
+    EXPECT_EQ(painted(look, black, white).at(20, 20)[0], 0) << "the scene has nothing dark";
+    look.white = glm::vec3(225 / 255.0f);
+    const ImageRgba8 both = painted(look, black, white);
+    EXPECT_NEAR(both.at(20, 20)[0], 16, 1);
+    EXPECT_NEAR(both.at(100, 20)[0], 235, 1);
+}
+
+// Red beside grey: with 4:2:0 squares of two texels have one hue, without it texels have their own.
+TEST_F(FilmedTexelsGL, ColoursAreShared) {
+    camera::FilmLook look;
+    const auto differences = [&] {
+        const ImageRgba8 picture =
+            painted(look, glm::vec4(0.4f, 0.4f, 0.4f, 1), glm::vec4(0.8f, 0.3f, 0.2f, 1));
+        int most = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 128; x += 2) {
+                const auto hue = [&](int at) { return picture.at(at, y)[0] - picture.at(at, y)[2]; };
+                most = std::max(most, std::abs(hue(x + 1) - hue(x)));
+            }
+        return most;
+    };
+    look.chromaTexels = {2, 2};
+    EXPECT_LE(differences(), 2);
+}
+
+camera::FilmLook blurredBy(float texels) {
+    camera::FilmLook look;
+    look.blur_texels = texels;
+    return look;
+}
+
+TEST(FilmedTexels, LayersAreAsCoarseAsTheFilmIsSoft) {
+    EXPECT_EQ(render::layerTexels(blurredBy(0), 1), 1) << "never finer than the video";
+    for (const float blur : {0.1f, 0.5f, 0.9f, 3.0f}) { // a tent, and with samples a box, of so many texels
+        const float several = render::layerTexels(blurredBy(blur), 4),
+                    one = render::layerTexels(blurredBy(blur), 1);
+        EXPECT_NEAR(several * several / 4, blur * blur + 1 / 12.0f, 0.01f);
+        if (one > 1) {
+            EXPECT_NEAR(one * one / 6, blur * blur + 1 / 12.0f, 1e-4f);
+        }
+    }
+}
+
+} // namespace
+} // namespace shoal
