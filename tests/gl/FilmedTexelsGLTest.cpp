@@ -26,7 +26,7 @@ ImageRgba8 painted(const camera::FilmLook& look, const glm::vec4& left, const gl
     surround.uploadScattered(around);
 
     constexpr int kSize = 512;
-    const gl::Target layer(kSize, kSize, 1, gl::Target::Kind::Sampled);
+    const gl::Target layer(kSize, kSize, 1);
     layer.bind();
     const auto fill = [](const glm::vec4& c, int from) {
         glEnable(GL_SCISSOR_TEST);
