@@ -26,7 +26,7 @@ struct Sample {
     std::array<uint32_t, 3> corners{};
     glm::vec3 shares{0}; // of the corners
     float weight = 0;    // area, as far as it is seen
-    glm::vec4 hidden{0};
+    glm::vec4 hidden{0}, byOwn{0};
 };
 
 class Folding {
@@ -59,14 +59,14 @@ class Folding {
 
     // Corners by what is amiss at their samples, in parts, again and again (Gilbert 1972, "Iterative Methods
     // for the Three-dimensional Reconstruction of an Object from Projections").
-    std::vector<glm::vec4> fit() const {
+    std::vector<glm::vec4> fit(glm::vec4 Sample::*what) const {
         std::vector<glm::vec4> folds(body_.positions.size(), glm::vec4(0)), sums(folds.size());
         std::vector<float> weights(folds.size());
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             std::ranges::fill(sums, glm::vec4(0));
             std::ranges::fill(weights, 0.0f);
             for (const Sample& sample : samples_) {
-                glm::vec4 amiss = sample.hidden;
+                glm::vec4 amiss = sample.*what;
                 for (int i = 0; i < 3; ++i)
                     amiss -= sample.shares[i] * folds[sample.corners[static_cast<size_t>(i)]];
                 for (int i = 0; i < 3; ++i) {
@@ -108,7 +108,8 @@ class Folding {
         }
         const glm::vec4 hidden = sum / static_cast<float>(pattern_.size());
         sample.weight *= std::clamp((1 - hidden.w) / kSeen, kBuried, 1.0f);
-        sample.hidden = hidden - hiddenBy(origin, normal, own_);
+        sample.hidden = hidden;
+        if (!own_.empty()) sample.byOwn = hiddenBy(origin, normal, own_);
     }
 
     const FoldingBody& body_;
@@ -121,12 +122,18 @@ class Folding {
 
 } // namespace
 
-std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays) {
+std::vector<glm::vec4> Folds::rest() const {
+    std::vector<glm::vec4> left = hidden;
+    for (size_t v = 0; v < byOwn.size(); ++v) left[v] -= byOwn[v];
+    return left;
+}
+
+Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays) {
     glm::vec3 low(INFINITY), high(-INFINITY);
     for (const glm::vec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
     const float gap = kGap * glm::distance(low, high);
     if (!(gap > 0) || !std::isfinite(gap) || rays < 1)
-        return std::vector<glm::vec4>(body.positions.size(), glm::vec4(0));
+        return {std::vector<glm::vec4>(body.positions.size(), glm::vec4(0)), {}};
     Folding folding(body, own, rays, gap);
     const size_t samples = folding.samples();
     {
@@ -137,7 +144,8 @@ std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occlud
                 [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
         folding.lookFrom(0, samples / threads);
     }
-    return folding.fit();
+    return {folding.fit(&Sample::hidden),
+            own.empty() ? std::vector<glm::vec4>() : folding.fit(&Sample::byOwn)};
 }
 
 } // namespace shoal::occlusion

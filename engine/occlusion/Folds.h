@@ -19,12 +19,19 @@ struct FoldingBody {
     std::span<const uint32_t> indices;             // of what lets no light through
 };
 
-// For each position: of the cosine-weighted hemisphere, how much is hidden (w, 0 to 1), and that share's
-// first moment (xyz: w times the mean direction, same frame); less what the body's own ellipsoids hide, which
-// then may leave -1 to 1. What corners say in between comes as near as it can to what is seen from them and
+// Of the cosine-weighted hemisphere how much is hidden (w, 0 to 1), and that share's first moment (xyz: w
+// times the mean direction, same frame).
+struct Folds {
+    std::vector<glm::vec4> hidden; // one a position: by all of the body
+    std::vector<glm::vec4> byOwn;  // what its own ellipsoids say of that; no ellipsoids: empty
+
+    std::vector<glm::vec4> rest() const; // what they leave to be said: -1 to 1
+};
+
+// What corners say in between comes as near as it can to what is seen from them and
 // from three points in each triangle, for corners alone are often buried, where fins have their roots, and
 // would darken what lies around: Kavan et al. 2011, "Least Squares Vertex Baking". rays: from each of these
 // points. Several threads.
-std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays);
+Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays);
 
 } // namespace shoal::occlusion

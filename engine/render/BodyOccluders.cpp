@@ -2,12 +2,19 @@
 
 #include "engine/scene/Surface.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace shoal::render {
 
 namespace {
+
+// Of the body's length that a part has moved against the first: an idle hand's fingers 0.12, one that holds a
+// fish more than 0.3.
+constexpr float kStill = 0.15f, kBent = 0.3f;
 
 occlusion::Ellipsoid<float> transformed(const occlusion::Ellipsoid<float>& e, const glm::mat4& to) {
     const glm::mat3 m(to);
@@ -18,6 +25,10 @@ occlusion::Ellipsoid<float> transformed(const occlusion::Ellipsoid<float>& e, co
     for (int k = 0; k < 3; ++k) out.worldFromAxes[k] = glm::normalize(out.worldFromAxes[k]);
     out.semiAxes = e.semiAxes * scale;
     return out;
+}
+
+glm::vec3 seenFrom(const occlusion::Ellipsoid<float>& part, const glm::vec3& place) {
+    return (place - part.centre) * part.worldFromAxes; // the transpose's product
 }
 
 } // namespace
@@ -33,7 +44,24 @@ BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& re
         const glm::mat4 nodeFromModel = glm::inverse(rest.modelFromNode[part.joint]);
         body.parts.push_back({transformed(part.atRest, nodeFromModel), part.joint});
     }
+    std::vector<occlusion::Ellipsoid<float>> atRest;
+    for (BodyOccluders::Part& part : body.parts) {
+        atRest.push_back(placed(part, rest, glm::mat4(1)));
+        part.atRest = seenFrom(atRest[0], atRest.back().centre);
+        for (const auto& other : atRest)
+            body.length = std::max(body.length, glm::distance(other.centre, atRest.back().centre));
+    }
     return body;
+}
+
+float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid<float>> parts) {
+    if (!body.onItself || parts.empty() || body.length <= 0) return 0;
+    const float scale = parts[0].semiAxes.x / body.parts[0].inNode.semiAxes.x;
+    float moved = 0;
+    for (size_t k = 0; k < parts.size(); ++k)
+        moved =
+            std::max(moved, glm::distance(seenFrom(parts[0], parts[k].centre), scale * body.parts[k].atRest));
+    return glm::smoothstep(kStill, kBent, moved / (scale * body.length));
 }
 
 occlusion::Ellipsoid<float> placed(const BodyOccluders::Part& part, const scene::Pose& pose,

@@ -5,6 +5,7 @@
 #include "engine/occlusion/Shade.h"
 #include "engine/scene/Model.h"
 
+#include <span>
 #include <vector>
 
 namespace shoal::render {
@@ -13,15 +14,20 @@ struct BodyOccluders {
     struct Part {
         occlusion::Ellipsoid<float> inNode; // in the frame of the node that carries it
         int node = 0;
+        glm::vec3 atRest{0}; // its centre in the first part's axes, of their centre, at rest
     };
     std::vector<Part> parts;
     glm::vec3 albedo{0};   // mean; linear
-    bool onItself = false; // they take the body's own light too: of what bends sharply
+    bool onItself = false; // they take the body's own light too, once bent: of what bends sharply
+    float length = 0;      // of all of it at rest, from centre to centre
 };
 
 // The model's meshes and pictures must still be there.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
                                 size_t most);
+
+// How much the body's own parts count, from 0 at rest, where folds say all, to 1. parts: all of them, placed.
+float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid<float>> parts);
 
 // The part in the world. worldFromModel may scale, alike in all directions.
 occlusion::Ellipsoid<float> placed(const BodyOccluders::Part& part, const scene::Pose& pose,

@@ -30,6 +30,13 @@ std::vector<uint32_t> solidOf(const scene::Model& model, const scene::Surface& s
     return solid;
 }
 
+// Turned and not scaled.
+glm::vec4 turned(const glm::mat3& by, const glm::vec4& fold) {
+    const glm::vec3 to = by * glm::vec3(fold);
+    const float length = glm::length(to);
+    return {length > 0 ? to * (glm::length(glm::vec3(fold)) / length) : glm::vec3(0), fold.w};
+}
+
 } // namespace
 
 void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders& body, int rays) {
@@ -56,6 +63,7 @@ void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders
                 continue;
             }
             primitive.folds.resize(primitive.positions.size());
+            if (!folds.byOwn.empty()) primitive.foldsByOwn.resize(primitive.positions.size());
             for (size_t v = 0; v < primitive.folds.size(); ++v, ++next) {
                 glm::mat4 modelFromMesh = rest.modelFromNode[n];
                 if (node.skin >= 0 && !primitive.joints.empty()) {
@@ -63,11 +71,9 @@ void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders
                     for (int k = 0; k < 4; ++k)
                         modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
                 }
-                const glm::vec3 inModel(folds[next]),
-                    inMesh = glm::inverse(glm::mat3(modelFromMesh)) * inModel;
-                const float length = glm::length(inMesh);
-                primitive.folds[v] = {length > 0 ? inMesh * (glm::length(inModel) / length) : glm::vec3(0),
-                                      folds[next].w};
+                const glm::mat3 meshFromModel = glm::inverse(glm::mat3(modelFromMesh));
+                primitive.folds[v] = turned(meshFromModel, folds.hidden[next]);
+                if (!folds.byOwn.empty()) primitive.foldsByOwn[v] = turned(meshFromModel, folds.byOwn[next]);
             }
         }
     }

@@ -34,9 +34,10 @@ void NearBodies::clear() {
 
 size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
                        const Ball& bound) {
-    bodies_.push_back({bound, parts_.size(), body.parts.size(), body.albedo, body.onItself});
-    for (const BodyOccluders::Part& part : body.parts) {
-        const auto shape = placed(part, pose, worldFromModel);
+    placed_.clear();
+    for (const BodyOccluders::Part& part : body.parts) placed_.push_back(placed(part, pose, worldFromModel));
+    bodies_.push_back({bound, parts_.size(), body.parts.size(), body.albedo, ownStrength(body, placed_)});
+    for (const auto& shape : placed_) {
         const glm::vec3& a = shape.semiAxes;
         const float least = std::min({a.x, a.y, a.z});
         parts_.push_back(
@@ -74,15 +75,15 @@ NearBodies::Near NearBodies::near(size_t receiver) {
         least = found_[kMost].share;
         found_.resize(kMost);
     }
-    if (self.onItself)
+    if (self.ownStrength > 0)
         for (const Part& mine : own.first(std::min<size_t>(own.size(), MAX_OCCLUDERS - MAX_OTHERS)))
-            packed_.push_back(pack(mine.shape, 1, self.albedo));
+            packed_.push_back(pack(mine.shape, self.ownStrength, self.albedo));
     const size_t ownCount = packed_.size();
     for (const Found& found : found_)
         packed_.push_back(pack(parts_[found.part].shape,
                                smoothstep(least, std::max(2 * kLeastShare, 1.3f * least), found.share),
                                bodies_[found.body].albedo));
-    return {packed_, ownCount};
+    return {packed_, ownCount, self.ownStrength};
 }
 
 } // namespace shoal::render

@@ -34,7 +34,8 @@ class NearBodies {
 
     struct Near {
         std::span<const PackedOccluder> occluders;
-        size_t own = 0; // the first of them are the body's own
+        size_t own = 0;        // the first of them are the body's own,
+        float ownStrength = 0; // which count that much
     };
     // What takes light from this body: its own parts, where they do, and no more than MAX_OTHERS of others,
     // those that take most. Their strengths fade towards the least share worth taking, and towards the first
@@ -50,7 +51,7 @@ class NearBodies {
         Ball bound;
         size_t first = 0, count = 0; // parts
         glm::vec3 albedo{0};
-        bool onItself = false;
+        float ownStrength = 0;
     };
     struct Found {
         float share;
@@ -59,6 +60,7 @@ class NearBodies {
     std::vector<Part> parts_;
     std::vector<Body> bodies_;
     std::vector<Found> found_;
+    std::vector<occlusion::Ellipsoid<float>> placed_; // scratch
     std::vector<PackedOccluder> packed_;
 };
 

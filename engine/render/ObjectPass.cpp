@@ -199,9 +199,9 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
 void ObjectPass::upload() {
     shades_.clear();
     for (size_t body = 0; body < near_.count(); ++body) {
-        const auto [occluders, own] = near_.near(body);
+        const auto [occluders, own, ownStrength] = near_.near(body);
         shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
-                           static_cast<int>(occluders.size()), static_cast<int>(own)});
+                           static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength});
     }
     // The shader's blocks have room for MAX_JOINTS; the range bound must cover it for the last object too.
     static_assert(MAX_JOINTS * sizeof(glm::mat4) >= MAX_OCCLUDERS * sizeof(PackedOccluder));
@@ -342,6 +342,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
         program.set("foldAlbedo", item.albedo);
         program.set("occluderCount", shade.count);
         program.set("ownCount", shade.own);
+        program.set("ownStrength", shade.ownStrength);
         glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_OCCLUDERS, matrixBuffer_.name(),
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
     }

@@ -61,7 +61,8 @@ class ObjectPass {
 
     struct Shade {              // what takes light from a body
         size_t offset = 0;      // bytes into the buffer of matrices
-        int count = 0, own = 0; // the first are its own parts
+        int count = 0, own = 0; // the first are its own parts,
+        float ownStrength = 0;  // which count that much
     };
 
     bool shaded(const Item& item) const;

@@ -58,7 +58,8 @@ struct Primitive { // triangles
     std::vector<glm::vec4> coloursLin;   // empty if absent
     std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
     std::vector<glm::vec4> weights;      // sum 1; empty if absent
-    std::vector<glm::vec4> folds;        // occlusion::findFolds() at rest, in the mesh's frame; empty: none
+    std::vector<glm::vec4> folds;        // occlusion::Folds::hidden at rest, in the mesh's frame; empty: none
+    std::vector<glm::vec4> foldsByOwn;   // likewise Folds::byOwn
     std::vector<uint32_t> indices;       // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
     int material = -1;                 // index into Model::materials; -1: glTF's default material

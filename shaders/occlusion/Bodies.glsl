@@ -70,38 +70,39 @@ float foldCoverage(float share, vec3 mean, vec3 normal, vec3 lamp, float lampSin
     return density * smoothstep(edge - soft, edge + soft, dot(towards, lamp));
 }
 
-// fold: occlusion::findFolds(), world.
-Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 fold) {
-    float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
-    float lampSine = sqrt(lampShare);
-    float lampOpen = 1.0, lobeOpen = 1.0, lobeSum = 0.0;
-    vec3 bounced = vec3(0.0), seen = vec3(0.0);
-    Moments taken = Moments(0.0, vec3(0.0), vec3(0.0), vec2(0.0));
-    for (int i = 0; i <= occluderCount; ++i) {
-        if (i == ownCount && dot(fold, fold) > 0.0) {
-            float share = max(fold.w, 0.0);
-            vec3 mean = fold.xyz / max(max(share, length(fold.xyz)), 1e-6);
-            float before = taken.sum;
-            taken.sum = clamp(before + fold.w, 0.0, 1.0);
-            float kept = min(taken.sum / max(before, 1e-6), 1.0);
-            taken.second *= kept;
-            taken.third *= kept;
-            lampOpen = 1.0 - kept * (1.0 - lampOpen);
-            bounced *= kept;
-            lobeOpen = 1.0 - kept * (1.0 - lobeOpen);
-            lobeSum *= kept;
-            seen *= kept;
-            taken.first += fold.xyz;
-            addSecond(share, mean, taken);
-            lampOpen *= 1.0 - foldCoverage(share, mean, normal, lampTowards, lampSine);
-            vec3 sent = foldAlbedo * lightOnBody(mean / max(length(mean), 1e-6));
-            bounced += share * sent;
-            float hidden = foldCoverage(share, mean, normal, reflected, lobeSine);
-            lobeOpen *= 1.0 - hidden;
-            lobeSum += hidden;
-            seen += hidden * sent;
-        }
-        if (i == occluderCount) break;
+// Of a point, while one body after another takes its light.
+struct SoFar {
+    Moments taken;
+    vec3 bounced, seen; // what they send: to the surface, into the lobe
+    float lampOpen, lobeOpen, lobeSum;
+};
+
+void takeByFold(vec4 fold, vec3 normal, vec3 reflected, float lampSine, float lobeSine, inout SoFar so) {
+    float share = max(fold.w, 0.0);
+    vec3 mean = fold.xyz / max(max(share, length(fold.xyz)), 1e-6);
+    float before = so.taken.sum;
+    so.taken.sum = clamp(before + fold.w, 0.0, 1.0);
+    float kept = min(so.taken.sum / max(before, 1e-6), 1.0);
+    so.taken.second *= kept;
+    so.taken.third *= kept;
+    so.lampOpen = 1.0 - kept * (1.0 - so.lampOpen);
+    so.bounced *= kept;
+    so.lobeOpen = 1.0 - kept * (1.0 - so.lobeOpen);
+    so.lobeSum *= kept;
+    so.seen *= kept;
+    so.taken.first += fold.xyz;
+    addSecond(share, mean, so.taken);
+    so.lampOpen *= 1.0 - foldCoverage(share, mean, normal, lampTowards, lampSine);
+    vec3 sent = foldAlbedo * lightOnBody(mean / max(length(mean), 1e-6));
+    so.bounced += share * sent;
+    float hidden = foldCoverage(share, mean, normal, reflected, lobeSine);
+    so.lobeOpen *= 1.0 - hidden;
+    so.lobeSum += hidden;
+    so.seen += hidden * sent;
+}
+
+void takeByOccluders(int first, int end, vec3 p, vec3 normal, vec3 reflected, float lampSine, float lobeSine, inout SoFar so) {
+    for (int i = first; i < end; ++i) {
         vec4 rx = occluders[5 * i], ry = occluders[5 * i + 1], rz = occluders[5 * i + 2];
         vec4 shape = occluders[5 * i + 3];
         vec3 albedo = occluders[5 * i + 4].rgb;
@@ -126,29 +127,40 @@ Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 
         float k = sqrt(1.0 - capShare);
         float lift = (1.0 - k) * (2.0 + k) / (3.0 * (1.0 + k));
         vec3 mean = k * towards + lift / max(max(cosine, sqrt(capShare)), 1e-6) * normal;
-        float share = leftOf(taken, clippedShare(capShare, cosine) * shape.w, mean, normal);
-        taken.sum += share;
-        taken.first += share * mean;
-        addSecond(share, mean, taken);
+        float share = leftOf(so.taken, clippedShare(capShare, cosine) * shape.w, mean, normal);
+        so.taken.sum += share;
+        so.taken.first += share * mean;
+        addSecond(share, mean, so.taken);
         vec3 sent = albedo * lightOnBody(towards);
-        bounced += share * sent;
+        so.bounced += share * sent;
         vec3 mUnit = m / shape.xyz;
         vec3 lamp = vec3(dot(rx.xyz, lampTowards), dot(ry.xyz, lampTowards), dot(rz.xyz, lampTowards)) / shape.xyz;
-        lampOpen *= 1.0 - shape.w * coverage(mUnit, lamp, shape.xyz, lampSine, capShare);
+        so.lampOpen *= 1.0 - shape.w * coverage(mUnit, lamp, shape.xyz, lampSine, capShare);
         vec3 lobe = vec3(dot(rx.xyz, reflected), dot(ry.xyz, reflected), dot(rz.xyz, reflected)) / shape.xyz;
         float hidden = shape.w * coverage(mUnit, lobe, shape.xyz, lobeSine, capShare);
-        lobeOpen *= 1.0 - hidden;
-        lobeSum += hidden;
-        seen += hidden * sent;
+        so.lobeOpen *= 1.0 - hidden;
+        so.lobeSum += hidden;
+        so.seen += hidden * sent;
     }
-    vec3 lost = smoothAround[0] * taken.sum + smoothAround[1] * taken.first.x + smoothAround[2] * taken.first.y +
-                smoothAround[3] * taken.first.z + smoothAround[4] * taken.second.x + smoothAround[5] * taken.second.y +
-                smoothAround[6] * taken.second.z + smoothAround[7] * taken.third.x + smoothAround[8] * taken.third.y;
-    float open = 1.0 - taken.sum;
+}
+
+// fold: what the occluders that are the body's own leave of occlusion::Folds::hidden, world.
+Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 fold) {
+    float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
+    float lampSine = sqrt(lampShare);
+    SoFar so = SoFar(Moments(0.0, vec3(0.0), vec3(0.0), vec2(0.0)), vec3(0.0), vec3(0.0), 1.0, 1.0, 0.0);
+    takeByOccluders(0, ownCount, p, normal, reflected, lampSine, lobeSine, so);
+    // Outside of the loop: what is in it llvmpipe does each time round, whatever the condition.
+    if (dot(fold, fold) > 0.0) takeByFold(fold, normal, reflected, lampSine, lobeSine, so);
+    takeByOccluders(ownCount, occluderCount, p, normal, reflected, lampSine, lobeSine, so);
+    vec3 lost = smoothAround[0] * so.taken.sum + smoothAround[1] * so.taken.first.x + smoothAround[2] * so.taken.first.y +
+                smoothAround[3] * so.taken.first.z + smoothAround[4] * so.taken.second.x + smoothAround[5] * so.taken.second.y +
+                smoothAround[6] * so.taken.second.z + smoothAround[7] * so.taken.third.x + smoothAround[8] * so.taken.third.y;
+    float open = 1.0 - so.taken.sum;
     Shaded shaded;
-    shaded.taken = lost - open * bounced +
-                   lampRadiance * (clippedShare(lampShare, dot(normal, lampTowards)) * (1.0 - lampOpen));
-    shaded.openLobe = lobeOpen;
-    shaded.seenInLobe = seen * ((1.0 - lobeOpen) / max(lobeSum, 1e-6)) * open;
+    shaded.taken = lost - open * so.bounced +
+                   lampRadiance * (clippedShare(lampShare, dot(normal, lampTowards)) * (1.0 - so.lampOpen));
+    shaded.openLobe = so.lobeOpen;
+    shaded.seenInLobe = so.seen * ((1.0 - so.lobeOpen) / max(so.lobeSum, 1e-6)) * open;
     return shaded;
 }

@@ -11,6 +11,8 @@ layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 
 #ifdef OCCLUDED
 layout(location = ATTRIBUTE_FOLDS) in vec4 folds;
+layout(location = ATTRIBUTE_FOLDS_BY_OWN) in vec4 foldsByOwn;
+uniform float ownStrength; // of the body's own occluders, 0 to 1
 #endif
 
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
@@ -73,8 +75,9 @@ void main() {
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
 #ifdef OCCLUDED
-    vec3 turned = m * folds.xyz;
-    vec4 fold = vec4(turned * (length(folds.xyz) / max(length(turned), 1e-9)), folds.w);
+    vec4 rest = folds - ownStrength * foldsByOwn;
+    vec3 turned = m * rest.xyz;
+    vec4 fold = vec4(turned * (length(rest.xyz) / max(length(turned), 1e-9)), rest.w);
 #else
     const vec4 fold = vec4(0.0);
 #endif

@@ -24,9 +24,32 @@ render::BodyOccluders ballBody(const glm::vec3& semiAxes) {
 render::BodyOccluders itself() {
     render::BodyOccluders body = ballBody({0.2f, 0.5f, 0.2f});
     body.parts[0].inNode.centre = {0.9f, 0.3f, 1};
+    // One to have moved against, too small to take any.
+    body.parts.insert(body.parts.begin(), {{{0, 0, -9}, glm::mat3(1), glm::vec3(1e-4f)}, 0});
+    body.length = 1;
     body.albedo = {0.2f, 0.4f, 0.5f};
     body.onItself = true;
     return body;
+}
+
+// At rest a body's own parts say nothing that its folds do not; once bent far they count in full, at any
+// size.
+TEST_F(OcclusionGL, OwnPartsCountOnceTheBodyIsBent) {
+    const render::BodyOccluders body = itself();
+    const auto strength = [&](const glm::vec3& moved, float scale) {
+        const glm::vec3 rest = body.parts[0].inNode.centre + body.parts[1].atRest;
+        return render::ownStrength(
+            body, std::array{occlusion::Ellipsoid<float>{scale * body.parts[0].inNode.centre, glm::mat3(1),
+                                                         scale * body.parts[0].inNode.semiAxes},
+                             occlusion::Ellipsoid<float>{scale * (rest + moved), glm::mat3(1),
+                                                         scale * body.parts[1].inNode.semiAxes}});
+    };
+    for (const float scale : {1.0f, 0.3f}) {
+        EXPECT_EQ(strength({}, scale), 0);
+        EXPECT_EQ(strength({0.1f, 0, 0}, scale), 0);
+        EXPECT_NEAR(strength({0, 0.225f, 0}, scale), 0.5f, 1e-4f);
+        EXPECT_EQ(strength({0, 0.2f, 0.3f}, scale), 1);
+    }
 }
 
 struct Other {
@@ -97,7 +120,7 @@ occlusion::SmoothLight unevenLight() {
 glm::vec3 expected(const glm::vec3& p, const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                    float roughness) {
     const render::BodyOccluders self = itself();
-    const occlusion::Occluder own = {self.parts[0].inNode, 1, self.albedo};
+    const occlusion::Occluder own = {self.parts[1].inNode, 1, self.albedo};
     std::vector<occlusion::Occluder> occluders;
     for (const Other& other : others)
         occluders.push_back(

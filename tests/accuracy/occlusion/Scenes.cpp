@@ -40,7 +40,8 @@ Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
     if (actor.body.onItself)
         for (const auto& part : actor.body.parts)
             own.push_back({render::placed(part, actor.rest, glm::mat4(1)), 1, {}});
-    actor.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kFoldRays);
+    actor.folds =
+        occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kFoldRays).rest();
     return actor;
 }
 
