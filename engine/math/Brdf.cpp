@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace shoal::math {
 
@@ -48,6 +49,11 @@ Dfg dfg(double nv, double roughness, int samples) {
     };
     const double lambdaV = lambda(nv);
 
+    std::vector<double> cosines, sines; // of phi; the other half of the circle mirrors this one
+    for (int i = 0; i < samples; ++i) {
+        cosines.push_back(std::cos(pi * (i + 0.5) / samples));
+        sines.push_back(std::sin(pi * (i + 0.5) / samples));
+    }
     Dfg sum;
     for (int j = 0; j < samples; ++j) {
         // Midpoints of s in share = s^2: what masking and the horizon take lies in the lobe's thin tail, near
@@ -55,16 +61,16 @@ Dfg dfg(double nv, double roughness, int samples) {
         const double s = (j + 0.5) / samples;
         const double cz = s * s * (1.0 + wz) - wz, part = 2.0 * s;
         const double cr = std::sqrt(std::max(0.0, 1.0 - cz * cz));
-        for (int i = 0; i < samples; ++i) {
-            const double phi = pi * (i + 0.5) / samples; // the other half mirrors this one
-            double hx = alpha * (cr * std::cos(phi) + wx), hy = alpha * cr * std::sin(phi), hz = cz + wz;
+        for (size_t i = 0; i < cosines.size(); ++i) {
+            double hx = alpha * (cr * cosines[i] + wx), hy = alpha * cr * sines[i], hz = cz + wz;
             const double length = std::sqrt(hx * hx + hy * hy + hz * hz);
             hx /= length, hz /= length;
             const double vh = sinV * hx + nv * hz;
             const double nl = 2.0 * vh * hz - nv;
             if (nl <= 0 || vh <= 0) continue;
             const double visible = part * (1.0 + lambdaV) / (1.0 + lambdaV + lambda(std::min(nl, 1.0)));
-            const double fresnel = std::pow(1.0 - std::min(vh, 1.0), 5.0);
+            const double away = 1.0 - std::min(vh, 1.0), away2 = away * away;
+            const double fresnel = away2 * away2 * away; // std::pow would take as long as all else
             sum.scale += (1.0 - fresnel) * visible;
             sum.bias += fresnel * visible;
         }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 namespace shoal::app {
 
@@ -46,37 +47,31 @@ void foldBody(scene::Model& model, const render::BodyOccluders& body) {
 
 } // namespace
 
-Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, occlusion::Parts parts,
-                                    render::Reflectance reflectance, render::Detail detail) {
-    auto model = scene::loadModel(file);
+Result<Cast::Actor> Cast::readActor(const Wish& wish, render::Reflectance reflectance) {
+    auto model = scene::loadModel(wish.file);
     if (!model) return model.error();
     Actor actor;
     actor.model = std::move(*model);
-    if (!look.empty() && !scene::wear(actor.model, look))
-        return Error{file.string(), "has no variant named " + look};
-    // Where detail is lean, materials are drawn at their means.
-    leastRoughness_ =
-        std::min(leastRoughness_, detail == render::Detail::Lean ? scene::leastMeanRoughness(actor.model)
-                                                                 : scene::leastRoughness(actor.model));
+    if (!wish.look.empty() && !scene::wear(actor.model, wish.look))
+        return Error{wish.file.string(), "has no variant named " + wish.look};
+    const bool isHand = wish.parts == occlusion::Parts::ByJoint;
+    for (size_t joint = 0; joint < hands::kJointNames.size() && isHand; ++joint) {
+        const std::string name(hands::kJointNames[joint]);
+        actor.jointNodes[joint] = actor.model.findNode(name);
+        if (actor.jointNodes[joint] < 0) return Error{wish.file.string(), "has no joint named " + name};
+    }
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
-    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, mostParts(actor.model, parts));
+    actor.body =
+        render::makeBodyOccluders(actor.model, actor.pose, wish.parts, mostParts(actor.model, wish.parts));
     foldBody(actor.model, actor.body);
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));
-    // Two hands wear one skin.
-    const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
-    const bool shared = std::ranges::equal(actor.model.images, lastImages_, same);
-    actor.gpu = render::uploadModel(actor.model, reflectance, detail, shared ? lastTextures_ : nullptr);
-    lastImages_ = std::move(actor.model.images); // on the graphics side from now on
-    lastTextures_ = actor.gpu.textures;
-    actor.model.images.clear();
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
     actor.silhouette = scene::silhouetteOf(actor.model, actor.pose);
-    if (parts == occlusion::Parts::ByJoint) actor.reach = scene::reachOf(actor.model, actor.pose);
+    if (isHand) actor.reach = scene::reachOf(actor.model, actor.pose);
     actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
-    for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
         actor.animations[motion] = actor.model.findAnimation(game::kMotionNames[motion]);
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
@@ -87,25 +82,42 @@ Result<Cast::Actor> Cast::loadActor(const Path& file, const std::string& look, o
     return actor;
 }
 
+void Cast::upload(Actor& actor, render::Reflectance reflectance, render::Detail detail) {
+    // Where detail is lean, materials are drawn at their means.
+    leastRoughness_ =
+        std::min(leastRoughness_, detail == render::Detail::Lean ? scene::leastMeanRoughness(actor.model)
+                                                                 : scene::leastRoughness(actor.model));
+    // Two hands wear one skin.
+    const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
+    const bool shared = std::ranges::equal(actor.model.images, lastImages_, same);
+    actor.gpu = render::uploadModel(actor.model, reflectance, detail, shared ? lastTextures_ : nullptr);
+    lastImages_ = std::move(actor.model.images); // on the graphics side from now on
+    lastTextures_ = actor.gpu.textures;
+    actor.model.images.clear();
+    for (scene::Mesh& mesh : actor.model.meshes) mesh.primitives.clear();
+}
+
 Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
                         const std::string& handLook, render::Reflectance reflectance, render::Detail detail) {
+    std::vector<Wish> wishes;
+    for (const Path& file : speciesModels) wishes.push_back({file, {}, occlusion::Parts::ByShape});
+    for (const Path& file : {leftHand, rightHand})
+        wishes.push_back({file, handLook, occlusion::Parts::ByJoint});
+    // Each is read while the one before it goes to the graphics side; not all at once, for the memory's sake.
+    const auto read = [&](size_t i) {
+        return std::async(std::launch::async, [&, i] { return readActor(wishes[i], reflectance); });
+    };
     Cast cast;
-    for (const Path& file : speciesModels) {
-        auto actor = cast.loadActor(file, {}, occlusion::Parts::ByShape, reflectance, detail);
+    auto next = read(0);
+    for (size_t i = 0; i < wishes.size(); ++i) {
+        auto actor = next.get();
         if (!actor) return actor.error();
-        cast.species_.push_back(std::move(*actor));
-    }
-    const std::array files = {leftHand, rightHand};
-    for (size_t side = 0; side < files.size(); ++side) {
-        auto actor = cast.loadActor(files[side], handLook, occlusion::Parts::ByJoint, reflectance, detail);
-        if (!actor) return actor.error();
-        for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint) {
-            actor->jointNodes[joint] = actor->model.findNode(std::string(hands::kJointNames[joint]));
-            if (actor->jointNodes[joint] < 0)
-                return Error{files[side].string(),
-                             "has no joint named " + std::string(hands::kJointNames[joint])};
-        }
-        cast.hands_[side] = std::move(*actor);
+        if (i + 1 < wishes.size()) next = read(i + 1);
+        cast.upload(*actor, reflectance, detail);
+        if (i < speciesModels.size())
+            cast.species_.push_back(std::move(*actor));
+        else
+            cast.hands_[i - speciesModels.size()] = std::move(*actor);
     }
     cast.lastImages_ = {};
     return cast;

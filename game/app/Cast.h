@@ -47,9 +47,14 @@ class Cast {
         std::vector<scene::NodeReach> reach;                     // hands only
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
-    // look: a variant of the model; empty: as it is.
-    Result<Actor> loadActor(const Path& file, const std::string& look, occlusion::Parts parts,
-                            render::Reflectance reflectance, render::Detail detail);
+    struct Wish {
+        Path file;
+        std::string look; // a variant of the model; empty: as it is
+        occlusion::Parts parts;
+    };
+    // On any thread; lacks what upload() makes.
+    static Result<Actor> readActor(const Wish&, render::Reflectance reflectance);
+    void upload(Actor& actor, render::Reflectance reflectance, render::Detail detail);
 
     float leastRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading
