@@ -13,6 +13,7 @@
 namespace shoal::render {
 
 namespace {
+constexpr std::array<const char*, 1> kDefines = {"COVERED"};
 constexpr float kLeast = 0.012f; // of the ground's light: three of 255 display values where it is bright
 constexpr float kUnseen = 1 - 0.5f / 255; // a factor that leaves display values what they are
 
@@ -37,9 +38,8 @@ glm::vec3 leftOfGround(const FloorLight& light, float hidden, const water::Water
 
 Result<ShadowPass> ShadowPass::make() {
     ShadowPass pass;
-    auto program = gl::Program::load("render/Shadow");
-    if (!program) return program.error();
-    pass.program_ = std::move(*program);
+    pass.programs_ = gl::Variants("render/Shadow", kDefines);
+    if (auto program = pass.programs_.get(0); !program) return program.error();
     pass.vertexArray_ = gl::VertexArray::make();
     pass.vertexBuffer_ = gl::Buffer::make();
     pass.indexBuffer_ = gl::Buffer::make();
@@ -87,7 +87,8 @@ std::span<const float> ShadowPass::hiddenIn(Patch& patch, const FloorLight& ligh
     return {hidden_.data() + *patch.first, static_cast<size_t>((floor.across + 1) * (floor.down + 1))};
 }
 
-void ShadowPass::draw(const View& view, const FloorLight& light, const water::Water& water) {
+Status ShadowPass::draw(const View& view, const FloorLight& light, const water::Water& water,
+                        const Cover* cover) {
     vertices_.clear();
     indices_.clear();
     const glm::mat4 clipFromWorld = view.clipFromWorld();
@@ -122,7 +123,10 @@ void ShadowPass::draw(const View& view, const FloorLight& light, const water::Wa
                     indices_.push_back(static_cast<uint32_t>(first) + static_cast<uint32_t>(cell + i));
             }
     }
-    if (indices_.empty()) return;
+    if (indices_.empty()) return Done{};
+    auto found = programs_.get(cover ? 1 : 0);
+    if (!found) return found.error();
+    const gl::Program& program = **found;
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)),
@@ -133,11 +137,19 @@ void ShadowPass::draw(const View& view, const FloorLight& light, const water::Wa
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-    program_.use();
-    program_.set("clipFromWorld", clipFromWorld);
+    program.use();
+    program.set("clipFromWorld", clipFromWorld);
+    if (cover) {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, cover->texture);
+        program.set("cover", 0);
+        program.set("coverScale", 1.0f / (cover->wider * glm::vec2(cover->size)));
+        program.set("coverShift", glm::vec2(0.5f - 0.5f / cover->wider));
+    }
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT, nullptr);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
+    return Done{};
 }
 
 } // namespace shoal::render

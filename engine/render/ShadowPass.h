@@ -5,7 +5,7 @@
 // so that a wrong guess at the ground or the light is a faint mistake.
 #pragma once
 
-#include "engine/gl/Program.h"
+#include "engine/gl/Variants.h"
 #include "engine/render/FloorShadow.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
@@ -30,9 +30,19 @@ class ShadowPass {
     void begin();
     void add(std::span<const CastingPiece> body, const FloorLight& light);
 
+    // Objects that are in the picture already, before the ground: a texture whose alpha says where, seen so
+    // much wider (1: not at all) than a picture of this many pixels.
+    struct Cover {
+        GLuint texture = 0;
+        float wider = 1;
+        glm::ivec2 size{0};
+    };
+
     // After the backdrop, before objects; depth is neither asked nor changed. view: from where the ground was
-    // filmed, turned as the eye is. Nothing is drawn where nothing casts.
-    void draw(const View& view, const FloorLight& light, const water::Water& water);
+    // filmed, turned as the eye is. Nothing is drawn where nothing casts. cover: null where nothing covers.
+    // The program for a cover is compiled when first asked for.
+    Status draw(const View& view, const FloorLight& light, const water::Water& water,
+                const Cover* cover = nullptr);
 
     size_t patches() const { return patches_.size(); } // since begin()
 
@@ -51,7 +61,7 @@ class ShadowPass {
     // The share of the light that is hidden at the patch's places.
     std::span<const float> hiddenIn(Patch& patch, const FloorLight& light);
 
-    gl::Program program_;
+    gl::Variants programs_;
     gl::VertexArray vertexArray_;
     gl::Buffer vertexBuffer_, indexBuffer_;
     std::vector<Patch> patches_;

@@ -84,9 +84,10 @@ void Shadows::set(const game::Snapshot& snapshot, const render::FloorLight& ligh
     }
 }
 
-void Shadows::draw(render::View view, const glm::vec3& eyeWorld, const water::Water& water) {
+Status Shadows::draw(render::View view, const glm::vec3& eyeWorld, const water::Water& water,
+                     const render::ShadowPass::Cover* cover) {
     view.eyeWorld = eyeWorld;
-    pass_.draw(view, light_, water);
+    return pass_.draw(view, light_, water, cover);
 }
 
 } // namespace shoal::app

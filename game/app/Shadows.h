@@ -25,8 +25,10 @@ class Shadows {
     // Once a frame, before draw().
     void set(const game::Snapshot& snapshot, const render::FloorLight& light);
 
-    // On the backdrop, which has just been drawn. eyeWorld: where the video's picture was taken for this eye.
-    void draw(render::View view, const glm::vec3& eyeWorld, const water::Water& water);
+    // On the backdrop, which has just been drawn. eyeWorld: where the video's picture was taken for this eye;
+    // cover: what it shows of objects, if any.
+    Status draw(render::View view, const glm::vec3& eyeWorld, const water::Water& water,
+                const render::ShadowPass::Cover* cover);
 
     int drawCount() const { return pass_.patches() > 0 ? 1 : 0; }
 

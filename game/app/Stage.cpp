@@ -2,6 +2,11 @@
 
 namespace shoal::app {
 
+namespace {
+// A layer's picture is so much wider than the eye's: the backdrop's filter looks a texel beyond the edge.
+constexpr float kBeyond = 1.02f;
+} // namespace
+
 Result<Stage> Stage::make(Cast cast, const StageSetup& setup) {
     auto backdrop = render::BackdropPass::make();
     if (!backdrop) return backdrop.error();
@@ -58,8 +63,6 @@ bool Stage::paintsTexels(const Eye& eye) const {
 }
 
 render::View Stage::layerView(const Eye& eye) const {
-    // The backdrop's filter looks a texel beyond the edge.
-    constexpr float kBeyond = 1.02f;
     return paintsTexels(eye) ? render::widened(eye.view, kBeyond) : eye.view;
 }
 
@@ -116,8 +119,10 @@ Status Stage::drawBackdrop(const Eye& eye) {
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     const glm::vec3 filmedFrom =
         eye.surround.eyesSeeTheSame() ? glm::vec3(0) : eye.view.eyeWorld - headWorld_;
-    if (drawn && shadows_ && !backdropOnly_) shadows_->draw(eye.view, filmedFrom, eye.water);
-    return drawn;
+    if (!drawn || !shadows_ || backdropOnly_) return drawn;
+    render::ShadowPass::Cover cover{0, kBeyond, eye.size};
+    if (paintsTexels(eye)) cover.texture = layers_[static_cast<size_t>(eye.eye)].layer().texture();
+    return shadows_->draw(eye.view, filmedFrom, eye.water, cover.texture ? &cover : nullptr);
 }
 
 Status Stage::drawObjects(const Eye& eye) {
