@@ -28,10 +28,9 @@ struct Folds {
     std::vector<glm::vec4> rest() const; // what they leave to be said: -1 to 1
 };
 
-// What corners say in between comes as near as it can to what is seen from them and
-// from three points in each triangle, for corners alone are often buried, where fins have their roots, and
-// would darken what lies around: Kavan et al. 2011, "Least Squares Vertex Baking". rays: from each of these
-// points. Several threads.
+// What corners say in between comes as near as it can to what is seen from them and from three points in each
+// triangle, for corners alone are often buried, where fins have their roots, and would darken what lies
+// around: Kavan et al. 2011, "Least Squares Vertex Baking". rays: from each of these points. Several threads.
 Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays);
 
 } // namespace shoal::occlusion

@@ -23,7 +23,8 @@ struct Taken {
     glm::vec3 radiance{0}; // out of diffuse radiance: what is lost, less what the occluders send
 };
 
-// What the surface's own body hides of it: findFolds(), world; albedo: of that body.
+// What the surface's own body hides of it, less what its own occluders say of that: Folds, world; albedo: of
+// that body.
 struct Fold {
     glm::vec4 hidden{0};
     glm::vec3 albedo{0};

@@ -34,7 +34,7 @@ unsigned featuresOf(const SurroundGpu& surround, const Exposure& exposure) {
 // Of the image plane at distance 1: so small that a map's coordinates are as good as affine within a cell. Of
 // a 2048 wide video at most 0.1 texels off up to 45 degrees of latitude, 0.2 where polar cells begin.
 constexpr float kCell = 0.04f;
-constexpr float kPolarSine = 0.85f; // of the latitude
+constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: a latitude whose sine is 0.85
 
 int cellsAcross(float halfExtent) {
     return std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
@@ -79,13 +79,11 @@ size_t BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay) {
         return 2.0f * glm::vec2(x, y) / glm::vec2(across, down) - 1.0f;
     };
     uvs_.clear();
-    sines_.clear();
     for (int y = 0; y <= down; ++y)
         for (int x = 0; x <= across; ++x) {
             const glm::vec3 ray =
                 glm::normalize(envFromRay * glm::vec3(placeOf(x, y) * half + view.shift, -1));
             uvs_.push_back(latLongFromDirection(ray));
-            sines_.push_back(std::abs(ray.y));
         }
     const auto put = [&](int x, int y) {
         const auto at = [&](int i) { return static_cast<size_t>((y + (i >> 1)) * stride + x + (i & 1)); };
@@ -104,7 +102,8 @@ size_t BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay) {
     for (const bool polarOnes : {false, true}) {
         for (int y = 0; y < down; ++y)
             for (int x = 0; x < across; ++x)
-                if ((sines_[static_cast<size_t>(y * stride + x)] > kPolarSine) == polarOnes) put(x, y);
+                if ((std::abs(uvs_[static_cast<size_t>(y * stride + x)].y - 0.5f) > kPolarV) == polarOnes)
+                    put(x, y);
         if (!polarOnes) plain = corners_.size() / 4;
     }
     return plain;

@@ -31,7 +31,6 @@ class BackdropPass {
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
     std::vector<glm::vec2> uvs_; // scratch: of the grid's corners
-    std::vector<float> sines_;   // of their latitudes, absolute
     std::vector<Corner> corners_;
 };
 

@@ -9,6 +9,7 @@
 #include "engine/gl/Variants.h"
 #include "engine/render/Corners.h"
 #include "engine/render/FilmedTexels.h"
+#include "engine/render/NearBodies.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 
@@ -16,8 +17,6 @@
 #include <vector>
 
 namespace shoal::render {
-
-struct Ball;
 
 // The same eye, but so much wider (1: not at all): the backdrop's filter reaches beyond the picture's edge.
 View widened(const View& view, float factor);

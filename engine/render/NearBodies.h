@@ -10,10 +10,7 @@
 
 namespace shoal::render {
 
-struct Ball {
-    glm::vec3 centre{0};
-    float radius = 0;
-};
+using scene::Ball;
 
 // As shaders/occlusion/Bodies.glsl has it, std140.
 struct PackedOccluder {

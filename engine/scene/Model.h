@@ -152,6 +152,10 @@ void skinMatrices(const Model&, int skin, const Pose&, std::vector<glm::mat4>& o
 struct Bounds {
     glm::vec3 low{0}, high{0};
 };
+struct Ball {
+    glm::vec3 centre{0};
+    float radius = 0;
+};
 // Of the posed model's vertices, skinned and morphed, in the model frame.
 Bounds posedBounds(const Model&, const Pose&);
 

@@ -44,22 +44,21 @@ std::vector<NodeReach> reachOf(const Model& model, const Pose& rest) {
     return all;
 }
 
-ReachedBall ballAround(const std::vector<NodeReach>& reach, const Pose& pose,
-                       const glm::mat4& worldFromModel) {
+Ball ballAround(const std::vector<NodeReach>& reach, const Pose& pose, const glm::mat4& worldFromModel) {
     const auto placed = [&](const NodeReach& each) {
         const glm::mat4 world = worldFromModel * pose.modelFromNode[static_cast<size_t>(each.node)];
-        return ReachedBall{glm::vec3(world * glm::vec4(each.centre, 1)),
-                           each.radius * glm::length(glm::vec3(world[0]))};
+        return Ball{glm::vec3(world * glm::vec4(each.centre, 1)),
+                    each.radius * glm::length(glm::vec3(world[0]))};
     };
     Box box;
     for (const NodeReach& each : reach) {
-        const ReachedBall ball = placed(each);
+        const Ball ball = placed(each);
         box.add(ball.centre, ball.radius);
     }
     if (reach.empty()) return {};
-    ReachedBall around{0.5f * (box.low + box.high), 0};
+    Ball around{0.5f * (box.low + box.high), 0};
     for (const NodeReach& each : reach) {
-        const ReachedBall ball = placed(each);
+        const Ball ball = placed(each);
         around.radius = std::max(around.radius, glm::distance(ball.centre, around.centre) + ball.radius);
     }
     return around;

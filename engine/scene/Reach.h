@@ -19,13 +19,7 @@ struct NodeReach {
 // there.
 std::vector<NodeReach> reachOf(const Model& model, const Pose& rest);
 
-struct ReachedBall {
-    glm::vec3 centre{0}; // world frame
-    float radius = 0;
-};
-
-// Around all of it in another pose. worldFromModel may scale, alike in all directions.
-ReachedBall ballAround(const std::vector<NodeReach>& reach, const Pose& pose,
-                       const glm::mat4& worldFromModel);
+// Around all of it in another pose, world frame. worldFromModel may scale, alike in all directions.
+Ball ballAround(const std::vector<NodeReach>& reach, const Pose& pose, const glm::mat4& worldFromModel);
 
 } // namespace shoal::scene

@@ -184,8 +184,8 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
                 glm::translate(glm::mat4(1), hand.joints[joint].position) *
                 glm::mat4_cast(hand.joints[joint].orientation);
         const glm::mat4 worldFromModel(1); // the joints already stand in the world
-        const scene::ReachedBall ball = scene::ballAround(actor.reach, actor.pose, worldFromModel);
-        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel, {ball.centre, ball.radius}, &actor.body);
+        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel,
+                 scene::ballAround(actor.reach, actor.pose, worldFromModel), &actor.body);
     }
 }
 

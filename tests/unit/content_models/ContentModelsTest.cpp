@@ -376,7 +376,7 @@ TEST(Hands, StayWithinTheirReach) {
             if (model.nodes[n].name.find("index") == 0 || model.nodes[n].name.find("thumb") == 0)
                 pose.local[n].rotation = pose.local[n].rotation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
         updateGlobals(model, pose);
-        const ReachedBall ball = ballAround(reach, pose, worldFromModel);
+        const Ball ball = ballAround(reach, pose, worldFromModel);
         EXPECT_LT(ball.radius, 1.5f * 0.2f);
         float furthest = 0;
         for (const glm::vec3& p : posedSurface(model, pose).positions)
