@@ -91,11 +91,11 @@ Status writePicture(const Path& file, const ImageRgb8& image) {
     return writeColour(file, image, cv::COLOR_RGB2BGR, kind == WrittenAs::Png ? kPng : ".jpg");
 }
 
-void toRgba(const ImageRgb8& in, bool bgr, ImageRgba8& out) {
+void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out) {
     if (out.width != in.width || out.height != in.height) out = ImageRgba8(in.width, in.height);
     const cv::Mat from(in.height, in.width, CV_8UC3, const_cast<uint8_t*>(in.pixels.data()));
     cv::Mat to(out.height, out.width, CV_8UC4, out.pixels.data());
-    cv::cvtColor(from, to, bgr ? cv::COLOR_BGR2RGBA : cv::COLOR_RGB2RGBA);
+    cv::cvtColor(from, to, bgr ? cv::COLOR_BGR2BGRA : cv::COLOR_RGB2BGRA);
 }
 
 } // namespace shoal::media

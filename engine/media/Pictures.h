@@ -50,8 +50,8 @@ Status writePicture(const Path& file, const ImageRgb8& image);
 // the pixel's largest component). Written whole.
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin);
 
-// The same pixels with a fourth byte, red first, in the image's own memory where it has the size. bgr: blue
-// comes first in `in`.
-void toRgba(const ImageRgb8& in, bool bgr, ImageRgba8& out);
+// The same pixels with a fourth byte of 255, blue first, in the image's own memory where it has the size.
+// bgr: blue comes first in `in`.
+void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out);
 
 } // namespace shoal::media

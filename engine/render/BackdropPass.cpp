@@ -1,6 +1,8 @@
 #include "engine/render/BackdropPass.h"
 
+#include "engine/gl/Renderer.h"
 #include "engine/math/LatLong.h"
+#include "engine/render/LatLongPass.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <thread>
 
 namespace shoal::render {
 
@@ -36,8 +39,27 @@ unsigned featuresOf(const SurroundGpu& surround, const Exposure& exposure) {
 constexpr float kCell = 0.04f;
 constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: a latitude whose sine is 0.85
 
-int cellsAcross(float halfExtent) {
-    return std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
+// Where cells meet: whole pixels, of larger pictures eight at a time, which are sampled together.
+void findEdges(float halfExtent, int pixels, std::vector<int>& edges) {
+    const int wanted = std::clamp(static_cast<int>(std::ceil(2 * halfExtent / kCell)), 1, 256);
+    const int cells = std::clamp(wanted, 1, std::max(pixels, 1)), step = pixels / cells >= 16 ? 8 : 1;
+    edges.clear();
+    for (int k = 0; k < cells; ++k)
+        edges.push_back(static_cast<int>(int64_t{k} * pixels / cells) / step * step);
+    edges.push_back(pixels);
+}
+
+// What the bound framebuffer's colours are, if all of a texture's.
+GLuint drawnTexture() {
+    GLint type = GL_NONE, name = 0, bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    if (bound == 0 || glIsEnabled(GL_STENCIL_TEST)) return 0;
+    const auto ask = [](GLenum what, GLint& answer) {
+        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, what, &answer);
+    };
+    ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, type);
+    if (type == GL_TEXTURE) ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, name);
+    return static_cast<GLuint>(name);
 }
 
 // So coarse that sums of a few of them are exact: corners then lie in one plane to the last bit, by which
@@ -52,6 +74,8 @@ glm::vec2 rounded(const glm::vec2& uv) {
 Result<BackdropPass> BackdropPass::make() {
     BackdropPass pass;
     pass.programs_ = gl::Variants("render/Backdrop", kDefines);
+    if (gl::rendersInSoftware() && canSampleFrames())
+        pass.crew_.emplace(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4) - 1);
     pass.vertexArray_ = gl::VertexArray::make();
     pass.vertices_ = gl::Buffer::make();
     pass.indices_ = gl::Buffer::make();
@@ -72,47 +96,98 @@ Result<BackdropPass> BackdropPass::make() {
     return pass;
 }
 
-size_t BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay) {
+void BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size) {
     const glm::vec2 half = view.halfExtent();
-    const int across = cellsAcross(half.x), down = cellsAcross(half.y), stride = across + 1;
-    const auto placeOf = [&](int x, int y) {
-        return 2.0f * glm::vec2(x, y) / glm::vec2(across, down) - 1.0f;
-    };
+    findEdges(half.x, size.x, columns_);
+    findEdges(half.y, size.y, rows_);
     uvs_.clear();
-    for (int y = 0; y <= down; ++y)
-        for (int x = 0; x <= across; ++x) {
-            const glm::vec3 ray =
-                glm::normalize(envFromRay * glm::vec3(placeOf(x, y) * half + view.shift, -1));
-            uvs_.push_back(latLongFromDirection(ray));
+    for (const int y : rows_)
+        for (const int x : columns_) {
+            const glm::vec2 place = 2.0f * glm::vec2(x, y) / glm::vec2(size) - 1.0f;
+            uvs_.push_back(
+                latLongFromDirection(glm::normalize(envFromRay * glm::vec3(place * half + view.shift, -1))));
         }
-    const auto put = [&](int x, int y) {
-        const auto at = [&](int i) { return static_cast<size_t>((y + (i >> 1)) * stride + x + (i & 1)); };
-        std::array<glm::vec2, 4> uv = {uvs_[at(0)], uvs_[at(1)], uvs_[at(2)], uvs_[at(3)]};
-        // The map repeats: all corners on one side of the seam.
-        for (glm::vec2& each : uv) each.x += std::round(uv[0].x - each.x);
-        const glm::vec2 right = rounded(0.5f * (uv[1] - uv[0] + uv[3] - uv[2]));
-        const glm::vec2 up = rounded(0.5f * (uv[2] - uv[0] + uv[3] - uv[1]));
-        const glm::vec2 first = rounded(0.25f * (uv[0] + uv[1] + uv[2] + uv[3]) - 0.5f * (right + up));
-        for (int i = 0; i < 4; ++i)
-            corners_.push_back({placeOf(x + (i & 1), y + (i >> 1)),
-                                first + static_cast<float>(i & 1) * right + static_cast<float>(i >> 1) * up});
-    };
-    corners_.clear();
-    size_t plain = 0;
-    for (const bool polarOnes : {false, true}) {
-        for (int y = 0; y < down; ++y)
-            for (int x = 0; x < across; ++x)
-                if ((std::abs(uvs_[static_cast<size_t>(y * stride + x)].y - 0.5f) > kPolarV) == polarOnes)
-                    put(x, y);
-        if (!polarOnes) plain = corners_.size() / 4;
+    cells_.clear();
+    for (size_t y = 0; y + 1 < rows_.size(); ++y)
+        for (size_t x = 0; x + 1 < columns_.size(); ++x) {
+            const size_t at = y * columns_.size() + x, above = at + columns_.size();
+            std::array<glm::vec2, 4> uv = {uvs_[at], uvs_[at + 1], uvs_[above], uvs_[above + 1]};
+            // The map repeats: all corners on one side of the seam.
+            for (glm::vec2& each : uv) each.x += std::round(uv[0].x - each.x);
+            Cell cell{{columns_[x], rows_[y]}, {columns_[x + 1], rows_[y + 1]}};
+            cell.right = rounded(0.5f * (uv[1] - uv[0] + uv[3] - uv[2]));
+            cell.up = rounded(0.5f * (uv[2] - uv[0] + uv[3] - uv[1]));
+            cell.first = rounded(0.25f * (uv[0] + uv[1] + uv[2] + uv[3]) - 0.5f * (cell.right + cell.up));
+            cell.drawnAs = std::abs(uv[0].y - 0.5f) > kPolarV ? Cell::Polar : Cell::Plain;
+            cells_.push_back(cell);
+        }
+}
+
+// Whole rows of cells belong to one thread: a cell is written over what the one before it wrote too far.
+void BackdropPass::sample(const InMemory& inMemory, const glm::ivec2& size, GLuint texture) {
+    const CodedFrame& frame = inMemory.frame;
+    const glm::vec2 texels(frame.width, frame.height);
+    sampled_.clear();
+    sampledRows_.clear();
+    for (Cell& cell : cells_) {
+        if (sampledRows_.empty() || cell.low.x == 0) sampledRows_.push_back(sampled_.size());
+        if (cell.drawnAs != Cell::Plain) continue;
+        const glm::vec2 right = cell.right * texels / static_cast<float>(cell.high.x - cell.low.x);
+        const glm::vec2 up = cell.up * texels / static_cast<float>(cell.high.y - cell.low.y);
+        const SampledCell sampled{cell.low, cell.high, cell.first * texels + 0.5f * (right + up) - 0.5f,
+                                  right, up};
+        if (!isWithin(frame, sampled)) continue;
+        if (inMemory.painted) {
+            const glm::vec2 end = cell.first + cell.right + cell.up;
+            const glm::vec2 low = glm::min(cell.first, end) + glm::min(glm::min(cell.right, cell.up), 0.0f);
+            const glm::vec2 high = glm::max(cell.first, end) + glm::max(glm::max(cell.right, cell.up), 0.0f);
+            if (inMemory.painted->isPainted(low, high)) continue;
+        }
+        cell.drawnAs = Cell::Sampled;
+        sampled_.push_back(sampled);
     }
-    return plain;
+    if (sampled_.empty()) return;
+    sampledRows_.push_back(sampled_.size());
+    const int stride = size.x + 8; // of which a row's last cell may write seven
+    picture_.resize(static_cast<size_t>(stride) * static_cast<size_t>(size.y));
+    crew_->share(static_cast<int>(sampledRows_.size()) - 1, [&](int row) {
+        for (size_t k = sampledRows_[static_cast<size_t>(row)];
+             k < sampledRows_[static_cast<size_t>(row) + 1]; ++k)
+            sampleCell(frame, sampled_[k], picture_.data(), stride);
+    });
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, picture_.data());
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 Status BackdropPass::draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
-                          const Exposure& exposure) {
+                          const Exposure& exposure, const InMemory* inMemory) {
     const glm::mat3 envFromRay = envFromWorld * glm::mat3_cast(view.worldFromEye);
-    const size_t plain = makeCells(view, envFromRay), all = corners_.size() / 4;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    const glm::ivec2 size(viewport[2], viewport[3]);
+    makeCells(view, envFromRay, size);
+    const unsigned features = featuresOf(surround, exposure);
+    const GLuint texture = crew_ && inMemory && features == kAsIs ? drawnTexture() : 0;
+    if (texture != 0) sample(*inMemory, size, texture);
+
+    corners_.clear();
+    const auto put = [&](Cell::DrawnAs as) {
+        for (const Cell& cell : cells_) {
+            if (cell.drawnAs != as) continue;
+            for (int i = 0; i < 4; ++i) {
+                const glm::ivec2 at(i & 1 ? cell.high.x : cell.low.x, i >> 1 ? cell.high.y : cell.low.y);
+                corners_.push_back({2.0f * glm::vec2(at) / glm::vec2(size) - 1.0f,
+                                    cell.first + static_cast<float>(i & 1) * cell.right +
+                                        static_cast<float>(i >> 1) * cell.up});
+            }
+        }
+        return corners_.size() / 4;
+    };
+    const size_t plain = put(Cell::Plain), all = put(Cell::Polar);
+    if (all == 0) return Done{};
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners_.size() * sizeof(Corner)), corners_.data(),
@@ -129,9 +204,9 @@ Status BackdropPass::draw(const SurroundGpu& surround, const View& view, const g
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
-    const auto drawCells = [&](unsigned features, size_t first, size_t count) -> Status {
+    const auto drawCells = [&](unsigned drawn, size_t first, size_t count) -> Status {
         if (count == 0) return Done{};
-        auto found = programs_.get(features);
+        auto found = programs_.get(drawn);
         if (!found) return found.error();
         const gl::Program& program = **found;
         program.use();
@@ -148,7 +223,6 @@ Status BackdropPass::draw(const SurroundGpu& surround, const View& view, const g
                            reinterpret_cast<const void*>(6 * (first + done) * sizeof(uint32_t)));
         return Done{};
     };
-    const unsigned features = featuresOf(surround, exposure);
     if (Status s = drawCells(features, 0, plain); !s) return s;
     if (Status s = drawCells(features | kPolar, plain, all - plain); !s) return s;
     glBindVertexArray(0);

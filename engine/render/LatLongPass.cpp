@@ -74,6 +74,17 @@ void LatLongPass::copy(GLuint from, GLuint to) const {
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+bool LatLongPass::isPainted(const glm::vec2& low, const glm::vec2& high) const {
+    if (paintedFrame_ == 0) return false;
+    const glm::vec2 texel = 1.0f / glm::vec2(size_);
+    const glm::ivec2 first(glm::floor((low - texel) * glm::vec2(kTiles)));
+    const glm::ivec2 last(glm::floor((high + texel) * glm::vec2(kTiles)));
+    for (int y = std::max(first.y, 0); y <= std::min(last.y, kTiles.y - 1); ++y)
+        for (int x = first.x; x <= last.x; ++x)
+            if (marked_[static_cast<size_t>(y * kTiles.x + (x + 2 * kTiles.x) % kTiles.x)]) return true;
+    return false;
+}
+
 void LatLongPass::restore(const SurroundGpu& surround) {
     if (paintedFrame_ != 0 && paintedFrame_ == surround.frameNumber())
         copy(keptBuffer_.name(), frameBuffer_.name());
@@ -91,7 +102,7 @@ Status LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View&
         size_ = size;
         kept_ = gl::Texture::make();
         glBindTexture(GL_TEXTURE_2D, kept_.name());
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
         attach(keptBuffer_, kept_.name());
     }

@@ -39,6 +39,9 @@ class LatLongPass {
                  const glm::mat3& envFromWorld, std::span<const Ball> balls, const glm::vec3& eyeWorld,
                  const Filmed* filmed = nullptr);
 
+    // Whether any texel between these coordinates of the map, or beside one, may have been painted.
+    bool isPainted(const glm::vec2& low, const glm::vec2& high) const;
+
     // Gives the texels back what they held, unless the surround has a new frame since.
     void restore(const SurroundGpu& surround);
 

@@ -159,13 +159,19 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion) {
 
 void ObjectPass::begin() {
     items_.clear();
+    objects_.clear();
+    parts_.clear();
     matrices_.clear();
     near_.clear();
     drawCount_ = triangleCount_ = 0;
 }
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-                     const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body) {
+                     const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body,
+                     std::span<const Ball> parts) {
+    objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1)});
+    if (parts.empty()) parts_.push_back(bound);
+    parts_.insert(parts_.end(), parts.begin(), parts.end());
     const int number =
         body && occlusion_ ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
     for (const int index : model.order) {
@@ -297,15 +303,16 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
 
 std::span<const Box> ObjectPass::seen(const View& view) {
     boxes_.clear();
-    for (const Item& item : items_)
-        if (sees(view, item.bound)) boxes_.push_back(boxAround(item.bound.centre, item.bound.radius, view));
+    for (const Ball& ball : ballsSeen(view)) boxes_.push_back(boxAround(ball.centre, ball.radius, view));
     return boxes_;
 }
 
 std::span<const Ball> ObjectPass::ballsSeen(const View& view) {
     balls_.clear();
-    for (const Item& item : items_)
-        if (sees(view, item.bound)) balls_.push_back(item.bound);
+    for (const Object& object : objects_)
+        if (sees(view, object.bound))
+            for (const Ball& part : std::span(parts_).subspan(object.firstPart, object.parts))
+                if (sees(view, part)) balls_.push_back(part);
     return balls_;
 }
 

@@ -27,9 +27,11 @@ class ObjectPass {
     void begin();
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
     // bound: a ball in the world that holds the posed model; what lies outside the view is not drawn. body:
-    // what it takes from others' light, and they from its own; null: nothing.
+    // what it takes from others' light, and they from its own; null: nothing. parts: smaller balls that hold
+    // it as well, all together, for seen() and ballsSeen(); empty: none are known.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-             const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body = nullptr);
+             const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body = nullptr,
+             std::span<const Ball> parts = {});
     // Sends what was added to the graphics side.
     void upload();
 
@@ -59,6 +61,11 @@ class ObjectPass {
         glm::vec3 albedo; // mean, of the body that folds
     };
 
+    struct Object {
+        Ball bound;
+        size_t firstPart, parts; // of parts_
+    };
+
     struct Shade {              // what takes light from a body
         size_t offset = 0;      // bytes into the buffer of matrices
         int count = 0, own = 0; // the first are its own parts,
@@ -82,6 +89,8 @@ class ObjectPass {
     NearBodies near_;
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
+    std::vector<Object> objects_;
+    std::vector<Ball> parts_;
     std::vector<Box> boxes_; // scratch
     std::vector<Ball> balls_;
     int drawCount_ = 0, triangleCount_ = 0;

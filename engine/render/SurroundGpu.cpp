@@ -51,10 +51,10 @@ void SurroundGpu::uploadFrame(const CodedFrame& frame) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, frame.rowPixels);
     if (!coded_ || frame.width != frameWidth_ || frame.height != frameHeight_)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, frame.width, frame.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, frame.width, frame.height, 0, GL_BGRA, GL_UNSIGNED_BYTE,
                      frame.pixels);
     else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE,
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, frame.width, frame.height, GL_BGRA, GL_UNSIGNED_BYTE,
                         frame.pixels);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     coded_ = true;

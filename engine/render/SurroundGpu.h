@@ -5,20 +5,13 @@
 #include "engine/gl/Program.h"
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"
+#include "engine/render/CodedFrame.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace shoal::render {
-
-// Display-coded rows of a frame or of one eye's part of it: red, green, blue and a byte that is not looked
-// at. Drivers keep such texels as they come; three bytes a pixel they would turn into these first.
-struct CodedFrame {
-    const uint8_t* pixels = nullptr;
-    int width = 0, height = 0;
-    int rowPixels = 0; // from one row to the next, in pixels
-};
 
 class SurroundGpu {
   public:

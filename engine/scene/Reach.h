@@ -3,23 +3,27 @@
 
 #include "engine/scene/Model.h"
 
+#include <span>
 #include <vector>
 
 namespace shoal::scene {
 
-// What a node moves most lies in the ball, in the node's frame. Of skin between two joints that is as good as
-// all of it: it lies between where each would take it.
+// Some of what a node moves most, in the node's frame; all of it lies in the node's balls, and skin between
+// two joints, which lies between where each would take it, in theirs.
 struct NodeReach {
     int node = 0;
     glm::vec3 centre{0};
     float radius = 0;
 };
 
-// Of the nodes that move anything. The pose's globals must be up to date; the model's meshes must still be
-// there.
+// One ball or more for each node that moves anything. The pose's globals must be up to date; the model's
+// meshes must still be there.
 std::vector<NodeReach> reachOf(const Model& model, const Pose& rest);
 
-// Around all of it in another pose, world frame. worldFromModel may scale, alike in all directions.
-Ball ballAround(const std::vector<NodeReach>& reach, const Pose& pose, const glm::mat4& worldFromModel);
+// Of another pose, world frame: one ball for each. worldFromModel may scale, alike in all directions.
+void placeBalls(const std::vector<NodeReach>& reach, const Pose& pose, const glm::mat4& worldFromModel,
+                std::vector<Ball>& balls);
+
+Ball ballAround(std::span<const Ball> balls); // holds them all
 
 } // namespace shoal::scene

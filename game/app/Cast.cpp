@@ -70,7 +70,7 @@ Result<Cast::Actor> Cast::readActor(const Wish& wish, render::Reflectance reflec
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
     actor.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
     actor.silhouette = scene::silhouetteOf(actor.model, actor.pose);
-    if (isHand) actor.reach = scene::reachOf(actor.model, actor.pose);
+    actor.reach = scene::reachOf(actor.model, actor.pose);
     actor.spine = scene::findSpine(actor.model, actor.length_m, bounds.low.z);
     for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
         actor.animations[motion] = actor.model.findAnimation(game::kMotionNames[motion]);
@@ -171,9 +171,10 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
         const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
                                                         glm::mat4_cast(creature.worldFromBody),
                                                     glm::vec3(creature.length / actor.length_m));
+        scene::placeBalls(actor.reach, actor.pose, worldFromModel, balls_);
         // No fin reaches further from the middle than this, however the body bends.
         pass.add(actor.model, actor.gpu, actor.pose, worldFromModel,
-                 {creature.position, creature.length * 0.7f}, &actor.body);
+                 {creature.position, creature.length * 0.7f}, &actor.body, balls_);
     }
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
         const game::HandView& hand = snapshot.hands[side];
@@ -184,8 +185,9 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
                 glm::translate(glm::mat4(1), hand.joints[joint].position) *
                 glm::mat4_cast(hand.joints[joint].orientation);
         const glm::mat4 worldFromModel(1); // the joints already stand in the world
-        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel,
-                 scene::ballAround(actor.reach, actor.pose, worldFromModel), &actor.body);
+        scene::placeBalls(actor.reach, actor.pose, worldFromModel, balls_);
+        pass.add(actor.model, actor.gpu, actor.pose, worldFromModel, scene::ballAround(balls_), &actor.body,
+                 balls_);
     }
 }
 

@@ -44,7 +44,7 @@ class Cast {
         float length_m = 1;                                      // of the rest pose along z
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
         std::array<int, hands::kJointCount> jointNodes{};        // hands only
-        std::vector<scene::NodeReach> reach;                     // hands only
+        std::vector<scene::NodeReach> reach;
     };
     static void pose(const game::CreatureView& creature, Actor& actor);
     struct Wish {
@@ -61,6 +61,7 @@ class Cast {
     std::shared_ptr<const render::TexturesGpu> lastTextures_;
     std::vector<Actor> species_;
     std::array<Actor, 2> hands_;
+    std::vector<scene::Ball> balls_; // scratch
 };
 
 } // namespace shoal::app

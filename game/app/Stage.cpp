@@ -97,6 +97,9 @@ Status Stage::drawLayer(const Eye& eye) {
 }
 
 Status Stage::drawBackdrop(const Eye& eye) {
+    render::BackdropPass::InMemory inMemory;
+    const render::CodedFrame* frameInMemory = eye.surround.frameInMemory(eye.eye);
+    if (frameInMemory) inMemory.frame = *frameInMemory;
     if (paintsTexels(eye)) {
         GLint canvas = 0;
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &canvas);
@@ -110,12 +113,13 @@ Status Stage::drawBackdrop(const Eye& eye) {
                 compose_ == Compose::Camera ? &filmed : nullptr);
             !s)
             return s;
+        inMemory.painted = &frames_[frame];
         glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(canvas));
         glViewport(0, 0, eye.size.x, eye.size.y);
     }
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.
-    Status drawn =
-        backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure);
+    Status drawn = backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(),
+                                  eye.exposure, frameInMemory ? &inMemory : nullptr);
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     const glm::vec3 filmedFrom =
         eye.surround.eyesSeeTheSame() ? glm::vec3(0) : eye.view.eyeWorld - headWorld_;

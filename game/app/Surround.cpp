@@ -67,7 +67,8 @@ struct Surround::State {
     bool bothEyes = false;
     float yaw = 0; // radians, to the right
     bool hdr = false;
-    std::array<render::SurroundGpu, 2> gpu; // per eye; the second only where each eye has its own picture
+    std::array<render::SurroundGpu, 2> gpu;     // per eye; the second only where each eye has its own picture
+    std::array<render::CodedFrame, 2> inMemory; // what they show
     bool twoPictures = false;
     media::Layout layout = media::Layout::Mono;
 
@@ -117,8 +118,9 @@ struct Surround::State {
         const ImageRgba8& frame = pictures[slot];
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
             const EyePart part = partOf(frame.width, frame.height, layout, eye);
-            gpu[static_cast<size_t>(eye)].uploadFrame(
-                {frame.at(part.x, part.y), part.width, part.height, frame.width});
+            render::CodedFrame& coded = inMemory[static_cast<size_t>(eye)];
+            coded = {frame.at(part.x, part.y), part.width, part.height, frame.width};
+            gpu[static_cast<size_t>(eye)].uploadFrame(coded);
         }
         uploadLight(prepared[slot]);
     }
@@ -191,7 +193,7 @@ struct Surround::State {
         const light::FrameView frame = viewOf(bgr, part, true);
         makeLight(frame, static_cast<size_t>(slot));
         findLook(frame, static_cast<size_t>(slot));
-        media::toRgba(bgr, true, pictures[static_cast<size_t>(slot)]);
+        media::toBgra(bgr, true, pictures[static_cast<size_t>(slot)]);
     }
 
     // name: a file, or something live.
@@ -283,7 +285,7 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     const auto began = std::chrono::steady_clock::now();
     makeLight(viewOf(*picture, part, false), 0);
     light_ms = millisecondsSince(began);
-    media::toRgba(*picture, false, pictures[0]);
+    media::toBgra(*picture, false, pictures[0]);
     findLook(viewOf(*picture, part, false), 0);
     uploadPicture(0);
     follow(prepared[0], 0);
@@ -377,6 +379,10 @@ double Surround::length_s() const { return state_->player ? state_->player->info
 double Surround::videoPosition_s() const { return state_->videoPosition_s; }
 
 void Surround::setLightEvery(int frames) { state_->lightEvery.store(frames, std::memory_order_relaxed); }
+
+const render::CodedFrame* Surround::frameInMemory(int eye) const {
+    return state_->hdr ? nullptr : &state_->inMemory[state_->twoPictures ? static_cast<size_t>(eye) : 0];
+}
 
 const render::SurroundGpu& Surround::gpu(int eye) const {
     return state_->gpu[state_->twoPictures ? static_cast<size_t>(eye) : 0];

@@ -83,7 +83,9 @@ class Surround {
     void setLightEvery(int frames);
 
     const render::SurroundGpu& gpu(int eye) const; // 0 left, 1 right
-    bool eyesSeeTheSame() const;                   // no picture for each
+    // The same picture where the processor can read it, until the next update(); null: an HDR picture.
+    const render::CodedFrame* frameInMemory(int eye) const;
+    bool eyesSeeTheSame() const; // no picture for each
     glm::mat3 envFromWorld() const;
     render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
 

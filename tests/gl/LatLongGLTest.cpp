@@ -10,13 +10,14 @@
 namespace shoal {
 namespace {
 
-// Colours that change smoothly over the sphere.
+// Colours that change smoothly over the sphere, blue first.
 ImageRgba8 smoothFrame(int width) {
     ImageRgba8 frame(width, width / 2);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < width; ++x) {
             const glm::vec3 d = directionFromLatLong((glm::vec2(x, y) + 0.5f) / glm::vec2(width, width / 2));
             for (int c = 0; c < 3; ++c) frame.at(x, y)[c] = static_cast<uint8_t>(120 + 100 * d[c]);
+            frame.at(x, y)[3] = 255;
         }
     return frame;
 }
@@ -25,7 +26,7 @@ ImageRgba8 readFrame(const render::SurroundGpu& surround) {
     ImageRgba8 frame(surround.frameWidth(), surround.frameHeight());
     glBindTexture(GL_TEXTURE_2D, surround.frameTexture());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, frame.pixels.data());
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels.data());
     return frame;
 }
 
@@ -98,7 +99,7 @@ TEST_P(LatLongPlaces, HoldTheBallAndNothingElse) {
             if (std::abs(away - kHalf) < 2 * texel) continue;
             const uint8_t* is = painted.at(x, y);
             const uint8_t* was = frame_.at(x, y);
-            const bool isRed = is[0] == 255 && is[1] == 0 && is[2] == 0;
+            const bool isRed = is[0] == 0 && is[1] == 0 && is[2] == 255;
             red += isRed;
             wrong += away < kHalf ? !isRed : !std::equal(is, is + 3, was);
         }
@@ -156,6 +157,28 @@ TEST_F(LatLongGL, TheBackdropShowsItWhereTheLayerHadIt) {
     // The outline is 2 pi r pixels long; a pixel is 0.45 of a texel there.
     const double outline = 2 * std::numbers::pi * std::sqrt(covered / std::numbers::pi);
     EXPECT_LT(difference, 0.6 * outline);
+}
+
+// What is painted is in the texture alone: a backdrop that is sampled on the processor shows it all the same.
+// One step of rounding apart from what the graphics side draws of it all.
+TEST_F(LatLongGL, WhatIsPaintedIsShownWhateverIsSampledBesideIt) {
+    auto backdrop = render::BackdropPass::make();
+    ASSERT_TRUE(backdrop) << backdrop.error().sentence();
+    const glm::vec3 direction = glm::normalize(glm::vec3(0.4f, 0.2f, -0.7f));
+    paint(direction, 0.2f);
+    const gl::Target target(640, 640, 1);
+    render::View view = viewTowards(direction);
+    target.bind();
+    ASSERT_TRUE(backdrop->draw(*surround_, view, glm::mat3(1), {}));
+    const ImageRgba8 drawn = target.read();
+    const render::BackdropPass::InMemory inMemory{
+        {frame_.pixels.data(), frame_.width, frame_.height, frame_.width}, &*pass_};
+    ASSERT_TRUE(backdrop->draw(*surround_, view, glm::mat3(1), {}, &inMemory));
+    const ImageRgba8 sampled = target.read();
+    int most = 0;
+    for (size_t k = 0; k < drawn.pixels.size(); ++k)
+        most = std::max(most, std::abs(drawn.pixels[k] - sampled.pixels[k]));
+    EXPECT_LE(most, 1);
 }
 
 } // namespace

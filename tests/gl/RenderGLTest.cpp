@@ -37,10 +37,12 @@ ImageRgb8 smoothFrame(int width) {
     return frame;
 }
 
-void upload(render::SurroundGpu& surround, const ImageRgb8& frame) {
-    ImageRgba8 rgba;
-    media::toRgba(frame, false, rgba);
-    surround.uploadFrame({rgba.pixels.data(), rgba.width, rgba.height, rgba.width});
+// Returns what it uploaded.
+ImageRgba8 upload(render::SurroundGpu& surround, const ImageRgb8& frame) {
+    ImageRgba8 bgra;
+    media::toBgra(frame, false, bgra);
+    surround.uploadFrame({bgra.pixels.data(), bgra.width, bgra.height, bgra.width});
+    return bgra;
 }
 
 glm::quat looking(const glm::vec3& dir) {
@@ -50,11 +52,18 @@ glm::quat looking(const glm::vec3& dir) {
     return glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
 }
 
-TEST_F(RenderGL, BackdropShowsTheMapWhereItLies) {
+// Drawn by the graphics side, and by the processor where that can.
+class RenderGLBackdrop : public RenderGL, public testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(From, RenderGLBackdrop, testing::Bool(),
+                         [](const auto& spec) { return spec.param ? "Memory" : "Texture"; });
+
+TEST_P(RenderGLBackdrop, ShowsTheMapWhereItLies) {
     auto pass = render::BackdropPass::make();
     ASSERT_TRUE(pass) << pass.error().sentence();
     render::SurroundGpu surround;
-    upload(surround, smoothFrame(512));
+    const ImageRgba8 frame = upload(surround, smoothFrame(512));
+    const render::BackdropPass::InMemory inMemory{
+        {frame.pixels.data(), frame.width, frame.height, frame.width}};
     const gl::Target target(96, 64, 1);
     // Ahead, behind (the seam), both poles, and askew.
     for (const glm::vec3 ahead : {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0),
@@ -65,7 +74,7 @@ TEST_F(RenderGL, BackdropShowsTheMapWhereItLies) {
         view.aspect = 1.5f;
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        ASSERT_TRUE(pass->draw(surround, view, glm::mat3(1), {}));
+        ASSERT_TRUE(pass->draw(surround, view, glm::mat3(1), {}, GetParam() ? &inMemory : nullptr));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {

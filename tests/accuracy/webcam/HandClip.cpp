@@ -125,7 +125,7 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     light::packLight(made, light::MirrorMaps::Mirrors, packed);
     clip.surround_.emplace();
     ImageRgba8 rgba;
-    media::toRgba(light, false, rgba);
+    media::toBgra(light, false, rgba);
     clip.surround_->uploadFrame({rgba.pixels.data(), rgba.width, rgba.height, rgba.width});
     clip.surround_->uploadLight(packed);
     clip.target_.emplace(size.width, size.height, 4);

@@ -376,12 +376,20 @@ TEST(Hands, StayWithinTheirReach) {
             if (model.nodes[n].name.find("index") == 0 || model.nodes[n].name.find("thumb") == 0)
                 pose.local[n].rotation = pose.local[n].rotation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
         updateGlobals(model, pose);
-        const Ball ball = ballAround(reach, pose, worldFromModel);
+        std::vector<Ball> parts;
+        placeBalls(reach, pose, worldFromModel, parts);
+        const Ball ball = ballAround(parts);
         EXPECT_LT(ball.radius, 1.5f * 0.2f);
-        float furthest = 0;
-        for (const glm::vec3& p : posedSurface(model, pose).positions)
-            furthest =
-                std::max(furthest, glm::distance(glm::vec3(worldFromModel * glm::vec4(p, 1)), ball.centre));
+        float furthest = 0, outside = 0;
+        for (const glm::vec3& p : posedSurface(model, pose).positions) {
+            const glm::vec3 world(worldFromModel * glm::vec4(p, 1));
+            furthest = std::max(furthest, glm::distance(world, ball.centre));
+            float nearest = INFINITY; // to a part
+            for (const Ball& part : parts)
+                nearest = std::min(nearest, glm::distance(world, part.centre) - part.radius);
+            outside = std::max(outside, nearest);
+        }
+        EXPECT_LT(outside, 0.002f) << bend;
         EXPECT_LT(furthest, ball.radius + 0.002f) << bend;
         EXPECT_GT(furthest, 0.7f * ball.radius);
     }

@@ -1,14 +1,41 @@
+#include "engine/core/Crew.h"
 #include "engine/core/Files.h"
 #include "engine/core/Hash.h"
 #include "engine/core/Random.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 
 namespace shoal {
 namespace {
+
+TEST(Crew, DoesEachPartOnceWhoeverDoesIt) {
+    for (const int helpers : {0, 1, 3}) {
+        Crew crew(helpers);
+        for (const int parts : {0, 1, 2, 1000}) {
+            std::array<std::atomic<int>, 1000> done{};
+            crew.share(parts, [&](int k) { ++done[static_cast<size_t>(k)]; });
+            for (int k = 0; k < 1000; ++k)
+                ASSERT_EQ(done[static_cast<size_t>(k)], k < parts ? 1 : 0) << k << " of " << parts;
+        }
+    }
+}
+
+// A part may only be done by a helper: two threads are in the task at once, or this never ends.
+TEST(Crew, WorksBesideTheCaller) {
+    Crew crew(1);
+    std::atomic<int> within = 0;
+    crew.share(2, [&](int) {
+        ++within;
+        while (within < 2) {
+        }
+    });
+    EXPECT_EQ(within, 2);
+}
 
 TEST(Random, IsPcg32) {
     // The first outputs of O'Neill's reference program, pcg32-demo, for seed 42 and stream 54.
