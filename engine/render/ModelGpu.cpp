@@ -13,7 +13,7 @@ namespace shoal::render {
 
 namespace {
 
-constexpr int kFineRelief = 1024; // texels across of a normal map that is halved where detail is lean
+constexpr int kFine = 1024; // texels across of a map that is halved where detail is lean
 
 struct FixedVertex { // what morphing leaves alone
     glm::vec4 tangent{1, 0, 0, 1};
@@ -181,15 +181,15 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
     TexturesGpu gpu;
     gpu.colour.resize(model.textures.size());
     gpu.data.resize(model.textures.size());
-    // srgb: the sampler decodes it. relief: no pixel of a lean picture is as small as its finest texels.
-    const auto want = [&](const scene::TextureUse& use, bool srgb, bool relief = false) {
+    // srgb: the sampler decodes it. No pixel of a lean picture is as small as the finest texels.
+    const auto want = [&](const scene::TextureUse& use, bool srgb) {
         if (use.texture < 0) return;
         const auto index = static_cast<size_t>(use.texture);
         gl::Texture& slot = (srgb ? gpu.colour : gpu.data)[index];
         const int image = model.textures[index].image;
         if (slot || image < 0) return;
         const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
-        const bool smaller = relief && detail == Detail::Lean && texels.width >= kFineRelief;
+        const bool smaller = detail == Detail::Lean && texels.width >= kFine;
         slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
     };
     // Not of materials that another variant wears.
@@ -203,7 +203,7 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         want(material.baseColour, reflectance == Reflectance::Linear);
         want(material.emissive, true);
         if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
-        want(material.normal, false, true);
+        want(material.normal, false);
         want(material.occlusion, false);
     }
     return std::make_shared<const TexturesGpu>(std::move(gpu));

@@ -93,6 +93,7 @@ Status XrPlay::prepare(glm::ivec2 size) {
         if (!hidden) return hidden.error();
         targets_[eye].bind();
         veil_.hide(hidden->corners, xr::viewOf(headset_.tracking().eyes[eye]));
+        masked_[eye] = !hidden->corners.empty();
     }
     return Done{};
 }
@@ -105,7 +106,8 @@ Status XrPlay::drawEye(int eye, const Painter& painter, glm::ivec2 window) {
     view.heightPixels = size.y;
     target.bind();
     {
-        const render::VeilPass::OnlySeen seen;
+        std::optional<render::VeilPass::OnlySeen> seen;
+        if (masked_[i]) seen.emplace();
         if (Status drawn = painter.scene(eye, view, target); !drawn) return drawn;
     }
     target.bind();

@@ -54,6 +54,7 @@ class XrPlay {
 
     xr::Headset headset_;
     render::VeilPass veil_;
+    std::array<bool, 2> masked_{}; // eyes of which the headset hides something
     int samples_;
     std::vector<gl::Target> targets_;
     XrGate gate_;
