@@ -58,14 +58,21 @@ Crew::~Crew() {
     for (std::thread& helper : state_->helpers) helper.join();
 }
 
-void Crew::run(int parts, void (*part)(void*, int), void* context) {
+void Crew::start(int parts, void (*part)(void*, int), void* context) {
+    State& s = *state_;
+    {
+        const std::lock_guard lock(s.mutex);
+        s.part = part;
+        s.context = context;
+        s.next = 0;
+        s.parts = s.unfinished = parts;
+    }
+    s.called.notify_all();
+}
+
+void Crew::finish() {
     State& s = *state_;
     std::unique_lock lock(s.mutex);
-    s.part = part;
-    s.context = context;
-    s.next = 0;
-    s.parts = s.unfinished = parts;
-    s.called.notify_all();
     s.work(lock);
     s.done.wait(lock, [&] { return s.unfinished == 0; });
 }

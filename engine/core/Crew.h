@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <type_traits>
 
 namespace shoal {
 
@@ -13,17 +12,22 @@ class Crew {
     Crew& operator=(Crew&&) noexcept;
     ~Crew();
 
-    // part(0) to part(parts - 1), each once, in any order, by any of the threads; returns when all are done.
-    // Allocates nothing. By one thread at a time.
+    // The helpers begin: part(0) to part(parts - 1), each once, in any order. `part` must live until
+    // finish(). Allocates nothing. By one thread at a time, one task at a time.
+    template <class Part> void start(int parts, Part& part) {
+        start(
+            parts, [](void* context, int k) { (*static_cast<Part*>(context))(k); }, &part);
+    }
+    void finish(); // does what is left, too; returns when all is done
+
     template <class Part> void share(int parts, Part&& part) {
-        run(
-            parts, [](void* context, int k) { (*static_cast<std::remove_reference_t<Part>*>(context))(k); },
-            &part);
+        start(parts, part);
+        finish();
     }
 
   private:
     struct State;
-    void run(int parts, void (*part)(void*, int), void* context);
+    void start(int parts, void (*part)(void*, int), void* context);
     std::unique_ptr<State> state_;
 };
 

@@ -124,13 +124,20 @@ void BackdropPass::makeCells(const View& view, const glm::mat3& envFromRay, cons
 }
 
 // Whole rows of cells belong to one thread: a cell is written over what the one before it wrote too far.
-void BackdropPass::sample(const InMemory& inMemory, const glm::ivec2& size, GLuint texture) {
+void BackdropPass::SampleRow::operator()(int row) const {
+    const auto r = static_cast<size_t>(row);
+    for (size_t k = pass->sampledRows_[r]; k < pass->sampledRows_[r + 1]; ++k)
+        sampleCell(pass->sampledFrame_, pass->sampled_[k], pass->picture_.data(), pass->stride_);
+}
+
+void BackdropPass::startSampling(const InMemory& inMemory, const glm::ivec2& size) {
     const CodedFrame& frame = inMemory.frame;
     const glm::vec2 texels(frame.width, frame.height);
+    sampledFrame_ = frame;
     sampled_.clear();
     sampledRows_.clear();
     for (Cell& cell : cells_) {
-        if (sampledRows_.empty() || cell.low.x == 0) sampledRows_.push_back(sampled_.size());
+        if (cell.low.x == 0) sampledRows_.push_back(sampled_.size());
         if (cell.drawnAs != Cell::Plain) continue;
         const glm::vec2 right = cell.right * texels / static_cast<float>(cell.high.x - cell.low.x);
         const glm::vec2 up = cell.up * texels / static_cast<float>(cell.high.y - cell.low.y);
@@ -141,25 +148,39 @@ void BackdropPass::sample(const InMemory& inMemory, const glm::ivec2& size, GLui
             const glm::vec2 end = cell.first + cell.right + cell.up;
             const glm::vec2 low = glm::min(cell.first, end) + glm::min(glm::min(cell.right, cell.up), 0.0f);
             const glm::vec2 high = glm::max(cell.first, end) + glm::max(glm::max(cell.right, cell.up), 0.0f);
-            if (inMemory.painted->isPainted(low, high)) continue;
+            if (inMemory.painted->isChosen(low, high)) continue;
         }
         cell.drawnAs = Cell::Sampled;
         sampled_.push_back(sampled);
     }
-    if (sampled_.empty()) return;
     sampledRows_.push_back(sampled_.size());
-    const int stride = size.x + 8; // of which a row's last cell may write seven
-    picture_.resize(static_cast<size_t>(stride) * static_cast<size_t>(size.y));
-    crew_->share(static_cast<int>(sampledRows_.size()) - 1, [&](int row) {
-        for (size_t k = sampledRows_[static_cast<size_t>(row)];
-             k < sampledRows_[static_cast<size_t>(row) + 1]; ++k)
-            sampleCell(frame, sampled_[k], picture_.data(), stride);
-    });
+    stride_ = size.x + 8; // of which a row's last cell may write seven
+    picture_.resize(static_cast<size_t>(stride_) * static_cast<size_t>(size.y));
+    sampleRow_ = {this};
+    crew_->start(static_cast<int>(sampledRows_.size()) - 1, sampleRow_);
+    begun_ = true;
+}
+
+void BackdropPass::finishSampling() {
+    crew_->finish();
+    begun_ = false;
+}
+
+void BackdropPass::putPicture(const glm::ivec2& size, GLuint texture) const {
+    if (sampled_.empty()) return;
     glBindTexture(GL_TEXTURE_2D, texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, stride_);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, picture_.data());
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
+void BackdropPass::begin(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+                         const Exposure& exposure, const glm::ivec2& size, const InMemory& inMemory) {
+    if (!crew_ || featuresOf(surround, exposure) != kAsIs) return;
+    if (begun_) finishSampling(); // of a picture that was not drawn
+    makeCells(view, envFromWorld * glm::mat3_cast(view.worldFromEye), size);
+    startSampling(inMemory, size);
 }
 
 Status BackdropPass::draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
@@ -168,10 +189,15 @@ Status BackdropPass::draw(const SurroundGpu& surround, const View& view, const g
     std::array<GLint, 4> viewport{};
     glGetIntegerv(GL_VIEWPORT, viewport.data());
     const glm::ivec2 size(viewport[2], viewport[3]);
-    makeCells(view, envFromRay, size);
     const unsigned features = featuresOf(surround, exposure);
     const GLuint texture = crew_ && inMemory && features == kAsIs ? drawnTexture() : 0;
-    if (texture != 0) sample(*inMemory, size, texture);
+    const bool begun = begun_;
+    if (begun) finishSampling();
+    if (!begun || texture == 0) makeCells(view, envFromRay, size);
+    if (texture != 0) {
+        if (!begun) startSampling(*inMemory, size), finishSampling();
+        putPicture(size, texture);
+    }
 
     corners_.clear();
     const auto put = [&](Cell::DrawnAs as) {

@@ -25,6 +25,12 @@ class BackdropPass {
         const LatLongPass* painted = nullptr;
     };
 
+    // Samples what draw() will want of this view, beside what the caller does until then; more than a hint
+    // only where the context draws on the processor. size: of the picture, in pixels. The frame must live
+    // until draw(), and what is painted be known, if not painted, by now.
+    void begin(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+               const Exposure& exposure, const glm::ivec2& size, const InMemory& inMemory);
+
     // Over the whole picture, before the objects: depth is neither asked nor changed, and need not be there.
     // The program for a curve that is new is compiled first. inMemory: where the context draws on the
     // processor anyway, most of a coded frame is sampled there without it; the framebuffer's colour is then a
@@ -43,14 +49,25 @@ class BackdropPass {
     };
 
     void makeCells(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size);
-    // Those of cells_ that it can, into the texture; marks them.
-    void sample(const InMemory& inMemory, const glm::ivec2& size, GLuint texture);
+    // Those of cells_ that can be, into picture_; marks them.
+    void startSampling(const InMemory& inMemory, const glm::ivec2& size);
+    void finishSampling();
+    void putPicture(const glm::ivec2& size, GLuint texture) const;
+
+    struct SampleRow { // of cells
+        BackdropPass* pass;
+        void operator()(int row) const;
+    };
 
     gl::Variants programs_;
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
     std::optional<Crew> crew_; // empty: nothing is sampled here
+    SampleRow sampleRow_{};
+    CodedFrame sampledFrame_;
+    int stride_ = 0; // of picture_
+    bool begun_ = false;
     // Scratch:
     std::vector<int> columns_, rows_; // the grid's edges, in pixels
     std::vector<glm::vec2> uvs_;      // of its corners

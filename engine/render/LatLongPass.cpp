@@ -63,7 +63,7 @@ void LatLongPass::mark(const glm::vec3& dirEnv, float halfAngle) {
     const int right = std::min(tile(uv.x + across, kTiles.x), left + kTiles.x - 1);
     for (int y = top; y <= bottom; ++y)
         for (int x = left; x <= right; ++x) // columns repeat: the seam is none
-            marked_[static_cast<size_t>(y * kTiles.x + (x + 2 * kTiles.x) % kTiles.x)] = true;
+            chosen_[static_cast<size_t>(y * kTiles.x + (x + 2 * kTiles.x) % kTiles.x)] = true;
 }
 
 void LatLongPass::copy(GLuint from, GLuint to) const {
@@ -74,14 +74,14 @@ void LatLongPass::copy(GLuint from, GLuint to) const {
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-bool LatLongPass::isPainted(const glm::vec2& low, const glm::vec2& high) const {
-    if (paintedFrame_ == 0) return false;
+bool LatLongPass::isChosen(const glm::vec2& low, const glm::vec2& high) const {
+    if (chosen_.empty()) return false;
     const glm::vec2 texel = 1.0f / glm::vec2(size_);
     const glm::ivec2 first(glm::floor((low - texel) * glm::vec2(kTiles)));
     const glm::ivec2 last(glm::floor((high + texel) * glm::vec2(kTiles)));
     for (int y = std::max(first.y, 0); y <= std::min(last.y, kTiles.y - 1); ++y)
         for (int x = first.x; x <= last.x; ++x)
-            if (marked_[static_cast<size_t>(y * kTiles.x + (x + 2 * kTiles.x) % kTiles.x)]) return true;
+            if (chosen_[static_cast<size_t>(y * kTiles.x + (x + 2 * kTiles.x) % kTiles.x)]) return true;
     return false;
 }
 
@@ -91,24 +91,10 @@ void LatLongPass::restore(const SurroundGpu& surround) {
     paintedFrame_ = 0;
 }
 
-Status LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
-                          const glm::mat3& envFromWorld, std::span<const Ball> balls,
-                          const glm::vec3& eyeWorld, const Filmed* filmed) {
-    assert(surround.frameIsCoded());
-    restore(surround);
-    if (balls.empty()) return Done{};
-    const glm::ivec2 size(surround.frameWidth(), surround.frameHeight());
-    if (size != size_) {
-        size_ = size;
-        kept_ = gl::Texture::make();
-        glBindTexture(GL_TEXTURE_2D, kept_.name());
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        attach(keptBuffer_, kept_.name());
-    }
-    attach(frameBuffer_, surround.frameTexture());
-
-    marked_.assign(static_cast<size_t>(kTiles.x * kTiles.y), false);
+void LatLongPass::choose(const SurroundGpu& surround, const glm::mat3& envFromWorld,
+                         std::span<const Ball> balls, const glm::vec3& eyeWorld) {
+    size_ = {surround.frameWidth(), surround.frameHeight()};
+    chosen_.assign(static_cast<size_t>(kTiles.x * kTiles.y), false);
     for (const Ball& ball : balls) {
         const glm::vec3 away = ball.centre - eyeWorld;
         const float distance = glm::length(away);
@@ -117,10 +103,27 @@ Status LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View&
             distance > ball.radius ? std::asin(ball.radius / distance) : std::numbers::pi_v<float>;
         mark(distance > 0 ? envFromWorld * (away / distance) : glm::vec3(0, 0, -1), halfAngle);
     }
+}
+
+Status LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+                          const glm::mat3& envFromWorld, const Filmed* filmed) {
+    assert(surround.frameIsCoded());
+    restore(surround);
+    const glm::ivec2 size(surround.frameWidth(), surround.frameHeight());
+    assert(size == size_);
+    if (size != keptSize_) {
+        keptSize_ = size;
+        kept_ = gl::Texture::make();
+        glBindTexture(GL_TEXTURE_2D, kept_.name());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        attach(keptBuffer_, kept_.name());
+    }
+
     runs_.clear();
     corners_.clear();
     const auto edge = [](int tile, int tiles, int texels) { return tile * texels / tiles; };
-    eachRun(marked_, kTiles, [&](int first, int end, int row) {
+    eachRun(chosen_, kTiles, [&](int first, int end, int row) {
         const glm::ivec2 low(edge(first, kTiles.x, size.x), edge(row, kTiles.y, size.y));
         const glm::ivec2 high(edge(end, kTiles.x, size.x), edge(row + 1, kTiles.y, size.y));
         if (low.x == high.x || low.y == high.y) return;
@@ -131,6 +134,8 @@ Status LatLongPass::paint(const SurroundGpu& surround, GLuint layer, const View&
             if (left.x < right.x) addRectangle(left / glm::vec2(size), right / glm::vec2(size), corners_);
         }
     });
+    if (runs_.empty()) return Done{};
+    attach(frameBuffer_, surround.frameTexture());
     copy(frameBuffer_.name(), keptBuffer_.name());
     paintedFrame_ = surround.frameNumber();
 

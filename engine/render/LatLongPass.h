@@ -31,16 +31,18 @@ class LatLongPass {
         int64_t index = 0; // of the frame
     };
 
-    // Into the frame's texels. layer: a texture of display values, premultiplied, seen by layerView; balls:
-    // there must be nothing in it beside them. What the texels held is kept aside. Leaves another framebuffer
-    // bound. Display-coded frames only. filmed: null for the layer as it is; the program for a look of a new
-    // kind is compiled first.
-    Status paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
-                 const glm::mat3& envFromWorld, std::span<const Ball> balls, const glm::vec3& eyeWorld,
-                 const Filmed* filmed = nullptr);
+    // Which texels paint() will paint. balls: there must be nothing in the layer beside them.
+    void choose(const SurroundGpu& surround, const glm::mat3& envFromWorld, std::span<const Ball> balls,
+                const glm::vec3& eyeWorld);
 
-    // Whether any texel between these coordinates of the map, or beside one, may have been painted.
-    bool isPainted(const glm::vec2& low, const glm::vec2& high) const;
+    // Into the texels that were chosen. layer: a texture of display values, premultiplied, seen by layerView.
+    // What the texels held is kept aside. Leaves another framebuffer bound. Display-coded frames only.
+    // filmed: null for the layer as it is; the program for a look of a new kind is compiled first.
+    Status paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+                 const glm::mat3& envFromWorld, const Filmed* filmed = nullptr);
+
+    // Whether any texel between these coordinates of the map, or beside one, has been chosen.
+    bool isChosen(const glm::vec2& low, const glm::vec2& high) const;
 
     // Gives the texels back what they held, unless the surround has a new frame since.
     void restore(const SurroundGpu& surround);
@@ -57,11 +59,11 @@ class LatLongPass {
     Corners drawn_;
     gl::Texture kept_;
     gl::Framebuffer frameBuffer_, keptBuffer_;
-    glm::ivec2 size_{0};        // of the frame
-    uint64_t paintedFrame_ = 0; // its number; 0: nothing is painted
-    std::vector<bool> marked_;  // scratch: tiles
-    std::vector<Run> runs_;
-    std::vector<glm::vec2> corners_; // scratch: of their triangles, uv
+    glm::ivec2 size_{0}, keptSize_{0}; // of the frame
+    uint64_t paintedFrame_ = 0;        // its number; 0: nothing is painted
+    std::vector<bool> chosen_;         // tiles
+    std::vector<Run> runs_;            // of those that are painted
+    std::vector<glm::vec2> corners_;   // scratch: of their triangles, uv
 };
 
 } // namespace shoal::render

@@ -120,6 +120,7 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
     };
     const std::array<Stage::Eye, 2> both = {seenBy(0), seenBy(1)};
     const std::span seen = std::span(both).first(static_cast<size_t>(eyes));
+    stage->beginBackdrop(seen[0]);
     for (const Stage::Eye& eye : seen)
         if (Status drawn = stage->drawLayer(eye); !drawn) return drawn;
     for (const Stage::Eye& eye : seen) {

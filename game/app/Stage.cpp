@@ -96,30 +96,46 @@ Status Stage::drawLayer(const Eye& eye) {
     return Done{};
 }
 
+// A frame that both eyes see holds one eye's objects after the other's.
+render::LatLongPass* Stage::paintedFrame(const Eye& eye) {
+    if (!paintsTexels(eye)) return nullptr;
+    return &frames_[eye.surround.eyesSeeTheSame() ? 0 : static_cast<size_t>(eye.eye)];
+}
+
+void Stage::chooseTexels(const Eye& eye) {
+    if (render::LatLongPass* frame = paintedFrame(eye))
+        frame->choose(eye.surround.gpu(eye.eye), eye.surround.envFromWorld(),
+                      objects_.ballsSeen(layerView(eye)), eye.view.eyeWorld);
+}
+
+void Stage::beginBackdrop(const Eye& eye) {
+    const render::CodedFrame* frame = eye.surround.frameInMemory(eye.eye);
+    if (!frame) return;
+    chooseTexels(eye);
+    backdrop_.begin(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure, eye.size,
+                    {*frame, paintedFrame(eye)});
+}
+
 Status Stage::drawBackdrop(const Eye& eye) {
-    render::BackdropPass::InMemory inMemory;
-    const render::CodedFrame* frameInMemory = eye.surround.frameInMemory(eye.eye);
-    if (frameInMemory) inMemory.frame = *frameInMemory;
-    if (paintsTexels(eye)) {
+    if (render::LatLongPass* frame = paintedFrame(eye)) {
+        chooseTexels(eye);
         GLint canvas = 0;
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &canvas);
-        // A frame that both eyes see holds one eye's objects after the other's.
-        const size_t frame = eye.surround.eyesSeeTheSame() ? 0 : static_cast<size_t>(eye.eye);
         const render::View view = layerView(eye);
         const render::LatLongPass::Filmed filmed{eye.surround.filmLook(), eye.surround.frameIndex()};
-        if (Status s = frames_[frame].paint(
+        if (Status s = frame->paint(
                 eye.surround.gpu(eye.eye), layers_[static_cast<size_t>(eye.eye)].layer().texture(), view,
-                eye.surround.envFromWorld(), objects_.ballsSeen(view), eye.view.eyeWorld,
-                compose_ == Compose::Camera ? &filmed : nullptr);
+                eye.surround.envFromWorld(), compose_ == Compose::Camera ? &filmed : nullptr);
             !s)
             return s;
-        inMemory.painted = &frames_[frame];
         glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(canvas));
         glViewport(0, 0, eye.size.x, eye.size.y);
     }
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.
+    const render::CodedFrame* frame = eye.surround.frameInMemory(eye.eye);
+    const render::BackdropPass::InMemory memory{frame ? *frame : render::CodedFrame(), paintedFrame(eye)};
     Status drawn = backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(),
-                                  eye.exposure, frameInMemory ? &inMemory : nullptr);
+                                  eye.exposure, frame ? &memory : nullptr);
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     const glm::vec3 filmedFrom =
         eye.surround.eyesSeeTheSame() ? glm::vec3(0) : eye.view.eyeWorld - headWorld_;

@@ -56,6 +56,9 @@ class Stage {
         glm::ivec2 size{0}; // of the canvas, in pixels
     };
 
+    // To save time, of the eye that is drawn first, before all the others.
+    void beginBackdrop(const Eye& eye);
+
     // For each eye: drawLayer() first, which binds a framebuffer of its own, then the others into the canvas,
     // which is bound by then. Software renderers finish a framebuffer before they begin another: there are
     // two in a frame.
@@ -76,6 +79,8 @@ class Stage {
     Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects)
         : cast_(std::move(cast)), backdrop_(std::move(backdrop)), objects_(std::move(objects)) {}
     bool paintsTexels(const Eye& eye) const;
+    render::LatLongPass* paintedFrame(const Eye& eye); // null: objects are not painted into it
+    void chooseTexels(const Eye& eye);
     render::View layerView(const Eye& eye) const;
     // Of the eye's picture; as large as that where objects are drawn straight into it.
     glm::ivec2 layerSize(const Eye& eye) const;

@@ -42,8 +42,8 @@ ImageRgba8 painted(const camera::FilmLook& look, const glm::vec4& left, const gl
     auto pass = render::LatLongPass::make();
     EXPECT_TRUE(pass) << pass.error().sentence();
     const render::LatLongPass::Filmed filmed{look, index};
-    EXPECT_TRUE(
-        pass->paint(surround, layer.texture(), view, glm::mat3(1), {&ball, 1}, glm::vec3(0), &filmed));
+    pass->choose(surround, glm::mat3(1), {&ball, 1}, glm::vec3(0));
+    EXPECT_TRUE(pass->paint(surround, layer.texture(), view, glm::mat3(1), &filmed));
     ImageRgba8 all(kWidth, kHeight), middle(128, 64);
     glBindTexture(GL_TEXTURE_2D, surround.frameTexture());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

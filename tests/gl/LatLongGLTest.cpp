@@ -71,7 +71,8 @@ class LatLongGL : public WithContext {
         }
         glDisable(GL_SCISSOR_TEST);
         const render::Ball ball{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
-        ASSERT_TRUE(pass_->paint(*surround_, layer_.texture(), view, glm::mat3(1), {&ball, 1}, eyeWorld));
+        pass_->choose(*surround_, glm::mat3(1), {&ball, 1}, eyeWorld);
+        ASSERT_TRUE(pass_->paint(*surround_, layer_.texture(), view, glm::mat3(1)));
     }
 
     ImageRgba8 frame_;

@@ -25,6 +25,16 @@ TEST(Crew, DoesEachPartOnceWhoeverDoesIt) {
     }
 }
 
+TEST(Crew, BeginsBeforeItIsFinished) {
+    Crew crew(1);
+    std::atomic<bool> began = false;
+    auto part = [&](int) { began = true; };
+    crew.start(1, part);
+    while (!began) {
+    } // by the helper: this thread has not come to finish()
+    crew.finish();
+}
+
 // A part may only be done by a helper: two threads are in the task at once, or this never ends.
 TEST(Crew, WorksBesideTheCaller) {
     Crew crew(1);
