@@ -18,6 +18,7 @@ namespace {
 
 constexpr float kGap = 1e-4f;     // of a ray's start from its surface, of the body's extent
 constexpr int kSweeps = 4;        // of fitting corners to samples: more would fit the noise of few rays
+constexpr int kSmoothings = 2;    // more would wear down what is there
 constexpr float kSeen = 0.1f;     // share of the hemisphere that must be free for a sample to count in full:
 constexpr float kBuried = 0.03f;  // nobody sees what sees nothing, and of nothing else is known there
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
@@ -79,6 +80,36 @@ class Folding {
                 if (weights[v] > 0) folds[v] += sums[v] / weights[v];
         }
         return folds;
+    }
+
+    // What rays as few as these cannot tell apart is made alike, neighbour by neighbour, and nothing else
+    // (Tomasi and Manduchi 1998, "Bilateral Filtering for Gray and Color Images", the range being that of the
+    // noise).
+    void smooth(std::vector<glm::vec4>& folds) const {
+        std::vector<float> variance(folds.size(), 0), samples(folds.size(), 0);
+        for (const Sample& sample : samples_)
+            for (int i = 0; i < 3; ++i) samples[sample.corners[static_cast<size_t>(i)]] += sample.shares[i];
+        for (size_t v = 0; v < folds.size(); ++v) {
+            const float share = glm::clamp(folds[v].w, 0.0f, 1.0f);
+            variance[v] =
+                share * (1 - share) / (std::max(samples[v], 1.0f) * static_cast<float>(pattern_.size()));
+        }
+        std::vector<glm::vec4> sums(folds.size());
+        std::vector<float> weights(folds.size());
+        for (int sweep = 0; sweep < kSmoothings; ++sweep) {
+            sums = folds;
+            std::ranges::fill(weights, 1.0f);
+            for (size_t i = 0; i < body_.indices.size() / 3 * 3; ++i) {
+                const uint32_t a = body_.indices[i], b = body_.indices[i % 3 == 2 ? i - 2 : i + 1];
+                const glm::vec4 apart = folds[b] - folds[a];
+                const float noise = variance[a] + variance[b];
+                if (!(noise > 0)) continue;
+                const float alike = std::exp(-glm::dot(apart, apart) / (2 * noise));
+                sums[a] += alike * folds[b], weights[a] += alike;
+                sums[b] += alike * folds[a], weights[b] += alike;
+            }
+            for (size_t v = 0; v < folds.size(); ++v) folds[v] = sums[v] / weights[v];
+        }
     }
 
   private:
@@ -144,8 +175,9 @@ Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays
                 [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
         folding.lookFrom(0, samples / threads);
     }
-    return {folding.fit(&Sample::hidden),
-            own.empty() ? std::vector<glm::vec4>() : folding.fit(&Sample::byOwn)};
+    auto hidden = folding.fit(&Sample::hidden);
+    folding.smooth(hidden);
+    return {std::move(hidden), own.empty() ? std::vector<glm::vec4>() : folding.fit(&Sample::byOwn)};
 }
 
 } // namespace shoal::occlusion

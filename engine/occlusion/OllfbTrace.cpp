@@ -13,6 +13,8 @@ namespace {
 constexpr float kSheet_px = 0.25f, kSheetPerSlope_px = 0.5f;
 // A hit moves along its ray at most this far to where the surface is, and not at all if it hardly nears it.
 constexpr float kFurthest_px = 3, kLeastRate = 0.05f;
+// Further behind a surface than planes lie beside what they stand for.
+constexpr float kSunk_px = 0.5f;
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
 // One view as a ray finds it.
@@ -22,8 +24,10 @@ struct Walk {
     glm::vec3 from, along; // pixels
     bool forwards;         // depth grows along the ray
     float left;            // along the ray, pixels: from here on it may meet a surface from behind
+    bool outside;          // whether it has been outside the body yet
 
     bool inside = false; // where the last cell was left
+    bool dived = false;  // what it met is what it began on
     float metAt = 0;     // along the ray, pixels
     const OllfbLayer* met = nullptr;
 
@@ -66,9 +70,12 @@ struct Walk {
             if (fIn >= 0 && fIn < passedIn) passedIn = fIn, lastIn = &layer;
             if (fIn < 0 && -fIn < nextIn) nextIn = -fIn, next = &layer;
         }
-        if (started && deepIn > 0 && !inside) {
+        outside = outside || deepIn <= 0;
+        // A ray that has never been outside has not left the surface that it began on, but dived under it.
+        dived = !outside && in > left && hasSunk(passedIn, lastIn);
+        if (started && deepIn > 0 && (!inside || dived)) {
             met = next && nextIn < passedIn ? next : lastIn;
-            metAt = in;
+            metAt = dived ? left : in;
             return true;
         }
         if (hit) {
@@ -77,6 +84,13 @@ struct Walk {
         }
         inside = deepOut > 0;
         return false;
+    }
+
+    // behind: pixels of depth.
+    bool hasSunk(float behind, const OllfbLayer* surface) const {
+        if (!closed || !onlyOuter || !surface) return false;
+        const glm::vec2 slope = slopeOf(OllfbPixels::normalOf(*surface));
+        return behind > kSunk_px * std::sqrt(1 + glm::dot(slope, slope));
     }
 };
 
@@ -95,7 +109,7 @@ std::optional<Hit> Ollfb::trace(const glm::vec3& origin, const glm::vec3& direct
     if (layers_.empty()) return {};
     const OllfbView& view = views_[static_cast<size_t>(axes_.nearest(direction))];
     Walk walk{OllfbPixels(*this, view),      closed_, onlyOuter_, view.pixelFromBody(origin),
-              view.viewFromBody * direction, true,    0};
+              view.viewFromBody * direction, true,    0,          false};
     walk.forwards = walk.along.z > 0;
     const float first = nearest * view.pixelsPerMetre;
     walk.left = first + kLeaving_px;
@@ -108,13 +122,14 @@ std::optional<Hit> Ollfb::trace(const glm::vec3& origin, const glm::vec3& direct
                   view.depthRange_px - kDepthMargin_px + kBefore_px, begin, end))
         return {};
     bool started = begin > first; // a ray that starts among the layers starts where it is, in or out
+    walk.outside = started;
     const bool met = walkCells(
         walk.from, walk.along, begin, end, glm::ivec2(0), view.size,
         [&](const glm::ivec2& pixel, float in, float out) {
             const OllfbPixels::Layers here = walk.pixels.layersOf(pixel);
             if (here.begin == here.end) {
                 walk.inside = false;
-                started = true;
+                walk.outside = started = true;
                 return false;
             }
             unsigned all = 0xffff;
@@ -152,7 +167,7 @@ std::optional<Hit> Ollfb::trace(const glm::vec3& origin, const glm::vec3& direct
         outwards = glm::transpose(straight.viewFromBody) * surface->normal;
     }
     // It grazes the surface it has begun on, which blended falls away from it: on from where it has left.
-    if (at * view.pixelsPerMetre < walk.left && glm::dot(outwards, direction) >= 0)
+    if (!walk.dived && at * view.pixelsPerMetre < walk.left && glm::dot(outwards, direction) >= 0)
         return trace(origin, direction, walk.left / view.pixelsPerMetre, farthest);
     return Hit{glm::max(at, nearest), towards(outwards, direction, onlyOuter_)};
 }

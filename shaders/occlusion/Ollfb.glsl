@@ -27,7 +27,7 @@ uniform bool closed, onlyOuter;
 const int kTableWidth = 64;
 const float kSteepest = 12.0, kLeaving_px = 3.0, kDepthMargin_px = kSteepest * 0.75;
 const float kSheet_px = 0.25, kSheetPerSlope_px = 0.5, kBefore_px = 2.0;
-const float kFurthest_px = 3.0, kLeastRate = 0.05, kAlike = 0.5;
+const float kFurthest_px = 3.0, kLeastRate = 0.05, kAlike = 0.5, kSunk_px = 0.5;
 
 uint half_(uint word, uint index) { return word >> (16u * (index & 1u)) & 0xffffu; }
 uint layerPart(uint layer, uint part) {
@@ -40,7 +40,7 @@ uint coverageOf(uint layer) { return layerPart(layer, 2u); }
 // The ray in its view, pixels, and what has become of it.
 OllfbView view;
 vec3 rayFrom, rayAlong;
-bool forwards, inside;
+bool forwards, outside, inside, dived;
 float left, metAt;
 uint metLayer;
 
@@ -64,6 +64,11 @@ uvec2 layersOf(ivec2 pixel) {
 float depthOf(uint layer) { return float(layerPart(layer, 0u)) * (view.depthRange / 65535.0); }
 vec3 normalOf(uint layer) { return unpackDirection(layerPart(layer, 1u), 8); }
 vec2 slopeOf(vec3 normal) { return -normal.xy / normal.z; }
+
+bool hasSunk(float behind, uint surface) {
+    vec2 slope = slopeOf(normalOf(surface));
+    return closed && onlyOuter && behind > kSunk_px * sqrt(1.0 + dot(slope, slope));
+}
 
 bool crossLayers(uvec2 here, ivec2 pixel, uint bit, float in_, float out_, bool started) {
     vec3 pIn = rayFrom + in_ * rayAlong, pOut = rayFrom + out_ * rayAlong;
@@ -106,9 +111,11 @@ bool crossLayers(uvec2 here, ivec2 pixel, uint bit, float in_, float out_, bool 
             next = layer;
         }
     }
-    if (started && deepIn > 0 && !inside) {
+    outside = outside || deepIn <= 0;
+    dived = !outside && in_ > left && passedIn < kNever && hasSunk(passedIn, lastIn);
+    if (started && deepIn > 0 && (!inside || dived)) {
         metLayer = nextIn < passedIn ? next : lastIn;
-        metAt = in_;
+        metAt = dived ? left : in_;
         return true;
     }
     if (at < kNever) {
@@ -127,6 +134,7 @@ bool walkLayers(float begin, float end, bool started) {
         uvec2 here = layersOf(walk.cell);
         if (here.x == here.y) {
             inside = false;
+            outside = true;
             started = true;
             continue;
         }
@@ -209,6 +217,7 @@ vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again)
     rayAlong = direction * bodyFromView();
     forwards = rayAlong.z > 0.0;
     inside = false;
+    dived = false;
     float first = nearest * view.pixelsPerMetre;
     left = first + kLeaving_px;
     float begin = first, end = kNever;
@@ -217,7 +226,8 @@ vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again)
         !clipSlab(rayFrom.z, rayAlong.z, kDepthMargin_px - kBefore_px,
                   view.depthRange - kDepthMargin_px + kBefore_px, begin, end))
         return kNothing;
-    if (!walkLayers(begin, end, begin > first)) return kNothing;
+    outside = begin > first;
+    if (!walkLayers(begin, end, outside)) return kNothing;
     float at = metAt / view.pixelsPerMetre, leftAt = left / view.pixelsPerMetre;
     vec3 outwards = bodyFromView() * normalOf(metLayer);
     for (int pass = 0; pass < 2; ++pass) {
@@ -233,7 +243,7 @@ vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again)
         outwards = bodyFromView() * blended;
     }
     float away = dot(outwards, direction);
-    if (at < leftAt && away >= 0.0) {
+    if (!dived && at < leftAt && away >= 0.0) {
         nearest = leftAt;
         again = true;
         return kNothing;

@@ -58,9 +58,16 @@ Fine fineOf(const ImageRgbF& image) {
     return {sums.begin(), sums.end()};
 }
 
+size_t Cells::cellTowards(const glm::vec3& direction) const {
+    const glm::ivec2 at =
+        glm::min(glm::ivec2(squareOfDirection(direction) * static_cast<float>(kFine)), kFine - 1);
+    return byPlace[static_cast<size_t>(at.y * kFine + at.x)];
+}
+
 Cells cellsOf(std::span<const Fine> surrounds) {
     Cells out;
     out.surrounds = surrounds.size();
+    out.byPlace.resize(static_cast<size_t>(kFine) * kFine);
     std::vector<float> whole;
     for (const Fine& fine : surrounds) {
         glm::dvec3 sum(0);
@@ -83,6 +90,9 @@ Cells cellsOf(std::span<const Fine> surrounds) {
                 self(self, low + glm::ivec2(quarter & 1, quarter >> 1) * (side / 2), side / 2);
             return;
         }
+        for (int y = low.y; y < low.y + side; ++y)
+            for (int x = low.x; x < low.x + side; ++x)
+                out.byPlace[static_cast<size_t>(y * kFine + x)] = static_cast<uint32_t>(out.cells.size());
         const glm::vec2 corner = glm::vec2(low) / static_cast<float>(kFine);
         const float width = static_cast<float>(side) / kFine;
         const glm::vec3 centre = directionOfSquare(corner + 0.5f * width);

@@ -23,6 +23,9 @@ struct Cells {
     size_t surrounds = 0;
     std::vector<glm::vec3> power; // [cell][surround]: integral of radiance over the cell
 
+    std::vector<uint32_t> byPlace; // of the square at its finest, row by row: the cell there
+    size_t cellTowards(const glm::vec3& direction) const;
+
     std::span<const glm::vec3> of(size_t cell) const { return {power.data() + cell * surrounds, surrounds}; }
 };
 

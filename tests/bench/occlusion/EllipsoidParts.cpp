@@ -34,7 +34,7 @@ std::vector<occlusion::BodyPart> partsOf(const Body& body) {
 }
 
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body) {
-    return {moved(part.atRest, body.worldFromRest[part.joint])};
+    return {moved(part.atRest, body.worldFromRest[part.joint]), 1, body.sentBack};
 }
 
 std::vector<std::vector<occlusion::Occluder>> castingOnOthers(const Scene& scene) {

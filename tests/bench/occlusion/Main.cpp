@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
     const char* shared = std::getenv("SHOAL_SHARED");
     const auto scenes = bench::makeScenes();
     if (!scenes) return complain(scenes.error());
-    if (const Status drawn = bench::writeSheet(*scenes, folder); !drawn) return complain(drawn.error());
+    if (const Status drawn = bench::writeSheet(std::span(*scenes).first(bench::kShownScenes), folder); !drawn)
+        return complain(drawn.error());
     if (option == "--sheet") return 0;
     const auto chart = bench::measureOcclusion(*scenes, shared ? shared : "", quick);
     const auto layers = bench::measureLayers(*scenes, quick);

@@ -60,6 +60,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
         std::fprintf(stderr, ", methods\n");
         std::vector<glm::vec3> out(receivers.size());
         for (size_t m = 0; m < methods.size(); ++m) {
+            if (methods[m].load) methods[m].load(scene);
             const double begin = now_us();
             methods[m].build(scene, rays);
             chart.methods[m].body_us.push_back((now_us() - begin) / static_cast<double>(scene.bodies.size()));

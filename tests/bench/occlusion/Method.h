@@ -39,11 +39,14 @@ struct OcclusionMethod {
     enum class Moves {
         Free,    // follows bones and bodies for nothing
         Rigid,   // follows whole bodies; true for a body as it was built
+        Bending, // follows whole bodies; and their bending by building again
         Rebuilt, // true for the scene as it was built
     } moves = Moves::Free;
     // Where set: works out beforehand what does not depend on the surround, for these receivers in the calls
     // of shade() that follow; none: forgets it. For the errors alone, never while time is taken.
-    std::function<void(std::span<const Receiver>)> foresee;
+    std::function<void(std::span<const Receiver>)> foresee = {};
+    // Where set: before build(), once for each scene: makes what is kept of bodies however they move.
+    std::function<void(const Scene&)> load = {};
 };
 
 // Radiance leaving a white matte surface with nothing in the way.
@@ -66,5 +69,7 @@ enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
 OcclusionMethod thesisLayers(int directions);
 OcclusionMethod curedLayers(int directions);
+OcclusionMethod skinnedLayers(int directions); // at rest, asked through the skin
+OcclusionMethod rebuiltLayers(int directions); // at the worst, just before they are seen anew
 
 } // namespace shoal::bench

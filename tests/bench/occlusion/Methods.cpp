@@ -17,6 +17,8 @@ std::vector<OcclusionMethod> occlusionMethods() {
     for (const int directions : {64, 256}) {
         all.push_back(thesisLayers(directions));
         all.push_back(curedLayers(directions));
+        all.push_back(skinnedLayers(directions));
+        all.push_back(rebuiltLayers(directions));
     }
     for (const Casting casting : {Casting::Others, Casting::OthersAndFolds, Casting::All})
         all.push_back(ellipsoids(casting));

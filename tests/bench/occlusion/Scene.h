@@ -1,4 +1,4 @@
-// Six scenes in which bodies stand in their own or each other's light.
+// Scenes in which bodies stand in their own or each other's light.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -18,7 +18,8 @@ struct Body {
     std::vector<int> boneOf;              // per vertex: the bone that moves it most
     std::vector<glm::mat4> worldFromRest; // per bone; may scale
     int group = 0;                        // half of the receivers lie on each group's bodies
-    glm::vec3 albedoLin{0.7f};
+    glm::vec3 albedoLin{0.7f};            // how pictures show it
+    glm::vec3 sentBack{0};                // of the light that falls on it, what others get: 0, a black body
 };
 
 struct Camera {
@@ -40,7 +41,8 @@ struct Scene {
     }
 };
 
-// Fins let some light through: those of the fish that is alone count as solid, the others' not at all.
+// Six of black bodies, and the last two of them again with bodies of their colours. Fins let some light
+// through: those of the fish that is alone count as solid, the others' not at all.
 Result<std::vector<Scene>> makeScenes();
 
 // A place on a surface whose light is asked for.

@@ -195,6 +195,12 @@ Result<std::vector<Scene>> makeScenes() {
         if (!scene) return scene.error();
         scenes.push_back(std::move(*scene));
     }
+    for (const size_t black : {4, 5}) {
+        Scene scene = scenes[black];
+        scene.name = "colours: " + scene.name;
+        for (Body& body : scene.bodies) body.sentBack = body.albedoLin;
+        scenes.push_back(std::move(scene));
+    }
     return scenes;
 }
 

@@ -7,6 +7,8 @@
 namespace shoal::bench {
 
 // occlusion_sheet.png in the folder, without words: a row a scene, columns as sheet.gp names them.
+constexpr size_t kShownScenes = 6; // those of black bodies
+
 Status writeSheet(std::span<const Scene> scenes, const Path& folder);
 
 } // namespace shoal::bench

@@ -2,6 +2,7 @@
 
 #include "engine/core/Random.h"
 
+#include <algorithm>
 #include <atomic>
 #include <numbers>
 #include <thread>
@@ -18,6 +19,42 @@ void onAllCores(size_t count, const std::function<void(size_t)>& job) {
     for (std::thread& thread : threads) thread.join();
 }
 
+namespace {
+
+constexpr int kBounces = 4;
+constexpr int kPaths = 48; // from what a ray meets: for suns are small
+
+// Where a ray that meets a body here gets its light from: the cell, and what of its radiance is left.
+struct Path {
+    size_t cell = 0;
+    glm::vec3 left{0}; // 0: none comes
+};
+
+Path follow(const Scene& scene, const Rays& rays, const Cells& cells, glm::vec3 origin, glm::vec3 direction,
+            Random& random) {
+    Path path{0, glm::vec3(1)};
+    for (int bounce = 0;; ++bounce) {
+        const auto touch = rays.touch(origin, direction, scene.nearest);
+        if (!touch) {
+            path.cell = cells.cellTowards(direction);
+            return path;
+        }
+        const Body& body = scene.bodies[touch->mesh];
+        path.left *= body.sentBack;
+        if (bounce == kBounces || path.left == glm::vec3(0)) return {};
+        const glm::vec3 u(1 - touch->u - touch->v, touch->u, touch->v);
+        const Receiver there = receiverAt(scene, touch->mesh, touch->triangle, u);
+        const glm::vec3 normal = glm::dot(there.normal, direction) > 0 ? -there.normal : there.normal;
+        origin = origin + touch->distance * direction;
+        // Onto the unit ball that touches the surface: cosine-weighted.
+        const float z = random.between(-1, 1), turn = random.between(0, 2 * std::numbers::pi_v<float>),
+                    r = std::sqrt(1 - z * z);
+        direction = glm::normalize(normal * 1.0001f + glm::vec3(r * std::cos(turn), r * std::sin(turn), z));
+    }
+}
+
+} // namespace
+
 OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<const Receiver> receivers,
                             const Cells& cells) {
     using Sums = std::vector<glm::dvec3>; // by surround
@@ -25,6 +62,8 @@ OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<cons
     for (auto& half : halves) half.assign(receivers.size(), Sums(cells.surrounds, glm::dvec3(0)));
     OccludedLight light;
     light.open.resize(receivers.size());
+    const bool bounces =
+        std::ranges::any_of(scene.bodies, [](const Body& body) { return body.sentBack != glm::vec3(0); });
     onAllCores(receivers.size(), [&](size_t r) {
         const Receiver& at = receivers[r];
         Random random(r, 11);
@@ -35,10 +74,22 @@ OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<cons
             if (cosine <= 0) continue;
             for (auto& half : halves) {
                 const glm::vec2 place = cell.low + cell.side * glm::vec2(random.unit(), random.unit());
-                const bool seen = !rays.occluded(at.position, directionOfSquare(place), scene.nearest);
+                const glm::vec3 direction = directionOfSquare(place);
+                const bool seen = !rays.occluded(at.position, direction, scene.nearest);
                 const double weight = static_cast<double>(cosine * cell.solidAngle);
                 whole += weight;
-                if (!seen) continue;
+                if (!seen) {
+                    if (!bounces) continue;
+                    for (int k = 0; k < kPaths; ++k) {
+                        const Path path = follow(scene, rays, cells, at.position, direction, random);
+                        const double share =
+                            weight / (kPaths * static_cast<double>(cells.cells[path.cell].solidAngle));
+                        const auto power = cells.of(path.cell);
+                        for (size_t s = 0; s < power.size() && path.left != glm::vec3(0); ++s)
+                            half[r][s] += share * glm::dvec3(path.left * power[s]);
+                    }
+                    continue;
+                }
                 free += weight;
                 const auto power = cells.of(c);
                 for (size_t s = 0; s < power.size(); ++s)

@@ -35,6 +35,39 @@ TEST(Failure, RaysAlongASurface) {
     }
 }
 
+// In the hole of a ring the surface curves towards those who look along it: rays that leave it at a few
+// degrees dive under it again within a few pixels, where planes cannot tell yet that they have left.
+TEST(Failure, RaysThatDiveUnderTheSurfaceTheyBeganOn) {
+    constexpr float kLarge = 1, kSmall = 0.4f;
+    const auto height = [](const glm::vec3& p) {
+        return std::hypot(std::hypot(p.x, p.z) - kLarge, p.y) - kSmall;
+    };
+    const Ollfb cured = Ollfb::make(torus(kLarge, kSmall, 256, 128).mesh()).value();
+    ASSERT_TRUE(cured.onlyOuter());
+    const float pixel = 2 * (kLarge + kSmall) / 64;
+    Random random(4);
+    int missed = 0, astray = 0, all = 0;
+    while (all < 2000) {
+        const float around = random.between(0, 2 * kPi), across = random.between(0.55f, 1.45f) * kPi;
+        const glm::vec3 out(std::cos(around), 0, std::sin(around));
+        const glm::vec3 normal = std::cos(across) * out + std::sin(across) * glm::vec3(0, 1, 0);
+        const glm::vec3 aside = glm::normalize(glm::cross(normal, anyDirection(random)));
+        const float lift = random.between(0, 0.06f);
+        const Ray ray{kLarge * out + kSmall * normal, std::cos(lift) * aside + std::sin(lift) * normal};
+        float rose = 0, dived = 0;
+        while (rose < 1 && height(ray.origin + (rose + 0.01f) * ray.direction) > 0) rose += 0.01f;
+        for (float t = rose; t < rose + 1; t += 0.01f)
+            dived = std::min(dived, height(ray.origin + t * ray.direction));
+        if (rose < pixel || rose > 4 * pixel || dived > -2 * pixel) continue;
+        ++all;
+        const auto hit = cured.trace(ray.origin, ray.direction, 0.3f * pixel);
+        missed += !hit;
+        astray += hit && std::abs(hit->distance - rose) > 4 * pixel;
+    }
+    EXPECT_LE(missed, all / 100);
+    EXPECT_LE(astray, all / 100);
+}
+
 // A fin a hundredth of a pixel thick: met from its sides, and whoever looks along it meets nothing but its
 // edge.
 TEST(Failure, ThinFinsSeenEdgeOn) {
