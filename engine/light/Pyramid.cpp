@@ -179,7 +179,7 @@ void PyramidMaker::addRow(size_t share, ImageRgbF& base) {
 bool PyramidMaker::makeByBlocks(const FrameView& frame, ImageRgbF& base) {
     const int times = frame.width / base.width;
     if (times < 4 || !std::has_single_bit(static_cast<unsigned>(times)) ||
-        frame.width != times * base.width || frame.height != times * base.height || !canMakeBlockMeans())
+        frame.width != times * base.width || frame.height != times * base.height)
         return false;
     if (blockRows_.size() != static_cast<size_t>(frame.height)) {
         blockRows_.clear();
