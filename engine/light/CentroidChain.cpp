@@ -1,5 +1,6 @@
 #include "engine/light/CentroidChain.h"
 
+#include "engine/light/HalveRow.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
@@ -20,13 +21,11 @@ void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>
         out[i] = weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i] + weights[3] * d[i];
 }
 
-// in: a texel before its first and one after its last can be read.
+// In place of two texels their share of a narrower row: in[0 .. 2] and every second three floats from there
+// on. in: a texel before its first and one after its last can be read.
 SHOAL_VECTORISE
-void halveRow(const float* __restrict in, int width, float* __restrict out) {
-    for (int x = 0; x < width; ++x)
-        for (int c = 0; c < 3; ++c)
-            out[3 * x + c] = 0.125f * (in[6 * x - 3 + c] + in[6 * x + 6 + c]) +
-                             0.375f * (in[6 * x + c] + in[6 * x + 3 + c]);
+void mixColumns(const float* __restrict in, int count, float* __restrict out) {
+    for (int i = 0; i < count; ++i) out[i] = 0.125f * (in[i - 3] + in[i + 6]) + 0.375f * (in[i] + in[i + 3]);
 }
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // of rows 2 y - 1 .. 2 y + 2
@@ -60,6 +59,7 @@ CentroidChain::CentroidChain(int baseWidth, int leastWidth) {
         samplings_.push_back(std::move(half));
     }
     row_.resize(static_cast<size_t>(baseWidth + 2) * 3);
+    mixedColumns_.resize(static_cast<size_t>(baseWidth) * 3);
     overPole_.resize(static_cast<size_t>(baseWidth) * 3);
 }
 
@@ -89,7 +89,8 @@ void CentroidChain::make(const ImageRgbF& base) {
             mixRows(rows, weights, count, mixed);
             std::copy_n(mixed + count - 3, 3, row_.data());
             std::copy_n(mixed, 3, mixed + count);
-            halveRow(mixed, out.width, out.at(0, y));
+            mixColumns(mixed, count - 3, mixedColumns_.data());
+            everySecondTexel(mixedColumns_.data(), out.width, out.at(0, y));
         }
     }
 }

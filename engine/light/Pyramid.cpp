@@ -1,10 +1,12 @@
 #include "engine/light/Pyramid.h"
 
 #include "engine/light/BlockMeans.h"
+#include "engine/light/HalveRow.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
@@ -61,10 +63,17 @@ void addScaled(const float* __restrict in, float weight, int count, float* __res
 SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
-    for (int x = 0; x < width; ++x)
-        for (int c = 0; c < 3; ++c)
-            out[3 * x + c] = topWeight * (top[6 * x + c] + top[6 * x + 3 + c]) +
-                             bottomWeight * (bottom[6 * x + c] + bottom[6 * x + 3 + c]);
+    constexpr int kTexels = 128; // out at a time
+    std::array<float, 6 * kTexels> mixed;
+    for (int first = 0; first < width; first += kTexels) {
+        const int count = std::min(kTexels, width - first);
+        for (int i = 0; i < 6 * count; ++i)
+            mixed[static_cast<size_t>(i)] =
+                topWeight * top[6 * first + i] + bottomWeight * bottom[6 * first + i];
+        for (int i = 0; i < 6 * count - 3; ++i)
+            mixed[static_cast<size_t>(i)] += mixed[static_cast<size_t>(i) + 3];
+        everySecondTexel(mixed.data(), count, out + 3 * first);
+    }
 }
 
 void fit(ImageRgbF& image, int width, int height) {

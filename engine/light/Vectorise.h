@@ -1,5 +1,5 @@
-// Marks the few inner loops which are worth compiling thrice: for every x86-64, for AVX2 and for AVX-512, chosen
-// when the program starts. Contraction is off, so all give the same bits.
+// Marks the few inner loops which are worth compiling thrice: for every x86-64, for AVX2 and for AVX-512,
+// chosen when the program starts. Contraction is off, so all give the same bits.
 #pragma once
 
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
