@@ -21,11 +21,12 @@ void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>
         out[i] = weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i] + weights[3] * d[i];
 }
 
-// In place of two texels their share of a narrower row: in[0 .. 2] and every second three floats from there
-// on. in: a texel before its first and one after its last can be read.
+// in: a texel before its first, and one and a float after its last can be read.
 SHOAL_VECTORISE
-void mixColumns(const float* __restrict in, int count, float* __restrict out) {
-    for (int i = 0; i < count; ++i) out[i] = 0.125f * (in[i - 3] + in[i + 6]) + 0.375f * (in[i] + in[i + 3]);
+void halveRow(const float* __restrict in, int width, float* __restrict out) {
+    halveColumns(in, width, out, [](const float* two) {
+        return 0.125f * (texelAt(two - 3) + texelAt(two + 6)) + 0.375f * (texelAt(two) + texelAt(two + 3));
+    });
 }
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // of rows 2 y - 1 .. 2 y + 2
@@ -58,8 +59,7 @@ CentroidChain::CentroidChain(int baseWidth, int leastWidth) {
         levels_.emplace_back(half.width, half.width / 2);
         samplings_.push_back(std::move(half));
     }
-    row_.resize(static_cast<size_t>(baseWidth + 2) * 3);
-    mixedColumns_.resize(static_cast<size_t>(baseWidth) * 3);
+    row_.resize(static_cast<size_t>(baseWidth + 2) * 3 + 1);
     overPole_.resize(static_cast<size_t>(baseWidth) * 3);
 }
 
@@ -89,8 +89,7 @@ void CentroidChain::make(const ImageRgbF& base) {
             mixRows(rows, weights, count, mixed);
             std::copy_n(mixed + count - 3, 3, row_.data());
             std::copy_n(mixed, 3, mixed + count);
-            mixColumns(mixed, count - 3, mixedColumns_.data());
-            everySecondTexel(mixedColumns_.data(), out.width, out.at(0, y));
+            halveRow(mixed, out.width, out.at(0, y));
         }
     }
 }

@@ -64,15 +64,13 @@ SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
     constexpr int kTexels = 128; // out at a time
-    std::array<float, 6 * kTexels> mixed;
+    float mixed[6 * kTexels + 1];
     for (int first = 0; first < width; first += kTexels) {
         const int count = std::min(kTexels, width - first);
         for (int i = 0; i < 6 * count; ++i)
-            mixed[static_cast<size_t>(i)] =
-                topWeight * top[6 * first + i] + bottomWeight * bottom[6 * first + i];
-        for (int i = 0; i < 6 * count - 3; ++i)
-            mixed[static_cast<size_t>(i)] += mixed[static_cast<size_t>(i) + 3];
-        everySecondTexel(mixed.data(), count, out + 3 * first);
+            mixed[i] = topWeight * top[6 * first + i] + bottomWeight * bottom[6 * first + i];
+        halveColumns(mixed, count, out + 3 * first,
+                     [](const float* two) { return texelAt(two) + texelAt(two + 3); });
     }
 }
 
@@ -101,11 +99,13 @@ int baseWidthFor(int sourceWidth, int askedWidth) {
 void halve(const ImageRgbF& in, ImageRgbF& out) {
     assert(in.width >= 4 && in.height >= 2);
     fit(out, in.width / 2, in.height / 2);
+    // A row's solid angle goes by the cosine of its middle's latitude; those of two whose border lies at m
+    // have the shares (1 -+ tan m tan d) / 2, d half a row.
+    const double half = std::tan(0.5 * std::numbers::pi / in.height);
     for (int y = 0; y < out.height; ++y) {
-        const double top = texelSolidAngle(2 * y, in.width, in.height);
-        const double bottom = texelSolidAngle(2 * y + 1, in.width, in.height);
-        halveRow(in.at(0, 2 * y), in.at(0, 2 * y + 1), static_cast<float>(0.5 * top / (top + bottom)),
-                 static_cast<float>(0.5 * bottom / (top + bottom)), out.width, out.at(0, y));
+        const double more = half * std::tan(std::numbers::pi * (0.5 - (y + 0.5) / out.height));
+        halveRow(in.at(0, 2 * y), in.at(0, 2 * y + 1), static_cast<float>(0.25 * (1 - more)),
+                 static_cast<float>(0.25 * (1 + more)), out.width, out.at(0, y));
     }
 }
 
