@@ -145,68 +145,92 @@ void meansAvx2(const BlockRow& row, int count, float* out) {
     }
 }
 
+// Where 32 pixels' bytes lie in two registers, from byte `first` on: the first halves of all blocks, then the
+// second.
 struct Picks512 {
     alignas(64) std::array<uint8_t, 64> blueGreen{}, red{};
 
-    // Into the bytes 0 .. 63 and 32 .. 95 of 32 pixels. The first halves of all blocks, then the second.
-    explicit Picks512(bool bgr) {
+    constexpr Picks512(size_t first, bool bgr) {
         for (size_t i = 0; i < 32; ++i) {
-            const size_t pixel = i % 16 / 2 * 4 + i / 16 * 2 + i % 2;
-            const auto pick = [&](size_t byte) { return static_cast<uint8_t>(byte < 64 ? byte : byte + 32); };
-            blueGreen[2 * i] = pick(3 * pixel + (bgr ? 0 : 2));
-            blueGreen[2 * i + 1] = pick(3 * pixel + 1);
-            red[2 * i] = pick(3 * pixel + (bgr ? 2 : 0));
+            const size_t pixel = first + 3 * (i % 16 / 2 * 4 + i / 16 * 2 + i % 2);
+            blueGreen[2 * i] = static_cast<uint8_t>(pixel + (bgr ? 0 : 2));
+            blueGreen[2 * i + 1] = static_cast<uint8_t>(pixel + 1);
+            red[2 * i] = static_cast<uint8_t>(pixel + (bgr ? 2 : 0));
         }
     }
 };
+constexpr std::array<Picks512, 2> kPicksRgb = {Picks512(0, false), Picks512(32, false)};
+constexpr std::array<Picks512, 2> kPicksBgr = {Picks512(0, true), Picks512(32, true)};
 
-// Both halves of eight blocks.
-SHOAL_AVX512 inline __m256i wholeBlocks(__m512i halves) {
-    return _mm256_add_epi32(_mm512_castsi512_si256(halves), _mm512_extracti64x4_epi64(halves, 1));
+// Of eight blocks, in halves.
+struct Sums512 {
+    __m512i red, green, blue;
+};
+
+// Eight blocks from `pixels` on, of which the picks are made in the bytes from `pixels` and from 64 further
+// on. All rows take each step together: what waits for a product waits beside what does not.
+SHOAL_AVX512
+inline void sumOf(const uint8_t* pixels, ptrdiff_t stride, const Picks512& picks, const __m512i* weights,
+                  Sums512& sums) {
+    __m512i blueGreen[kBlock], red[kBlock], l[kBlock], l2[kBlock], power[kBlock];
+    for (size_t y = 0; y < kBlock; ++y, pixels += stride) {
+        const __m512i low = _mm512_loadu_si512(pixels), high = _mm512_loadu_si512(pixels + 64);
+        blueGreen[y] = _mm512_permutex2var_epi8(low, _mm512_load_si512(picks.blueGreen.data()), high);
+        red[y] = _mm512_maskz_permutex2var_epi8(0x5555555555555555, low, _mm512_load_si512(picks.red.data()),
+                                                high);
+    }
+    for (size_t y = 0; y < kBlock; ++y)
+        l[y] = _mm512_add_epi16(_mm512_maddubs_epi16(blueGreen[y], _mm512_set1_epi16(kLumaBlueGreen)),
+                                _mm512_maddubs_epi16(red[y], _mm512_set1_epi16(kLumaRed)));
+    for (size_t y = 0; y < kBlock; ++y) l[y] = _mm512_add_epi16(l[y], l[y]);
+    for (size_t y = 0; y < kBlock; ++y) l2[y] = _mm512_mulhi_epu16(l[y], l[y]);
+    for (size_t y = 0; y < kBlock; ++y) power[y] = _mm512_mulhi_epu16(l2[y], l2[y]);
+    for (size_t y = 0; y < kBlock; ++y) power[y] = _mm512_add_epi16(power[y], power[y]);
+    for (size_t y = 0; y < kBlock; ++y) power[y] = _mm512_mulhi_epu16(power[y], power[y]);
+    for (size_t y = 0; y < kBlock; ++y) power[y] = _mm512_mulhi_epu16(power[y], l2[y]);
+    for (size_t y = 0; y < kBlock; ++y)
+        power[y] = _mm512_mulhrs_epi16(_mm512_add_epi16(power[y], _mm512_set1_epi16(kPlain)), weights[y]);
+    sums.red = sums.green = sums.blue = _mm512_setzero_si512();
+    for (size_t y = 0; y < kBlock; ++y) {
+        sums.red = _mm512_dpwssd_epi32(sums.red, power[y], red[y]);
+        sums.green = _mm512_dpwssd_epi32(sums.green, power[y], _mm512_srli_epi16(blueGreen[y], 8));
+        sums.blue =
+            _mm512_dpwssd_epi32(sums.blue, power[y], _mm512_and_si512(blueGreen[y], _mm512_set1_epi16(0xff)));
+    }
 }
 
-// Blocks 0 .. count - 1, a multiple of 8.
+SHOAL_AVX512
+inline void store(const Sums512& sums, float unit, float* out) {
+    const __m256i red = _mm256_add_epi32(_mm512_castsi512_si256(sums.red),
+                                         _mm512_extracti64x4_epi64(sums.red, 1)),
+                  green = _mm256_add_epi32(_mm512_castsi512_si256(sums.green),
+                                           _mm512_extracti64x4_epi64(sums.green, 1)),
+                  blue = _mm256_add_epi32(_mm512_castsi512_si256(sums.blue),
+                                          _mm512_extracti64x4_epi64(sums.blue, 1));
+    const __m512 redGreen = _mm512_mul_ps(
+        _mm512_set1_ps(unit), _mm512_cvtepi32_ps(_mm512_inserti64x4(_mm512_castsi256_si512(red), green, 1)));
+    const __m512 blues =
+        _mm512_mul_ps(_mm512_set1_ps(unit), _mm512_cvtepi32_ps(_mm512_castsi256_si512(blue)));
+    // Red of 8 blocks and their green, then their blue: interleaved.
+    const __m512i first = _mm512_setr_epi32(0, 8, 16, 1, 9, 17, 2, 10, 18, 3, 11, 19, 4, 12, 20, 5);
+    const __m512i last = _mm512_setr_epi32(13, 21, 6, 14, 22, 7, 15, 23, 0, 0, 0, 0, 0, 0, 0, 0);
+    _mm512_storeu_ps(out, _mm512_permutex2var_ps(redGreen, first, blues));
+    _mm256_storeu_ps(out + 16, _mm512_castps512_ps256(_mm512_permutex2var_ps(redGreen, last, blues)));
+}
+
+// Blocks 0 .. count - 1, a multiple of 16.
 SHOAL_AVX512
 void meansAvx512(const BlockRow& row, int count, float* out) {
-    const Picks512 picks(row.bgr);
-    const __m512i pickBlueGreen = _mm512_load_si512(picks.blueGreen.data());
-    const __m512i pickRed = _mm512_load_si512(picks.red.data());
-    const __m512i lumaBlueGreen = _mm512_set1_epi16(kLumaBlueGreen), lumaRed = _mm512_set1_epi16(kLumaRed);
-    const __m512i lowByte = _mm512_set1_epi16(0xff), plain = _mm512_set1_epi16(kPlain);
-    const __m512 unit = _mm512_set1_ps(row.weights.unit);
-    // Red of 8 blocks and their green, then their blue: interleaved.
-    const __m512i toFirst = _mm512_setr_epi32(0, 8, 16, 1, 9, 17, 2, 10, 18, 3, 11, 19, 4, 12, 20, 5);
-    const __m512i toLast = _mm512_setr_epi32(13, 21, 6, 14, 22, 7, 15, 23, 0, 0, 0, 0, 0, 0, 0, 0);
-    for (int x = 0; x < count; x += 8) {
-        __m512i sumRed = _mm512_setzero_si512(), sumGreen = sumRed, sumBlue = sumRed;
-        const uint8_t* p = row.pixels + 12 * x;
-        for (size_t y = 0; y < kBlock; ++y, p += row.stride) {
-            const __m512i low = _mm512_loadu_si512(p), high = _mm512_loadu_si512(p + 32);
-            const __m512i blueGreen = _mm512_permutex2var_epi8(low, pickBlueGreen, high);
-            const __m512i red = _mm512_maskz_permutex2var_epi8(0x5555555555555555, low, pickRed, high);
-            const __m512i green = _mm512_srli_epi16(blueGreen, 8);
-            const __m512i blue = _mm512_and_si512(blueGreen, lowByte);
-            __m512i l = _mm512_add_epi16(_mm512_maddubs_epi16(blueGreen, lumaBlueGreen),
-                                         _mm512_mullo_epi16(red, lumaRed));
-            l = _mm512_add_epi16(l, l);
-            const __m512i l2 = _mm512_mulhi_epu16(l, l);
-            __m512i l4 = _mm512_mulhi_epu16(l2, l2);
-            l4 = _mm512_add_epi16(l4, l4);
-            const __m512i l8 = _mm512_mulhi_epu16(l4, l4);
-            const __m512i scale = _mm512_add_epi16(_mm512_mulhi_epu16(l8, l2), plain);
-            const __m512i share = _mm512_mulhrs_epi16(scale, _mm512_set1_epi16(row.weights.of[y]));
-            sumRed = _mm512_dpwssd_epi32(sumRed, share, red);
-            sumGreen = _mm512_dpwssd_epi32(sumGreen, share, green);
-            sumBlue = _mm512_dpwssd_epi32(sumBlue, share, blue);
-        }
-        const __m512 redGreen =
-            _mm512_mul_ps(unit, _mm512_cvtepi32_ps(_mm512_inserti64x4(
-                                    _mm512_castsi256_si512(wholeBlocks(sumRed)), wholeBlocks(sumGreen), 1)));
-        const __m512 blues =
-            _mm512_mul_ps(unit, _mm512_cvtepi32_ps(_mm512_castsi256_si512(wholeBlocks(sumBlue))));
-        _mm512_storeu_ps(out + 3 * x, _mm512_permutex2var_ps(redGreen, toFirst, blues));
-        _mm256_storeu_ps(out + 3 * x + 16,
-                         _mm512_castps512_ps256(_mm512_permutex2var_ps(redGreen, toLast, blues)));
+    const std::array<Picks512, 2>& picks = row.bgr ? kPicksBgr : kPicksRgb;
+    __m512i weights[kBlock];
+    for (size_t y = 0; y < kBlock; ++y) weights[y] = _mm512_set1_epi16(row.weights.of[y]);
+    for (int x = 0; x < count; x += 16) {
+        Sums512 sums;
+        const uint8_t* pixels = row.pixels + 12 * x;
+        sumOf(pixels, row.stride, picks[0], weights, sums);
+        store(sums, row.weights.unit, out + 3 * x);
+        sumOf(pixels + 64, row.stride, picks[1], weights, sums);
+        store(sums, row.weights.unit, out + 3 * x + 24);
     }
 }
 
@@ -241,7 +265,7 @@ void makeBlockMeans(const FrameView& frame, std::span<const float> rowWeights, I
                            RowWeights(rowWeights.data() + kBlock * y)};
         int x = 0;
 #ifdef SHOAL_AVX2
-        if (loop == BlockLoop::Avx512) meansAvx512(row, x = out.width & ~7, out.at(0, y));
+        if (loop == BlockLoop::Avx512) meansAvx512(row, x = out.width & ~15, out.at(0, y));
         if (loop == BlockLoop::Avx2) meansAvx2(row, x = out.width & ~3, out.at(0, y));
 #endif
         meansPlain(row, x, out.width, out.at(0, y));
