@@ -1,11 +1,11 @@
 #include "engine/light/Hartley.h"
 
-#include "engine/light/SixteenFloats.h"
 #include "engine/light/Vectorise.h"
 
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <numbers>
 
 namespace shoal::light {
@@ -14,70 +14,60 @@ namespace {
 
 constexpr int kLane = 16; // lanes taken through all steps together
 
-// Where element n of the sequences begins.
-struct Elements {
-    float* data;
-    ptrdiff_t stride; // floats
-    float* operator()(int n) const { return data + n * stride; }
-};
-
-// Transforms of four elements each, which lie in `in` in the order given.
-inline void firstTwoSteps(const Elements& in, const int* order, int length, const Elements& out) {
-    for (int base = 0; base < length; base += 4) {
-        Sixteen a, b, c, d;
-        load(in(order[base]), a);
-        load(in(order[base + 1]), b);
-        load(in(order[base + 2]), c);
-        load(in(order[base + 3]), d);
-        const Sixteen ab = a + b, cd = c + d, aLessB = a - b, cLessD = c - d;
-        store(ab + cd, out(base));
-        store(aLessB + cLessD, out(base + 1));
-        store(ab - cd, out(base + 2));
-        store(aLessB - cLessD, out(base + 3));
+// Transforms of four elements each.
+inline void firstTwoSteps(const float* __restrict a, const float* __restrict b, const float* __restrict c,
+                          const float* __restrict d, float* __restrict out) {
+    for (int i = 0; i < kLane; ++i) {
+        const float ab = a[i] + b[i], cd = c[i] + d[i], aLessB = a[i] - b[i], cLessD = c[i] - d[i];
+        out[i] = ab + cd;
+        out[kLane + i] = aLessB + cLessD;
+        out[2 * kLane + i] = ab - cd;
+        out[3 * kLane + i] = aLessB - cLessD;
     }
 }
 
-inline void sumAndDifference(int a, int b, const Elements& in, const Elements& out) {
-    Sixteen first, second;
-    load(in(a), first);
-    load(in(b), second);
-    store(first + second, out(a));
-    store(first - second, out(b));
+inline void sumAndDifference(float* __restrict a, float* __restrict b) {
+    for (int i = 0; i < kLane; ++i) {
+        const float sum = a[i] + b[i], difference = a[i] - b[i];
+        a[i] = sum;
+        b[i] = difference;
+    }
 }
 
 // E, O: transforms of the even and the odd elements, half as long (n). With angle t = pi k / n
 //   H(k) = E(k) + cos t O(k) + sin t O(n - k),  H(n + k) = E(k) - cos t O(k) - sin t O(n - k),
-// and the same for n - k, whose cosine is -cos t. From E, O at base .. base + 2 n - 1; step: of k in the
-// tables.
-inline void doubled(int base, int n, int step, const float* cosines, const float* sines, const Elements& in,
-                    const Elements& out) {
-    sumAndDifference(base, base + n, in, out);
-    sumAndDifference(base + n / 2, base + n + n / 2, in, out);
-    for (int k = 1; k < n / 2; ++k) {
-        const float cosine = cosines[k * step], sine = sines[k * step];
-        Sixteen even, evenMirror, odd, oddMirror;
-        load(in(base + k), even);
-        load(in(base + n - k), evenMirror);
-        load(in(base + n + k), odd);
-        load(in(base + 2 * n - k), oddMirror);
-        const Sixteen a = cosine * odd + sine * oddMirror, b = sine * odd - cosine * oddMirror;
-        store(even + a, out(base + k));
-        store(evenMirror + b, out(base + n - k));
-        store(even - a, out(base + n + k));
-        store(evenMirror - b, out(base + 2 * n - k));
+// and the same for n - k, whose cosine is -cos t.
+inline void butterfly(float* __restrict even, float* __restrict evenMirror, float* __restrict odd,
+                      float* __restrict oddMirror, float cosine, float sine) {
+    for (int i = 0; i < kLane; ++i) {
+        const float a = cosine * odd[i] + sine * oddMirror[i];
+        const float b = sine * odd[i] - cosine * oddMirror[i];
+        const float e = even[i], m = evenMirror[i];
+        even[i] = e + a;
+        odd[i] = e - a;
+        evenMirror[i] = m + b;
+        oddMirror[i] = m - b;
     }
 }
 
 SHOAL_VECTORISE
-void transformLanes(float* data, ptrdiff_t stride, int length, const int* order, const float* cosines,
-                    const float* sines, float* work) {
-    const Elements all{data, stride}, close{work, kLane};
-    firstTwoSteps(all, order, length, close);
-    int n = 4;
-    for (; 2 * n < length; n *= 2)
-        for (int base = 0; base < length; base += 2 * n)
-            doubled(base, n, length / (2 * n), cosines, sines, close, close);
-    doubled(0, n, 1, cosines, sines, close, all);
+void transformLanes(float* __restrict data, ptrdiff_t stride, int length, const int* order,
+                    const float* cosines, const float* sines, float* __restrict work) {
+    const auto from = [&](int i) { return data + order[i] * stride; };
+    for (int i = 0; i < length; i += 4)
+        firstTwoSteps(from(i), from(i + 1), from(i + 2), from(i + 3), work + i * kLane);
+    const auto at = [&](int i) { return work + i * kLane; };
+    for (int n = 4; n < length; n *= 2) {
+        const int step = length / (2 * n); // of k in the tables
+        for (int base = 0; base < length; base += 2 * n) {
+            sumAndDifference(at(base), at(base + n));
+            sumAndDifference(at(base + n / 2), at(base + n + n / 2));
+            for (int k = 1; k < n / 2; ++k)
+                butterfly(at(base + k), at(base + n - k), at(base + n + k), at(base + 2 * n - k),
+                          cosines[k * step], sines[k * step]);
+        }
+    }
+    for (int i = 0; i < length; ++i) std::memcpy(data + i * stride, at(i), kLane * sizeof(float));
 }
 
 } // namespace

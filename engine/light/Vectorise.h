@@ -4,6 +4,7 @@
 
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define SHOAL_VERSIONS // there are functions of one name for several targets
 #define SHOAL_VECTORISE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define SHOAL_VECTORISE

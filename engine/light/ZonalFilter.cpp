@@ -1,6 +1,5 @@
 #include "engine/light/ZonalFilter.h"
 
-#include "engine/light/SixteenFloats.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/Brdf.h"
 
@@ -20,31 +19,22 @@ using std::numbers::pi;
 constexpr int kRows = 16;      // ZonalFilter::kBlock
 constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, which have the same kernel
 
-// For each signal: out[0 .. 15] = sum over `count` rows in of kernel row times signal. step: from one row in
-// to the next, 1 or, for what lies south, -1; its rows out are counted from the south too.
-SHOAL_VECTORISE
-void combine(const float* kernel, int count, int step, const std::array<const float*, kSignals>& in,
-             const std::array<float*, kSignals>& out) {
-    Sixteen sums[kSignals] = {};
-    const float *a = in[0], *b = in[1], *c = in[2], *d = in[3], *e = in[4], *f = in[5];
-    for (int row = 0; row < count; ++row) {
-        Sixteen weights;
-        load(kernel + row * kRows, weights);
-        const int at = row * step;
-        sums[0] += weights * a[at];
-        sums[1] += weights * b[at];
-        sums[2] += weights * c[at];
-        sums[3] += weights * d[at];
-        sums[4] += weights * e[at];
-        sums[5] += weights * f[at];
-    }
-    for (size_t s = 0; s < kSignals; ++s) {
-        float rows[kRows];
-        store(sums[s], rows);
-        if (step < 0) std::reverse(rows, rows + kRows);
-        std::copy_n(rows, kRows, out[s]);
-    }
-}
+// For each signal, one after the other: out[0 .. 15] = sum over `count` rows in of kernel row times signal.
+// step: from one row in to the next, 1 or, for what lies south, -1; its rows out are counted from the south
+// too. Written once for each width of registers: left to itself the compiler keeps the sums in memory.
+#ifdef SHOAL_VERSIONS
+#define SHOAL_TARGET __attribute__((target("arch=x86-64-v4")))
+#define SHOAL_FLOATS 16
+#include "engine/light/CombineRows.inl"
+#define SHOAL_TARGET __attribute__((target("avx2")))
+#define SHOAL_FLOATS 8
+#include "engine/light/CombineRows.inl"
+#define SHOAL_TARGET __attribute__((target("default")))
+#else
+#define SHOAL_TARGET
+#endif
+#define SHOAL_FLOATS 4
+#include "engine/light/CombineRows.inl"
 
 using Four = float __attribute__((vector_size(16)));
 using FourIndices = int32_t __attribute__((vector_size(16)));
@@ -237,8 +227,13 @@ void ZonalFilter::filter(const Kernel& kernel) {
                 northOut[s] = filtered_.data() + at + north;
                 southOut[s] = filtered_.data() + at + south;
             }
-            combine(weights, range.count, 1, northIn, northOut);
-            if (south != north) combine(weights, range.count, -1, southIn, southOut);
+            float sums[kSignals * kRows];
+            combine(weights, range.count, 1, northIn, sums);
+            for (size_t s = 0; s < kSignals; ++s) std::copy_n(sums + s * kRows, kRows, northOut[s]);
+            if (south == north) continue;
+            combine(weights, range.count, -1, southIn, sums);
+            for (size_t s = 0; s < kSignals; ++s)
+                std::reverse_copy(sums + s * kRows, sums + (s + 1) * kRows, southOut[s]);
         }
 }
 
