@@ -1,5 +1,6 @@
 #include "engine/light/CentroidChain.h"
 
+#include "engine/light/HalveRow.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
@@ -20,13 +21,12 @@ void mixRows(const std::array<const float*, 4>& rows, const std::array<float, 4>
         out[i] = weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i] + weights[3] * d[i];
 }
 
-// in: a texel before its first and one after its last can be read.
+// in: a texel before its first, and one and a float after its last can be read.
 SHOAL_VECTORISE
 void halveRow(const float* __restrict in, int width, float* __restrict out) {
-    for (int x = 0; x < width; ++x)
-        for (int c = 0; c < 3; ++c)
-            out[3 * x + c] = 0.125f * (in[6 * x - 3 + c] + in[6 * x + 6 + c]) +
-                             0.375f * (in[6 * x + c] + in[6 * x + 3 + c]);
+    halveColumns(in, width, out, [](const float* two) {
+        return 0.125f * (texelAt(two - 3) + texelAt(two + 6)) + 0.375f * (texelAt(two) + texelAt(two + 3));
+    });
 }
 
 constexpr std::array<double, 4> kShares = {0.25, 0.75, 0.75, 0.25}; // of rows 2 y - 1 .. 2 y + 2
@@ -59,7 +59,7 @@ CentroidChain::CentroidChain(int baseWidth, int leastWidth) {
         levels_.emplace_back(half.width, half.width / 2);
         samplings_.push_back(std::move(half));
     }
-    row_.resize(static_cast<size_t>(baseWidth + 2) * 3);
+    row_.resize(static_cast<size_t>(baseWidth + 2) * 3 + 1);
     overPole_.resize(static_cast<size_t>(baseWidth) * 3);
 }
 

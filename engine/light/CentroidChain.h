@@ -39,8 +39,8 @@ class CentroidChain {
     const ImageRgbF* base_ = nullptr;
     std::vector<Sampling> samplings_; // widest first
     std::vector<ImageRgbF> levels_;   // of samplings_[1 ..]
-    std::vector<float> row_;          // one row of a level, a texel of the other end on both sides
-    std::vector<float> overPole_;     // the row beyond a pole
+    std::vector<float> row_;      // one row of a level, a texel of the other end on both sides and a float
+    std::vector<float> overPole_; // the row beyond a pole
 };
 
 } // namespace shoal::light

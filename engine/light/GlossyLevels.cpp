@@ -18,7 +18,7 @@ struct Widths {
 };
 
 constexpr Widths widthsOf(LightQuality quality) {
-    return quality == LightQuality::Video ? Widths{64, 512, 64, 7.2} : Widths{256, 1024, 512, 10.0};
+    return quality == LightQuality::Video ? Widths{64, 512, 64, 7.0} : Widths{256, 1024, 512, 10.0};
 }
 
 int widthFor(double roughness, int baseWidth, const Widths& widths) {

@@ -10,17 +10,19 @@ namespace shoal::light {
 // K(k) H_in(k), with K(k) = K(N - k). Bracewell 1984, "The fast Hartley transform".
 class Hartley {
   public:
-    explicit Hartley(int length); // N, a power of two >= 2
+    explicit Hartley(int length); // N, a power of two >= 8
 
-    // In place: `lanes` sequences, element n of lane i at data[n * lanes + i]. lanes: a multiple of 16.
-    void transform(float* data, int lanes) const;
+    // In place: `lanes` sequences, element n of lane i at data[n * lanes + i]. lanes: a multiple of 16. One
+    // thread at a time.
+    void transform(float* data, int lanes);
 
     int length() const { return length_; }
 
   private:
     int length_;
-    std::vector<int> swaps_;             // pairs of elements to exchange: bit reversal
+    std::vector<int> order_;             // element i of the first step: bits reversed
     std::vector<float> cosines_, sines_; // of 2 pi k / N
+    std::vector<float> work_;            // of 16 lanes, so close together that they stay in the cache
 };
 
 } // namespace shoal::light

@@ -1,10 +1,12 @@
 #include "engine/light/Pyramid.h"
 
 #include "engine/light/BlockMeans.h"
+#include "engine/light/HalveRow.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
@@ -61,10 +63,15 @@ void addScaled(const float* __restrict in, float weight, int count, float* __res
 SHOAL_VECTORISE
 void halveRow(const float* __restrict top, const float* __restrict bottom, float topWeight,
               float bottomWeight, int width, float* __restrict out) {
-    for (int x = 0; x < width; ++x)
-        for (int c = 0; c < 3; ++c)
-            out[3 * x + c] = topWeight * (top[6 * x + c] + top[6 * x + 3 + c]) +
-                             bottomWeight * (bottom[6 * x + c] + bottom[6 * x + 3 + c]);
+    constexpr int kTexels = 128; // out at a time
+    float mixed[6 * kTexels + 1];
+    for (int first = 0; first < width; first += kTexels) {
+        const int count = std::min(kTexels, width - first);
+        for (int i = 0; i < 6 * count; ++i)
+            mixed[i] = topWeight * top[6 * first + i] + bottomWeight * bottom[6 * first + i];
+        halveColumns(mixed, count, out + 3 * first,
+                     [](const float* two) { return texelAt(two) + texelAt(two + 3); });
+    }
 }
 
 void fit(ImageRgbF& image, int width, int height) {
@@ -92,11 +99,13 @@ int baseWidthFor(int sourceWidth, int askedWidth) {
 void halve(const ImageRgbF& in, ImageRgbF& out) {
     assert(in.width >= 4 && in.height >= 2);
     fit(out, in.width / 2, in.height / 2);
+    // A row's solid angle goes by the cosine of its middle's latitude; those of two whose border lies at m
+    // have the shares (1 -+ tan m tan d) / 2, d half a row.
+    const double half = std::tan(0.5 * std::numbers::pi / in.height);
     for (int y = 0; y < out.height; ++y) {
-        const double top = texelSolidAngle(2 * y, in.width, in.height);
-        const double bottom = texelSolidAngle(2 * y + 1, in.width, in.height);
-        halveRow(in.at(0, 2 * y), in.at(0, 2 * y + 1), static_cast<float>(0.5 * top / (top + bottom)),
-                 static_cast<float>(0.5 * bottom / (top + bottom)), out.width, out.at(0, y));
+        const double more = half * std::tan(std::numbers::pi * (0.5 - (y + 0.5) / out.height));
+        halveRow(in.at(0, 2 * y), in.at(0, 2 * y + 1), static_cast<float>(0.25 * (1 - more)),
+                 static_cast<float>(0.25 * (1 + more)), out.width, out.at(0, y));
     }
 }
 
@@ -179,7 +188,7 @@ void PyramidMaker::addRow(size_t share, ImageRgbF& base) {
 bool PyramidMaker::makeByBlocks(const FrameView& frame, ImageRgbF& base) {
     const int times = frame.width / base.width;
     if (times < 4 || !std::has_single_bit(static_cast<unsigned>(times)) ||
-        frame.width != times * base.width || frame.height != times * base.height || !canMakeBlockMeans())
+        frame.width != times * base.width || frame.height != times * base.height)
         return false;
     if (blockRows_.size() != static_cast<size_t>(frame.height)) {
         blockRows_.clear();

@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace shoal::light {
@@ -15,46 +16,55 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kRows = 16;   // ZonalFilter::kBlock
-constexpr int kSignals = 6; // three channels at frequency k and at N - k, which have the same kernel
+constexpr int kRows = 16;      // ZonalFilter::kBlock
+constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, which have the same kernel
 
-// For each signal: out[0 .. 15] = sum over rows in of kernel row times signal.
-SHOAL_VECTORISE
-void combine(const float* __restrict kernel, int count, const std::array<const float*, kSignals>& in,
-             const std::array<float*, kSignals>& out) {
-    float sums[kSignals][kRows] = {};
-    for (int row = 0; row < count; ++row) {
-        const float* weights = kernel + row * kRows;
-        for (int s = 0; s < kSignals; ++s) {
-            const float value = in[static_cast<size_t>(s)][row];
-            for (int i = 0; i < kRows; ++i) sums[s][i] += weights[i] * value;
-        }
+// For each signal, one after the other: out[0 .. 15] = sum over `count` rows in of kernel row times signal.
+// step: from one row in to the next, 1 or, for what lies south, -1; its rows out are counted from the south
+// too. Written once for each width of registers: left to itself the compiler keeps the sums in memory.
+#ifdef SHOAL_VERSIONS
+#define SHOAL_TARGET __attribute__((target("arch=x86-64-v4")))
+#define SHOAL_FLOATS 16
+#include "engine/light/CombineRows.inl"
+#define SHOAL_TARGET __attribute__((target("avx2")))
+#define SHOAL_FLOATS 8
+#include "engine/light/CombineRows.inl"
+#define SHOAL_TARGET __attribute__((target("default")))
+#else
+#define SHOAL_TARGET
+#endif
+#define SHOAL_FLOATS 4
+#include "engine/light/CombineRows.inl"
+
+using Four = float __attribute__((vector_size(16)));
+using FourIndices = int32_t __attribute__((vector_size(16)));
+
+// A square of a picture, turned over. stride: floats from row to row.
+inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_t outStride, float scale) {
+    Four a, b, c, d;
+    std::memcpy(&a, in, sizeof a);
+    std::memcpy(&b, in + inStride, sizeof b);
+    std::memcpy(&c, in + 2 * inStride, sizeof c);
+    std::memcpy(&d, in + 3 * inStride, sizeof d);
+    constexpr FourIndices kFirst = {0, 4, 1, 5}, kLast = {2, 6, 3, 7}, kLow = {0, 1, 4, 5},
+                          kHigh = {2, 3, 6, 7};
+    const Four abFirst = __builtin_shuffle(a, b, kFirst), abLast = __builtin_shuffle(a, b, kLast),
+               cdFirst = __builtin_shuffle(c, d, kFirst), cdLast = __builtin_shuffle(c, d, kLast);
+    const Four rows[4] = {__builtin_shuffle(abFirst, cdFirst, kLow),
+                          __builtin_shuffle(abFirst, cdFirst, kHigh), __builtin_shuffle(abLast, cdLast, kLow),
+                          __builtin_shuffle(abLast, cdLast, kHigh)};
+    for (int i = 0; i < 4; ++i) {
+        const Four scaled = rows[i] * scale, bounded = scaled > 0 ? scaled : Four{};
+        std::memcpy(out + i * outStride, &bounded, sizeof bounded);
     }
-    for (int s = 0; s < kSignals; ++s)
-        for (int i = 0; i < kRows; ++i) out[static_cast<size_t>(s)][i] = sums[s][i];
 }
 
-// Rows of interleaved texels to columns of planes and back, kRows rows at a time for the cache's sake.
+// out[x][y] = in[y][x] times scale, but not below 0.
 SHOAL_VECTORISE
-void toColumns(const float* __restrict image, int width, int height, float* __restrict columns) {
-    for (int y = 0; y < height; y += kRows)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c)
-                for (int i = 0; i < kRows; ++i)
-                    columns[(x * 3 + c) * height + y + i] = image[((y + i) * width + x) * 3 + c];
-}
-
-SHOAL_VECTORISE
-void fromColumns(const float* __restrict columns, int width, int height, float scale,
-                 float* __restrict image) {
-    for (int y = 0; y < height; y += kRows)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < 3; ++c)
-                for (int i = 0; i < kRows; ++i) {
-                    // Rounding may leave a hair below zero where no light comes from.
-                    const float value = columns[(x * 3 + c) * height + y + i] * scale;
-                    image[((y + i) * width + x) * 3 + c] = value > 0 ? value : 0.0f;
-                }
+void transpose(const float* in, int width, int height, float scale, float* out) {
+    for (int y = 0; y < height; y += 4)
+        for (int x = 0; x < width; x += 4)
+            turnSquare(in + y * width + x, width, out + x * height + y, height, scale);
 }
 
 double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
@@ -117,13 +127,13 @@ ZonalFilter::ZonalFilter(const Sampling& sampling, const std::vector<double>& al
     filtered_.resize(columns_.size());
 }
 
-ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling) const {
+ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling) {
     assert(alpha > 0);
     std::vector<double> cosines; // of the two points of each column difference
     for (int d = 0; d <= width_ / 2; ++d)
         for (int t = 0; t < 2; ++t)
             cosines.push_back(std::cos(2 * pi * (d + (t - 0.5) / std::numbers::sqrt3) / width_));
-    const int frequencies = width_ / 2 + 1, blocks = height_ / kBlock;
+    const int frequencies = width_ / 2 + 1, blocks = northernBlocks();
     std::vector<double> gains;
     for (int m = 0; m < frequencies; ++m) gains.push_back(columnGain(m, width_, sampling.octaves));
     const double spread = -0.5 * spreadVariance(sampling.octaves);
@@ -135,8 +145,7 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
     std::vector<float> lobes(n * static_cast<size_t>(height_) * kRows); // [frequency][row in][row out]
     Kernel kernel;
     kernel.ranges.resize(n * static_cast<size_t>(blocks));
-    // South of the equator the kernel is the north's, with rows in and out counted from the other end.
-    for (int block = 0; block < (blocks + 1) / 2; ++block) {
+    for (int block = 0; block < blocks; ++block) {
         for (int first = 0; first < height_; first += kRows) {
             lobesOfTile(block * kBlock - 1, first - 1, width_, alpha, cosines, raw);
             for (int out = 0; out < kRows; ++out) {
@@ -195,12 +204,6 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
             kernel.ranges[static_cast<size_t>(m * blocks + block)] = range;
             for (int in = first; in <= last; ++in)
                 for (size_t out = 0; out < kRows; ++out) kernel.values.push_back(share(in, out));
-            const int mirror = blocks - 1 - block;
-            if (mirror == block) continue;
-            kernel.ranges[static_cast<size_t>(m * blocks + mirror)] = {height_ - first - range.count,
-                                                                       range.count, kernel.values.size()};
-            for (size_t end = kernel.values.size(), back = end; back > range.kernel; --back)
-                kernel.values.push_back(kernel.values[back - 1]);
         }
     }
     kernel.values.shrink_to_fit();
@@ -208,32 +211,43 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
 }
 
 void ZonalFilter::filter(const Kernel& kernel) {
-    const int blocks = height_ / kBlock;
+    const int blocks = northernBlocks();
     for (int block = 0; block < blocks; ++block)
         for (int m = 0; m <= width_ / 2; ++m) {
-            const Range& range = kernel.ranges[static_cast<size_t>(m) * blocks + block];
-            std::array<const float*, kSignals> from;
-            std::array<float*, kSignals> to;
-            for (int s = 0; s < kSignals; ++s) {
+            const Range& range = kernel.ranges[static_cast<size_t>(m * blocks + block)];
+            const float* weights = kernel.values.data() + range.kernel;
+            const int north = block * kBlock, south = height_ - kBlock - north;
+            std::array<const float*, kSignals> northIn, southIn;
+            std::array<float*, kSignals> northOut, southOut;
+            for (size_t s = 0; s < kSignals; ++s) {
                 const int k = s < 3 ? m : (width_ - m) % width_;
-                const size_t at = (static_cast<size_t>(k) * 3 + s % 3) * height_;
-                from[static_cast<size_t>(s)] = columns_.data() + at + range.first;
-                to[static_cast<size_t>(s)] = filtered_.data() + at + block * kBlock;
+                const size_t at = (static_cast<size_t>(k) * 3 + s % 3) * static_cast<size_t>(height_);
+                northIn[s] = columns_.data() + at + range.first;
+                southIn[s] = columns_.data() + at + height_ - 1 - range.first;
+                northOut[s] = filtered_.data() + at + north;
+                southOut[s] = filtered_.data() + at + south;
             }
-            combine(kernel.values.data() + range.kernel, range.count, from, to);
+            float sums[kSignals * kRows];
+            combine(weights, range.count, 1, northIn, sums);
+            for (size_t s = 0; s < kSignals; ++s) std::copy_n(sums + s * kRows, kRows, northOut[s]);
+            if (south == north) continue;
+            combine(weights, range.count, -1, southIn, sums);
+            for (size_t s = 0; s < kSignals; ++s)
+                std::reverse_copy(sums + s * kRows, sums + (s + 1) * kRows, southOut[s]);
         }
 }
 
 void ZonalFilter::apply(const ImageRgbF& in, std::span<ImageRgbF* const> out) {
     assert(in.width == width_ && in.height == height_ && out.size() == kernels_.size());
-    toColumns(in.pixels.data(), width_, height_, columns_.data());
+    transpose(in.pixels.data(), 3 * width_, height_, 1, columns_.data());
     hartley_.transform(columns_.data(), 3 * height_);
     for (size_t i = 0; i < out.size(); ++i) {
         if (out[i]->width != width_ || out[i]->height != height_) *out[i] = ImageRgbF(width_, height_);
         filter(kernels_[i]);
         hartley_.transform(filtered_.data(), 3 * height_);
-        fromColumns(filtered_.data(), width_, height_, 1.0f / static_cast<float>(width_),
-                    out[i]->pixels.data());
+        // Rounding may leave a hair below zero where no light comes from.
+        transpose(filtered_.data(), height_, 3 * width_, 1.0f / static_cast<float>(width_),
+                  out[i]->pixels.data());
     }
 }
 

@@ -43,13 +43,15 @@ class ZonalFilter {
         int first = 0, count = 0; // rows in
         size_t kernel = 0;        // index of kBlock floats for each of them
     };
+    // South of the equator the kernel is the north's, with rows in and out counted from the other end.
     struct Kernel {
-        std::vector<Range> ranges; // [frequency][block of rows out]
+        std::vector<Range> ranges; // [frequency][northern block of rows out]
         std::vector<float> values;
     };
 
-    Kernel kernelOf(double alpha, const Sampling& sampling) const;
+    Kernel kernelOf(double alpha, const Sampling& sampling);
     void filter(const Kernel& kernel);
+    int northernBlocks() const { return (height_ / kBlock + 1) / 2; } // of rows out
 
     int width_, height_;
     Hartley hartley_;

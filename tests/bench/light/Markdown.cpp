@@ -127,9 +127,10 @@ Status writeMarkdown(const Chart& chart, const Path& folder) {
     std::string md = "# Speed against accuracy\n\n![The chart](chart.png)\n\n";
     md += text(
         R"(Time: one core, warm, the shortest of many runs, for a 2048x1024 frame of the game's video. A plain read of that
-frame's bytes takes %.0f us, its radiance pyramid %.0f us; a method that reads the pyramid is charged with it. "ns a pixel" is
-the processor's time to shade one pixel of a ball, by the lookups of engine/light/Lookup.h where there are any. All of
-Shoal's light for the surfaces of the game's own dive (diffuse, and glossy from roughness %.2f up) takes %.0f us: %.1f reads.
+frame's bytes takes %.0f us (as compiled for any x86-64; %.0f us by the widest registers), its radiance pyramid %.0f us; a
+method that reads the pyramid is charged with it. "ns a pixel" is the processor's time to shade one pixel of a ball, by
+the lookups of engine/light/Lookup.h where there are any. All of Shoal's light for the surfaces of the game's own dive
+(diffuse, and glossy from roughness %.2f up) takes %.0f us: %.1f reads.
 
 Error: against the integral over every texel at full resolution in double precision, relative root mean square over
 directions spread evenly and the six axes; surrounds and roughnesses weigh the same however bright they are. "Worst
@@ -138,8 +139,8 @@ root mean square relative to that. A surround has a point sun where a ten-thousa
 twentieth of the light.
 
 )",
-        chart.read_us, chart.pyramid_us, static_cast<double>(kReefRoughness), chart.reef_us,
-        chart.reef_us / chart.read_us);
+        chart.read_us, chart.wideRead_us, chart.pyramid_us, static_cast<double>(kReefRoughness),
+        chart.reef_us, chart.reef_us / chart.read_us);
     md += "## Diffuse\n\n" + diffuseTable(chart);
     md += text(R"(
 ## Glossy

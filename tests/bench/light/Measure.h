@@ -32,9 +32,10 @@ struct SurroundFact {
 constexpr float kReefRoughness = 0.25f; // of the smoothest surface in the game's dive
 
 struct Chart {
-    double read_us = 0;    // one plain read of the frame's bytes
-    double reef_us = 0;    // all light of a frame for the game's own surfaces
-    double pyramid_us = 0; // what those are charged with that read it
+    double read_us = 0;     // one plain read of the frame's bytes, compiled for any x86-64
+    double wideRead_us = 0; // for the widest registers that the processor has
+    double reef_us = 0;     // all light of a frame for the game's own surfaces
+    double pyramid_us = 0;  // what those are charged with that read it
     std::vector<SurroundFact> surrounds;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
     std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded surrounds count

@@ -133,6 +133,24 @@ TEST(MakeLight, TurningTheSurroundTurnsTheLight) {
     }
 }
 
+ImageRgbF upsideDown(const ImageRgbF& image) {
+    ImageRgbF result(image.width, image.height);
+    for (int y = 0; y < image.height; ++y)
+        std::copy_n(image.at(0, y), 3 * image.width, result.at(0, image.height - 1 - y));
+    return result;
+}
+
+// One kernel serves both hemispheres.
+TEST(MakeLight, TheSouthIsLitAsTheNorthIs) {
+    const ImageRgbF surround = noise(512, 256);
+    const EnvironmentLight upright = lightOf(surround), turnedOver = lightOf(upsideDown(surround));
+    EXPECT_LT(largestDifference(upsideDown(upright.diffuse), turnedOver.diffuse), 2e-6);
+    for (size_t k = 1; k < upright.glossy.size(); ++k)
+        EXPECT_LT(
+            largestDifference(upsideDown(upright.glossy[k].radianceLin), turnedOver.glossy[k].radianceLin),
+            2e-6);
+}
+
 TEST(MakeLight, SeamAndPolesAreNoPlaces) {
     // A sun across the seam, one over the pole; each mirrored by the same sun ahead.
     const auto sun = [](const glm::dvec3& at) {

@@ -1,0 +1,99 @@
+#include "engine/light/BlockMeans.h"
+#include "engine/light/InverseToneMap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shoal::light {
+namespace {
+
+constexpr double kOff = 2e-4; // of the radiance: what the header promises
+
+glm::dvec3 radianceOf(int red, int green, int blue) {
+    const glm::dvec3 coded = glm::dvec3(red, green, blue) / 255.0;
+    const double l = 0.30 * coded.x + 0.59 * coded.y + 0.11 * coded.z;
+    return (10 * std::pow(l, 10) + 1.8) * coded;
+}
+
+// Even weights but for the first rows of blocks, which are a pole's.
+std::vector<float> weightsFor(int height) {
+    std::vector<float> weights(static_cast<size_t>(height), 0.25f);
+    for (size_t y = 0; y < 4; ++y) weights[y] = static_cast<float>(2 * y + 1) / 16;
+    return weights;
+}
+
+class BlockMeans : public testing::TestWithParam<BlockLoop> {
+  protected:
+    void SetUp() override {
+        if (!canRun(GetParam())) GTEST_SKIP() << "not on this processor";
+    }
+};
+
+// Whole frames of one colour, over all of them that share few digits: every value of luma that there is comes
+// near one of these.
+TEST_P(BlockMeans, OfOneColourAreItsRadiance) {
+    const int width = 64, height = 4;
+    ImageRgb8 frame(width, height);
+    ImageRgbF out(width / 4, 1);
+    const std::vector<float> weights(4, 0.25f);
+    double worst = 0;
+    for (int red = 0; red < 256; red += 5)
+        for (int green = 0; green < 256; green += 3)
+            for (int blue = 0; blue < 256; blue += 15) {
+                for (size_t i = 0; i < frame.pixels.size(); i += 3) {
+                    frame.pixels[i] = static_cast<uint8_t>(red);
+                    frame.pixels[i + 1] = static_cast<uint8_t>(green);
+                    frame.pixels[i + 2] = static_cast<uint8_t>(blue);
+                }
+                makeBlockMeans({frame.pixels.data(), width, height, 3 * width, false}, weights, out,
+                               GetParam());
+                const glm::dvec3 want = radianceOf(red, green, blue);
+                for (int x = 0; x < out.width; ++x)
+                    for (int c = 0; c < 3; ++c)
+                        worst = std::max(worst, std::abs(static_cast<double>(out.at(x, 0)[c]) - want[c]) /
+                                                    std::max(want[c], 1e-9));
+            }
+    EXPECT_LT(worst, kOff);
+}
+
+// Noise in a rectangle of a larger frame, of a width that fills no loop evenly; both orders of bytes.
+TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
+    const int width = 4 * (8 * 3 + 7), height = 16, stride = 3 * width + 11;
+    std::vector<uint8_t> bytes(static_cast<size_t>(stride * (height - 1) + 3 * width)); // ends with the last
+    uint32_t seed = 3;
+    for (uint8_t& value : bytes) {
+        seed = seed * 1664525u + 1013904223u;
+        value = static_cast<uint8_t>(seed >> 24);
+    }
+    const std::vector<float> weights = weightsFor(height);
+    for (const bool bgr : {true, false}) {
+        ImageRgbF out(width / 4, height / 4), plain(width / 4, height / 4);
+        const FrameView view{bytes.data(), width, height, stride, bgr};
+        makeBlockMeans(view, weights, out, GetParam());
+        makeBlockMeans(view, weights, plain, BlockLoop::Plain);
+        EXPECT_EQ(out.pixels, plain.pixels);
+        for (int y = 0; y < out.height; ++y)
+            for (int x = 0; x < out.width; ++x) {
+                glm::dvec3 want(0);
+                for (int i = 0; i < 16; ++i) {
+                    const int row = 4 * y + i / 4;
+                    const uint8_t* p = &bytes[static_cast<size_t>(row * stride + 3 * (4 * x + i % 4))];
+                    want += 0.25 * static_cast<double>(weights[static_cast<size_t>(row)]) *
+                            radianceOf(p[bgr ? 2 : 0], p[1], p[bgr ? 0 : 2]);
+                }
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(out.at(x, y)[c], want[c], kOff * want[c]) << x << ", " << y;
+            }
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<BlockLoop>& loop) {
+    return loop.param == BlockLoop::Plain ? "Plain" : loop.param == BlockLoop::Avx2 ? "Avx2" : "Avx512";
+}
+
+INSTANTIATE_TEST_SUITE_P(Loops, BlockMeans,
+                         testing::Values(BlockLoop::Plain, BlockLoop::Avx2, BlockLoop::Avx512), nameOf);
+
+} // namespace
+} // namespace shoal::light
