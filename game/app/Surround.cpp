@@ -1,20 +1,18 @@
 #include "game/app/Surround.h"
 
-#include "engine/camera/Glow.h"
 #include "engine/camera/LookOverTime.h"
 #include "engine/core/Log.h"
-#include "engine/light/MakeLight.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/StereoView.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
 #include "engine/water/WaterOverTime.h"
+#include "game/app/FrameStudy.h"
 #include "game/app/PhotoSurround.h"
 
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <optional>
 #include <vector>
@@ -23,13 +21,7 @@ namespace shoal::app {
 
 namespace {
 
-// Widest map that objects mirror. For a moving video a quarter of the usual 2048: fish are rough and small,
-// and show nothing finer. A still is made once, and may have all it has.
-constexpr int kVideoLightWidth = 512;
-constexpr int kStillLightWidth = 4096;
-
 constexpr int kSlots = 3;
-constexpr int kSmoothWidth = 32; // of the map that the light on bodies among each other is made from
 
 media::Layout layoutNamed(const std::string& name) {
     if (name == "mono") return media::Layout::Mono;
@@ -62,8 +54,6 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
 } // namespace
 
 struct Surround::State {
-    light::MirrorMaps mirrors = light::MirrorMaps::None;
-    float leastRoughness = 0;
     bool bothEyes = false;
     float yaw = 0; // radians, to the right
     bool hdr = false;
@@ -72,25 +62,12 @@ struct Surround::State {
     bool twoPictures = false;
     media::Layout layout = media::Layout::Mono;
 
+    FrameStudy::Wanted wanted;
+    std::optional<FrameStudy> study;
     // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
     // thread writes them until it is gone.
-    struct Prepared {
-        light::PackedLight light;
-        occlusion::SmoothLight smooth;
-        water::WaterEstimate water;
-        light::FoundLights lights;
-        camera::LookEstimate look;
-        camera::Glow glow; // empty unless the look is asked for
-    };
-    std::vector<Prepared> prepared;
+    std::vector<FrameFindings> found;
     std::vector<ImageRgba8> pictures; // the frames as they are uploaded
-    std::optional<light::LightMaker> maker;
-    std::optional<water::WaterEstimator> waterEstimator; // empty: dry
-    std::optional<light::LightFinder> lightFinder;       // empty: not asked for
-    light::EnvironmentLight made;                        // before it is packed
-    Prepared newest;                                     // while light is not made for every frame
-    std::atomic<int> lightEvery = 1;
-    int sinceLight = 0;
     std::optional<media::VideoPlayer> player;
     std::optional<media::LivePlayer> live; // or this
     int64_t shownFrame = -1;
@@ -98,19 +75,15 @@ struct Surround::State {
     water::WaterOverTime water;
     light::LightOverTime lights;
     light::CastingLight casting;
-    std::optional<camera::LookEstimator> lookEstimator; // empty: nobody asks
-    camera::GlowMaker glowMaker;
-    camera::LookEstimate lastLook;
-    int sinceLook = 0;
     camera::LookOverTime look;
     double lastUpdate_s = 0;
     double videoPosition_s = 0;
     float light_ms = 0, decode_ms = 0, upload_ms = 0;
     std::string notice;
 
-    void setLayout(media::Layout found) {
-        layout = found;
-        twoPictures = bothEyes && found != media::Layout::Mono;
+    void setLayout(media::Layout now) {
+        layout = now;
+        twoPictures = bothEyes && now != media::Layout::Mono;
     }
 
     // All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
@@ -122,77 +95,43 @@ struct Surround::State {
             coded = {frame.at(part.x, part.y), part.width, part.height, frame.width};
             gpu[static_cast<size_t>(eye)].uploadFrame(coded);
         }
-        uploadLight(prepared[slot]);
+        uploadLight(found[slot]);
     }
 
-    void uploadLight(const Prepared& now) {
+    void uploadLight(const FrameFindings& now) {
         for (int eye = 0; eye < (twoPictures ? 2 : 1); ++eye) {
             render::SurroundGpu& on = gpu[static_cast<size_t>(eye)];
             on.uploadLight(now.light, now.smooth);
-            if (lookEstimator && !hdr) on.uploadScattered(now.glow.spread);
+            if (wanted.look && !hdr) on.uploadScattered(now.glow.spread);
         }
-    }
-
-    // A camera stays what it is: one frame in so many tells enough.
-    void findLook(const light::FrameView& frame, size_t slot) {
-        if (!lookEstimator) return;
-        constexpr int kEvery = 24;
-        if (sinceLook++ % kEvery == 0) lastLook = lookEstimator->estimate(frame);
-        prepared[slot].look = lastLook;
-        glowMaker.make(frame, prepared[slot].glow);
-    }
-
-    void makeLight(const light::FrameView& frame, size_t slot) {
-        const int every = lightEvery.load(std::memory_order_relaxed);
-        if (++sinceLight < every && !newest.light.places.empty()) {
-            prepared[slot] = newest;
-            return;
-        }
-        sinceLight = 0;
-        maker->make(frame, made);
-        pack(prepared[slot]);
-        if (waterEstimator) prepared[slot].water = waterEstimator->estimate(frame);
-        if (lightFinder) lightFinder->find(made.radiance, prepared[slot].lights);
-        if (every > 1) newest = prepared[slot];
-    }
-
-    // Of what `made` holds.
-    void pack(Prepared& out) {
-        light::packLight(made, mirrors, out.light);
-        const auto small = std::ranges::find_if(
-            made.radiance.levels, [](const ImageRgbF& level) { return level.width <= kSmoothWidth; });
-        if (small != made.radiance.levels.end()) out.smooth = occlusion::smoothLight(*small);
     }
 
     void followWater(const water::WaterEstimate& estimate, float dt_s) {
-        if (!waterEstimator) return;
+        if (!wanted.water) return;
         water.follow(estimate, immersed == Immersed::Yes ? 1 : estimate.evidence, dt_s);
     }
 
     // With every picture and not only with new frames: smoother than the video.
-    void follow(const Prepared& now, double time_s) {
+    void follow(const FrameFindings& now, double time_s) {
         const auto dt_s = static_cast<float>(time_s - lastUpdate_s);
         lastUpdate_s = time_s;
         followWater(now.water, dt_s);
-        if (lightFinder) casting = lights.follow(now.lights, dt_s);
-        if (lookEstimator) {
+        if (wanted.lights) casting = lights.follow(now.lights, dt_s);
+        if (wanted.look) {
             look.follow(now.look, dt_s);
             look.followGlare(now.glow.mostShare, dt_s);
         }
     }
 
-    // For a player with kSlots slots.
-    void prepareFor(light::LightQuality quality) {
-        const int most = quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth;
-        maker.emplace(light::LightOptions{most, leastRoughness, quality});
-        prepared.resize(kSlots);
-        pictures.resize(kSlots);
+    void prepareFor(light::LightQuality quality, size_t slots) {
+        wanted.quality = quality;
+        study.emplace(wanted);
+        found.resize(slots);
+        pictures.resize(slots);
     }
 
     void prepare(const ImageRgb8& bgr, const EyePart& part, int slot) {
-        const light::FrameView frame = viewOf(bgr, part, true);
-        makeLight(frame, static_cast<size_t>(slot));
-        findLook(frame, static_cast<size_t>(slot));
+        study->study(viewOf(bgr, part, true), found[static_cast<size_t>(slot)]);
         media::toBgra(bgr, true, pictures[static_cast<size_t>(slot)]);
     }
 
@@ -210,7 +149,7 @@ Status Surround::State::openVideo(const std::string& name, media::Layout wish, l
                                   const std::function<bool()>& wait) {
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
-    prepareFor(quality);
+    prepareFor(quality, kSlots);
     return *address ? openLive(**address, wish, wait) : openFile(name, wish);
 }
 
@@ -239,7 +178,7 @@ bool Surround::State::updateLive(double time_s) {
         notice.empty() ? log::info("pictures come again") : log::warn("{}", notice);
     }
     const auto slot = static_cast<size_t>(live->slotOf(frame));
-    follow(prepared[slot], time_s);
+    follow(found[slot], time_s);
     if (frame.index == shownFrame) return false;
     shownFrame = frame.index;
     setLayout(frame.layout);
@@ -279,16 +218,13 @@ Status Surround::State::openPhoto(const Path& file, media::Layout wish) {
     if (wish == media::Layout::Auto) wish = media::layoutFromContent(*picture);
     setLayout(wish);
     const EyePart part = partOf(picture->width, picture->height, layout, 0);
-    maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
-    prepared.resize(1);
-    pictures.resize(1);
+    prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    makeLight(viewOf(*picture, part, false), 0);
+    study->study(viewOf(*picture, part, false), found[0]);
     light_ms = millisecondsSince(began);
     media::toBgra(*picture, false, pictures[0]);
-    findLook(viewOf(*picture, part, false), 0);
     uploadPicture(0);
-    follow(prepared[0], 0);
+    follow(found[0], 0);
     return Done{};
 }
 
@@ -296,18 +232,16 @@ Status Surround::State::openEnv(const Path& file) {
     auto picture = media::readHdr(file);
     if (!picture) return picture.error();
     hdr = true;
-    maker.emplace(light::LightOptions{kStillLightWidth, leastRoughness, light::LightQuality::Still});
-    prepared.resize(1);
+    prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    const size_t mended = static_cast<size_t>(picture->repaired) +
-                          maker->makeFromHdr(picture->radianceLin, made).repairedTexels;
-    pack(prepared[0]);
+    const size_t mended =
+        static_cast<size_t>(picture->repaired) + study->study(picture->radianceLin, found[0]);
     light_ms = millisecondsSince(began);
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
                   file.string(), mended);
     gpu[0].uploadFrame(picture->radianceLin);
-    uploadLight(prepared[0]);
+    uploadLight(found[0]);
     return Done{};
 }
 
@@ -318,15 +252,18 @@ render::Reflectance reflectanceIn(const SurroundOptions& options) {
 
 Result<Surround> Surround::open(const SurroundSetup& setup) {
     auto state = std::make_unique<State>();
-    state->leastRoughness = setup.leastRoughness;
-    state->mirrors = setup.pyramid                                           ? light::MirrorMaps::Pyramid
-                     : setup.leastRoughness < light::kLeastFilteredRoughness ? light::MirrorMaps::Mirrors
-                                                                             : light::MirrorMaps::None;
+    state->wanted = {
+        .mirrors = setup.pyramid                                           ? light::MirrorMaps::Pyramid
+                   : setup.leastRoughness < light::kLeastFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                           : light::MirrorMaps::None,
+        .leastRoughness = setup.leastRoughness,
+        .water = setup.immersed != Immersed::No,
+        .eyeHeight_m = setup.eyeHeight_m,
+        .lights = setup.findLights,
+        .look = setup.filmLook,
+    };
     state->bothEyes = setup.bothEyes;
     state->immersed = setup.immersed;
-    if (setup.filmLook) state->lookEstimator.emplace();
-    if (setup.immersed != Immersed::No) state->waterEstimator.emplace(setup.eyeHeight_m);
-    if (setup.findLights) state->lightFinder.emplace();
     state->yaw = glm::radians(setup.options.envYaw_deg);
     const media::Layout wish = layoutNamed(setup.options.layout);
     const light::LightQuality quality = setup.still ? light::LightQuality::Still : light::LightQuality::Video;
@@ -354,13 +291,13 @@ bool Surround::update(double time_s, bool exact) {
         log::warn("{}", status);
         s.notice = std::move(status);
     }
-    const State::Prepared& prepared = s.prepared[static_cast<size_t>(s.player->slotOf(*frame))];
-    s.follow(prepared, time_s);
+    const auto slot = static_cast<size_t>(s.player->slotOf(*frame));
+    s.follow(s.found[slot], time_s);
     s.videoPosition_s = time_s - static_cast<double>(frame->index - frame->number) / s.player->info().fps;
     if (frame->index == s.shownFrame) return false;
     s.shownFrame = frame->index;
     const auto began = std::chrono::steady_clock::now();
-    s.uploadPicture(static_cast<size_t>(s.player->slotOf(*frame)));
+    s.uploadPicture(slot);
     s.upload_ms = millisecondsSince(began);
     s.light_ms = static_cast<float>(frame->prepare_ms);
     s.decode_ms = static_cast<float>(frame->decode_ms);
@@ -378,7 +315,9 @@ double Surround::length_s() const { return state_->player ? state_->player->info
 
 double Surround::videoPosition_s() const { return state_->videoPosition_s; }
 
-void Surround::setLightEvery(int frames) { state_->lightEvery.store(frames, std::memory_order_relaxed); }
+void Surround::setLightEvery(int frames) {
+    if (state_->study) state_->study->setLightEvery(frames);
+}
 
 const render::CodedFrame* Surround::frameInMemory(int eye) const {
     return state_->hdr ? nullptr : &state_->inMemory[state_->twoPictures ? static_cast<size_t>(eye) : 0];
