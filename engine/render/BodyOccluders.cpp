@@ -65,7 +65,7 @@ float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoi
 }
 
 occlusion::Ellipsoid placed(const BodyOccluders::Part& part, const scene::Pose& pose,
-                                   const glm::mat4& worldFromModel) {
+                            const glm::mat4& worldFromModel) {
     return transformed(part.inNode, worldFromModel * pose.modelFromNode[static_cast<size_t>(part.node)]);
 }
 

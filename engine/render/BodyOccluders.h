@@ -31,6 +31,6 @@ float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoi
 
 // The part in the world. worldFromModel may scale, alike in all directions.
 occlusion::Ellipsoid placed(const BodyOccluders::Part& part, const scene::Pose& pose,
-                                   const glm::mat4& worldFromModel);
+                            const glm::mat4& worldFromModel);
 
 } // namespace shoal::render
