@@ -5,6 +5,7 @@
 #include "engine/gl/Objects.h"
 
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -38,6 +39,9 @@ class Program {
     void set(const char* name, const glm::vec4& v) const { glUniform4fv(location(name), 1, &v.x); }
     void set(const char* name, const glm::mat3& m) const {
         glUniformMatrix3fv(location(name), 1, GL_FALSE, &m[0][0]);
+    }
+    void set(const char* name, const glm::mat4x3& m) const {
+        glUniformMatrix4x3fv(location(name), 1, GL_FALSE, &m[0][0]);
     }
     void set(const char* name, const glm::mat4& m) const {
         glUniformMatrix4fv(location(name), 1, GL_FALSE, &m[0][0]);

@@ -11,7 +11,7 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr int kLines = 40;         // of samples, across the body's longest side
+constexpr int kLines = 80;         // of samples, across the body's longest side
 constexpr int kSweeps = 12;        // of assigning samples to parts
 constexpr float kThinnest = 0.25f; // of a sample's size: sheets block light though they have no volume
 constexpr float kFlattest = 0.08f; // shortest semi-axis, of the longest
@@ -142,7 +142,7 @@ glm::dvec3 eigen(glm::dmat3 a, glm::dmat3& axes) {
 }
 
 // A solid ellipsoid's variance along a semi-axis is a fifth of its square.
-Ellipsoid<float> solidOf(const Moments& m) {
+Ellipsoid solidOf(const Moments& m) {
     glm::dmat3 axes;
     const glm::dvec3 variance = eigen(m.spread, axes);
     if (glm::determinant(axes) < 0) axes[0] = -axes[0];
@@ -151,7 +151,7 @@ Ellipsoid<float> solidOf(const Moments& m) {
     return {glm::vec3(m.mean), glm::mat3(axes), glm::vec3(semi)};
 }
 
-void makeLimb(Ellipsoid<float>& solid) {
+void makeLimb(Ellipsoid& solid) {
     glm::vec3& a = solid.semiAxes;
     const int longest = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     for (int k = 0; k < 3; ++k) a[k] *= k == longest ? kLimbLonger : kLimbThinner;
@@ -243,7 +243,7 @@ std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t mo
     for (size_t k = 0; k < most; ++k) {
         const Moments m = momentsOf(samples, partOf, k);
         if (m.mass <= 1e-4 * all) continue;
-        Ellipsoid<float> solid = solidOf(m);
+        Ellipsoid solid = solidOf(m);
         if (parts == Parts::ByJoint) makeLimb(solid);
         result.push_back({solid, mostOften(samples, partOf, k), static_cast<float>(m.mass / all)});
     }

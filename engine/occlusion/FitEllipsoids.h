@@ -17,7 +17,7 @@ struct RestBody {
 };
 
 struct BodyPart {
-    Ellipsoid<float> atRest; // in the frame of the positions
+    Ellipsoid atRest; // in the frame of the positions
     uint16_t joint = 0;
     float share = 0; // of the body's volume
 };

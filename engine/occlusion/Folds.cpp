@@ -27,14 +27,13 @@ struct Sample {
     std::array<uint32_t, 3> corners{};
     glm::vec3 shares{0}; // of the corners
     float weight = 0;    // area, as far as it is seen
-    glm::vec4 hidden{0}, byOwn{0};
+    glm::vec4 hidden{0}; // momentsOf()
 };
 
 class Folding {
   public:
-    Folding(const FoldingBody& body, std::span<const Occluder> own, int rays, float gap)
-        : body_(body), own_(own), gap_(gap), pattern_(cosineDirections(rays)),
-          bvh_(body.positions, body.indices) {
+    Folding(const FoldingBody& body, int rays, float gap)
+        : body_(body), gap_(gap), pattern_(cosineDirections(rays)), bvh_(body.positions, body.indices) {
         std::vector<Sample> corners(body.positions.size());
         for (size_t i = 0; i < body.indices.size() / 3 * 3; i += 3) {
             const uint32_t* corner = &body.indices[i];
@@ -60,14 +59,14 @@ class Folding {
 
     // Corners by what is amiss at their samples, in parts, again and again (Gilbert 1972, "Iterative Methods
     // for the Three-dimensional Reconstruction of an Object from Projections").
-    std::vector<glm::vec4> fit(glm::vec4 Sample::*what) const {
+    std::vector<glm::vec4> fit() const {
         std::vector<glm::vec4> folds(body_.positions.size(), glm::vec4(0)), sums(folds.size());
         std::vector<float> weights(folds.size());
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             std::ranges::fill(sums, glm::vec4(0));
             std::ranges::fill(weights, 0.0f);
             for (const Sample& sample : samples_) {
-                glm::vec4 amiss = sample.*what;
+                glm::vec4 amiss = sample.hidden;
                 for (int i = 0; i < 3; ++i)
                     amiss -= sample.shares[i] * folds[sample.corners[static_cast<size_t>(i)]];
                 for (int i = 0; i < 3; ++i) {
@@ -140,11 +139,9 @@ class Folding {
         const glm::vec4 hidden = sum / static_cast<float>(pattern_.size());
         sample.weight *= std::clamp((1 - hidden.w) / kSeen, kBuried, 1.0f);
         sample.hidden = hidden;
-        if (!own_.empty()) sample.byOwn = hiddenBy(origin, normal, own_);
     }
 
     const FoldingBody& body_;
-    std::span<const Occluder> own_;
     float gap_;
     std::vector<glm::vec3> pattern_;
     Bvh bvh_;
@@ -153,19 +150,13 @@ class Folding {
 
 } // namespace
 
-std::vector<glm::vec4> Folds::rest() const {
-    std::vector<glm::vec4> left = hidden;
-    for (size_t v = 0; v < byOwn.size(); ++v) left[v] -= byOwn[v];
-    return left;
-}
-
 Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays) {
     glm::vec3 low(INFINITY), high(-INFINITY);
     for (const glm::vec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
     const float gap = kGap * glm::distance(low, high);
     if (!(gap > 0) || !std::isfinite(gap) || rays < 1)
         return {std::vector<glm::vec4>(body.positions.size(), glm::vec4(0)), {}};
-    Folding folding(body, own, rays, gap);
+    Folding folding(body, rays, gap);
     const size_t samples = folding.samples();
     {
         const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
@@ -175,9 +166,21 @@ Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays
                 [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
         folding.lookFrom(0, samples / threads);
     }
-    auto hidden = folding.fit(&Sample::hidden);
-    folding.smooth(hidden);
-    return {std::move(hidden), own.empty() ? std::vector<glm::vec4>() : folding.fit(&Sample::byOwn)};
+    Folds folds{folding.fit(), {}};
+    folding.smooth(folds.alone);
+    std::vector<bool> used(folds.alone.size(), false);
+    for (const uint32_t corner : body.indices) used[corner] = true;
+    if (!own.empty()) folds.besideOwn.assign(folds.alone.size(), glm::vec4(0));
+    for (size_t v = 0; v < folds.alone.size(); ++v) {
+        if (!used[v]) continue;
+        const glm::vec3 &p = body.positions[v], &normal = body.normals[v];
+        const glm::vec4 moments = folds.alone[v];
+        // Skin turns the normals of what has ellipsoids of its own.
+        const Carried by = own.empty() ? Carried::Stiffly : Carried::Loosely;
+        folds.alone[v] = completing({}, normal, moments, by);
+        if (!own.empty()) folds.besideOwn[v] = completing(hiddenBy(p, normal, own), normal, moments, by);
+    }
+    return folds;
 }
 
 } // namespace shoal::occlusion

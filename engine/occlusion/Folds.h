@@ -19,13 +19,10 @@ struct FoldingBody {
     std::span<const uint32_t> indices;             // of what lets no light through
 };
 
-// Of the cosine-weighted hemisphere how much is hidden (w, 0 to 1), and that share's first moment (xyz: w
-// times the mean direction, same frame).
+// Fold::hidden, one a position, same frame.
 struct Folds {
-    std::vector<glm::vec4> hidden; // one a position: by all of the body
-    std::vector<glm::vec4> byOwn;  // what its own ellipsoids say of that; no ellipsoids: empty
-
-    std::vector<glm::vec4> rest() const; // what they leave to be said: -1 to 1
+    std::vector<glm::vec4> alone;     // all that the body hides
+    std::vector<glm::vec4> besideOwn; // what completes its own ellipsoids; no ellipsoids: empty
 };
 
 // What corners say in between comes as near as it can to what is seen from them and from three points in each

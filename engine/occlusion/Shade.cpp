@@ -1,148 +1,151 @@
 #include "engine/occlusion/Shade.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace shoal::occlusion {
 
 namespace {
 
-constexpr float kMeanHeight = 2 / 3.0f; // of directions in a cosine-weighted hemisphere, along its normal
+// Sine of the angle in which a cap has an end's share of the sphere.
+const float kCellSine = std::sqrt(1 - (1 - 1.0f / kAxisCount) * (1 - 1.0f / kAxisCount));
+constexpr float kMeanBack = -2 / 3.0f; // of directions in a cosine-weighted hemisphere, along its normal
 
-// An occluder from a point of a surface, as if it were alone.
-struct Seen {
-    Cap<float> cap;
-    float share = 0;
-    glm::vec3 mean{0};
-
-    Seen(const Occluder& occluder, const glm::vec3& p, const glm::vec3& normal)
-        : cap(capOf(occluder.shape, p)) {
-        const float cosine = glm::dot(cap.towards, normal);
-        share = clippedShare(cap.share, cosine) * occluder.strength;
-        mean = meanDirection(cap, normal, cosine);
+// An ellipsoid from a point. m: the point from its centre; Q: the symmetric matrix that makes it a ball,
+// squared. A ray along d meets it where -Qm.d > sqrt(m.Qm - 1) |d|_Q. That difference grows across the
+// silhouette by one over the distance of the tangent plane there from the centre, which is taken to be the
+// same all around: right at the skin and for balls, and far away that of a disc as large as its shadow.
+class Seen {
+  public:
+    Seen(const Ellipsoid& shape, const glm::vec3& p) {
+        glm::mat3 scaled = shape.worldFromAxes;
+        for (int k = 0; k < 3; ++k) scaled[k] /= shape.semiAxes[k];
+        matrix_ = scaled * glm::transpose(scaled);
+        const glm::vec3 m = p - shape.centre;
+        slope_ = matrix_ * m;
+        const float square = std::max(glm::dot(m, slope_), 1e-6f), far2 = std::max(glm::dot(m, m), 1e-12f),
+                    outside = std::max(square, 1.0f); // who is within stands on its skin
+        edge_ = std::sqrt(outside - 1);
+        const glm::vec3& a = shape.semiAxes;
+        const float disc2 = a.x * a.y * a.z * std::sqrt(square / far2);
+        width_ =
+            std::sqrt(1 / (outside * std::max(glm::dot(slope_, slope_), 1e-12f)) + (1 - 1 / outside) * disc2);
+        const float near2 = 1 / (outside * outside); // it is no disc from near
+        cap_ = 0.5f - 0.5f * std::sqrt(1 - std::min(std::max(disc2 / far2, near2 * near2), 1.0f));
     }
+
+    // Of a round patch around a direction, 0 to 1. sine, share: of its half angle, and of the sphere.
+    float hides(const glm::vec3& direction, float sine, float share) const {
+        const float extent = std::sqrt(glm::dot(direction, matrix_ * direction));
+        const float past = glm::dot(slope_, direction) + edge_ * extent;
+        return glm::clamp(0.5f - 0.5f / sine * width_ * past, 0.0f, 1.0f) * std::min(cap_ / share, 1.0f);
+    }
+    float cap() const { return cap_; } // of the sphere
+
+  private:
+    glm::mat3 matrix_{1};
+    glm::vec3 slope_{0};
+    float edge_ = 0, width_ = 0, cap_ = 0;
 };
 
-// What is taken, by the powers of its direction.
-struct Moments {
-    float sum = 0;
-    glm::vec3 first{0};
-    float second[5] = {};
-
-    // Of a share in this mean direction, what is not taken yet.
-    float left(float share, const glm::vec3& mean, const glm::vec3& normal) const {
-        const glm::vec3 middle = kMeanHeight * normal;
-        const float density = sum + 4 * glm::dot(first - sum * middle, mean - middle);
-        return std::min(share * (1 - glm::clamp(density, 0.0f, 1.0f)), 1 - sum);
-    }
-    // Returns the share that it takes.
-    float add(const Seen& seen, const glm::vec3& normal) {
-        const float share = left(seen.share, seen.mean, normal);
-        sum += share;
-        first += share * seen.mean;
-        addSecond(share, seen.mean);
-        return share;
-    }
-    void addSecond(float share, const glm::vec3& mean) {
-        // A cap whose mean direction is (1 + c) / 2 long has a second band of c (1 + c) / 2.
-        const float length2 = std::max(glm::dot(mean, mean), 1e-6f), length = std::sqrt(length2);
-        const float f = share * std::max(2 * length - 1, 0.0f) * length;
-        const glm::vec3 q = f / length2 * mean;
-        second[0] += q.x * mean.y, second[1] += q.y * mean.z, second[2] += q.x * mean.z;
-        second[3] += q.y * mean.y - f / 3, second[4] += q.x * mean.x - q.z * mean.z;
-    }
-
-    glm::vec3 of(const std::array<glm::vec3, 9>& around) const {
-        glm::vec3 light = around[0] * sum + around[1] * first.x + around[2] * first.y + around[3] * first.z;
-        for (size_t k = 0; k < 5; ++k) light += around[4 + k] * second[k];
-        return light;
-    }
-};
-
-// On the side of a white body that is seen in this direction: it faces this way, and its diffuse light has
-// two thirds of the first band.
-glm::vec3 lightOnBody(const SmoothLight& light, const glm::vec3& towards) {
-    const glm::vec3 back = -2 / 3.0f * towards;
-    return glm::max(light.around[0] + light.around[1] * back.x + light.around[2] * back.y +
-                        light.around[3] * back.z,
-                    0.0f) +
-           light.lampShare * std::max(-glm::dot(towards, light.lampTowards), 0.0f) * light.lampRadiance;
+float sideOf(const glm::vec3& normal, size_t axis) {
+    return glm::dot(normal, kAxes[axis]) < 0 ? -1.0f : 1.0f;
 }
 
-// A fold as a cap: some of it may be negative, where own ellipsoids take more than the body does.
-struct FoldCap {
-    float share = 0; // 0 to 1
-    glm::vec3 mean{0};
-
-    explicit FoldCap(const glm::vec4& fold) : share(std::max(fold.w, 0.0f)) {
-        const glm::vec3 first(fold);
-        mean = first / std::max({share, glm::length(first), 1e-6f});
-    }
-};
-
-// Of a lamp, by a cap of this mean direction, as dense as its share of the hemisphere says.
-float foldCoverage(const FoldCap& fold, const glm::vec3& normal, const glm::vec3& lamp, float lampSine) {
-    const float length = std::max(glm::length(fold.mean), 1e-6f), edge = std::max(2 * length - 1, 0.0f),
-                soft = 0.2f + lampSine;
-    const glm::vec3 towards = fold.mean / length;
-    const float density = std::min(
-        1.0f, fold.share / std::max(clippedShare(1 - edge * edge, glm::dot(towards, normal)), 1e-3f));
-    return density * glm::smoothstep(edge - soft, edge + soft, glm::dot(towards, lamp));
+float ofFold(const glm::vec4& fold, const glm::vec3& direction) {
+    return fold.w + glm::dot(glm::vec3(fold), direction);
 }
 
 } // namespace
 
-glm::vec4 hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders) {
-    Moments moments;
-    for (const Occluder& occluder : occluders) moments.add(Seen(occluder, p, normal), normal);
-    return {moments.first, moments.sum};
+Hidden hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders) {
+    Hidden hidden{};
+    for (const Occluder& occluder : occluders) {
+        const Seen seen(occluder.shape, p);
+        for (size_t k = 0; k < kAxisCount; ++k)
+            hidden[k] += (1 - hidden[k]) * occluder.strength *
+                         seen.hides(sideOf(normal, k) * kAxes[k], kCellSine, 0.5f / kAxisCount);
+    }
+    return hidden;
+}
+
+glm::vec4 momentsOf(const Hidden& hidden, const glm::vec3& normal) {
+    glm::vec4 sum(0);
+    float all = 0;
+    for (size_t k = 0; k < kAxisCount; ++k) {
+        const float along = glm::dot(normal, kAxes[k]);
+        all += std::abs(along);
+        sum += hidden[k] * glm::vec4(along * kAxes[k], std::abs(along));
+    }
+    return sum / all;
+}
+
+// What is amiss is added as if nothing were clamped, again and again. Across the normal the variance of a
+// cosine-weighted hemisphere is a quarter.
+glm::vec4 completing(const Hidden& hidden, const glm::vec3& normal, const glm::vec4& moments, Carried by) {
+    const int steps = by == Carried::Stiffly ? 12 : 3;
+    const glm::vec3 middle = -kMeanBack * normal;
+    glm::vec4 fold(0);
+    for (int step = 0; step < steps; ++step) {
+        Hidden sum = hidden;
+        for (size_t k = 0; k < kAxisCount; ++k)
+            sum[k] = glm::clamp(sum[k] + ofFold(fold, sideOf(normal, k) * kAxes[k]), 0.0f, 1.0f);
+        const glm::vec4 amiss = moments - momentsOf(sum, normal);
+        glm::vec3 slope = 4.0f * (glm::vec3(amiss) - amiss.w * middle);
+        if (by == Carried::Loosely) slope -= glm::dot(slope, normal) * normal;
+        fold += glm::vec4(slope, amiss.w - glm::dot(slope, middle));
+    }
+    return fold;
 }
 
 Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> own, const Fold& fold,
            std::span<const Occluder> others, const SmoothLight& light) {
-    const float lampSine = std::sqrt(light.lampShare);
-    float lampOpen = 1;
-    Moments moments;
-    glm::vec3 bounced(0);
+    const glm::mat4x3 lamp = lampDirections(light);
+    const float lampSine = std::sqrt(light.lampShare) / 2, lampCap = light.lampShare / 16;
+    Hidden hidden{};
+    glm::vec4 lampHidden(0), albedo(1e-4f * fold.albedo, 1e-4f);
     const auto add = [&](const Occluder& occluder) {
-        const Seen seen(occluder, p, normal);
-        const float share = moments.add(seen, normal);
-        lampOpen *=
-            1 - occluder.strength * coverage(occluder.shape, p, light.lampTowards, lampSine, seen.cap.share);
-        bounced += share * occluder.albedo * lightOnBody(light, seen.cap.towards);
+        const Seen seen(occluder.shape, p);
+        for (size_t k = 0; k < kAxisCount; ++k)
+            hidden[k] += (1 - hidden[k]) * occluder.strength *
+                         seen.hides(sideOf(normal, k) * kAxes[k], kCellSine, 0.5f / kAxisCount);
+        for (int k = 0; k < 4; ++k)
+            lampHidden[k] += (1 - lampHidden[k]) * occluder.strength * seen.hides(lamp[k], lampSine, lampCap);
+        albedo += occluder.strength * seen.cap() * glm::vec4(occluder.albedo, 1);
     };
     for (const Occluder& occluder : own) add(occluder);
-    if (const FoldCap cap(fold.hidden); glm::dot(fold.hidden, fold.hidden) > 0) {
-        const float before = moments.sum;
-        moments.sum = glm::clamp(before + fold.hidden.w, 0.0f, 1.0f);
-        // Where own parts stand out of the skin, what they take too much is given back of all that they took.
-        const float kept = std::min(moments.sum / std::max(before, 1e-6f), 1.0f);
-        for (float& each : moments.second) each *= kept;
-        lampOpen = 1 - kept * (1 - lampOpen);
-        bounced *= kept;
-        moments.first += glm::vec3(fold.hidden);
-        moments.addSecond(cap.share, cap.mean);
-        lampOpen *= 1 - foldCoverage(cap, normal, light.lampTowards, lampSine);
-        bounced +=
-            cap.share * fold.albedo * lightOnBody(light, cap.mean / std::max(glm::length(cap.mean), 1e-6f));
-    }
+    for (size_t k = 0; k < kAxisCount; ++k)
+        hidden[k] = glm::clamp(hidden[k] + ofFold(fold.hidden, sideOf(normal, k) * kAxes[k]), 0.0f, 1.0f);
+    for (int k = 0; k < 4; ++k)
+        lampHidden[k] = glm::clamp(lampHidden[k] + ofFold(fold.hidden, lamp[k]), 0.0f, 1.0f);
     for (const Occluder& occluder : others) add(occluder);
     Taken taken;
-    taken.share = moments.sum;
+    const glm::vec4 moments = momentsOf(hidden, normal);
+    taken.share = moments.w;
+    for (size_t k = 0; k < kAxisCount; ++k) {
+        const float along = glm::dot(normal, kAxes[k]);
+        taken.radiance +=
+            std::abs(along) * hidden[k] * 2.0f / kAxisCount * (along < 0 ? light.behind[k] : light.ahead[k]);
+    }
+    for (int k = 0; k < 4; ++k)
+        taken.radiance += light.lampRadiance *
+                          (light.lampShare / 4 * std::max(glm::dot(normal, lamp[k]), 0.0f) * lampHidden[k]);
     // What stands in their shade shades them likewise.
-    taken.radiance =
-        moments.of(light.around) - (1 - taken.share) * bounced +
-        light.lampRadiance *
-            (clippedShare(light.lampShare, glm::dot(normal, light.lampTowards)) * (1 - lampOpen));
+    glm::vec3 sent = light.even[0] * moments.w;
+    for (int k = 0; k < 3; ++k) sent += kMeanBack * moments[k] * light.even[static_cast<size_t>(k + 1)];
+    taken.radiance -= (1 - taken.share) * glm::max(sent, 0.0f) * glm::vec3(albedo) / albedo.w;
     return taken;
 }
 
 float openLobe(const glm::vec3& p, const glm::vec3& direction, float roughness,
                std::span<const Occluder> occluders) {
-    const float sine = lobeSine(roughness);
+    const float alpha = std::max(roughness * roughness, 0.02f), sine = 2 * alpha / (1 + alpha * alpha);
     float open = 1;
     for (const Occluder& occluder : occluders)
-        open *= 1 - occluder.strength *
-                        coverage(occluder.shape, p, direction, sine, capOf(occluder.shape, p).share);
+        open *= 1 - occluder.strength * Seen(occluder.shape, p).hides(direction, sine, sine * sine / 4);
     return open;
 }
 

@@ -1,5 +1,6 @@
-// Light beneath ellipsoids: what they take is taken with the light that would have come from there, and what
-// they send back of the light around them is added. Twin of shaders/occlusion/Bodies.glsl.
+// Light beneath ellipsoids: from a point of a surface they hide the ends of a few axes, the same for all
+// points (SmoothLight.h), each more or less; its light is taken, and what they send back of the light around
+// them is added. Twin of shaders/occlusion/Bodies.glsl. All in the light's frame.
 #pragma once
 
 #include "engine/occlusion/Ellipsoid.h"
@@ -12,9 +13,9 @@
 namespace shoal::occlusion {
 
 struct Occluder {
-    Ellipsoid<float> shape; // world
-    float strength = 1;     // fades it in, 0 to 1
-    glm::vec3 albedo{0};    // of its surface, in the space in which surfaces scale light
+    Ellipsoid shape;
+    float strength = 1;  // fades it in, 0 to 1
+    glm::vec3 albedo{0}; // of its surface, in the space in which surfaces scale light
 };
 
 // What occluders take from a point of a surface.
@@ -23,26 +24,32 @@ struct Taken {
     glm::vec3 radiance{0}; // out of diffuse radiance: what is lost, less what the occluders send
 };
 
-// What the surface's own body hides of it, less what its own occluders say of that: Folds, world; albedo: of
-// that body.
+// What the surface's own body hides of it beside its own occluders.
 struct Fold {
-    glm::vec4 hidden{0};
-    glm::vec3 albedo{0};
+    glm::vec4 hidden{0}; // of a direction: w plus its product with xyz, which may be less than nothing
+    glm::vec3 albedo{0}; // of that body
 };
 
-// One occluder after another takes what the former have left in its directions: of a density over directions
-// that has the former's share and first moment and changes evenly across the view of the hemisphere from
-// above, whose variance is a quarter. Over a hand's fingers and palm that comes nearer to the truth (5 % of
-// the light) than shares that join as if they lay at random (7 %), than a sum (18 %) or the largest alone.
-// own: of the surface's body, which the fold completes. light: in the world's frame.
+// own: of the surface's body, which the fold completes. Where several hide a direction in part, they do so as
+// if they lay there at random.
 Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> own, const Fold& fold,
            std::span<const Occluder> others, const SmoothLight& light);
-
-// Share (w) and first moment (xyz: w times the mean direction) of what occluders take, joined likewise.
-glm::vec4 hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders);
 
 // What is left of a glossy lobe around this direction, 0 to 1.
 float openLobe(const glm::vec3& p, const glm::vec3& direction, float roughness,
                std::span<const Occluder> occluders);
+
+// How much is hidden of that end of each axis that lies above a surface, 0 to 1.
+using Hidden = std::array<float, kAxisCount>;
+Hidden hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders);
+
+// Of the cosine-weighted hemisphere how much is hidden (w, 0 to 1), and that share's first moment (xyz: w
+// times the mean direction).
+glm::vec4 momentsOf(const Hidden& hidden, const glm::vec3& normal);
+
+// The Fold::hidden with which what is hidden has nearly these moments. Loosely: its joint turns it otherwise
+// than skin turns the normal, so that it must say nothing of how high above the surface a direction is.
+enum class Carried { Stiffly, Loosely };
+glm::vec4 completing(const Hidden& hidden, const glm::vec3& normal, const glm::vec4& moments, Carried by);
 
 } // namespace shoal::occlusion

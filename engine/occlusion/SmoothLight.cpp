@@ -1,6 +1,7 @@
 #include "engine/occlusion/SmoothLight.h"
 
 #include "engine/math/LatLong.h"
+#include "engine/occlusion/Directions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,22 @@ double luminance(const float* rgb) {
            0.0722 * static_cast<double>(rgb[2]);
 }
 
+constexpr float kRows[][3] = {
+#define AXES(row, x, y, z) {x##f, y##f, z##f},
+#include "shaders/occlusion/Axes.glsl"
+#undef AXES
+};
+static_assert(4 * std::size(kRows) == kAxisCount);
+
+std::array<glm::vec3, kAxisCount> readAxes() {
+    std::array<glm::vec3, kAxisCount> axes;
+    for (size_t k = 0; k < kAxisCount; ++k) {
+        const float* row = kRows[k / 4];
+        axes[k] = glm::normalize(glm::vec3(row[0], k & 2 ? -row[1] : row[1], k & 1 ? -row[2] : row[2]));
+    }
+    return axes;
+}
+
 template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     for (int y = 0; y < map.height; ++y) {
         const double solidAngle = texelSolidAngle(y, map.width, map.height);
@@ -28,25 +45,38 @@ template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     }
 }
 
-// Mean over the sphere of radiance times polynomials, each divided by the mean of its own square.
-struct Projection {
-    std::array<glm::dvec3, 9> sums{};
+// Shares a texel's light among the ends of the axes around it.
+class Spread {
+  public:
+    void add(const glm::dvec3& d, double solidAngle, const glm::dvec3& radiance) {
+        std::array<double, 2 * kAxisCount> shares{};
+        double sum = 0;
+        for (size_t k = 0; k < kAxisCount; ++k) {
+            const double along = glm::dot(d, glm::dvec3(kAxes[k]));
+            for (const double side : {1.0, -1.0}) {
+                const double apart2 = (2 - 2 * side * along) / kCell2;
+                if (apart2 > 4) continue;
+                double& share = shares[side > 0 ? k : kAxisCount + k];
+                sum += share = std::exp(-2 * apart2);
+            }
+        }
+        for (size_t k = 0; k < shares.size(); ++k) {
+            const double weight = solidAngle * shares[k] / sum;
+            sums_[k] += weight * radiance;
+            weights_[k] += weight;
+        }
+    }
+    glm::vec3 radiance(size_t k) const { return glm::vec3(sums_[k] / std::max(weights_[k], 1e-9)); }
 
-    void add(const glm::dvec3& d, const glm::dvec3& flux) {
-        const double a = d.y * d.y - 1 / 3.0, b = d.x * d.x - d.z * d.z;
-        const std::array<double, 9> terms = {
-            1,         3 * d.x, 3 * d.y, 3 * d.z, 15 * d.x * d.y, 15 * d.y * d.z, 15 * d.x * d.z,
-            11.25 * a, 3.75 * b};
-        for (size_t k = 0; k < terms.size(); ++k) sums[k] += terms[k] / (4 * std::numbers::pi) * flux;
-    }
-    std::array<glm::vec3, 9> factors() const {
-        std::array<glm::vec3, 9> result;
-        for (size_t k = 0; k < result.size(); ++k) result[k] = glm::vec3(sums[k]);
-        return result;
-    }
+  private:
+    static constexpr double kCell2 = 2.0 / kAxisCount; // radius of an end's part of the sphere, squared
+    std::array<glm::dvec3, 2 * kAxisCount> sums_{};
+    std::array<double, 2 * kAxisCount> weights_{};
 };
 
 } // namespace
+
+const std::array<glm::vec3, kAxisCount> kAxes = readAxes();
 
 SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     SmoothLight light;
@@ -64,7 +94,8 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     });
     const bool even = glm::dot(brightest, brightest) <= 0;
     if (!even) brightest = glm::normalize(brightest);
-    Projection rest;
+    Spread rest;
+    std::array<glm::dvec3, 4> smooth{};
     glm::dvec3 flux(0), centre(0);
     double weight = 0;
     eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
@@ -73,12 +104,17 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
         const float* texel = radianceLin.at(x, y);
         const double bright = near * excess(x, y), share = bright / std::max(luminance(texel), 1e-9);
         const glm::dvec3 all = solidAngle * glm::dvec3(texel[0], texel[1], texel[2]);
-        rest.add(dir, (1 - share) * all);
+        rest.add(dir, solidAngle, (1 - share) * glm::dvec3(texel[0], texel[1], texel[2]));
+        smooth[0] += all / (4 * std::numbers::pi);
+        for (int k = 0; k < 3; ++k)
+            smooth[static_cast<size_t>(k + 1)] += 3 * dir[k] / (4 * std::numbers::pi) * all;
         flux += share * all;
         weight += solidAngle * bright;
         centre += solidAngle * bright * dir;
     });
-    light.around = rest.factors();
+    for (size_t k = 0; k < kAxisCount; ++k)
+        light.ahead[k] = rest.radiance(k), light.behind[k] = rest.radiance(kAxisCount + k);
+    for (size_t k = 0; k < 4; ++k) light.even[k] = glm::vec3(smooth[k]);
     if (weight <= 0) return light;
     // A cap's mean direction is (1 + cos) / 2 long.
     const double cosine = std::clamp(2 * glm::length(centre) / weight - 1, 0.0, std::sqrt(1 - kLeast));
@@ -88,22 +124,15 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     return light;
 }
 
-SmoothLight turned(const SmoothLight& light, const glm::mat3& thereFromHere) {
-    SmoothLight out = light;
-    out.lampTowards = thereFromHere * light.lampTowards;
-    const glm::mat3 back = glm::transpose(thereFromHere);
-    const auto& f = light.around;
-    for (int c = 0; c < 3; ++c) {
-        const glm::vec3 slope = thereFromHere * glm::vec3(f[1][c], f[2][c], f[3][c]);
-        const float xy = f[4][c] / 2, yz = f[5][c] / 2, xz = f[6][c] / 2, a = f[7][c], b = f[8][c];
-        const glm::mat3 bend =
-            thereFromHere * glm::mat3(b - a / 3, xy, xz, xy, 2 * a / 3, yz, xz, yz, -b - a / 3) * back;
-        const float terms[8] = {
-            slope.x,        slope.y,        slope.z,           2 * bend[0][1],
-            2 * bend[1][2], 2 * bend[0][2], 1.5f * bend[1][1], (bend[0][0] - bend[2][2]) / 2};
-        for (size_t k = 0; k < 8; ++k) out.around[k + 1][c] = terms[k];
+glm::mat4x3 lampDirections(const SmoothLight& light) {
+    const glm::mat3 lampFromAside = frameAround(light.lampTowards);
+    const float aside = std::sqrt(light.lampShare / 2), ahead = std::sqrt(1 - light.lampShare / 2);
+    glm::mat4x3 directions;
+    for (int k = 0; k < 4; ++k) {
+        const float turn = static_cast<float>(std::numbers::pi / 2) * static_cast<float>(k);
+        directions[k] = lampFromAside * glm::vec3(aside * std::cos(turn), aside * std::sin(turn), ahead);
     }
-    return out;
+    return directions;
 }
 
 } // namespace shoal::occlusion

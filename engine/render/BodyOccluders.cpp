@@ -16,10 +16,10 @@ namespace {
 // fish more than 0.3.
 constexpr float kStill = 0.15f, kBent = 0.3f;
 
-occlusion::Ellipsoid<float> transformed(const occlusion::Ellipsoid<float>& e, const glm::mat4& to) {
+occlusion::Ellipsoid transformed(const occlusion::Ellipsoid& e, const glm::mat4& to) {
     const glm::mat3 m(to);
     const float scale = std::cbrt(std::abs(glm::determinant(m)));
-    occlusion::Ellipsoid<float> out = e;
+    occlusion::Ellipsoid out = e;
     out.centre = glm::vec3(to * glm::vec4(e.centre, 1));
     out.worldFromAxes = m * e.worldFromAxes;
     for (int k = 0; k < 3; ++k) out.worldFromAxes[k] = glm::normalize(out.worldFromAxes[k]);
@@ -27,7 +27,7 @@ occlusion::Ellipsoid<float> transformed(const occlusion::Ellipsoid<float>& e, co
     return out;
 }
 
-glm::vec3 seenFrom(const occlusion::Ellipsoid<float>& part, const glm::vec3& place) {
+glm::vec3 seenFrom(const occlusion::Ellipsoid& part, const glm::vec3& place) {
     return (place - part.centre) * part.worldFromAxes; // the transpose's product
 }
 
@@ -44,7 +44,7 @@ BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& re
         const glm::mat4 nodeFromModel = glm::inverse(rest.modelFromNode[part.joint]);
         body.parts.push_back({transformed(part.atRest, nodeFromModel), part.joint});
     }
-    std::vector<occlusion::Ellipsoid<float>> atRest;
+    std::vector<occlusion::Ellipsoid> atRest;
     for (BodyOccluders::Part& part : body.parts) {
         atRest.push_back(placed(part, rest, glm::mat4(1)));
         part.atRest = seenFrom(atRest[0], atRest.back().centre);
@@ -54,7 +54,7 @@ BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& re
     return body;
 }
 
-float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid<float>> parts) {
+float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid> parts) {
     if (!body.onItself || parts.empty() || body.length <= 0) return 0;
     const float scale = parts[0].semiAxes.x / body.parts[0].inNode.semiAxes.x;
     float moved = 0;
@@ -64,8 +64,8 @@ float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoi
     return glm::smoothstep(kStill, kBent, moved / (scale * body.length));
 }
 
-occlusion::Ellipsoid<float> placed(const BodyOccluders::Part& part, const scene::Pose& pose,
-                                   const glm::mat4& worldFromModel) {
+occlusion::Ellipsoid placed(const BodyOccluders::Part& part, const scene::Pose& pose,
+                            const glm::mat4& worldFromModel) {
     return transformed(part.inNode, worldFromModel * pose.modelFromNode[static_cast<size_t>(part.node)]);
 }
 

@@ -12,7 +12,7 @@ namespace shoal::render {
 
 struct BodyOccluders {
     struct Part {
-        occlusion::Ellipsoid<float> inNode; // in the frame of the node that carries it
+        occlusion::Ellipsoid inNode; // in the frame of the node that carries it
         int node = 0;
         glm::vec3 atRest{0}; // its centre in the first part's axes, of their centre, at rest
     };
@@ -27,10 +27,10 @@ BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& re
                                 size_t most);
 
 // How much the body's own parts count, from 0 at rest, where folds say all, to 1. parts: all of them, placed.
-float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid<float>> parts);
+float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid> parts);
 
 // The part in the world. worldFromModel may scale, alike in all directions.
-occlusion::Ellipsoid<float> placed(const BodyOccluders::Part& part, const scene::Pose& pose,
-                                   const glm::mat4& worldFromModel);
+occlusion::Ellipsoid placed(const BodyOccluders::Part& part, const scene::Pose& pose,
+                            const glm::mat4& worldFromModel);
 
 } // namespace shoal::render

@@ -63,7 +63,7 @@ void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders
                 continue;
             }
             primitive.folds.resize(primitive.positions.size());
-            if (!folds.byOwn.empty()) primitive.foldsByOwn.resize(primitive.positions.size());
+            if (!own.empty()) primitive.foldsBesideOwn.resize(primitive.positions.size());
             for (size_t v = 0; v < primitive.folds.size(); ++v, ++next) {
                 glm::mat4 modelFromMesh = rest.modelFromNode[n];
                 if (node.skin >= 0 && !primitive.joints.empty()) {
@@ -72,8 +72,8 @@ void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders
                         modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
                 }
                 const glm::mat3 meshFromModel = glm::inverse(glm::mat3(modelFromMesh));
-                primitive.folds[v] = turned(meshFromModel, folds.hidden[next]);
-                if (!folds.byOwn.empty()) primitive.foldsByOwn[v] = turned(meshFromModel, folds.byOwn[next]);
+                primitive.folds[v] = turned(meshFromModel, folds.alone[next]);
+                if (!own.empty()) primitive.foldsBesideOwn[v] = turned(meshFromModel, folds.besideOwn[next]);
             }
         }
     }

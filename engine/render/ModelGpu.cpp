@@ -21,7 +21,7 @@ struct FixedVertex { // what morphing leaves alone
     glm::vec4 colour{1}; // linear or coded, as the reflectance is
     glm::u16vec4 joints{0};
     glm::vec4 weights{1, 0, 0, 0};
-    glm::vec4 folds{0}, foldsByOwn{0};
+    glm::vec4 folds{0}, foldsBesideOwn{0};
 };
 
 struct MorphVertex {
@@ -86,7 +86,7 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
             fixed[i].weights = primitive.weights[v];
         }
         if (!primitive.folds.empty()) fixed[i].folds = primitive.folds[v];
-        if (!primitive.foldsByOwn.empty()) fixed[i].foldsByOwn = primitive.foldsByOwn[v];
+        if (!primitive.foldsBesideOwn.empty()) fixed[i].foldsBesideOwn = primitive.foldsBesideOwn[v];
     }
     gpu.vertices = gl::Buffer::make();
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
@@ -99,7 +99,7 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colour));
     attribute(ATTRIBUTE_WEIGHTS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, weights));
     attribute(ATTRIBUTE_FOLDS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, folds));
-    attribute(ATTRIBUTE_FOLDS_BY_OWN, 4, GL_FLOAT, kStride, offsetof(FixedVertex, foldsByOwn));
+    attribute(ATTRIBUTE_FOLDS_BESIDE_OWN, 4, GL_FLOAT, kStride, offsetof(FixedVertex, foldsBesideOwn));
     glEnableVertexAttribArray(ATTRIBUTE_JOINTS);
     glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
                            reinterpret_cast<const void*>(offsetof(FixedVertex, joints)));

@@ -16,13 +16,16 @@ float smoothstep(float from, float to, float x) {
     return t * t * (3 - 2 * t);
 }
 
-PackedOccluder pack(const occlusion::Ellipsoid<float>& shape, float strength, const glm::vec3& albedo) {
-    PackedOccluder packed;
-    for (int k = 0; k < 3; ++k)
-        packed.axesFromWorld[k] = {shape.worldFromAxes[k], -glm::dot(shape.worldFromAxes[k], shape.centre)};
-    packed.semiAxesStrength = {shape.semiAxes, strength};
-    packed.albedo = {albedo, 0};
-    return packed;
+PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFromWorld, float strength,
+                    const glm::vec3& albedo) {
+    glm::mat3 scaled = lightFromWorld * shape.worldFromAxes;
+    const glm::vec3& a = shape.semiAxes;
+    for (int k = 0; k < 3; ++k) scaled[k] /= a[k];
+    const glm::mat3 square = scaled * glm::transpose(scaled);
+    return {.centreStrength = {lightFromWorld * shape.centre, strength},
+            .diagonalVolume = {square[0][0], square[1][1], square[2][2], a.x * a.y * a.z},
+            .mixed = {square[1][2], square[2][0], square[0][1], 0},
+            .albedo = {albedo, 0}};
 }
 
 } // namespace
@@ -46,7 +49,7 @@ size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const
     return bodies_.size() - 1;
 }
 
-NearBodies::Near NearBodies::near(size_t receiver) {
+NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWorld) {
     found_.clear();
     packed_.clear();
     const Body& self = bodies_[receiver];
@@ -77,10 +80,10 @@ NearBodies::Near NearBodies::near(size_t receiver) {
     }
     if (self.ownStrength > 0)
         for (const Part& mine : own.first(std::min<size_t>(own.size(), MAX_OCCLUDERS - MAX_OTHERS)))
-            packed_.push_back(pack(mine.shape, self.ownStrength, self.albedo));
+            packed_.push_back(pack(mine.shape, lightFromWorld, self.ownStrength, self.albedo));
     const size_t ownCount = packed_.size();
     for (const Found& found : found_)
-        packed_.push_back(pack(parts_[found.part].shape,
+        packed_.push_back(pack(parts_[found.part].shape, lightFromWorld,
                                smoothstep(least, std::max(2 * kLeastShare, 1.3f * least), found.share),
                                bodies_[found.body].albedo));
     return {packed_, ownCount, self.ownStrength};

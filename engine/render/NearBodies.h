@@ -14,11 +14,12 @@ using scene::Ball;
 
 // As shaders/occlusion/Bodies.glsl has it, std140.
 struct PackedOccluder {
-    glm::vec4 axesFromWorld[3]; // rows
-    glm::vec4 semiAxesStrength{0};
+    glm::vec4 centreStrength{0};
+    glm::vec4 diagonalVolume{0}; // of the matrix that makes it a ball, squared; product of its semi-axes
+    glm::vec4 mixed{0};          // yz, zx, xy of that matrix
     glm::vec4 albedo{0};
 };
-static_assert(sizeof(PackedOccluder) == 80);
+static_assert(sizeof(PackedOccluder) == 64);
 
 // A frame: clear(), add() for each body, then near() for each. Nothing allocates once the vectors have grown.
 class NearBodies {
@@ -36,12 +37,12 @@ class NearBodies {
     };
     // What takes light from this body: its own parts, where they do, and no more than MAX_OTHERS of others,
     // those that take most. Their strengths fade towards the least share worth taking, and towards the first
-    // that is left out, so that nothing pops.
-    Near near(size_t body);
+    // that is left out, so that nothing pops. In the light's frame.
+    Near near(size_t body, const glm::mat3& lightFromWorld);
 
   private:
     struct Part {
-        occlusion::Ellipsoid<float> shape;
+        occlusion::Ellipsoid shape;
         float reach = 0, size = 0; // longest semi-axis; that of a disc as large as its largest shadow
     };
     struct Body {
@@ -57,7 +58,7 @@ class NearBodies {
     std::vector<Part> parts_;
     std::vector<Body> bodies_;
     std::vector<Found> found_;
-    std::vector<occlusion::Ellipsoid<float>> placed_; // scratch
+    std::vector<occlusion::Ellipsoid> placed_; // scratch
     std::vector<PackedOccluder> packed_;
 };
 

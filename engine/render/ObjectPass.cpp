@@ -124,8 +124,10 @@ gl::Texture makeDfgTable() {
 }
 
 void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& light) {
-    program.setArray("smoothAround[0]", light.around);
-    program.set("lampTowards", light.lampTowards);
+    program.setArray("radianceAhead[0]", light.ahead);
+    program.setArray("radianceBehind[0]", light.behind);
+    program.setArray("evenLight[0]", light.even);
+    program.set("lampTowards", occlusion::lampDirections(light));
     program.set("lampRadiance", light.lampRadiance);
     program.set("lampShare", light.lampShare);
 }
@@ -202,10 +204,10 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
     return offset;
 }
 
-void ObjectPass::upload() {
+void ObjectPass::upload(const glm::mat3& envFromWorld) {
     shades_.clear();
     for (size_t body = 0; body < near_.count(); ++body) {
-        const auto [occluders, own, ownStrength] = near_.near(body);
+        const auto [occluders, own, ownStrength] = near_.near(body, envFromWorld);
         shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
                            static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength});
     }
@@ -253,8 +255,6 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     }
     const glm::mat4 clipFromWorld = view.clipFromWorld();
     const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? kLean : 0u);
-    const occlusion::SmoothLight smooth =
-        occlusion::turned(surround.smoothLight(), glm::transpose(envFromWorld));
     const gl::Program* current = nullptr;
     for (const auto& [distance, index] : order_) {
         const Item& item = items_[index];
@@ -283,7 +283,7 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             current->set("envFromWorld", envFromWorld);
             current->set("exposureScale", exposure.scale());
             setWater(*current, water);
-            if (features & kOccluded) setSmoothLight(*current, smooth);
+            if (features & kOccluded) setSmoothLight(*current, surround.smoothLight());
         }
         if (glossy == Glossy::PhongRings) {
             const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);

@@ -32,8 +32,8 @@ class ObjectPass {
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
              const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body = nullptr,
              std::span<const Ball> parts = {});
-    // Sends what was added to the graphics side.
-    void upload();
+    // Sends what was added to the graphics side. Light's frame is env.
+    void upload(const glm::mat3& envFromWorld);
 
     enum class Part { Opaque, Blended };
     // Opaque objects front to back, before the backdrop; blended ones back to front, after it.

@@ -58,9 +58,9 @@ struct Primitive { // triangles
     std::vector<glm::vec4> coloursLin;   // empty if absent
     std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
     std::vector<glm::vec4> weights;      // sum 1; empty if absent
-    std::vector<glm::vec4> folds;        // occlusion::Folds::hidden at rest, in the mesh's frame; empty: none
-    std::vector<glm::vec4> foldsByOwn;   // likewise Folds::byOwn
-    std::vector<uint32_t> indices;       // a multiple of 3, all below positions.size()
+    std::vector<glm::vec4> folds;        // occlusion::Folds::alone at rest, in the mesh's frame; empty: none
+    std::vector<glm::vec4> foldsBesideOwn; // likewise Folds::besideOwn
+    std::vector<uint32_t> indices;         // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
     int material = -1;                 // index into Model::materials; -1: glTF's default material
     std::vector<int> variantMaterials; // per Model::variants, -1: as it is; empty without variants

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr float kLeastSwing = 0.01f; // of a clip's tail, body lengths: below, it has no wave to scale
-constexpr size_t kBodyParts = 4, kHunterParts = 6, kHandParts = 20; // ellipsoids that take light from others
-constexpr float kMostScale = 2.5f;                                  // more would fold it
+constexpr size_t kBodyParts = 4, kHunterParts = 12, kHandParts = 20; // ellipsoids that take light from others
+constexpr float kMostScale = 2.5f;                                   // more would fold it
 
 // The clip's time for this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {

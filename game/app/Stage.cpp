@@ -44,7 +44,7 @@ void Stage::set(const game::Snapshot& snapshot, const Surround& surround, bool b
     headWorld_ = snapshot.headWorld;
     objects_.begin();
     if (!backdropOnly) cast_.show(snapshot, objects_);
-    objects_.upload();
+    objects_.upload(surround.envFromWorld());
     time_s_ = snapshot.time_s;
     backdropOnly_ = backdropOnly;
 }

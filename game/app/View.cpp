@@ -194,7 +194,7 @@ Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
         options_.look.glossy == "phong36" ? render::Glossy::PhongRings : render::Glossy::Prefiltered;
     objects_->begin();
     objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit.target, orbit.modelRadius}, &body_);
-    objects_->upload();
+    objects_->upload(surround_->envFromWorld());
     using Part = render::ObjectPass::Part;
     const glm::mat3 turn = surround_->envFromWorld();
     if (options_.background == "env")

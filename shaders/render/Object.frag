@@ -27,7 +27,7 @@ in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 worldTangent;
 #ifdef OCCLUDED
-in vec4 worldFold;
+in vec4 envFold;
 #endif
 #endif
 in vec4 vertexUv;
@@ -98,7 +98,7 @@ void main() {
 #endif
 #ifdef OCCLUDED
 #ifndef VERTEX_DIFFUSE
-    Shaded shaded = shadeByBodies(worldPosition, n, reflect(-v, n), rough, gl_FrontFacing ? worldFold : vec4(0.0));
+    Shaded shaded = shadeByBodies(envFromWorld * worldPosition, envFromWorld * n, r, rough, gl_FrontFacing ? envFold : vec4(0.0));
     around = max(around - shaded.taken, 0.0);
     vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
 #endif

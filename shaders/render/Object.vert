@@ -11,14 +11,14 @@ layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 
 #ifdef OCCLUDED
 layout(location = ATTRIBUTE_FOLDS) in vec4 folds;
-layout(location = ATTRIBUTE_FOLDS_BY_OWN) in vec4 foldsByOwn;
+layout(location = ATTRIBUTE_FOLDS_BESIDE_OWN) in vec4 foldsBesideOwn;
 uniform float ownStrength; // of the body's own occluders, 0 to 1
 #endif
 
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
-#if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
+#if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT) || defined(OCCLUDED)
 uniform mat3 envFromWorld;
 #endif
 #if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
@@ -54,7 +54,7 @@ out vec3 worldPosition;
 out vec3 worldNormal;
 out vec4 worldTangent;
 #ifdef OCCLUDED
-out vec4 worldFold;
+out vec4 envFold;
 #endif
 #endif
 out vec4 vertexUv; // set 0 in xy, set 1 in zw
@@ -75,9 +75,9 @@ void main() {
     vertexUv = vec4(uv0, uv1);
     vertexColourLin = colourLin;
 #ifdef OCCLUDED
-    vec4 rest = folds - ownStrength * foldsByOwn;
+    vec4 rest = mix(folds, foldsBesideOwn, ownStrength);
     vec3 turned = m * rest.xyz;
-    vec4 fold = vec4(turned * (length(rest.xyz) / max(length(turned), 1e-9)), rest.w);
+    vec4 fold = vec4(envFromWorld * turned * (length(rest.xyz) / max(length(turned), 1e-9)), rest.w);
 #else
     const vec4 fold = vec4(0.0);
 #endif
@@ -90,13 +90,14 @@ void main() {
     worldNormal = n;
     worldTangent = vec4(m * tangent.xyz, tangent.w);
 #ifdef OCCLUDED
-    worldFold = fold;
+    envFold = fold;
 #endif
 #endif
 #ifdef VERTEX_DIFFUSE
     diffuseLin = diffuseRadiance(envFromWorld * n);
 #ifdef OCCLUDED
-    Shaded shaded = shadeByBodies(world.xyz, n, reflect(normalize(world.xyz - eyeWorld), n), roughness, fold);
+    Shaded shaded = shadeByBodies(envFromWorld * world.xyz, envFromWorld * n,
+                                  envFromWorld * reflect(normalize(world.xyz - eyeWorld), n), roughness, fold);
     diffuseLin = max(diffuseLin - shaded.taken, 0.0);
     bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
 #endif

@@ -4,7 +4,7 @@
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;
 
-// p: world; fold: occlusion::findFolds(), world; n, v: unit, world, to the surface's outside and to the eye.
+// p: world; fold: occlusion::findFolds(), light's frame; n, v: unit, world, to the surface's outside and to the eye.
 void lightVertex(vec3 p, vec3 n, vec3 v, vec4 fold, out vec3 perBaseLin, out vec3 besidesLin) {
     float nv = clamp(dot(n, v), 1e-3, 1.0);
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;
@@ -14,7 +14,7 @@ void lightVertex(vec3 p, vec3 n, vec3 v, vec4 fold, out vec3 perBaseLin, out vec
     vec3 around = diffuseRadiance(envFromWorld * n);
     vec3 mirrored = glossyRadiance(envFromWorld * reflect(-v, n), roughness);
 #ifdef OCCLUDED
-    Shaded shaded = shadeByBodies(p, n, reflect(-v, n), roughness, fold);
+    Shaded shaded = shadeByBodies(envFromWorld * p, envFromWorld * n, envFromWorld * reflect(-v, n), roughness, fold);
     around = max(around - shaded.taken, 0.0);
     mirrored = mirrored * shaded.openLobe + shaded.seenInLobe;
 #endif

@@ -77,7 +77,7 @@ inline ImageRgba8 drawBall(const scene::Model& model, const render::SurroundGpu&
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
     pass->add(model, gpu, pose, glm::mat4(1), {{}, 1});
-    pass->upload();
+    pass->upload(glm::mat3(1));
     const Status drawn = pass->draw(render::ObjectPass::Part::Opaque, surround, view, glm::mat3(1),
                                     {.exposure_ev = exposure_ev}, water, render::Glossy::Prefiltered);
     EXPECT_TRUE(drawn);

@@ -39,10 +39,10 @@ TEST_F(OcclusionGL, OwnPartsCountOnceTheBodyIsBent) {
     const auto strength = [&](const glm::vec3& moved, float scale) {
         const glm::vec3 rest = body.parts[0].inNode.centre + body.parts[1].atRest;
         return render::ownStrength(
-            body, std::array{occlusion::Ellipsoid<float>{scale * body.parts[0].inNode.centre, glm::mat3(1),
-                                                         scale * body.parts[0].inNode.semiAxes},
-                             occlusion::Ellipsoid<float>{scale * (rest + moved), glm::mat3(1),
-                                                         scale * body.parts[1].inNode.semiAxes}});
+            body, std::array{occlusion::Ellipsoid{scale * body.parts[0].inNode.centre, glm::mat3(1),
+                                                  scale * body.parts[0].inNode.semiAxes},
+                             occlusion::Ellipsoid{scale * (rest + moved), glm::mat3(1),
+                                                  scale * body.parts[1].inNode.semiAxes}});
     };
     for (const float scale : {1.0f, 0.3f}) {
         EXPECT_EQ(strength({}, scale), 0);
@@ -89,7 +89,7 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     for (const Other& other : others)
         pass->add(nothing, gpu, pose, other.worldFromModel, {glm::vec3(other.worldFromModel[3]), 1},
                   &other.body);
-    pass->upload();
+    pass->upload(glm::mat3(1));
     EXPECT_TRUE(pass->draw(render::ObjectPass::Part::Opaque, surround, view, glm::mat3(1),
                            {.curve = render::ToneCurve::Linear}, {}, render::Glossy::Prefiltered));
     return target.read();
@@ -107,9 +107,11 @@ std::vector<Other> someOthers() {
 
 occlusion::SmoothLight unevenLight() {
     occlusion::SmoothLight light;
-    for (size_t k = 0; k < 9; ++k)
-        light.around[k] =
-            0.05f * glm::vec3(k == 0 ? 8 : std::sin(3.0f * static_cast<float>(k)), k == 0 ? 7 : 1, 2);
+    for (size_t k = 0; k < occlusion::kAxisCount; ++k) {
+        light.ahead[k] = 0.4f + 0.2f * glm::vec3(std::sin(3.0f * static_cast<float>(k)), 0.5f, 0.2f);
+        light.behind[k] = 0.4f + 0.2f * glm::vec3(0.3f, std::cos(2.0f * static_cast<float>(k)), 0);
+    }
+    light.even = {glm::vec3(0.4f), glm::vec3(0.1f, 0, 0.05f), glm::vec3(0.1f, 0.2f, 0), glm::vec3(-0.1f)};
     light.lampTowards = glm::normalize(glm::vec3(0.1f, 0.8f, 0.5f));
     light.lampShare = 0.06f;
     light.lampRadiance = {3, 2.5f, 2};

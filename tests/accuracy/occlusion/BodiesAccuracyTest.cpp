@@ -1,4 +1,4 @@
-// Diffuse light of bodies near each other, by ellipsoids in closed form, against traced rays.
+// Diffuse light of bodies near each other, by ellipsoids and few directions, against traced rays.
 #include "Truth.h"
 
 #include <gtest/gtest.h>
@@ -70,14 +70,14 @@ TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Bodies,
-                         testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.065, 0.07},
-                                         Case{"hand_closing", [] { return handOnFish(0.45f); }, 0.05, 0.07},
-                                         Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.07, 0.08},
-                                         Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.11, 0.11},
-                                         Case{"shark_above_shoal", [] { return sharkAboveShoal(); }, 0.04,
-                                              0.04}),
-                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Bodies,
+    testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.065, 0.067},
+                    Case{"hand_closing", [] { return handOnFish(0.45f); }, 0.044, 0.054},
+                    Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.06, 0.067},
+                    Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.121, 0.114},
+                    Case{"shark_above_shoal", [] { return sharkAboveShoal(); }, 0.033, 0.03}),
+    [](const auto& each) { return std::string(each.param.name); });
 
 } // namespace
 } // namespace shoal

@@ -15,7 +15,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kHandParts = 20, kFishParts = 4, kSharkParts = 6; // as the game has them
+constexpr size_t kHandParts = 20, kFishParts = 4, kSharkParts = 12; // as the game has them
 constexpr int kFoldRays = 6;
 
 Path content() { return Path(SHOAL_SOURCE_DIR) / "content"; }
@@ -40,8 +40,9 @@ Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
     if (actor.body.onItself)
         for (const auto& part : actor.body.parts)
             own.push_back({render::placed(part, actor.rest, glm::mat4(1)), 1, {}});
-    actor.folds =
-        occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kFoldRays).rest();
+    const auto folds =
+        occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kFoldRays);
+    actor.folds = own.empty() ? folds.alone : folds.besideOwn;
     return actor;
 }
 

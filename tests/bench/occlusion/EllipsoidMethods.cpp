@@ -1,4 +1,4 @@
-// What the game draws: bodies as ellipsoids on their joints, in closed form.
+// What the game draws: bodies as ellipsoids on their joints, which hide the ends of a few axes.
 #include "engine/light/Lookup.h"
 #include "engine/occlusion/Folds.h"
 #include "tests/bench/occlusion/EllipsoidParts.h"
@@ -26,8 +26,9 @@ struct State {
 std::vector<glm::vec4> foldsOf(const Body& body, std::span<const occlusion::Occluder> ownAtRest) {
     std::vector<uint32_t> indices;
     for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    auto folds =
-        occlusion::findFolds({body.rest.positions, body.rest.normals, indices}, ownAtRest, kRays).rest();
+    const auto found =
+        occlusion::findFolds({body.rest.positions, body.rest.normals, indices}, ownAtRest, kRays);
+    auto folds = ownAtRest.empty() ? found.alone : found.besideOwn;
     for (size_t v = 0; v < folds.size(); ++v)
         folds[v] = glm::vec4(glm::mat3(body.worldFromRest[static_cast<size_t>(body.boneOf[v])]) *
                                  glm::vec3(folds[v]),

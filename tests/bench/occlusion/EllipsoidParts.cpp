@@ -6,10 +6,10 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr size_t kHandParts = 20, kHunterParts = 6, kBodyParts = 4; // as the game fits them
+constexpr size_t kHandParts = 20, kHunterParts = 12, kBodyParts = 4; // as the game fits them
 
-occlusion::Ellipsoid<float> moved(const occlusion::Ellipsoid<float>& at, const glm::mat4& to) {
-    occlusion::Ellipsoid<float> out = at;
+occlusion::Ellipsoid moved(const occlusion::Ellipsoid& at, const glm::mat4& to) {
+    occlusion::Ellipsoid out = at;
     const float scale = std::cbrt(std::abs(glm::determinant(glm::mat3(to))));
     out.centre = glm::vec3(to * glm::vec4(at.centre, 1));
     out.worldFromAxes = glm::mat3(to) * at.worldFromAxes / scale;
