@@ -81,7 +81,7 @@ OcclusionMethod ellipsoids(Casting casting) {
                 for (size_t i = 0; i < at.size(); ++i) {
                     const size_t body = at[i].body;
                     const glm::uvec3 corner = state->scene->bodies[body].posed.triangles[at[i].triangle];
-                    occlusion::Fold fold;
+                    occlusion::Fold fold{glm::vec4(0), state->scene->bodies[body].sentBack};
                     for (int k = 0; k < 3 && !state->folds.empty(); ++k)
                         fold.hidden += at[i].weights[k] * state->folds[body][corner[k]];
                     const glm::vec3 open = light::lookUp(*state->map, at[i].normal);
