@@ -53,6 +53,7 @@ Crew::~Crew() {
     {
         const std::lock_guard lock(state_->mutex);
         state_->stop = true;
+        state_->next = state_->parts;
     }
     state_->called.notify_all();
     for (std::thread& helper : state_->helpers) helper.join();

@@ -10,7 +10,7 @@ class Crew {
     explicit Crew(int helpers); // besides the thread that calls; 0: none
     Crew(Crew&&) noexcept;
     Crew& operator=(Crew&&) noexcept;
-    ~Crew();
+    ~Crew(); // what has begun is ended, what has not is left
 
     // The helpers begin: part(0) to part(parts - 1), each once, in any order. `part` must live until
     // finish(). Allocates nothing. By one thread at a time, one task at a time.

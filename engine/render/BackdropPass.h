@@ -63,7 +63,6 @@ class BackdropPass {
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
-    std::optional<Crew> crew_; // empty: nothing is sampled here
     SampleRow sampleRow_{};
     CodedFrame sampledFrame_;
     int stride_ = 0; // of picture_
@@ -76,6 +75,7 @@ class BackdropPass {
     std::vector<SampledCell> sampled_;
     std::vector<size_t> sampledRows_; // where in them each of the grid's rows begins, and their end
     std::vector<uint32_t> picture_;
+    std::optional<Crew> crew_; // last, so that it ends before what it reads; empty: nothing is sampled here
 };
 
 } // namespace shoal::render

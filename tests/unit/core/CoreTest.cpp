@@ -35,6 +35,16 @@ TEST(Crew, BeginsBeforeItIsFinished) {
     crew.finish();
 }
 
+TEST(Crew, LeavesWhatIsNotFinished) {
+    std::atomic<int> done = 0;
+    auto part = [&](int) { ++done; };
+    {
+        Crew crew(1);
+        crew.start(1 << 30, part);
+    }
+    EXPECT_LT(done, 1 << 30);
+}
+
 // A part may only be done by a helper: two threads are in the task at once, or this never ends.
 TEST(Crew, WorksBesideTheCaller) {
     Crew crew(1);
