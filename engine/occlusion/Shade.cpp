@@ -55,6 +55,13 @@ float sideOf(const glm::vec3& normal, size_t axis) {
     return glm::dot(normal, kAxes[axis]) < 0 ? -1.0f : 1.0f;
 }
 
+// Of what others have left of the ends above a surface.
+void hide(const Seen& seen, float strength, const glm::vec3& normal, Hidden& hidden) {
+    for (size_t k = 0; k < kAxisCount; ++k)
+        hidden[k] += (1 - hidden[k]) * strength *
+                     seen.hides(sideOf(normal, k) * kAxes[k], kCellSine, 0.5f / kAxisCount);
+}
+
 float ofFold(const glm::vec4& fold, const glm::vec3& direction) {
     return fold.w + glm::dot(glm::vec3(fold), direction);
 }
@@ -63,12 +70,8 @@ float ofFold(const glm::vec4& fold, const glm::vec3& direction) {
 
 Hidden hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders) {
     Hidden hidden{};
-    for (const Occluder& occluder : occluders) {
-        const Seen seen(occluder.shape, p);
-        for (size_t k = 0; k < kAxisCount; ++k)
-            hidden[k] += (1 - hidden[k]) * occluder.strength *
-                         seen.hides(sideOf(normal, k) * kAxes[k], kCellSine, 0.5f / kAxisCount);
-    }
+    for (const Occluder& occluder : occluders)
+        hide(Seen(occluder.shape, p), occluder.strength, normal, hidden);
     return hidden;
 }
 
@@ -109,9 +112,7 @@ Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder
     glm::vec4 lampHidden(0), albedo(1e-4f * fold.albedo, 1e-4f);
     const auto add = [&](const Occluder& occluder) {
         const Seen seen(occluder.shape, p);
-        for (size_t k = 0; k < kAxisCount; ++k)
-            hidden[k] += (1 - hidden[k]) * occluder.strength *
-                         seen.hides(sideOf(normal, k) * kAxes[k], kCellSine, 0.5f / kAxisCount);
+        hide(seen, occluder.strength, normal, hidden);
         for (int k = 0; k < 4; ++k)
             lampHidden[k] += (1 - lampHidden[k]) * occluder.strength * seen.hides(lamp[k], lampSine, lampCap);
         albedo += occluder.strength * seen.cap() * glm::vec4(occluder.albedo, 1);

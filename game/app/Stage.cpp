@@ -1,5 +1,7 @@
 #include "game/app/Stage.h"
 
+#include <utility>
+
 namespace shoal::app {
 
 namespace {
@@ -112,13 +114,14 @@ void Stage::beginBackdrop(const Eye& eye) {
     const render::CodedFrame* frame = eye.surround.frameInMemory(eye.eye);
     if (!frame) return;
     chooseTexels(eye);
+    texelsChosen_ = true;
     backdrop_.begin(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure, eye.size,
                     {*frame, paintedFrame(eye)});
 }
 
 Status Stage::drawBackdrop(const Eye& eye) {
+    if (!std::exchange(texelsChosen_, false)) chooseTexels(eye);
     if (render::LatLongPass* frame = paintedFrame(eye)) {
-        chooseTexels(eye);
         GLint canvas = 0;
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &canvas);
         const render::View view = layerView(eye);

@@ -99,6 +99,7 @@ class Stage {
     double time_s_ = 0;
     glm::vec3 headWorld_{0};
     bool backdropOnly_ = false;
+    bool texelsChosen_ = false; // of the eye whose backdrop has begun
 };
 
 } // namespace shoal::app

@@ -9,6 +9,7 @@
 #include "game/app/XrGate.h"
 #include "input/haptics/Vibration.h"
 
+#include <array>
 #include <functional>
 #include <span>
 
