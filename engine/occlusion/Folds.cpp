@@ -150,12 +150,12 @@ class Folding {
 
 } // namespace
 
-Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays) {
+std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays) {
     glm::vec3 low(INFINITY), high(-INFINITY);
     for (const glm::vec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
     const float gap = kGap * glm::distance(low, high);
     if (!(gap > 0) || !std::isfinite(gap) || rays < 1)
-        return {std::vector<glm::vec4>(body.positions.size(), glm::vec4(0)), {}};
+        return std::vector<glm::vec4>(body.positions.size(), glm::vec4(0));
     Folding folding(body, rays, gap);
     const size_t samples = folding.samples();
     {
@@ -166,19 +166,18 @@ Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays
                 [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
         folding.lookFrom(0, samples / threads);
     }
-    Folds folds{folding.fit(), {}};
-    folding.smooth(folds.alone);
-    std::vector<bool> used(folds.alone.size(), false);
+    std::vector<glm::vec4> folds = folding.fit();
+    folding.smooth(folds);
+    std::vector<bool> used(folds.size(), false);
     for (const uint32_t corner : body.indices) used[corner] = true;
-    if (!own.empty()) folds.besideOwn.assign(folds.alone.size(), glm::vec4(0));
-    for (size_t v = 0; v < folds.alone.size(); ++v) {
+    for (size_t v = 0; v < folds.size(); ++v) {
         if (!used[v]) continue;
         const glm::vec3 &p = body.positions[v], &normal = body.normals[v];
-        const glm::vec4 moments = folds.alone[v];
-        // Skin turns the normals of what has ellipsoids of its own.
-        const Carried by = own.empty() ? Carried::Stiffly : Carried::Loosely;
-        folds.alone[v] = completing({}, normal, moments, by);
-        if (!own.empty()) folds.besideOwn[v] = completing(hiddenBy(p, normal, own), normal, moments, by);
+        folds[v] = completing({}, normal, folds[v]);
+        if (own.empty()) continue;
+        // Few rays may ask for what nothing hides; what is there to be completed must not add to it.
+        const glm::vec4 moments = momentsOf(folded({}, normal, folds[v]), normal);
+        folds[v] = completing(hiddenBy(p, normal, own), normal, moments);
     }
     return folds;
 }

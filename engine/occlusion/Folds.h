@@ -1,4 +1,4 @@
-// What a body at rest hides of the world from its own surface: mouths, gills, what lies beneath fins and
+// What a body in one pose hides of the world from its own surface: mouths, gills, what lies beneath fins and
 // between fingers.
 #pragma once
 
@@ -19,15 +19,10 @@ struct FoldingBody {
     std::span<const uint32_t> indices;             // of what lets no light through
 };
 
-// Fold::hidden, one a position, same frame.
-struct Folds {
-    std::vector<glm::vec4> alone;     // all that the body hides
-    std::vector<glm::vec4> besideOwn; // what completes its own ellipsoids; no ellipsoids: empty
-};
-
 // What corners say in between comes as near as it can to what is seen from them and from three points in each
 // triangle, for corners alone are often buried, where fins have their roots, and would darken what lies
 // around: Kavan et al. 2011, "Least Squares Vertex Baking". rays: from each of these points. Several threads.
-Folds findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays);
+// own: the body's own ellipsoids, which this completes. Returns Fold::hidden, one a position, same frame.
+std::vector<glm::vec4> findFolds(const FoldingBody& body, std::span<const Occluder> own, int rays);
 
 } // namespace shoal::occlusion

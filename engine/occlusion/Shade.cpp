@@ -75,6 +75,12 @@ Hidden hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occ
     return hidden;
 }
 
+Hidden folded(Hidden hidden, const glm::vec3& normal, const glm::vec4& fold) {
+    for (size_t k = 0; k < kAxisCount; ++k)
+        hidden[k] = glm::clamp(hidden[k] + ofFold(fold, sideOf(normal, k) * kAxes[k]), 0.0f, 1.0f);
+    return hidden;
+}
+
 glm::vec4 momentsOf(const Hidden& hidden, const glm::vec3& normal) {
     glm::vec4 sum(0);
     float all = 0;
@@ -88,17 +94,16 @@ glm::vec4 momentsOf(const Hidden& hidden, const glm::vec3& normal) {
 
 // What is amiss is added as if nothing were clamped, again and again. Across the normal the variance of a
 // cosine-weighted hemisphere is a quarter.
-glm::vec4 completing(const Hidden& hidden, const glm::vec3& normal, const glm::vec4& moments, Carried by) {
-    const int steps = by == Carried::Stiffly ? 12 : 3;
+glm::vec4 completing(const Hidden& hidden, const glm::vec3& normal, const glm::vec4& moments) {
+    constexpr int kSteps = 8;
+    constexpr float kLeast = 0.05f; // of the hemisphere: less is as good as none
+    const float byOthers = std::min(momentsOf(hidden, normal).w / std::max(moments.w, kLeast), 1.0f);
     const glm::vec3 middle = -kMeanBack * normal;
     glm::vec4 fold(0);
-    for (int step = 0; step < steps; ++step) {
-        Hidden sum = hidden;
-        for (size_t k = 0; k < kAxisCount; ++k)
-            sum[k] = glm::clamp(sum[k] + ofFold(fold, sideOf(normal, k) * kAxes[k]), 0.0f, 1.0f);
-        const glm::vec4 amiss = moments - momentsOf(sum, normal);
+    for (int step = 0; step < kSteps; ++step) {
+        const glm::vec4 amiss = moments - momentsOf(folded(hidden, normal, fold), normal);
         glm::vec3 slope = 4.0f * (glm::vec3(amiss) - amiss.w * middle);
-        if (by == Carried::Loosely) slope -= glm::dot(slope, normal) * normal;
+        slope -= byOthers * byOthers * glm::dot(slope, normal) * normal;
         fold += glm::vec4(slope, amiss.w - glm::dot(slope, middle));
     }
     return fold;
@@ -118,8 +123,7 @@ Taken take(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder
         albedo += occluder.strength * seen.cap() * glm::vec4(occluder.albedo, 1);
     };
     for (const Occluder& occluder : own) add(occluder);
-    for (size_t k = 0; k < kAxisCount; ++k)
-        hidden[k] = glm::clamp(hidden[k] + ofFold(fold.hidden, sideOf(normal, k) * kAxes[k]), 0.0f, 1.0f);
+    hidden = folded(hidden, normal, fold.hidden);
     for (int k = 0; k < 4; ++k)
         lampHidden[k] = glm::clamp(lampHidden[k] + ofFold(fold.hidden, lamp[k]), 0.0f, 1.0f);
     for (const Occluder& occluder : others) add(occluder);

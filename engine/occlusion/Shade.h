@@ -43,13 +43,16 @@ float openLobe(const glm::vec3& p, const glm::vec3& direction, float roughness,
 using Hidden = std::array<float, kAxisCount>;
 Hidden hiddenBy(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders);
 
+// A fold besides.
+Hidden folded(Hidden hidden, const glm::vec3& normal, const glm::vec4& fold);
+
 // Of the cosine-weighted hemisphere how much is hidden (w, 0 to 1), and that share's first moment (xyz: w
 // times the mean direction).
 glm::vec4 momentsOf(const Hidden& hidden, const glm::vec3& normal);
 
-// The Fold::hidden with which what is hidden has nearly these moments. Loosely: its joint turns it otherwise
-// than skin turns the normal, so that it must say nothing of how high above the surface a direction is.
-enum class Carried { Stiffly, Loosely };
-glm::vec4 completing(const Hidden& hidden, const glm::vec3& normal, const glm::vec4& moments, Carried by);
+// The Fold::hidden with which what is hidden has nearly these moments, which something must hide. As far as
+// ellipsoids hide as much, it says nothing of how high above the surface a direction is: they move against
+// the skin, which turns the fold.
+glm::vec4 completing(const Hidden& hidden, const glm::vec3& normal, const glm::vec4& moments);
 
 } // namespace shoal::occlusion

@@ -37,14 +37,9 @@ glm::vec4 turned(const glm::mat3& by, const glm::vec4& fold) {
     return {length > 0 ? to * (glm::length(glm::vec3(fold)) / length) : glm::vec3(0), fold.w};
 }
 
-} // namespace
-
-void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders& body, int rays) {
-    const scene::Surface surface = scene::posedSurface(model, rest);
-    std::vector<occlusion::Occluder> own;
-    if (body.onItself)
-        for (const BodyOccluders::Part& part : body.parts)
-            own.push_back({placed(part, rest, glm::mat4(1)), 1, {}});
+void fold(scene::Model& model, const scene::Pose& pose, std::span<const occlusion::Occluder> own, int rays,
+          std::vector<glm::vec4> scene::Primitive::*kept) {
+    const scene::Surface surface = scene::posedSurface(model, pose);
     const std::vector<uint32_t> solid = solidOf(model, surface);
     const auto folds = occlusion::findFolds({surface.positions, surface.normals, solid}, own, rays);
     std::vector<glm::mat4> joints;
@@ -53,7 +48,7 @@ void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders
         const auto n = static_cast<size_t>(index);
         const scene::Node& node = model.nodes[n];
         if (node.mesh < 0) continue;
-        if (node.skin >= 0) scene::skinMatrices(model, node.skin, rest, joints);
+        if (node.skin >= 0) scene::skinMatrices(model, node.skin, pose, joints);
         for (scene::Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
             const bool mapped =
                 primitive.material >= 0 &&
@@ -62,21 +57,31 @@ void foldModel(scene::Model& model, const scene::Pose& rest, const BodyOccluders
                 next += primitive.positions.size();
                 continue;
             }
-            primitive.folds.resize(primitive.positions.size());
-            if (!own.empty()) primitive.foldsBesideOwn.resize(primitive.positions.size());
-            for (size_t v = 0; v < primitive.folds.size(); ++v, ++next) {
-                glm::mat4 modelFromMesh = rest.modelFromNode[n];
+            (primitive.*kept).resize(primitive.positions.size());
+            for (size_t v = 0; v < primitive.positions.size(); ++v, ++next) {
+                glm::mat4 modelFromMesh = pose.modelFromNode[n];
                 if (node.skin >= 0 && !primitive.joints.empty()) {
                     modelFromMesh = glm::mat4(0);
                     for (int k = 0; k < 4; ++k)
                         modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
                 }
-                const glm::mat3 meshFromModel = glm::inverse(glm::mat3(modelFromMesh));
-                primitive.folds[v] = turned(meshFromModel, folds.alone[next]);
-                if (!own.empty()) primitive.foldsBesideOwn[v] = turned(meshFromModel, folds.besideOwn[next]);
+                (primitive.*kept)[v] = turned(glm::inverse(glm::mat3(modelFromMesh)), folds[next]);
             }
         }
     }
+}
+
+} // namespace
+
+void foldModel(scene::Model& model, const scene::Pose& rest, int rays) {
+    fold(model, rest, {}, rays, &scene::Primitive::folds);
+}
+
+void foldBesideOwn(scene::Model& model, const scene::Pose& bent, const BodyOccluders& body, int rays) {
+    std::vector<occlusion::Occluder> own;
+    for (const BodyOccluders::Part& part : body.parts)
+        own.push_back({placed(part, bent, glm::mat4(1)), 1, {}});
+    fold(model, bent, own, rays, &scene::Primitive::foldsBesideOwn);
 }
 
 } // namespace shoal::render

@@ -52,14 +52,14 @@ struct MorphTarget { // deltas; each empty or one per vertex
 
 struct Primitive { // triangles
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;      // always there: flat ones are generated where the file has none
-    std::vector<glm::vec4> tangents;     // w: handedness; empty unless the material has a normal map
-    std::vector<glm::vec2> texCoords[2]; // empty if absent
-    std::vector<glm::vec4> coloursLin;   // empty if absent
-    std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
-    std::vector<glm::vec4> weights;      // sum 1; empty if absent
-    std::vector<glm::vec4> folds;        // occlusion::Folds::alone at rest, in the mesh's frame; empty: none
-    std::vector<glm::vec4> foldsBesideOwn; // likewise Folds::besideOwn
+    std::vector<glm::vec3> normals;        // always there: flat ones are generated where the file has none
+    std::vector<glm::vec4> tangents;       // w: handedness; empty unless the material has a normal map
+    std::vector<glm::vec2> texCoords[2];   // empty if absent
+    std::vector<glm::vec4> coloursLin;     // empty if absent
+    std::vector<glm::u16vec4> joints;      // indices into Skin::joints; empty if absent
+    std::vector<glm::vec4> weights;        // sum 1; empty if absent
+    std::vector<glm::vec4> folds;          // occlusion::findFolds() at rest, in the mesh's frame; empty: none
+    std::vector<glm::vec4> foldsBesideOwn; // likewise, bent, beside the body's own ellipsoids
     std::vector<uint32_t> indices;         // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
     int material = -1;                 // index into Model::materials; -1: glTF's default material

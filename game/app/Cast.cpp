@@ -2,6 +2,7 @@
 
 #include "engine/render/FoldModel.h"
 #include "engine/scene/Roughness.h"
+#include "input/hands/HandRig.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -33,16 +34,23 @@ size_t mostParts(const scene::Model& model, occlusion::Parts parts) {
     return parts == occlusion::Parts::ByJoint ? kHandParts : biteOf(model) < 0 ? kBodyParts : kHunterParts;
 }
 
+constexpr int kFoldRays = 6, kGripRays = 12; // more where folds are deep
+
 // At rest, but what bites with its mouth open, which must not glow: closed, nobody looks into it.
-void foldBody(scene::Model& model, const render::BodyOccluders& body) {
-    constexpr int kRays = 6;
+void foldBody(scene::Model& model) {
     const int bite = biteOf(model);
     scene::Pose pose;
     scene::restPose(model, pose);
     if (bite >= 0)
         scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
     scene::updateGlobals(model, pose);
-    render::foldModel(model, pose, body, kRays);
+    render::foldModel(model, pose, kFoldRays);
+}
+
+void placeJoints(std::span<const hands::Joint> joints, std::span<const int> nodes, scene::Pose& pose) {
+    for (size_t k = 0; k < joints.size(); ++k)
+        pose.modelFromNode[static_cast<size_t>(nodes[k])] =
+            glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
 } // namespace
@@ -54,17 +62,26 @@ Result<Cast::Actor> Cast::readActor(const Wish& wish, render::Reflectance reflec
     actor.model = std::move(*model);
     if (!wish.look.empty() && !scene::wear(actor.model, wish.look))
         return Error{wish.file.string(), "has no variant named " + wish.look};
-    const bool isHand = wish.parts == occlusion::Parts::ByJoint;
-    for (size_t joint = 0; joint < hands::kJointNames.size() && isHand; ++joint) {
+    const auto parts = wish.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape;
+    for (size_t joint = 0; joint < hands::kJointNames.size() && wish.side; ++joint) {
         const std::string name(hands::kJointNames[joint]);
         actor.jointNodes[joint] = actor.model.findNode(name);
         if (actor.jointNodes[joint] < 0) return Error{wish.file.string(), "has no joint named " + name};
     }
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
-    actor.body =
-        render::makeBodyOccluders(actor.model, actor.pose, wish.parts, mostParts(actor.model, wish.parts));
-    foldBody(actor.model, actor.body);
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, mostParts(actor.model, parts));
+    foldBody(actor.model);
+    if (wish.side) {
+        // Half closed, as most of what its own parts count for is.
+        const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+        if (!rig) return rig.error();
+        hands::HandShape half;
+        half.curl.fill(0.45f);
+        scene::Pose bent = actor.pose;
+        placeJoints(rig->pose(*wish.side, half, {}).joints, actor.jointNodes, bent);
+        render::foldBesideOwn(actor.model, bent, actor.body, kGripRays);
+    }
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
@@ -100,9 +117,9 @@ void Cast::upload(Actor& actor, render::Reflectance reflectance, render::Detail 
 Result<Cast> Cast::load(std::span<const Path> speciesModels, const Path& leftHand, const Path& rightHand,
                         const std::string& handLook, render::Reflectance reflectance, render::Detail detail) {
     std::vector<Wish> wishes;
-    for (const Path& file : speciesModels) wishes.push_back({file, {}, occlusion::Parts::ByShape});
-    for (const Path& file : {leftHand, rightHand})
-        wishes.push_back({file, handLook, occlusion::Parts::ByJoint});
+    for (const Path& file : speciesModels) wishes.push_back({file, {}, {}});
+    wishes.push_back({leftHand, handLook, hands::Side::Left});
+    wishes.push_back({rightHand, handLook, hands::Side::Right});
     // Each is read while the one before it goes to the graphics side; not all at once, for the memory's sake.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readActor(wishes[i], reflectance); });
@@ -180,10 +197,7 @@ void Cast::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
         const game::HandView& hand = snapshot.hands[side];
         if (!hand.visible) continue;
         Actor& actor = hands_[side];
-        for (size_t joint = 0; joint < hand.joints.size(); ++joint)
-            actor.pose.modelFromNode[static_cast<size_t>(actor.jointNodes[joint])] =
-                glm::translate(glm::mat4(1), hand.joints[joint].position) *
-                glm::mat4_cast(hand.joints[joint].orientation);
+        placeJoints(hand.joints, actor.jointNodes, actor.pose);
         const glm::mat4 worldFromModel(1); // the joints already stand in the world
         scene::placeBalls(actor.reach, actor.pose, worldFromModel, balls_);
         pass.add(actor.model, actor.gpu, actor.pose, worldFromModel, scene::ballAround(balls_), &actor.body,

@@ -11,6 +11,7 @@
 #include "game/Snapshot.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,8 +50,8 @@ class Cast {
     static void pose(const game::CreatureView& creature, Actor& actor);
     struct Wish {
         Path file;
-        std::string look; // a variant of the model; empty: as it is
-        occlusion::Parts parts;
+        std::string look;                // a variant of the model; empty: as it is
+        std::optional<hands::Side> side; // hands only
     };
     // On any thread; lacks what upload() makes.
     static Result<Actor> readActor(const Wish&, render::Reflectance reflectance);

@@ -151,7 +151,7 @@ Status Viewer::open() {
         for (const scene::Mesh& mesh : model_.meshes)
             for (const scene::Primitive& primitive : mesh.primitives) indices += primitive.indices.size();
         const auto rays = static_cast<int>(std::min<size_t>(kMostRays / indices, kFoldRays));
-        if (rays >= kFewestRays) render::foldModel(model_, first, {}, rays);
+        if (rays >= kFewestRays) render::foldModel(model_, first, rays);
         body_.albedo = scene::meanBaseColour(model_);
         if (reflectanceIn(options_.surround) == render::Reflectance::Coded)
             body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));

@@ -16,7 +16,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kHandParts = 20, kFishParts = 4, kSharkParts = 12; // as the game has them
-constexpr int kFoldRays = 6;
+constexpr int kFoldRays = 6, kGripRays = 12;
 
 Path content() { return Path(SHOAL_SOURCE_DIR) / "content"; }
 
@@ -24,8 +24,14 @@ struct Actor {
     scene::Model model;
     scene::Pose rest, pose;
     render::BodyOccluders body;
-    std::vector<glm::vec4> folds; // at rest
+    std::vector<glm::vec4>
+        folds; // at rest; of a hand what its own parts leave half closed, as carried to rest
 };
+
+// From rest, as its joint has turned this vertex.
+glm::mat3 turned(const Actor& actor, const scene::Pose& pose, size_t node) {
+    return glm::mat3(pose.modelFromNode[node] * glm::inverse(actor.rest.modelFromNode[node]));
+}
 
 Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
     auto model = scene::loadModel(content() / "models" / (name + ".glb"));
@@ -36,14 +42,28 @@ Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
     actor.rest = actor.pose;
     actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
     const scene::Surface surface = scene::posedSurface(actor.model, actor.rest);
-    std::vector<occlusion::Occluder> own;
-    if (actor.body.onItself)
-        for (const auto& part : actor.body.parts)
-            own.push_back({render::placed(part, actor.rest, glm::mat4(1)), 1, {}});
-    const auto folds =
-        occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kFoldRays);
-    actor.folds = own.empty() ? folds.alone : folds.besideOwn;
+    actor.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, {}, kFoldRays);
     return actor;
+}
+
+void foldBesideOwn(Actor& hand) {
+    const scene::Surface surface = scene::posedSurface(hand.model, hand.pose);
+    std::vector<occlusion::Occluder> own;
+    for (const auto& part : hand.body.parts)
+        own.push_back({render::placed(part, hand.pose, glm::mat4(1)), 1, {}});
+    hand.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kGripRays);
+    for (size_t v = 0; v < hand.folds.size(); ++v)
+        hand.folds[v] =
+            glm::vec4(glm::inverse(turned(hand, hand.pose, surface.nodesOf[v])) * glm::vec3(hand.folds[v]),
+                      hand.folds[v].w);
+}
+
+void placeJoints(const hands::HandPose& pose, Actor& hand) {
+    for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
+        hand.pose
+            .modelFromNode[static_cast<size_t>(hand.model.findNode(std::string(hands::kJointNames[joint])))] =
+            glm::translate(glm::mat4(1), pose.joints[joint].position) *
+            glm::mat4_cast(pose.joints[joint].orientation);
 }
 
 SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
@@ -54,10 +74,9 @@ SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
     body.albedo = actor.body.albedo;
     body.onItself = actor.body.onItself;
     for (size_t v = 0; v < actor.folds.size(); ++v) {
-        const size_t node = body.surface.nodesOf[v];
-        const glm::mat3 turned(worldFromModel * actor.pose.modelFromNode[node] *
-                               glm::inverse(actor.rest.modelFromNode[node]));
-        body.folds.emplace_back(turned * glm::vec3(actor.folds[v]) / std::cbrt(glm::determinant(turned)),
+        const glm::mat3 carried =
+            glm::mat3(worldFromModel) * turned(actor, actor.pose, body.surface.nodesOf[v]);
+        body.folds.emplace_back(carried * glm::vec3(actor.folds[v]) / std::cbrt(glm::determinant(carried)),
                                 actor.folds[v].w);
     }
     for (const auto& part : actor.body.parts)
@@ -77,6 +96,11 @@ ClosingHand::ClosingHand() : actors_(std::make_shared<Actors>()) {
     auto rig = hands::HandRig::load(content() / "models" / "hand_skeleton.json");
     if (!rig) throw std::runtime_error(rig.error().sentence());
     actors_->rig = std::move(*rig);
+    hands::HandShape half;
+    half.curl.fill(0.45f);
+    Actor& hand = actors_->hand;
+    placeJoints(actors_->rig.pose(hands::Side::Right, half, {}), hand);
+    foldBesideOwn(hand);
 }
 
 OcclusionScene ClosingHand::at(float curl) const {
@@ -87,11 +111,7 @@ OcclusionScene ClosingHand::at(float curl) const {
     const glm::vec3 fishAt = hands::graspCentre(actors_->rig.pose(hands::Side::Right, shape, {}).joints);
     shape.curl.fill(curl);
     const hands::HandPose pose = actors_->rig.pose(hands::Side::Right, shape, {});
-    for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
-        hand.pose
-            .modelFromNode[static_cast<size_t>(hand.model.findNode(std::string(hands::kJointNames[joint])))] =
-            glm::translate(glm::mat4(1), pose.joints[joint].position) *
-            glm::mat4_cast(pose.joints[joint].orientation);
+    placeJoints(pose, hand);
     // Across the palm, where fingers close around it.
     const glm::mat4 held =
         glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0));

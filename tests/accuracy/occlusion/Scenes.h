@@ -17,7 +17,7 @@ struct SceneBody {
     glm::vec3 albedo{0};
     std::vector<occlusion::Occluder> parts;
     bool onItself = false;        // they take its own light too
-    std::vector<glm::vec4> folds; // occlusion::findFolds() at rest, by position, world
+    std::vector<glm::vec4> folds; // occlusion::findFolds(), by position, world
 };
 
 struct OcclusionScene {

@@ -11,7 +11,7 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr int kRays = 6; // at each of three points in a triangle, as the game folds
+constexpr int kRays = 6, kGripRays = 12; // at each of three points in a triangle, as the game folds
 
 struct State {
     const Scene* scene = nullptr;
@@ -22,18 +22,17 @@ struct State {
     size_t parts = 0;
 };
 
-// At rest, then as each vertex has turned.
-std::vector<glm::vec4> foldsOf(const Body& body, std::span<const occlusion::Occluder> ownAtRest) {
+std::vector<glm::vec4> foldsOf(const Mesh& mesh, std::span<const occlusion::Occluder> own, int rays) {
     std::vector<uint32_t> indices;
-    for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    const auto found =
-        occlusion::findFolds({body.rest.positions, body.rest.normals, indices}, ownAtRest, kRays);
-    auto folds = ownAtRest.empty() ? found.alone : found.besideOwn;
-    for (size_t v = 0; v < folds.size(); ++v)
-        folds[v] = glm::vec4(glm::mat3(body.worldFromRest[static_cast<size_t>(body.boneOf[v])]) *
-                                 glm::vec3(folds[v]),
-                             folds[v].w);
-    return folds;
+    for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+    return occlusion::findFolds({mesh.positions, mesh.normals, indices}, own, rays);
+}
+
+// As the skin turns each vertex, without its scale.
+glm::vec4 turned(const glm::mat3& by, const glm::vec4& fold) {
+    const glm::vec3 to = by * glm::vec3(fold);
+    const float length = glm::length(to);
+    return {length > 0 ? to * (glm::length(glm::vec3(fold)) / length) : glm::vec3(0), fold.w};
 }
 
 void build(State& state, const Scene& scene, Casting casting) {
@@ -42,14 +41,21 @@ void build(State& state, const Scene& scene, Casting casting) {
     state.own.resize(scene.bodies.size());
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
-        std::vector<occlusion::Occluder> resting;
+        const bool onItself = casting == Casting::All && body.half;
+        std::vector<occlusion::Occluder> ownHalfClosed;
         for (const occlusion::BodyPart& part : partsOf(body)) {
             ++state.parts;
-            if (casting != Casting::All || !bendsSharply(body)) continue;
+            if (!onItself) continue;
             state.own[b].push_back(posed(part, body));
-            resting.push_back({part.atRest});
+            ownHalfClosed.push_back(posed(part, *body.half));
         }
-        if (casting != Casting::Others) state.folds.push_back(foldsOf(body, resting));
+        if (casting == Casting::Others) continue;
+        auto folds =
+            onItself ? foldsOf(body.half->posed, ownHalfClosed, kGripRays) : foldsOf(body.rest, {}, kRays);
+        for (size_t v = 0; v < folds.size(); ++v)
+            folds[v] = turned(onItself ? body.turned[v] * glm::inverse(body.half->turned[v]) : body.turned[v],
+                              folds[v]);
+        state.folds.push_back(std::move(folds));
     }
 }
 

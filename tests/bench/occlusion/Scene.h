@@ -5,6 +5,7 @@
 #include "tests/bench/occlusion/Mesh.h"
 #include "tests/bench/occlusion/Rays.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Body {
     Mesh rest;                            // as its file has it, at the size it has in the world
     std::vector<int> boneOf;              // per vertex: the bone that moves it most
     std::vector<glm::mat4> worldFromRest; // per bone; may scale
+    std::vector<glm::mat3> turned;        // per vertex: as the skin turns it from rest; may scale
+    std::shared_ptr<const Body> half;     // of what bends sharply: the same, half closed
     int group = 0;                        // half of the receivers lie on each group's bodies
     glm::vec3 albedoLin{0.7f};            // how pictures show it
     glm::vec3 sentBack{0};                // of the light that falls on it, what others get: 0, a black body

@@ -65,6 +65,7 @@ Body bodyOf(const std::string& name, const Actor& actor, const mat4& worldFromMo
                 body.rest.positions.push_back(size * part.positions[i]);
                 body.rest.normals.push_back(part.normals[i]);
                 body.boneOf.push_back(part.joints[i][most]);
+                body.turned.push_back(glm::mat3(moved));
             }
             for (size_t i = 0; i < part.indices.size(); i += 3)
                 body.posed.triangles.emplace_back(base + part.indices[i], base + part.indices[i + 1],
@@ -81,6 +82,7 @@ Body rigid(const std::string& name, Mesh mesh) {
     Body body{.name = name};
     body.rest = body.posed = std::move(mesh);
     body.boneOf.assign(body.posed.positions.size(), 0);
+    body.turned.assign(body.posed.positions.size(), glm::mat3(1));
     body.worldFromRest = {mat4(1)};
     return body;
 }
@@ -106,6 +108,14 @@ Result<Scene> fishScene() {
                {0, 0.06f, 0.50f}, 0.46f, false);
     scene.bodies[0].albedoLin = {0.75f, 0.45f, 0.40f};
     return scene;
+}
+
+void placeJoints(const hands::HandPose& pose, Actor& hand) {
+    for (size_t j = 0; j < hands::kJointNames.size(); ++j) {
+        const int node = hand.model.findNode(std::string(hands::kJointNames[j]));
+        hand.pose.modelFromNode[static_cast<size_t>(node)] =
+            glm::translate(mat4(1), pose.joints[j].position) * glm::mat4_cast(pose.joints[j].orientation);
+    }
 }
 
 // A fist around a clownfish that lies across the palm, as the game closes it: bone by bone until they touch.
@@ -139,11 +149,11 @@ Result<Scene> handScene() {
                 rests.turned[static_cast<size_t>(std::min(i + 1, given.count - 1))] * joint.orientation;
         }
     }
-    for (size_t j = 0; j < hands::kJointNames.size(); ++j) {
-        const int node = hand->model.findNode(std::string(hands::kJointNames[j]));
-        hand->pose.modelFromNode[static_cast<size_t>(node)] =
-            glm::translate(mat4(1), held.joints[j].position) * glm::mat4_cast(held.joints[j].orientation);
-    }
+    hands::HandShape halfClosed;
+    halfClosed.curl.fill(0.45f);
+    placeJoints(rig->pose(hands::Side::Right, halfClosed, {}), *hand);
+    const auto half = std::make_shared<Body>(bodyOf("hand", *hand, mat4(1), false));
+    placeJoints(held, *hand);
     const vec3 back = palm.orientation * vec3(0, 1, 0), right = glm::cross(back, along);
     const mat4 turned(glm::vec4(right, 0), glm::vec4(back, 0), glm::vec4(along, 0), glm::vec4(hollow, 1));
     Scene scene{.name = "hand closing on a fish",
@@ -154,6 +164,7 @@ Result<Scene> handScene() {
     scene.bodies[0].albedoLin = {0.85f, 0.40f, 0.12f};
     scene.bodies[1].albedoLin = {0.70f, 0.50f, 0.40f};
     scene.bodies[1].group = 1;
+    scene.bodies[1].half = half;
     return scene;
 }
 
