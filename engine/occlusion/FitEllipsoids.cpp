@@ -16,10 +16,6 @@ constexpr int kSweeps = 12;        // of assigning samples to parts
 constexpr float kThinnest = 0.25f; // of a sample's size: sheets block light though they have no volume
 constexpr float kFlattest = 0.08f; // shortest semi-axis, of the longest
 constexpr float kLeastShare = 0.004f;
-// Limbs are round rods: the ellipsoid with a rod's moments is an eighth too thick in the middle and leaves
-// light between itself and the next. What a fist hides of a fish errs least (by a seventh less than without)
-// when limbs are so much longer and thinner, of several tried.
-constexpr float kLimbLonger = 1.15f, kLimbThinner = 0.95f;
 
 constexpr size_t kMostCrossings = 64;
 
@@ -151,12 +147,6 @@ Ellipsoid solidOf(const Moments& m) {
     return {glm::vec3(m.mean), glm::mat3(axes), glm::vec3(semi)};
 }
 
-void makeLimb(Ellipsoid& solid) {
-    glm::vec3& a = solid.semiAxes;
-    const int longest = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-    for (int k = 0; k < 3; ++k) a[k] *= k == longest ? kLimbLonger : kLimbThinner;
-}
-
 // A sample's distance to each part in units of the part's own spread, and the part's likelihood besides.
 void assign(std::span<const Sample> samples, size_t count, float least, std::vector<size_t>& partOf) {
     struct Part {
@@ -243,9 +233,7 @@ std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t mo
     for (size_t k = 0; k < most; ++k) {
         const Moments m = momentsOf(samples, partOf, k);
         if (m.mass <= 1e-4 * all) continue;
-        Ellipsoid solid = solidOf(m);
-        if (parts == Parts::ByJoint) makeLimb(solid);
-        result.push_back({solid, mostOften(samples, partOf, k), static_cast<float>(m.mass / all)});
+        result.push_back({solidOf(m), mostOften(samples, partOf, k), static_cast<float>(m.mass / all)});
     }
     return result;
 }

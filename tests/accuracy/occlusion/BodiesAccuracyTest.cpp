@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.065, 0.067},
                     Case{"hand_closing", [] { return handOnFish(0.45f); }, 0.044, 0.054},
                     Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.06, 0.067},
-                    Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.085, 0.088},
+                    Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.073, 0.079},
                     Case{"shark_above_shoal", [] { return sharkAboveShoal(); }, 0.033, 0.03}),
     [](const auto& each) { return std::string(each.param.name); });
 
