@@ -68,8 +68,12 @@ void sampleRow(const CodedFrame& frame, int s, int t, int ds, int dt, int count,
                                     _mm256_extracti128_si256(across, 1), _mm256_extracti128_si256(down, 1));
         const __m256i bytes =
             _mm256_xor_si256(_mm256_packs_epi16(left, right), _mm256_set1_epi8(static_cast<char>(0x80)));
-        _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + x),
-                            _mm256_permute4x64_epi64(bytes, _MM_SHUFFLE(3, 1, 2, 0)));
+        const __m256i eight = _mm256_permute4x64_epi64(bytes, _MM_SHUFFLE(3, 1, 2, 0));
+        if (x + 8 <= count)
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + x), eight);
+        else
+            _mm256_maskstore_epi32(reinterpret_cast<int*>(out + x),
+                                   _mm256_cmpgt_epi32(_mm256_set1_epi32(count - x), steps), eight);
         u = _mm256_add_epi32(u, du);
         v = _mm256_add_epi32(v, dv);
     }

@@ -10,14 +10,6 @@ namespace {
 
 constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
 
-void latLongSampling(const gl::Texture& texture, bool mipmapped) {
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-}
-
 // Replaces level `level` of the bound texture; `fresh` makes new storage.
 void putLevel(int level, const light::HalfImage& image, bool fresh) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -37,13 +29,21 @@ void bindTo(int unit, const gl::Texture& texture, const gl::Program& program, co
 
 } // namespace
 
+gl::Texture makeLatLongTexture() {
+    gl::Texture texture = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
 SurroundGpu::SurroundGpu()
-    : frame_(gl::Texture::make()), light_(gl::Texture::make()), mirrors_(gl::Texture::make()),
-      scattered_(gl::Texture::make()) {
-    latLongSampling(frame_, false);
-    latLongSampling(light_, false);
-    latLongSampling(scattered_, false);
-    latLongSampling(mirrors_, true);
+    : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
+      scattered_(makeLatLongTexture()) {
+    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 }
 
 void SurroundGpu::uploadFrame(const CodedFrame& frame) {
@@ -98,12 +98,13 @@ void SurroundGpu::uploadLight(const light::PackedLight& light, const occlusion::
 void SurroundGpu::uploadScattered(const ImageRgbF& light) {
     glBindTexture(GL_TEXTURE_2D, scattered_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    const glm::ivec2 size(light.width, light.height);
-    if (size != scatteredSize_)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, size.x, size.y, 0, GL_RGB, GL_FLOAT, light.pixels.data());
+    if (light.width != scatteredLight_.width || light.height != scatteredLight_.height)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
+                     light.pixels.data());
     else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, light.pixels.data());
-    scatteredSize_ = size;
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, light.width, light.height, GL_RGB, GL_FLOAT,
+                        light.pixels.data());
+    scatteredLight_ = light;
 }
 
 void SurroundGpu::bindScattered(const gl::Program& program, int unit) const {

@@ -13,6 +13,9 @@
 
 namespace shoal::render {
 
+// Without storage yet; leaves it bound. Sampled as maps of the sphere are: columns repeat.
+gl::Texture makeLatLongTexture();
+
 class SurroundGpu {
   public:
     SurroundGpu();
@@ -35,6 +38,7 @@ class SurroundGpu {
     void bindLight(const gl::Program& program) const;
 
     void bindScattered(const gl::Program& program, int unit) const; // "scattered"
+    const ImageRgbF& scatteredLight() const { return scatteredLight_; }
 
     const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
 
@@ -46,7 +50,7 @@ class SurroundGpu {
     int frameWidth_ = 0, frameHeight_ = 0;
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
-    glm::ivec2 scatteredSize_{0};
+    ImageRgbF scatteredLight_;
     int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
     size_t mirrorLevels_ = 0;
     std::vector<glm::vec4> places_;

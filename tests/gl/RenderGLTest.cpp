@@ -74,7 +74,9 @@ TEST_P(RenderGLBackdrop, ShowsTheMapWhereItLies) {
         view.aspect = 1.5f;
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        ASSERT_TRUE(pass->draw(surround, view, glm::mat3(1), {}, GetParam() ? &inMemory : nullptr));
+        if (GetParam() && !pass->canDrawFromMemory(surround, {})) GTEST_SKIP() << "a graphics card draws";
+        ASSERT_TRUE(GetParam() ? pass->drawFromMemory(surround, view, glm::mat3(1), inMemory, nullptr)
+                               : pass->draw(surround, view, glm::mat3(1), {}));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
