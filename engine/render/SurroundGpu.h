@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace shoal::render {
@@ -20,8 +21,10 @@ class SurroundGpu {
   public:
     SurroundGpu();
 
-    void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
-    void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
+    // Lives until the next, or longer than this: where the context draws on the processor, it goes into a
+    // texture only once that is asked for.
+    void setFrame(const CodedFrame& frame);
+    void setFrame(const ImageRgbF& radianceLin); // HDR surrounds; copied
     // smooth: what bodies take from each other; env frame.
     void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
 
@@ -31,8 +34,8 @@ class SurroundGpu {
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
     int frameHeight() const { return frameHeight_; }
-    uint64_t frameNumber() const { return frameNumber_; } // of those uploaded; 0: none yet
-    GLuint frameTexture() const { return frame_.name(); }
+    uint64_t frameNumber() const { return frameNumber_; } // of those set; 0: none yet
+    GLuint frameTexture() const;
 
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
@@ -47,6 +50,9 @@ class SurroundGpu {
 
   private:
     gl::Texture frame_, light_, mirrors_, scattered_;
+    mutable std::optional<CodedFrame> waiting_; // to be put into frame_
+    mutable glm::ivec2 codedSize_{0};           // of frame_, where it holds coded texels
+    bool waits_ = false;                        // frames do
     int frameWidth_ = 0, frameHeight_ = 0;
     uint64_t frameNumber_ = 0;
     bool coded_ = true;

@@ -19,7 +19,7 @@ ImageRgba8 paintedBy(bool processor, const camera::FilmLook& look, const glm::ve
     ImageRgba8 frame(kWidth, kHeight);
     std::ranges::fill(frame.pixels, static_cast<uint8_t>(255 * behind + 0.5f));
     render::SurroundGpu surround;
-    surround.uploadFrame({frame.pixels.data(), kWidth, kHeight, kWidth});
+    surround.setFrame({frame.pixels.data(), kWidth, kHeight, kWidth});
     ImageRgbF around(8, 4);
     std::ranges::fill(around.pixels, scattered);
     surround.uploadScattered(around);

@@ -44,7 +44,7 @@ class LatLongGL : public WithContext {
         if (IsSkipped()) return;
         frame_ = smoothFrame(1024);
         surround_.emplace();
-        surround_->uploadFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
+        surround_->setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
         auto made = render::LatLongPass::make();
         ASSERT_TRUE(made) << made.error().sentence();
         pass_ = std::move(*made);
@@ -120,7 +120,7 @@ TEST_F(LatLongGL, ANewFrameIsLeftAsItCame) {
     paint({0, 0, -1}, 0.2f);
     ImageRgba8 next = frame_;
     for (uint8_t& value : next.pixels) value = static_cast<uint8_t>(value / 2);
-    surround_->uploadFrame({next.pixels.data(), next.width, next.height, next.width});
+    surround_->setFrame({next.pixels.data(), next.width, next.height, next.width});
     pass_->restore(*surround_);
     EXPECT_EQ(readFrame(*surround_).pixels, next.pixels);
 }
@@ -234,7 +234,7 @@ TEST_F(LatLongGL, NothingOfOneEyesObjectsStaysInTheOthersPicture) {
     EXPECT_NE(left.pixels, right.pixels);
     EXPECT_EQ(right.pixels, shown({0.2f, 0.1f, -1}, *fresh).pixels);
     for (uint8_t& value : frame_.pixels) value = static_cast<uint8_t>(value / 2 + 100); // a new frame
-    surround_->uploadFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
+    surround_->setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
     auto fresher = render::BackdropPass::make();
     ASSERT_TRUE(fresher);
     EXPECT_EQ(shown({0.2f, 0.1f, -1}, *backdrop).pixels, shown({0.2f, 0.1f, -1}, *fresher).pixels);

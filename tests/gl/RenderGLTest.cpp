@@ -37,11 +37,11 @@ ImageRgb8 smoothFrame(int width) {
     return frame;
 }
 
-// Returns what it uploaded.
-ImageRgba8 upload(render::SurroundGpu& surround, const ImageRgb8& frame) {
+// Returns what it shows, to be kept for as long.
+[[nodiscard]] ImageRgba8 upload(render::SurroundGpu& surround, const ImageRgb8& frame) {
     ImageRgba8 bgra;
     media::toBgra(frame, false, bgra);
-    surround.uploadFrame({bgra.pixels.data(), bgra.width, bgra.height, bgra.width});
+    surround.setFrame({bgra.pixels.data(), bgra.width, bgra.height, bgra.width});
     return bgra;
 }
 
@@ -98,7 +98,7 @@ TEST_F(RenderGL, YawOfTheSurroundTurnsItToTheRight) {
     auto pass = render::BackdropPass::make();
     ASSERT_TRUE(pass);
     render::SurroundGpu surround;
-    upload(surround, smoothFrame(256));
+    const ImageRgba8 shown = upload(surround, smoothFrame(256));
     const gl::Target target(9, 9, 1);
     target.bind();
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -118,7 +118,7 @@ TEST_F(RenderGL, WhiteMatteBallInAUniformVideoHasTheVideosValue) {
         for (const float roughness : {0.0f, 0.5f, 1.0f}) {
             const ImageRgb8 frame = uniformFrame(r, g, b);
             render::SurroundGpu surround;
-            upload(surround, frame);
+            const ImageRgba8 shown = upload(surround, frame);
             surround.uploadLight(lightOf(frame));
             const ImageRgba8 picture =
                 drawBall(ball(0, roughness), surround,
@@ -148,7 +148,7 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
             for (const float roughness : {0.2f, 0.5f, 1.0f}) {
                 const ImageRgb8 video = smooth ? smoothFrame(512) : uniformFrame(200, 180, 40);
                 render::SurroundGpu surround;
-                upload(surround, video);
+                const ImageRgba8 shown = upload(surround, video);
                 surround.uploadLight(lightOf(video));
                 const scene::Model model = ball(metallic, roughness);
                 const ImageRgba8 pixel = drawBall(model, surround, view, 0, kSize);
@@ -182,7 +182,7 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
 TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
     const ImageRgb8 frame = smoothFrame(512);
     render::SurroundGpu surround;
-    upload(surround, frame);
+    const ImageRgba8 shown = upload(surround, frame);
     surround.uploadLight(lightOf(frame));
     for (const glm::vec3 eye :
          {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
@@ -244,7 +244,7 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
 TEST_F(RenderGL, ExposureChangesObjectAndBackdropAlike) {
     const ImageRgb8 frame = uniformFrame(90, 120, 60);
     render::SurroundGpu surround;
-    upload(surround, frame);
+    const ImageRgba8 shown = upload(surround, frame);
     surround.uploadLight(lightOf(frame));
     auto backdrop = render::BackdropPass::make();
     ASSERT_TRUE(backdrop);
