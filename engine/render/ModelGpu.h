@@ -26,6 +26,7 @@ struct PrimitiveGpu {
     std::vector<DetailGpu> details; // finest first; at least one
     int material = -1;
     bool skinned = false;
+    bool coloured = false;    // by the vertex
     bool folded = false;      // hides something of the world from itself
     float leastRoughness = 1; // scene::leastRoughness() of its material
     scene::MeanSurface mean;  // of its material
