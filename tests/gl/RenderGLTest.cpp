@@ -4,6 +4,7 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
+#include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
@@ -177,6 +178,53 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
                 EXPECT_LE(sum / (3 * covered), metallic == 1 && roughness < 0.3f ? 7 : 4)
                     << "metallic " << metallic << " roughness " << roughness;
             }
+}
+
+// Factor, vertex colour and map multiply, each map by its own texture coordinates, and what glows is added,
+// whether light comes by the pixel or by the vertex: as if the products were the material's.
+TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
+    constexpr int kSize = 64;
+    const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kSize};
+    render::SurroundGpu surround;
+    upload(surround, uniformFrame(120, 100, 90));
+    surround.uploadLight(lightOf(uniformFrame(120, 100, 90)));
+    const glm::vec4 colour(0.9f, 0.5f, 0.7f, 1);
+    const glm::vec3 glow(0.3f, 0.1f, 0.2f);
+    constexpr uint8_t kLeft = 200, kRight = 120;
+
+    scene::Model plain = ball(0, 0.6f);
+    plain.materials[0].baseColourLin = {0.8f, 0.7f, 0.6f, 1};
+    scene::Model coloured = plain;
+    plain.materials[0].baseColourLin *= colour * glm::vec4(glm::vec3(std::pow(kLeft / 255.0f, 2.2f)), 1);
+    ImageRgba8 halves(8, 8);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            std::fill_n(halves.at(x, y), 3, x < 4 ? kLeft : kRight);
+            halves.at(x, y)[3] = 255;
+        }
+    scene::Primitive& primitive = coloured.meshes[0].primitives[0];
+    const size_t vertices = primitive.positions.size();
+    primitive.coloursLin.assign(vertices, colour);
+    primitive.texCoords[0].assign(vertices, {0.8f, 0.5f});
+    primitive.texCoords[1].assign(vertices, {0.2f, 0.5f});
+    coloured.images.push_back(halves);
+    coloured.textures.push_back({.image = 0});
+    coloured.materials[0].baseColour = {0, 1};
+    for (const bool map : {false, true}) {
+        coloured.materials[0].emissiveLin = glow;
+        if (map) coloured.materials[0].emissive = {0, 0};
+        plain.materials[0].emissiveLin = glow * (map ? math::linearFromSrgb(kRight / 255.0f) : 1.0f);
+        for (const auto detail : {render::Detail::Full, render::Detail::Lean}) {
+            const ImageRgba8 a = drawBall(plain, surround, view, 0.5f, kSize, {}, detail);
+            const ImageRgba8 b = drawBall(coloured, surround, view, 0.5f, kSize, {}, detail);
+            for (int y = 24; y < 40; ++y)
+                for (int x = 24; x < 40; ++x)
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_NEAR(a.at(x, y)[c], b.at(x, y)[c], 1) << x << "," << y << (map ? " map" : "");
+            EXPECT_GT(a.at(32, 32)[0], 40);
+            EXPECT_LT(a.at(32, 32)[0], 250);
+        }
+    }
 }
 
 TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
