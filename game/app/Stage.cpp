@@ -177,16 +177,19 @@ Status Stage::drawBackdrop(const Eye& eye) {
     return shadows_->draw(eye.view, filmedFrom, eye.water, cover.texture ? &cover : nullptr);
 }
 
+bool Stage::needsDepth(const Eye& eye) const { return !paintsTexels(eye) && layerSize(eye) == eye.size; }
+
 Status Stage::drawObjects(const Eye& eye) {
-    // Every pixel gets a colour from an object or from the backdrop: only the depth needs clearing.
-    glDepthMask(GL_TRUE);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    const bool painted = paintsTexels(eye), layered = !painted && layerSize(eye) != eye.size;
-    if (!layered && !painted)
+    if (needsDepth(eye)) {
+        // Every pixel gets a colour from an object or from the backdrop: only the depth needs clearing.
+        glDepthMask(GL_TRUE);
+        glClear(GL_DEPTH_BUFFER_BIT);
         if (Status s = drawBodies(eye, eye.view); !s) return s;
+        return drawSnow(render::SnowPass::On::Everything, eye, eye.view);
+    }
     // Of a layer, all specks lie behind its objects here; those before them are in it.
-    if (Status s = drawSnow(render::SnowPass::On::Everything, eye, eye.view); !s) return s;
-    if (!layered) return Done{};
+    if (Status s = drawSnow(render::SnowPass::On::Picture, eye, eye.view); !s) return s;
+    if (paintsTexels(eye)) return Done{};
     layers_[static_cast<size_t>(eye.eye)].layOver(objects_.seen(eye.view));
     return Done{};
 }

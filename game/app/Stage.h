@@ -66,6 +66,7 @@ class Stage {
     Status drawLayer(const Eye& eye);
     Status drawBackdrop(const Eye& eye);
     Status drawObjects(const Eye& eye);
+    bool needsDepth(const Eye& eye) const; // drawObjects() does, of the canvas
 
     // Where objects lie in the backdrop, each eye has its own.
     bool eyesShareBackdrop() const { return frames_.empty(); }

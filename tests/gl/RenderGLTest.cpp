@@ -186,7 +186,7 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
     constexpr int kSize = 64;
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kSize};
     render::SurroundGpu surround;
-    upload(surround, uniformFrame(120, 100, 90));
+    const ImageRgba8 shown = upload(surround, uniformFrame(120, 100, 90));
     surround.uploadLight(lightOf(uniformFrame(120, 100, 90)));
     const glm::vec4 colour(0.9f, 0.5f, 0.7f, 1);
     const glm::vec3 glow(0.3f, 0.1f, 0.2f);
