@@ -6,9 +6,8 @@
 
 namespace shoal::media {
 
-// Called before every first use of OpenCV. Sets, unless the person's environment already does: no chatter of
-// FFmpeg and OpenCV on standard error (the player reads our sentences instead), the EXR codec on, and files
-// as FFmpeg's only protocol, so that no video can make it open a connection. The first call should come
+// Called before every first use of either. No chatter of theirs on standard error (the player reads our
+// sentences instead); a bound on what FFmpeg takes in one piece; the EXR codec on. The first call should come
 // before other threads read the environment.
 void setUpDecoders();
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/media/live/LiveFeed.h"
-#include "engine/media/live/Packet.h"
+#include "engine/media/Ffmpeg.h"
 #include "engine/media/live/PipeInput.h"
 
 #include <atomic>
