@@ -6,9 +6,9 @@
 
 namespace shoal::media {
 
-// Called before every first use of either. No chatter of theirs on standard error (the player reads our
-// sentences instead); a bound on what FFmpeg takes in one piece; the EXR codec on. The first call should come
-// before other threads read the environment.
+// Called before the first use of FFmpeg, and of OpenCV's codecs (Codecs.h). No chatter of theirs on standard
+// error (the player reads our sentences instead); a bound on what FFmpeg takes in one piece; the EXR codec
+// on. The first call should come before other threads read the environment.
 void setUpDecoders();
 
 // Stops std::cerr for its lifetime: OpenCV 4.6 reports what imread, imdecode and imwrite throw there,

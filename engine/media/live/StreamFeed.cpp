@@ -1,9 +1,9 @@
 #include "engine/media/live/StreamFeed.h"
 
 #include "engine/core/Threads.h"
+#include "engine/media/PictureDecoder.h"
 #include "engine/media/live/Pace.h"
 #include "engine/media/live/PacketQueue.h"
-#include "engine/media/PictureDecoder.h"
 #include "engine/media/live/StreamInput.h"
 
 extern "C" {
