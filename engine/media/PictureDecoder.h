@@ -38,8 +38,8 @@ class PictureDecoder {
     ColourMatrix matrix() const;
 
     // The picture received last, blue first; takes its size. Colours by the matrix and the range that it
-    // states, as exactly as 8 bits can where they are
-    // 4:2:0 or 4:2:2 of 8 bits. Error: it is too large, or of an unknown form.
+    // states; as exactly as 8 bits can where it is 4:2:0 or 4:2:2 of 8 bits itself. Error: it is too large,
+    // or of an unknown form.
     Status convert(ImageRgb8& bgr);
 
   private:
