@@ -19,7 +19,8 @@ static Result<const Codecs*> load() {
     const void* found = library ? dlsym(library, kCodecsName) : nullptr;
     if (!found) {
         const char* why = dlerror();
-        return Error{file.string(), std::string("pictures and cameras need it: ") + (why ? why : "is empty")};
+        return Error{"", std::string("pictures and cameras need a library of this program: ") +
+                             (why ? why : "it is empty")};
     }
     return static_cast<const Codecs*>(found);
 }
