@@ -72,11 +72,15 @@ void Target::resolve() const {
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void Target::bindResolved() const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_ > 1 ? resolved_.name() : drawn_.name());
+}
+
 void Target::blitTo(GLuint destination, int x, int width, int height) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
     if (samples_ > 1 && (width != width_ || height != height_)) { // a resolve may not scale
         resolve();
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+        bindResolved();
     }
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
     const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
@@ -86,7 +90,7 @@ void Target::blitTo(GLuint destination, int x, int width, int height) const {
 
 ImageRgba8 Target::read() const {
     resolve();
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_ > 1 ? resolved_.name() : drawn_.name());
+    bindResolved();
     ImageRgba8 image(width_, height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());

@@ -27,6 +27,7 @@ class Target {
     // another framebuffer bound.
     GLuint texture() const { return texture_.name(); }
     void resolve() const;
+    void bindResolved() const; // to be read, after resolve()
 
     // Resolves (if multisampled) into `destination` (0: the window) at column x, scaled with a linear filter
     // if sizes differ; leaves the destination bound.

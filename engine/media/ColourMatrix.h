@@ -1,9 +1,6 @@
-// Which matrix a video's luma and colour differences were made with. OpenCV 4.6 decodes every video as if it
-// were BT.601; high-definition video is BT.709, which would shift saturated colours by up to 25 of 255
-// levels.
+// Which matrix a video's luma and colour differences were made with. High-definition video is BT.709; taken
+// for BT.601, its saturated colours would shift by up to 25 of 255 levels.
 #pragma once
-
-#include <array>
 
 namespace shoal::media {
 
@@ -15,9 +12,10 @@ const char* nameOf(ColourMatrix matrix);
 // What is not stated is told by size, as players do: BT.709 from 1280 wide or above 576 high.
 ColourMatrix colourMatrixOf(int code, int width, int height);
 
-// 3 x 3, row by row, acting on gamma-coded (blue, green, red) that were decoded as BT.601: gives those that
-// `actual` means. Luma stays; so grey stays exactly, as every row sums to 1. Entries are multiples of 1/1024,
-// the precision of the 8-bit loop that applies them.
-std::array<float, 9> correctionBgr(ColourMatrix actual);
+// The weights of red and blue in luma; green has the rest.
+struct Luma {
+    double red, blue;
+};
+Luma lumaOf(ColourMatrix matrix);
 
 } // namespace shoal::media

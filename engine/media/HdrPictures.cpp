@@ -1,3 +1,4 @@
+#include "engine/media/Codecs.h"
 #include "engine/media/Pfm.h"
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Pictures.h"
@@ -39,9 +40,11 @@ int64_t repair(ImageRgbF& image) {
 Result<ImageRgbF> decodeExr(const Path& file, const PictureHeader& header) {
     const Error undecodable{file.string(), std::string("cannot be decoded as ") + nameOf(header.kind) +
                                                ": cut short, damaged, or a rare variant"};
+    const auto with = codecs();
+    if (!with) return with.error();
     try {
         const QuietCerr quiet;
-        const cv::Mat bgr = cv::imread(file.string(), cv::IMREAD_ANYDEPTH | cv::IMREAD_COLOR);
+        const cv::Mat bgr = (*with)->imread(file.string(), cv::IMREAD_ANYDEPTH | cv::IMREAD_COLOR);
         if (bgr.type() != CV_32FC3 || bgr.cols != header.width || bgr.rows != header.height)
             return undecodable;
         ImageRgbF image(bgr.cols, bgr.rows);
@@ -63,7 +66,6 @@ std::string extensionOf(const Path& file) {
 } // namespace
 
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits) {
-    setUpDecoders();
     auto bytes = readFile(file, kMaxFileBytes);
     if (!bytes) return bytes.error();
     const auto header = readPictureHeader(*bytes);
@@ -88,11 +90,12 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits) {
 
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
     assert(!radianceLin.empty());
-    setUpDecoders();
     const std::string extension = extensionOf(file);
     if (extension == ".pfm") return writeFileWhole(file, encodePfm(radianceLin));
     if (extension != ".exr" && extension != ".hdr")
         return Error{file.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
+    const auto with = codecs();
+    if (!with) return with.error();
     return writeWhole(file, [&](const Path& temporary) -> Status {
         const Error unwritable{temporary.string(),
                                "cannot be written; is the disk full or the folder read-only?"};
@@ -104,7 +107,7 @@ Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
             cv::Mat bgr;
             cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
             const QuietCerr quiet;
-            if (cv::imwrite(temporary.string(), bgr)) return Done{};
+            if ((*with)->imwrite(temporary.string(), bgr)) return Done{};
         } catch (const std::exception&) {
         }
         return unwritable;

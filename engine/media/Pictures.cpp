@@ -1,5 +1,6 @@
 #include "engine/media/Pictures.h"
 
+#include "engine/media/Codecs.h"
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Quiet.h"
 
@@ -21,7 +22,8 @@ constexpr const char* kPng = ".png";
 template <int kChannels>
 Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int toOpenCv, const char* kind) {
     assert(!image.empty());
-    setUpDecoders();
+    const auto with = codecs();
+    if (!with) return with.error();
     const std::string uncodable =
         std::string("the picture cannot be coded as ") + (kind == kPng ? "PNG" : "JPEG");
     try {
@@ -30,7 +32,7 @@ Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int
         cv::Mat bgr;
         cv::cvtColor(rgb, bgr, toOpenCv);
         std::vector<uint8_t> bytes;
-        if (!cv::imencode(kind, bgr, bytes)) return Error{file.string(), uncodable};
+        if (!(*with)->imencode(kind, bgr, bytes)) return Error{file.string(), uncodable};
         return writeFileWhole(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const std::exception& failure) {
         return Error{file.string(), uncodable + ": " + failure.what()};
@@ -40,7 +42,6 @@ Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int
 } // namespace
 
 Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
-    setUpDecoders();
     auto bytes = readFile(file, kMaxFileBytes);
     if (!bytes) return bytes.error();
     const auto header = readPictureHeader(*bytes);
@@ -52,9 +53,11 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
                          " pixels are more than the limit of " + std::to_string(limits.maxWidth) + "x" +
                          std::to_string(limits.maxHeight)};
     if (const char* damage = damageIn(header->kind, *bytes); *damage) return Error{file.string(), damage};
+    const auto with = codecs();
+    if (!with) return with.error();
     try {
         const QuietCerr quiet;
-        const cv::Mat bgr = cv::imdecode(*bytes, cv::IMREAD_COLOR);
+        const cv::Mat bgr = (*with)->imdecode(*bytes, cv::IMREAD_COLOR);
         if (bgr.empty() || bgr.type() != CV_8UC3)
             return Error{file.string(), std::string("cannot be decoded as ") + nameOf(header->kind) +
                                             ": damaged, or a rare variant"};

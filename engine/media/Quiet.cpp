@@ -2,17 +2,25 @@
 
 #include <opencv2/core/utils/logger.hpp>
 
+extern "C" {
+#include <libavutil/log.h>
+#include <libavutil/mem.h>
+}
+
 #include <cstdlib>
 #include <iostream>
 
 namespace shoal::media {
 
+// More than any picture of kMaxVideoSide a side takes in one piece, at 16 bits.
+static constexpr size_t kMostMemory = size_t{256} << 20;
+
 void setUpDecoders() {
     static std::once_flag once;
     std::call_once(once, [] {
         constexpr int kKeepTheirs = 0;
-        setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", kKeepTheirs); // AV_LOG_QUIET
-        setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS", "protocol_whitelist;file", kKeepTheirs);
+        av_log_set_level(AV_LOG_QUIET);
+        av_max_alloc(kMostMemory);
         setenv("OPENCV_IO_ENABLE_OPENEXR", "1", kKeepTheirs);
         if (!std::getenv("OPENCV_LOG_LEVEL"))
             cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);

@@ -6,10 +6,9 @@
 
 namespace shoal::media {
 
-// Called before every first use of OpenCV. Sets, unless the person's environment already does: no chatter of
-// FFmpeg and OpenCV on standard error (the player reads our sentences instead), the EXR codec on, and files
-// as FFmpeg's only protocol, so that no video can make it open a connection. The first call should come
-// before other threads read the environment.
+// Called before the first use of FFmpeg, and of OpenCV's codecs (Codecs.h). No chatter of theirs on standard
+// error (the player reads our sentences instead); a bound on what FFmpeg takes in one piece; the EXR codec
+// on. The first call should come before other threads read the environment.
 void setUpDecoders();
 
 // Stops std::cerr for its lifetime: OpenCV 4.6 reports what imread, imdecode and imwrite throw there,

@@ -1,5 +1,6 @@
 #include "engine/media/SoundDecoder.h"
 
+#include "engine/media/Quiet.h"
 #include "engine/media/SoundTrack.h"
 
 extern "C" {
@@ -167,7 +168,7 @@ struct SoundDecoder::Impl {
 };
 
 Result<SoundDecoder> SoundDecoder::open(const Path& file) {
-    av_log_set_level(AV_LOG_QUIET); // the player reads our sentences instead
+    setUpDecoders();
     auto impl = std::make_unique<Impl>();
     if (Status opened = impl->open(file); !opened) return opened.error();
     return SoundDecoder(std::move(impl));

@@ -1,5 +1,5 @@
 // The sound of a video, decoded on a thread of its own and read as plain samples. FFmpeg's libraries do the
-// work (the picture's decoder, OpenCV, gives no sound).
+// work, apart from the picture's.
 //
 // Time: positions are frames of sound at 48 kHz since the first picture of the video. What the file lacks
 // (a sound that begins late, has holes, or ends early) is silence. Behind the last frame of a pass the first

@@ -36,7 +36,7 @@ struct Box {
 struct Track {
     bool isVideo = false;
     SphericalMetadata v1, v2;
-    int width = 0, height = 0, matrixCode = 0;
+    int width = 0, height = 0;
     double editedUnits = 0; // of the movie's time scale
     double media_s = 0;
 };
@@ -171,10 +171,6 @@ struct Mp4Scan {
                 setMissing(v2, part(4), part(8), part(12), part(16));
             }
             break;
-        case name4("colr"): // "nclx" or "nclc", primaries, transfer, matrix
-            if (const auto b = payload<10>(box); b && hasText(*b, 0, "ncl"))
-                track.matrixCode = static_cast<int>(big16(*b, 8));
-            break;
         case name4("cbmp"):
             setProjection(v2, Projection::Cubemap);
             break;
@@ -277,7 +273,6 @@ struct Mp4Scan {
         }
         found.frameWidth = track.width;
         found.frameHeight = track.height;
-        found.matrixCode = track.matrixCode;
         found.shown_s =
             track.editedUnits > 0 && movieScale > 0 ? track.editedUnits / movieScale : track.media_s;
         done = true;

@@ -34,7 +34,6 @@ struct SphericalMetadata {
 
     // Stated by the container whether or not it is spherical; 0 if unknown.
     int frameWidth = 0, frameHeight = 0;
-    int matrixCode = 0; // matrix coefficients of ISO/IEC 23091-2 (ColourMatrix.h)
     double shown_s = 0; // MP4: length of the video track after its edit list
 };
 

@@ -5,11 +5,10 @@
 // are evenly spaced at the container's mean rate; a variable rate is evened out.
 //
 // Threads: newest(), waitFor(), status() and counts() belong to one thread, the frame's. `prepare` runs on
-// the decode thread. Memory: the slots, taken at open(); nothing per frame by us (OpenCV's decoder has its
+// the decode thread. Memory: the slots, taken at open(); nothing per frame by us (FFmpeg's decoder has its
 // own).
 //
-// Not done here: sound; conversion of wide-gamut or HDR video; choosing the number of FFmpeg's threads, which
-// OpenCV 4.6 sets to the machine's cores.
+// Not done here: sound; conversion of wide-gamut or HDR video.
 #pragma once
 
 #include "engine/core/Image.h"

@@ -6,27 +6,44 @@
 
 #include <opencv2/core.hpp>
 
+extern "C" {
+#include <libavformat/avformat.h>
+#include <libavutil/display.h>
+}
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 namespace shoal::media {
 
 namespace {
 
-// Containers we hand to FFmpeg. Others it knows include play lists and scripts that name further files.
-bool isVideoContainer(ByteSpan b) {
+// A thread of today decodes at least as many pixels a second, H.264 of a few Mbit/s; each takes memory for
+// some pictures more.
+constexpr double kPixelsPerThread = 64e6;
+constexpr int kMostThreads = 8;
+constexpr double kMostStamp = 9e15;   // doubles count up to it
+constexpr int kMostBadPackets = 4096; // in a row, without a picture
+
+// FFmpeg's name of a container, by the file's beginning; null: none of those that we hand to it. Others it
+// knows include play lists and scripts that name further files.
+const char* containerOf(ByteSpan b) {
     for (const char* name : {"ftyp", "moov", "mdat", "wide", "free", "skip", "pnot", "styp", "moof"})
-        if (hasText(b, 4, name)) return true;
-    return hasText(b, 0, "\x1A\x45\xDF\xA3") ||                // Matroska, WebM
-           (hasText(b, 0, "RIFF") && hasText(b, 8, "AVI ")) || //
-           hasText(b, 0, "OggS") || hasText(b, 0, "FLV") ||    //
-           hasText(b, 0, std::string_view("\0\0\1\xBA", 4)) || // MPEG program stream
-           (b.size() > 188 && b[0] == 0x47 && b[188] == 0x47); // MPEG transport stream
+        if (hasText(b, 4, name)) return "mov";
+    if (hasText(b, 0, "\x1A\x45\xDF\xA3")) return "matroska";
+    if (hasText(b, 0, "RIFF") && hasText(b, 8, "AVI ")) return "avi";
+    if (hasText(b, 0, "OggS")) return "ogg";
+    if (hasText(b, 0, "FLV")) return "flv";
+    if (hasText(b, 0, std::string_view("\0\0\1\xBA", 4))) return "mpeg"; // program stream
+    if (b.size() > 188 && b[0] == 0x47 && b[188] == 0x47) return "mpegts";
+    return nullptr;
 }
 
-Status checkBeforeDecoding(const Path& file, const SphericalMetadata& metadata) {
+// The container.
+Result<const char*> checkBeforeDecoding(const Path& file, const SphericalMetadata& metadata) {
     std::array<uint8_t, 4096> head{};
     std::ifstream stream(file, std::ios::binary);
     stream.read(reinterpret_cast<char*>(head.data()), head.size());
@@ -36,7 +53,8 @@ Status checkBeforeDecoding(const Path& file, const SphericalMetadata& metadata) 
         return Error{file.string(), std::string("is a ") + nameOf(picture->kind) +
                                         " picture, not a video; give it as " +
                                         (isHdr(picture->kind) ? "--env" : "--photo")};
-    if (!isVideoContainer(bytes))
+    const char* container = containerOf(bytes);
+    if (!container)
         return Error{file.string(),
                      "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV)"};
     if (metadata.frameWidth > kMaxVideoSide || metadata.frameHeight > kMaxVideoSide)
@@ -44,120 +62,164 @@ Status checkBeforeDecoding(const Path& file, const SphericalMetadata& metadata) 
                                         std::to_string(metadata.frameHeight) +
                                         " pixels are more than the limit of " +
                                         std::to_string(kMaxVideoSide) + " a side"};
-    return Done{};
+    return container;
 }
 
-// FFmpeg gives the container's four letters; several stand for one codec.
-std::string codecName(double fourcc) {
-    const auto code = static_cast<uint32_t>(static_cast<int64_t>(fourcc));
-    std::string name;
-    for (int shift = 0; shift < 32; shift += 8) {
-        const char letter = static_cast<char>(code >> shift & 0xff);
-        if (letter > ' ' && letter < 127) name += letter;
-    }
-    if (name == "avc1" || name == "avc3" || name == "H264") return "h264";
-    if (name == "hvc1" || name == "hev1" || name == "HEVC") return "hevc";
-    if (name == "vp09" || name == "VP90") return "vp9";
-    if (name == "av01" || name == "AV01") return "av1";
-    return name;
+double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
+
+// Clockwise quarter turns that show the stream's pictures upright: a telephone held upright says so.
+int quarterTurnsOf(const AVStream& stream) {
+    size_t size = 0;
+    const uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &size);
+    if (!matrix || size < 9 * sizeof(int32_t)) return 0;
+    const double turn_deg = av_display_rotation_get(reinterpret_cast<const int32_t*>(matrix));
+    if (!std::isfinite(turn_deg)) return 0;
+    return static_cast<int>(std::lround(-turn_deg / 90)) & 3;
 }
 
 } // namespace
+
+void CloseInput::operator()(AVFormatContext* input) const { avformat_close_input(&input); }
 
 Result<VideoSource> VideoSource::open(const Path& file) {
     setUpDecoders();
     auto metadata = readSphericalMetadata(file);
     if (!metadata) return metadata.error();
-    if (const Status fit = checkBeforeDecoding(file, *metadata); !fit) return fit.error();
+    const auto container = checkBeforeDecoding(file, *metadata);
+    if (!container) return container.error();
 
     VideoSource source;
-    std::error_code code;
-    source.file_ = std::filesystem::absolute(file, code); // a leading '/' keeps FFmpeg from seeing a protocol
-    if (!source.reopen())
-        return Error{file.string(), "has no video that can be decoded: damaged, cut short, only sound, or of "
-                                    "a codec that is not installed"};
-
-    VideoInfo& info = source.info_;
-    const auto number = [&](int property) {
-        const double value = source.capture_.get(property);
-        return std::isfinite(value) ? value : 0.0;
-    };
-    const double width = number(cv::CAP_PROP_FRAME_WIDTH), height = number(cv::CAP_PROP_FRAME_HEIGHT);
-    if (width < 2 || height < 2) return Error{file.string(), "its picture has no size"};
-    if (width > kMaxVideoSide || height > kMaxVideoSide)
-        return Error{file.string(),
-                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
-    info.width = static_cast<int>(width);
-    info.height = static_cast<int>(height);
-    const double fps = number(cv::CAP_PROP_FPS);
-    info.fps = fps >= kMinFps && fps <= kMaxFps ? fps : kFallbackFps;
-    const double count = number(cv::CAP_PROP_FRAME_COUNT);
-    info.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
-    // An edit list may show fewer frames than are stored.
-    const double shown = std::round(metadata->shown_s * info.fps);
-    if (shown >= 1 && shown < static_cast<double>(info.frameCount))
-        info.frameCount = static_cast<int64_t>(shown);
-    info.duration_s = static_cast<double>(info.frameCount) / info.fps;
-    info.codec = codecName(number(cv::CAP_PROP_FOURCC));
-    info.metadata = *metadata;
-    // Motion JPEG is BT.601 whatever its size (JFIF).
-    info.matrix = info.codec == "MJPG" ? ColourMatrix::Bt601
-                                       : colourMatrixOf(metadata->matrixCode, info.width, info.height);
+    source.file_ = file;
+    source.container_ = *container;
+    if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
+    source.readInfo(*metadata);
     return source;
 }
 
-bool VideoSource::reopen() {
-    try {
-        capture_.release();
-        capture_.open(file_.string(), cv::CAP_FFMPEG);
-        position_ = 0;
-        grabbedSinceSeek_ = 0;
-        jumped_ = false;
-        return capture_.isOpened();
-    } catch (const std::exception&) {
-        return false;
+const AVStream& VideoSource::stream() const { return *input_->streams[stream_]; }
+
+Status VideoSource::reopen() {
+    const Error undecodable{"", "has no video that can be decoded: damaged, cut short, only sound, or of a "
+                                "codec that is not installed"};
+    input_.reset();
+    position_ = 0;
+    begun_ = held_ = drained_ = false;
+    // As a file of that kind and nothing else: neither a name nor what is within may lead to a server.
+    AVFormatContext* input = nullptr;
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "protocol_whitelist", "file", 0);
+    const int opened = avformat_open_input(&input, ("file:" + file_.string()).c_str(),
+                                           av_find_input_format(container_), &options);
+    av_dict_free(&options);
+    input_.reset(opened < 0 ? nullptr : input);
+    if (!input_ || avformat_find_stream_info(input, nullptr) < 0) return undecodable;
+    stream_ = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    if (stream_ < 0) return undecodable;
+    for (unsigned i = 0; i < input->nb_streams; ++i)
+        if (static_cast<int>(i) != stream_) input->streams[i]->discard = AVDISCARD_ALL;
+    const AVCodecParameters& coded = *stream().codecpar;
+    if (coded.width < 2 || coded.height < 2) return Error{"", "its picture has no size"};
+    if (coded.width > kMaxVideoSide || coded.height > kMaxVideoSide)
+        return Error{"",
+                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+    const double pixelRate = 1.0 * coded.width * coded.height * rateOf(stream().avg_frame_rate);
+    const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
+    const int threads = static_cast<int>(
+        std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMostThreads)));
+    if (!decoder_.open(coded, stream().time_base, HoldBack::ByThreads, threads)) return undecodable;
+    return Done{};
+}
+
+void VideoSource::readInfo(const SphericalMetadata& metadata) {
+    const AVCodecParameters& coded = *stream().codecpar;
+    quarterTurns_ = quarterTurnsOf(stream());
+    info_.width = quarterTurns_ % 2 ? coded.height : coded.width;
+    info_.height = quarterTurns_ % 2 ? coded.width : coded.height;
+    rate_ = rateOf(stream().avg_frame_rate);
+    if (rate_ == 0) rate_ = rateOf(stream().r_frame_rate);
+    info_.fps = rate_ >= kMinFps && rate_ <= kMaxFps ? rate_ : kFallbackFps;
+    const double duration_s = input_->duration > 0 ? static_cast<double>(input_->duration) / AV_TIME_BASE : 0;
+    const double count =
+        stream().nb_frames > 0 ? static_cast<double>(stream().nb_frames) : std::round(duration_s * rate_);
+    info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
+    // An edit list may show fewer frames than are stored.
+    const double shown = std::round(metadata.shown_s * info_.fps);
+    if (shown >= 1 && shown < static_cast<double>(info_.frameCount))
+        info_.frameCount = static_cast<int64_t>(shown);
+    info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
+    info_.codec = avcodec_get_name(coded.codec_id);
+    info_.metadata = metadata;
+    info_.matrix = coded.codec_id == AV_CODEC_ID_MJPEG
+                       ? ColourMatrix::Bt601
+                       : colourMatrixOf(coded.color_space, coded.width, coded.height);
+}
+
+bool VideoSource::decode() {
+    for (int bad = 0; bad < kMostBadPackets; ++bad) {
+        if (decoder_.receive()) {
+            if (!begun_ && position_ == 0) {
+                begins_ = decoder_.frame().best_effort_timestamp;
+                begun_ = true;
+            }
+            return true;
+        }
+        if (drained_) return false;
+        av_packet_unref(packet_.get());
+        const int read = av_read_frame(input_.get(), packet_.get());
+        if (read >= 0 && packet_->stream_index != stream_) continue;
+        drained_ = read < 0; // what the decoder still holds back comes out
+        decoder_.send(drained_ ? nullptr : packet_.get());
     }
+    return false;
 }
 
 bool VideoSource::grab() {
-    try {
-        if (!capture_.grab()) {
-            if (!jumped_ || grabbedSinceSeek_ > 0) return false;
-            // A seek that led nowhere: from here on this file is only read in order.
-            seekable_ = false;
-            const int64_t wanted = position_;
-            if (!reopen()) return false;
-            while (position_ < wanted) {
-                if (!capture_.grab()) return false;
-                ++position_;
-            }
-            if (!capture_.grab()) return false;
-        }
-    } catch (const std::exception&) {
-        return false;
-    }
+    if (!std::exchange(held_, false) && !decode()) return false;
     ++position_;
-    ++grabbedSinceSeek_;
     return true;
 }
 
 bool VideoSource::retrieve(ImageRgb8& bgr) {
-    try {
-        cv::Mat target(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
-        // A frame of another size would make OpenCV take memory of its own.
-        if (!capture_.retrieve(target) || target.data != bgr.pixels.data()) return false;
-        if (info_.matrix == ColourMatrix::Bt601) return true;
-        // Few rows at a time: of a whole picture OpenCV would make a copy first.
-        constexpr int kRows = 16;
-        const cv::Matx33f correction(correctionBgr(info_.matrix).data());
-        for (int y = 0; y < target.rows; y += kRows) {
-            cv::Mat rows = target.rowRange(y, std::min(y + kRows, target.rows));
-            cv::transform(rows, corrected_, correction);
-            corrected_.copyTo(rows);
-        }
-        return true;
-    } catch (const std::exception&) {
+    const AVFrame& frame = decoder_.frame();
+    const bool across = quarterTurns_ % 2;
+    if (frame.width != (across ? bgr.height : bgr.width) || frame.height != (across ? bgr.width : bgr.height))
         return false;
+    if (quarterTurns_ == 0) return decoder_.convert(bgr).ok();
+    if (!decoder_.convert(unturned_)) return false;
+    const cv::Mat from(unturned_.height, unturned_.width, CV_8UC3, unturned_.pixels.data());
+    cv::Mat to(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
+    constexpr cv::RotateFlags kTurns[] = {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
+                                          cv::ROTATE_90_COUNTERCLOCKWISE};
+    cv::rotate(from, to, kTurns[quarterTurns_ - 1]);
+    return true;
+}
+
+// To the last key frame that leaves no more than this number to come; further and further before it, where a
+// container's own search ends behind what it was asked for.
+bool VideoSource::jump(int64_t number) {
+    const double frame_stamps = 1 / (rate_ * av_q2d(stream().time_base)); // time stamps a frame
+    if (!begun_ || begins_ == AV_NOPTS_VALUE || !std::isfinite(frame_stamps)) return false;
+    for (int64_t before = 0;; before = 2 * before + 16) {
+        const int64_t aim = std::max(int64_t{0}, number - before);
+        const double stamp =
+            static_cast<double>(begins_) + std::floor(static_cast<double>(aim) * frame_stamps);
+        if (!(std::abs(stamp) < kMostStamp)) return false;
+        if (av_seek_frame(input_.get(), stream_, static_cast<int64_t>(stamp), AVSEEK_FLAG_BACKWARD) < 0)
+            return false;
+        decoder_.forget();
+        drained_ = false;
+        if (decode()) {
+            const int64_t at = decoder_.frame().best_effort_timestamp;
+            if (at == AV_NOPTS_VALUE) return false;
+            const double found =
+                std::round((static_cast<double>(at) - static_cast<double>(begins_)) / frame_stamps);
+            if (found >= 0 && found <= static_cast<double>(number)) {
+                position_ = static_cast<int64_t>(found);
+                held_ = true;
+                return true;
+            }
+        }
+        if (aim == 0) return false;
     }
 }
 
@@ -167,22 +229,12 @@ bool VideoSource::seek(int64_t number) {
     constexpr int64_t kShortOfEnd = 16;
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
-    if (seekable_) {
-        try {
-            const auto wanted = static_cast<double>(safe);
-            if (capture_.set(cv::CAP_PROP_POS_FRAMES, wanted) &&
-                capture_.get(cv::CAP_PROP_POS_FRAMES) == wanted) {
-                position_ = safe;
-                grabbedSinceSeek_ = 0;
-                jumped_ = true;
-                return true;
-            }
-        } catch (const std::exception&) {
-        }
-        seekable_ = false;
-        return reopen(); // the failed seek has moved the decoder to nobody knows where
-    }
-    return number >= position_ || reopen();
+    // The first frame's time stamp is what all others count from.
+    if (seekable_ && !begun_ && position_ == 0) held_ = decode();
+    if (seekable_ && jump(safe)) return true;
+    if (!seekable_ && number >= position_) return true;
+    seekable_ = false; // from here on this file is only read in order
+    return reopen().ok();
 }
 
 } // namespace shoal::media

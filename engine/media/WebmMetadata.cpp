@@ -17,8 +17,6 @@ enum : uint32_t {
     kPixelWidth = 0xB0,
     kPixelHeight = 0xBA,
     kStereoMode = 0x53B8,
-    kColour = 0x55B0,
-    kMatrixCoefficients = 0x55B1,
     kProjection = 0x7670,
     kProjectionType = 0x7671,
     kPoseYaw = 0x7673,
@@ -71,7 +69,6 @@ struct Scan {
     void leaf(uint32_t id, uint64_t at, uint64_t size) {
         if (id == kPixelWidth) found.frameWidth = static_cast<int>(unsignedAt(at, size) & 0xffffff);
         if (id == kPixelHeight) found.frameHeight = static_cast<int>(unsignedAt(at, size) & 0xffffff);
-        if (id == kMatrixCoefficients) found.matrixCode = static_cast<int>(unsignedAt(at, size) & 0xff);
         if (id == kPoseYaw) found.yaw_deg = floatAt(at, size);
         if (id == kPosePitch) found.pitch_deg = floatAt(at, size);
         if (id == kPoseRoll) found.roll_deg = floatAt(at, size);
@@ -103,7 +100,7 @@ struct Scan {
             const auto name = static_cast<uint32_t>(id.value);
             if (name == kCluster) return false; // the tracks come before the pictures
             const bool container = name == kSegment || name == kTracks || name == kTrackEntry ||
-                                   name == kVideo || name == kColour || name == kProjection;
+                                   name == kVideo || name == kProjection;
             if (container && depth < 6) {
                 if (!walk(at, at + size, depth + 1)) return false;
                 if (name == kVideo) return false; // the first video track decides

@@ -59,10 +59,17 @@ glm::vec3 turned(glm::vec3 from, glm::vec3 to) {
     return glm::normalize(from + across * (kNormalTurn_rad / length));
 }
 
+// Pairs are looked at one by one; Bullet would take 4 MiB for 4096 at a time.
+btDefaultCollisionConstructionInfo fewPairs() {
+    btDefaultCollisionConstructionInfo info;
+    info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = 16;
+    return info;
+}
+
 } // namespace
 
 struct ContactWorld::Bullet {
-    btDefaultCollisionConfiguration configuration;
+    btDefaultCollisionConfiguration configuration{fewPairs()};
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase; // stays empty: pairs are chosen by collide()
     btCollisionWorld world{&dispatcher, &broadphase, &configuration};

@@ -1,81 +1,67 @@
 // Draws the surround behind everything. Pairs with shaders/render/Backdrop.
 #pragma once
 
-#include "engine/core/Crew.h"
 #include "engine/gl/Variants.h"
-#include "engine/render/FrameSampler.h"
+#include "engine/render/BackdropSampler.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace shoal::render {
 
-class LatLongPass;
-
 class BackdropPass {
   public:
     static Result<BackdropPass> make();
 
-    // The surround's frame where the processor can read it, and what has been painted into the texture since;
-    // null: nothing.
+    // The surround's frame where the processor can read it, and the tiles into whose texels objects will be
+    // painted; null: nowhere.
     struct InMemory {
         CodedFrame frame;
-        const LatLongPass* painted = nullptr;
+        const FrameTiles* tiles = nullptr;
     };
 
-    // Samples what draw() will want of this view, beside what the caller does until then; more than a hint
-    // only where the context draws on the processor. size: of the picture, in pixels. The frame must live
-    // until draw(), and what is painted be known, if not painted, by now.
+    // Whether drawFromMemory() can do it: the context draws on the processor anyway, the frame is shown as it
+    // is coded, and the bound framebuffer's colours are a texture's.
+    bool canDrawFromMemory(const SurroundGpu& surround, const Exposure& exposure) const;
+
+    // Samples what drawFromMemory() will want of this view, beside what the caller does until then; a hint.
+    // size: of the picture, in pixels. The frame and tiles must live until that.
     void begin(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                const Exposure& exposure, const glm::ivec2& size, const InMemory& inMemory);
 
     // Over the whole picture, before the objects: depth is neither asked nor changed, and need not be there.
-    // The program for a curve that is new is compiled first. inMemory: where the context draws on the
-    // processor anyway, most of a coded frame is sampled there without it; the framebuffer's colour is then a
-    // texture.
+    // The program for a curve that is new is compiled first.
     Status draw(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
-                const Exposure& exposure, const InMemory* inMemory = nullptr);
+                const Exposure& exposure);
+    // The same of the frame in memory, with what is painted into its tiles; null where there are none.
+    Status drawFromMemory(const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+                          const InMemory& inMemory, const TexelPaint* paint);
 
   private:
-    struct Cell {
-        glm::ivec2 low{0}, high{0};          // of the picture's pixels
-        glm::vec2 first{0}, right{0}, up{0}; // of the map: at the corner, and from there to the next ones
-        enum DrawnAs { Plain, Polar, Sampled } drawnAs = Plain;
-    };
     struct Corner {
         glm::vec2 place, uv;
     };
+    enum Kind { kPlain, kPolar, kPaintedPlain, kPaintedPolar, kKinds };
 
-    void makeCells(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size);
-    // Those of cells_ that can be, into picture_; marks them.
-    void startSampling(const InMemory& inMemory, const glm::ivec2& size);
-    void finishSampling();
-    void putPicture(const glm::ivec2& size, GLuint texture) const;
-
-    struct SampleRow { // of cells
-        BackdropPass* pass;
-        void operator()(int row) const;
-    };
+    void clearCorners();
+    void addCorners(const BackdropCell& cell, bool painted, const glm::ivec2& size);
+    Status drawCorners(const SurroundGpu& surround, const View& view, const glm::mat3& envFromRay,
+                       const Exposure& exposure);
+    void putPicture(GLuint texture, const glm::ivec2& size) const;
+    void putPainted(const CodedFrame& frame);
 
     gl::Variants programs_;
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
-    SampleRow sampleRow_{};
-    CodedFrame sampledFrame_;
-    int stride_ = 0; // of picture_
-    bool begun_ = false;
-    // Scratch:
-    std::vector<int> columns_, rows_; // the grid's edges, in pixels
-    std::vector<glm::vec2> uvs_;      // of its corners
-    std::vector<Cell> cells_;         // row by row
-    std::vector<Corner> corners_;
-    std::vector<SampledCell> sampled_;
-    std::vector<size_t> sampledRows_; // where in them each of the grid's rows begins, and their end
-    std::vector<uint32_t> picture_;
-    std::optional<Crew> crew_; // last, so that it ends before what it reads; empty: nothing is sampled here
+    BackdropCells cells_; // scratch
+    std::array<std::vector<Corner>, kKinds> corners_;
+    std::optional<BackdropSampler> sampler_; // none: nothing is sampled here
+    gl::Texture painted_;                    // of cells that the sampler leaves; once there is one
+    glm::ivec2 paintedSize_{0};
 };
 
 } // namespace shoal::render

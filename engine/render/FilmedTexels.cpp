@@ -26,7 +26,7 @@ float layerTexels(const camera::FilmLook& look, int samples) {
     return samples > 1 ? std::max(std::sqrt(4 * blur2), kFinest) : std::max(std::sqrt(6 * blur2), 1.0f);
 }
 
-gl::Texture makeGrain() {
+std::vector<uint8_t> makeGrain() {
     Random random(29, 7);
     const auto value = [&] {
         const float radius = std::sqrt(-2 * std::log(std::max(random.unit(), 1e-7f)));
@@ -41,6 +41,11 @@ gl::Texture makeGrain() {
             grains[at(x, y)] = value();
             grains[at(x, y) + 1] = x % 2 || y % 2 ? grains[at(x & ~1, y & ~1) + 1] : value();
         }
+    return grains;
+}
+
+gl::Texture makeGrainTexture() {
+    const std::vector<uint8_t> grains = makeGrain();
     gl::Texture texture = gl::Texture::make();
     glBindTexture(GL_TEXTURE_2D, texture.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -59,22 +64,29 @@ unsigned filmedFeatures(const camera::FilmLook& look) {
     return features;
 }
 
-void setFilmed(const gl::Program& program, const camera::FilmLook& look, int64_t index) {
+FilmedNumbers numbersOf(const Filmed& filmed) {
+    const camera::FilmLook& look = filmed.look;
     const bool shortRange = glm::all(glm::greaterThan(look.black, glm::vec3(kMissing))) &&
                             glm::all(glm::lessThan(look.white, glm::vec3(1 - kMissing)));
     const glm::vec3 black = shortRange ? glm::min(look.black, kMostLift) : glm::vec3(0);
     const glm::vec3 white = shortRange ? glm::max(look.white, 1 - kMostCut) : glm::vec3(1);
-    program.set("black", black);
-    program.set("range", white - black);
-    program.set("glare", look.glare);
-    program.set("shares", glm::vec2(look.chromaTexels - 1));
-    program.setArray("fineNoise[0]", std::span<const float>(look.fineNoise));
-    program.setArray("coarseNoise[0]", std::span<const float>(look.coarseNoise));
-    Random random(static_cast<uint64_t>(index), 13);
+    Random random(static_cast<uint64_t>(filmed.index), 13);
     const auto step = [&] { return static_cast<int>(random.below(kGrainSize)); };
     const int x = step();
-    program.set("grainShift", glm::ivec2(x, step()));
-    program.set("perGrain", 0.5f / kGrainDeviation);
+    return {black,          white - black,    look.glare,  glm::vec2(look.chromaTexels - 1),
+            look.fineNoise, look.coarseNoise, {x, step()}, 0.5f / kGrainDeviation};
+}
+
+void setFilmed(const gl::Program& program, const Filmed& filmed) {
+    const FilmedNumbers n = numbersOf(filmed);
+    program.set("black", n.black);
+    program.set("range", n.range);
+    program.set("glare", n.glare);
+    program.set("shares", n.shares);
+    program.setArray("fineNoise[0]", std::span<const float>(n.fineNoise));
+    program.setArray("coarseNoise[0]", std::span<const float>(n.coarseNoise));
+    program.set("grainShift", n.grainShift);
+    program.set("perGrain", n.perGrain);
 }
 
 } // namespace shoal::render

@@ -7,6 +7,13 @@
 #include "engine/camera/FilmLook.h"
 #include "engine/gl/Program.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace shoal::render {
 
 // Texels of the video to a pixel of the layer, so that painting it leaves objects' edges as soft as the
@@ -18,17 +25,35 @@ namespace shoal::render {
 // never finer than the video: twice the pixels took only a fifth off the distance to what is filmed.
 float layerTexels(const camera::FilmLook& look, int samples);
 
-// The noise that films have: 256 x 256 texels that repeat; red: of single texels, green: of squares of 2 x 2;
-// 0.5 is none, a standard deviation is kGrainDeviation.
-gl::Texture makeGrain();
+// The noise that films have: 256 x 256 texels that repeat, two bytes each, of single texels and of squares of
+// 2 x 2; 0.5 is none, a standard deviation is kGrainDeviation.
 constexpr float kGrainDeviation = 0.125f;
 constexpr int kGrainSize = 256;
+std::vector<uint8_t> makeGrain();
+gl::Texture makeGrainTexture();
+
+// How the frame's camera would have seen what is painted into it.
+struct Filmed {
+    camera::FilmLook look;
+    int64_t index = 0; // of the frame, whose grain is its own
+};
+
+// The same as shaders/render/LatLong calls it.
+struct FilmedNumbers {
+    glm::vec3 black{0}, range{1};
+    float glare = 0;
+    glm::vec2 shares{0};
+    std::array<float, camera::kBrightnesses> fineNoise{}, coarseNoise{};
+    glm::ivec2 grainShift{0};
+    float perGrain = 0;
+};
+FilmedNumbers numbersOf(const Filmed& filmed);
 
 // What of a film shows, as bits for shaders/render/LatLong.
 enum FilmedFeature : unsigned { kFilmed = 1u << 0, kGrainy = 1u << 1, kSharesColour = 1u << 2 };
 unsigned filmedFeatures(const camera::FilmLook& look);
 
-// index: of the frame, whose grain is its own. The program must be in use.
-void setFilmed(const gl::Program& program, const camera::FilmLook& look, int64_t index);
+// The program must be in use.
+void setFilmed(const gl::Program& program, const Filmed& filmed);
 
 } // namespace shoal::render

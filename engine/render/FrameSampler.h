@@ -24,8 +24,7 @@ bool canSampleFrames(); // on this processor
 bool isWithin(const CodedFrame& frame, const SampledCell& cell);
 
 // Bilinear, within 1 / 255 of exact. picture: the pixel at (0, 0), channels as the frame's; stride: in
-// pixels, from row y to y + 1. Up to 7 pixels right of the cell are written besides. The cell is within the
-// frame.
+// pixels, from row y to y + 1. The cell is within the frame.
 void sampleCell(const CodedFrame& frame, const SampledCell& cell, uint32_t* picture, ptrdiff_t stride);
 
 } // namespace shoal::render

@@ -9,11 +9,10 @@
 #include "engine/gl/Variants.h"
 #include "engine/render/Corners.h"
 #include "engine/render/FilmedTexels.h"
-#include "engine/render/NearBodies.h"
+#include "engine/render/FrameTiles.h"
 #include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 
-#include <span>
 #include <vector>
 
 namespace shoal::render {
@@ -25,24 +24,12 @@ class LatLongPass {
   public:
     static Result<LatLongPass> make();
 
-    // How the frame's camera would have seen what is painted into it.
-    struct Filmed {
-        camera::FilmLook look;
-        int64_t index = 0; // of the frame
-    };
-
-    // Which texels paint() will paint. balls: there must be nothing in the layer beside them.
-    void choose(const SurroundGpu& surround, const glm::mat3& envFromWorld, std::span<const Ball> balls,
-                const glm::vec3& eyeWorld);
-
-    // Into the texels that were chosen. layer: a texture of display values, premultiplied, seen by layerView.
-    // What the texels held is kept aside. Leaves another framebuffer bound. Display-coded frames only.
-    // filmed: null for the layer as it is; the program for a look of a new kind is compiled first.
-    Status paint(const SurroundGpu& surround, GLuint layer, const View& layerView,
+    // Into the texels of the chosen tiles: there must be nothing in the layer beside them. layer: a texture
+    // of display values, premultiplied, seen by layerView. What the texels held is kept aside. Leaves another
+    // framebuffer bound. Display-coded frames only. filmed: null for the layer as it is; the program for a
+    // look of a new kind is compiled first.
+    Status paint(const SurroundGpu& surround, const FrameTiles& tiles, GLuint layer, const View& layerView,
                  const glm::mat3& envFromWorld, const Filmed* filmed = nullptr);
-
-    // Whether any texel between these coordinates of the map, or beside one, has been chosen.
-    bool isChosen(const glm::vec2& low, const glm::vec2& high) const;
 
     // Gives the texels back what they held, unless the surround has a new frame since.
     void restore(const SurroundGpu& surround);
@@ -51,7 +38,6 @@ class LatLongPass {
     struct Run { // of tiles in a row, in texels
         int x, y, width, height;
     };
-    void mark(const glm::vec3& dirEnv, float halfAngle);
     void copy(GLuint from, GLuint to) const; // the runs
 
     gl::Variants programs_;
@@ -59,11 +45,10 @@ class LatLongPass {
     Corners drawn_;
     gl::Texture kept_;
     gl::Framebuffer frameBuffer_, keptBuffer_;
-    glm::ivec2 size_{0}, keptSize_{0}; // of the frame
-    uint64_t paintedFrame_ = 0;        // its number; 0: nothing is painted
-    std::vector<bool> chosen_;         // tiles
-    std::vector<Run> runs_;            // of those that are painted
-    std::vector<glm::vec2> corners_;   // scratch: of their triangles, uv
+    glm::ivec2 keptSize_{0};         // of the frame
+    uint64_t paintedFrame_ = 0;      // its number; 0: nothing is painted
+    std::vector<Run> runs_;          // of tiles that are painted
+    std::vector<glm::vec2> corners_; // scratch: of their triangles, uv
 };
 
 } // namespace shoal::render

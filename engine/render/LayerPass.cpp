@@ -63,6 +63,14 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+std::span<const uint32_t> LayerPass::read() {
+    pixels_.resize(static_cast<size_t>(layer_->width()) * static_cast<size_t>(layer_->height()));
+    layer_->bindResolved();
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, layer_->width(), layer_->height(), GL_BGRA, GL_UNSIGNED_BYTE, pixels_.data());
+    return pixels_;
+}
+
 void LayerPass::layOver(std::span<const Box> boxes) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const Box& box : boxes) {

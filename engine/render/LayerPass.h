@@ -8,6 +8,7 @@
 #include "engine/render/Corners.h"
 #include "engine/render/View.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,6 +37,10 @@ class LayerPass {
     // Nothing more is drawn into it; leaves another framebuffer bound.
     void end() const { layer_->resolve(); }
 
+    // What is in it: blue first, premultiplied, rows from the bottom. Waits until it is drawn; leaves another
+    // framebuffer bound. Good until the next call.
+    std::span<const uint32_t> read();
+
     // Over the bound framebuffer, wherever one of the boxes is: there must be nothing in the layer beside
     // them.
     void layOver(std::span<const Box> boxes);
@@ -47,6 +52,7 @@ class LayerPass {
     Corners drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;
+    std::vector<uint32_t> pixels_;   // scratch: what was read
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
     std::vector<glm::vec2> corners_; // scratch: of their triangles
 };

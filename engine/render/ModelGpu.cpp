@@ -116,6 +116,7 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
     PrimitiveGpu gpu;
     gpu.material = primitive.material;
     gpu.skinned = !primitive.joints.empty();
+    gpu.coloured = !primitive.coloursLin.empty();
     gpu.folded = !primitive.folds.empty();
     std::vector<uint32_t> every(primitive.positions.size());
     std::iota(every.begin(), every.end(), 0u);

@@ -26,6 +26,7 @@ struct PrimitiveGpu {
     std::vector<DetailGpu> details; // finest first; at least one
     int material = -1;
     bool skinned = false;
+    bool coloured = false;    // by the vertex
     bool folded = false;      // hides something of the world from itself
     float leastRoughness = 1; // scene::leastRoughness() of its material
     scene::MeanSurface mean;  // of its material
@@ -64,7 +65,7 @@ struct ModelGpu {
 // Lean: what a software renderer gains most by and hardly anybody sees in a moving picture. Textures come
 // from the nearest mip level (linear within it), large normal maps have half the texels, roughness and
 // metalness are a material's means, the nearest of the glossy maps stands for a mixture of two, diffuse light
-// comes by the vertex, shapes may be 1.25 pixels off, and what does not fill the picture has no relief and
+// comes by the vertex, shapes may be 1.6 pixels off, and what does not fill the picture has no relief and
 // all its light by the vertex.
 enum class Detail { Full, Lean };
 

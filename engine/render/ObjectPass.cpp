@@ -33,8 +33,10 @@ enum FeatureBit : unsigned {
     kVertexDiffuse = 1u << 14,
     kVertexLit = 1u << 15,
     kOccluded = 1u << 16,
+    kVertexColours = 1u << 17,
+    kSecondUv = 1u << 18,
 };
-constexpr std::array<const char*, 17> kDefines = {"SKINNED",
+constexpr std::array<const char*, 19> kDefines = {"SKINNED",
                                                   "BASE_COLOUR_MAP",
                                                   "METALLIC_ROUGHNESS_MAP",
                                                   "NORMAL_MAP",
@@ -50,11 +52,17 @@ constexpr std::array<const char*, 17> kDefines = {"SKINNED",
                                                   "LEAN",
                                                   "VERTEX_DIFFUSE",
                                                   "VERTEX_LIT",
-                                                  "OCCLUDED"};
+                                                  "OCCLUDED",
+                                                  "VERTEX_COLOURS",
+                                                  "SECOND_UV"};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
     if (primitive.skinned) features |= kSkinned;
+    if (primitive.coloured) features |= kVertexColours;
+    for (const scene::TextureUse& use : {material.baseColour, material.metallicRoughness, material.normal,
+                                         material.occlusion, material.emissive})
+        if (use.texture >= 0 && use.texCoord == 1) features |= kSecondUv;
     if (material.baseColour.texture >= 0) features |= kBaseColourMap;
     if (material.metallicRoughness.texture >= 0) features |= kMetallicRoughnessMap;
     if (material.normal.texture >= 0) features |= kNormalMap;

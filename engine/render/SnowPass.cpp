@@ -49,7 +49,10 @@ Status SnowPass::draw(On on, const SurroundGpu& surround, const View& view, cons
     program.set("cube_m", kCube_m);
     program.set("pixelsPerSlope", static_cast<float>(view.heightPixels) / (2 * view.halfExtent().y));
 
-    glEnable(GL_DEPTH_TEST);
+    if (on == On::Picture)
+        glDisable(GL_DEPTH_TEST);
+    else
+        glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);

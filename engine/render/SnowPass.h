@@ -13,10 +13,13 @@ class SnowPass {
   public:
     static Result<SnowPass> make();
 
-    enum class On { Everything, Objects }; // Objects: where alpha says that something has been drawn
+    enum class On {
+        Everything, // that has been drawn with depth: near things hide specks
+        Objects,    // the same, but only where alpha says that there are any
+        Picture     // without depth: nothing hides specks
+    };
 
-    // After all that is drawn: near things hide specks. time_s places every speck, so equal times give equal
-    // pictures.
+    // After all else. time_s places every speck, so equal times give equal pictures.
     Status draw(On on, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, double time_s);
 

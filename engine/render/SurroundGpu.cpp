@@ -1,5 +1,6 @@
 #include "engine/render/SurroundGpu.h"
 
+#include "engine/gl/Renderer.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <cassert>
@@ -9,14 +10,6 @@ namespace shoal::render {
 namespace {
 
 constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
-
-void latLongSampling(const gl::Texture& texture, bool mipmapped) {
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-}
 
 // Replaces level `level` of the bound texture; `fresh` makes new storage.
 void putLevel(int level, const light::HalfImage& image, bool fresh) {
@@ -29,41 +22,61 @@ void putLevel(int level, const light::HalfImage& image, bool fresh) {
                         image.rgba.data());
 }
 
-void bindTo(int unit, const gl::Texture& texture, const gl::Program& program, const char* name) {
+void bindTo(int unit, GLuint texture, const gl::Program& program, const char* name) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glBindTexture(GL_TEXTURE_2D, texture);
     program.set(name, unit);
 }
 
 } // namespace
 
-SurroundGpu::SurroundGpu()
-    : frame_(gl::Texture::make()), light_(gl::Texture::make()), mirrors_(gl::Texture::make()),
-      scattered_(gl::Texture::make()) {
-    latLongSampling(frame_, false);
-    latLongSampling(light_, false);
-    latLongSampling(scattered_, false);
-    latLongSampling(mirrors_, true);
+gl::Texture makeLatLongTexture() {
+    gl::Texture texture = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
 }
 
-void SurroundGpu::uploadFrame(const CodedFrame& frame) {
-    glBindTexture(GL_TEXTURE_2D, frame_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, frame.rowPixels);
-    if (!coded_ || frame.width != frameWidth_ || frame.height != frameHeight_)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, frame.width, frame.height, 0, GL_BGRA, GL_UNSIGNED_BYTE,
-                     frame.pixels);
-    else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, frame.width, frame.height, GL_BGRA, GL_UNSIGNED_BYTE,
-                        frame.pixels);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+SurroundGpu::SurroundGpu()
+    : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
+      scattered_(makeLatLongTexture()), waits_(gl::rendersInSoftware()) {
+    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+}
+
+void SurroundGpu::setFrame(const CodedFrame& frame) {
+    waiting_ = frame;
     coded_ = true;
     ++frameNumber_;
     frameWidth_ = frame.width;
     frameHeight_ = frame.height;
+    if (!waits_) frameTexture();
 }
 
-void SurroundGpu::uploadFrame(const ImageRgbF& radianceLin) {
+// Storage is reused while the size stays.
+GLuint SurroundGpu::frameTexture() const {
+    if (!waiting_) return frame_.name();
+    const CodedFrame frame = *waiting_;
+    waiting_.reset();
+    const glm::ivec2 size(frame.width, frame.height);
+    glBindTexture(GL_TEXTURE_2D, frame_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, frame.rowPixels);
+    if (size != codedSize_)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels);
+    else
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    codedSize_ = size;
+    return frame_.name();
+}
+
+void SurroundGpu::setFrame(const ImageRgbF& radianceLin) {
+    waiting_.reset();
+    codedSize_ = {0, 0};
     glBindTexture(GL_TEXTURE_2D, frame_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     // 32 bits: a real sun lies above the largest half float.
@@ -98,28 +111,29 @@ void SurroundGpu::uploadLight(const light::PackedLight& light, const occlusion::
 void SurroundGpu::uploadScattered(const ImageRgbF& light) {
     glBindTexture(GL_TEXTURE_2D, scattered_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    const glm::ivec2 size(light.width, light.height);
-    if (size != scatteredSize_)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, size.x, size.y, 0, GL_RGB, GL_FLOAT, light.pixels.data());
+    if (light.width != scatteredLight_.width || light.height != scatteredLight_.height)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
+                     light.pixels.data());
     else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, light.pixels.data());
-    scatteredSize_ = size;
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, light.width, light.height, GL_RGB, GL_FLOAT,
+                        light.pixels.data());
+    scatteredLight_ = light;
 }
 
 void SurroundGpu::bindScattered(const gl::Program& program, int unit) const {
-    bindTo(unit, scattered_, program, "scattered");
+    bindTo(unit, scattered_.name(), program, "scattered");
 }
 
 void SurroundGpu::bindFrame(const gl::Program& program) const {
-    bindTo(UNIT_FRAME, frame_, program, "frame");
+    bindTo(UNIT_FRAME, frameTexture(), program, "frame");
 }
 
 void SurroundGpu::bindLight(const gl::Program& program) const {
-    bindTo(UNIT_LIGHT, light_, program, "lightMap");
+    bindTo(UNIT_LIGHT, light_.name(), program, "lightMap");
     program.setArray("lightPlaces[0]", places_);
     program.set("smoothestMap", static_cast<float>(places_.size() - 1));
     if (mirrorLevels_ == 0) return;
-    bindTo(UNIT_RADIANCE, mirrors_, program, "radianceMap");
+    bindTo(UNIT_RADIANCE, mirrors_.name(), program, "radianceMap");
     program.set("radianceWidth", static_cast<float>(mirrorWidth_));
     program.set("mirrorLevels", static_cast<int>(mirrorRoughness_.size() - 1));
     program.setArray("mirrorRoughness[0]", mirrorRoughness_);

@@ -9,16 +9,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace shoal::render {
+
+// Without storage yet; leaves it bound. Sampled as maps of the sphere are: columns repeat.
+gl::Texture makeLatLongTexture();
 
 class SurroundGpu {
   public:
     SurroundGpu();
 
-    void uploadFrame(const CodedFrame& frame);      // storage is reused while the size stays
-    void uploadFrame(const ImageRgbF& radianceLin); // for HDR surrounds
+    // Lives until the next, or longer than this: where the context draws on the processor, it goes into a
+    // texture only once that is asked for.
+    void setFrame(const CodedFrame& frame);
+    void setFrame(const ImageRgbF& radianceLin); // HDR surrounds; copied
     // smooth: what bodies take from each other; env frame.
     void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
 
@@ -28,13 +34,14 @@ class SurroundGpu {
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
     int frameHeight() const { return frameHeight_; }
-    uint64_t frameNumber() const { return frameNumber_; } // of those uploaded; 0: none yet
-    GLuint frameTexture() const { return frame_.name(); }
+    uint64_t frameNumber() const { return frameNumber_; } // of those set; 0: none yet
+    GLuint frameTexture() const;
 
     void bindFrame(const gl::Program& program) const; // the program must be in use
     void bindLight(const gl::Program& program) const;
 
     void bindScattered(const gl::Program& program, int unit) const; // "scattered"
+    const ImageRgbF& scatteredLight() const { return scatteredLight_; }
 
     const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
 
@@ -43,10 +50,13 @@ class SurroundGpu {
 
   private:
     gl::Texture frame_, light_, mirrors_, scattered_;
+    mutable std::optional<CodedFrame> waiting_; // to be put into frame_
+    mutable glm::ivec2 codedSize_{0};           // of frame_, where it holds coded texels
+    bool waits_ = false;                        // frames do
     int frameWidth_ = 0, frameHeight_ = 0;
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
-    glm::ivec2 scatteredSize_{0};
+    ImageRgbF scatteredLight_;
     int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
     size_t mirrorLevels_ = 0;
     std::vector<glm::vec4> places_;

@@ -248,7 +248,9 @@ Result<Hud> Hud::make() {
         state->font = io.Fonts->AddFontDefault(&config);
     }
     state->glReady = ImGui_ImplOpenGL3_Init("#version 330 core");
-    if (!state->glReady) return Error{"", "the on-screen display could not be set up"};
+    if (!state->glReady || !ImGui_ImplOpenGL3_CreateDeviceObjects())
+        return Error{"", "the on-screen display could not be set up"};
+    io.Fonts->ClearTexData(); // on the graphics side from now on
     return Hud(std::move(state));
 }
 

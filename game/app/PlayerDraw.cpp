@@ -135,8 +135,12 @@ Status Player::drawFrame(const Run& run, glm::ivec2 size) {
             if (Status drawn = stage->drawBackdrop(eye); !drawn) return drawn;
         }
         if (shared && eye.eye == 0) canvas.blitTo(canvases[1].framebuffer(), 0, drawnSize.x, drawnSize.y);
-        glFlush(); // its pixels are drawn while the objects' vertices are shaded
-        canvas.bind();
+        if (stage->needsDepth(eye)) {
+            glFlush(); // its pixels are drawn while the objects' vertices are shaded
+            canvas.bind();
+        } else if (shared) {
+            canvas.bindColour();
+        }
         if (Status drawn = stage->drawObjects(eye); !drawn) return drawn;
         if (!coarse.empty()) {
             canvas.blitTo(target.framebuffer(), 0, eyeSize.x, eyeSize.y);

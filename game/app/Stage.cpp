@@ -98,47 +98,76 @@ Status Stage::drawLayer(const Eye& eye) {
     return Done{};
 }
 
-// A frame that both eyes see holds one eye's objects after the other's.
-render::LatLongPass* Stage::paintedFrame(const Eye& eye) {
-    if (!paintsTexels(eye)) return nullptr;
-    return &frames_[eye.surround.eyesSeeTheSame() ? 0 : static_cast<size_t>(eye.eye)];
+void Stage::chooseTexels(const Eye& eye) {
+    if (!paintsTexels(eye)) return;
+    const render::SurroundGpu& surround = eye.surround.gpu(eye.eye);
+    tiles_.choose({surround.frameWidth(), surround.frameHeight()}, eye.surround.envFromWorld(),
+                  objects_.ballsSeen(layerView(eye)), eye.view.eyeWorld);
 }
 
-void Stage::chooseTexels(const Eye& eye) {
-    if (render::LatLongPass* frame = paintedFrame(eye))
-        frame->choose(eye.surround.gpu(eye.eye), eye.surround.envFromWorld(),
-                      objects_.ballsSeen(layerView(eye)), eye.view.eyeWorld);
+render::BackdropPass::InMemory Stage::inMemory(const Eye& eye) const {
+    return {*eye.surround.frameInMemory(eye.eye), paintsTexels(eye) ? &tiles_ : nullptr};
 }
 
 void Stage::beginBackdrop(const Eye& eye) {
-    const render::CodedFrame* frame = eye.surround.frameInMemory(eye.eye);
-    if (!frame) return;
+    if (!eye.surround.frameInMemory(eye.eye)) return;
     chooseTexels(eye);
     texelsChosen_ = true;
     backdrop_.begin(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(), eye.exposure, eye.size,
-                    {*frame, paintedFrame(eye)});
+                    inMemory(eye));
+}
+
+Status Stage::paintFrame(const Eye& eye) {
+    GLint canvas = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &canvas);
+    const render::Filmed filmed{eye.surround.filmLook(), eye.surround.frameIndex()};
+    // A frame that both eyes see holds one eye's objects after the other's.
+    const size_t frame = eye.surround.eyesSeeTheSame() ? 0 : static_cast<size_t>(eye.eye);
+    Status painted = frames_[frame].paint(
+        eye.surround.gpu(eye.eye), tiles_, layers_[static_cast<size_t>(eye.eye)].layer().texture(),
+        layerView(eye), eye.surround.envFromWorld(), compose_ == Compose::Camera ? &filmed : nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(canvas));
+    glViewport(0, 0, eye.size.x, eye.size.y);
+    return painted;
+}
+
+Status Stage::drawFromMemory(const Eye& eye) {
+    const render::SurroundGpu& surround = eye.surround.gpu(eye.eye);
+    const auto draw = [&](const render::TexelPaint* paint) {
+        return backdrop_.drawFromMemory(surround, eye.view, eye.surround.envFromWorld(), inMemory(eye),
+                                        paint);
+    };
+    if (!paintsTexels(eye)) return draw(nullptr);
+    render::LayerPass& layer = layers_[static_cast<size_t>(eye.eye)];
+    const render::View view = layerView(eye);
+    render::TexelPaint paint{
+        .layer = layer.read().data(),
+        .layerSize = {layer.layer().width(), layer.layer().height()},
+        .eyeFromEnv = glm::transpose(eye.surround.envFromWorld() * glm::mat3_cast(view.worldFromEye)),
+        .rayScale = view.halfExtent(),
+        .rayShift = view.shift};
+    if (compose_ != Compose::Camera) return draw(&paint);
+    const camera::FilmLook look = eye.surround.filmLook();
+    const render::FilmedNumbers numbers = render::numbersOf({look, eye.surround.frameIndex()});
+    if (grain_.empty()) grain_ = render::makeGrain();
+    paint.filmed = &numbers;
+    paint.grainy = (render::filmedFeatures(look) & render::kGrainy) != 0;
+    paint.grain = grain_.data();
+    paint.scattered = &surround.scatteredLight();
+    return draw(&paint);
 }
 
 Status Stage::drawBackdrop(const Eye& eye) {
     if (!std::exchange(texelsChosen_, false)) chooseTexels(eye);
-    if (render::LatLongPass* frame = paintedFrame(eye)) {
-        GLint canvas = 0;
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &canvas);
-        const render::View view = layerView(eye);
-        const render::LatLongPass::Filmed filmed{eye.surround.filmLook(), eye.surround.frameIndex()};
-        if (Status s = frame->paint(
-                eye.surround.gpu(eye.eye), layers_[static_cast<size_t>(eye.eye)].layer().texture(), view,
-                eye.surround.envFromWorld(), compose_ == Compose::Camera ? &filmed : nullptr);
-            !s)
-            return s;
-        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(canvas));
-        glViewport(0, 0, eye.size.x, eye.size.y);
-    }
+    const render::SurroundGpu& surround = eye.surround.gpu(eye.eye);
     // First, though objects hide some of it: asking the depth for every pixel costs more than that.
-    const render::CodedFrame* frame = eye.surround.frameInMemory(eye.eye);
-    const render::BackdropPass::InMemory memory{frame ? *frame : render::CodedFrame(), paintedFrame(eye)};
-    Status drawn = backdrop_.draw(eye.surround.gpu(eye.eye), eye.view, eye.surround.envFromWorld(),
-                                  eye.exposure, frame ? &memory : nullptr);
+    Status drawn = Done{};
+    if (eye.surround.frameInMemory(eye.eye) && backdrop_.canDrawFromMemory(surround, eye.exposure)) {
+        drawn = drawFromMemory(eye);
+    } else {
+        if (paintsTexels(eye)) drawn = paintFrame(eye);
+        if (drawn) drawn = backdrop_.draw(surround, eye.view, eye.surround.envFromWorld(), eye.exposure);
+    }
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     const glm::vec3 filmedFrom =
         eye.surround.eyesSeeTheSame() ? glm::vec3(0) : eye.view.eyeWorld - headWorld_;
@@ -148,16 +177,19 @@ Status Stage::drawBackdrop(const Eye& eye) {
     return shadows_->draw(eye.view, filmedFrom, eye.water, cover.texture ? &cover : nullptr);
 }
 
+bool Stage::needsDepth(const Eye& eye) const { return !paintsTexels(eye) && layerSize(eye) == eye.size; }
+
 Status Stage::drawObjects(const Eye& eye) {
-    // Every pixel gets a colour from an object or from the backdrop: only the depth needs clearing.
-    glDepthMask(GL_TRUE);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    const bool painted = paintsTexels(eye), layered = !painted && layerSize(eye) != eye.size;
-    if (!layered && !painted)
+    if (needsDepth(eye)) {
+        // Every pixel gets a colour from an object or from the backdrop: only the depth needs clearing.
+        glDepthMask(GL_TRUE);
+        glClear(GL_DEPTH_BUFFER_BIT);
         if (Status s = drawBodies(eye, eye.view); !s) return s;
+        return drawSnow(render::SnowPass::On::Everything, eye, eye.view);
+    }
     // Of a layer, all specks lie behind its objects here; those before them are in it.
-    if (Status s = drawSnow(render::SnowPass::On::Everything, eye, eye.view); !s) return s;
-    if (!layered) return Done{};
+    if (Status s = drawSnow(render::SnowPass::On::Picture, eye, eye.view); !s) return s;
+    if (paintsTexels(eye)) return Done{};
     layers_[static_cast<size_t>(eye.eye)].layOver(objects_.seen(eye.view));
     return Done{};
 }

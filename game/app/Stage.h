@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/render/BackdropPass.h"
+#include "engine/render/FrameTiles.h"
 #include "engine/render/LatLongPass.h"
 #include "engine/render/LayerPass.h"
 #include "engine/render/ObjectPass.h"
@@ -65,6 +66,7 @@ class Stage {
     Status drawLayer(const Eye& eye);
     Status drawBackdrop(const Eye& eye);
     Status drawObjects(const Eye& eye);
+    bool needsDepth(const Eye& eye) const; // drawObjects() does, of the canvas
 
     // Where objects lie in the backdrop, each eye has its own.
     bool eyesShareBackdrop() const { return frames_.empty(); }
@@ -79,8 +81,10 @@ class Stage {
     Stage(Cast cast, render::BackdropPass backdrop, render::ObjectPass objects)
         : cast_(std::move(cast)), backdrop_(std::move(backdrop)), objects_(std::move(objects)) {}
     bool paintsTexels(const Eye& eye) const;
-    render::LatLongPass* paintedFrame(const Eye& eye); // null: objects are not painted into it
+    render::BackdropPass::InMemory inMemory(const Eye& eye) const; // where the surround's frame is
     void chooseTexels(const Eye& eye);
+    Status paintFrame(const Eye& eye); // on the graphics side
+    Status drawFromMemory(const Eye& eye);
     render::View layerView(const Eye& eye) const;
     // Of the eye's picture; as large as that where objects are drawn straight into it.
     glm::ivec2 layerSize(const Eye& eye) const;
@@ -94,6 +98,8 @@ class Stage {
     std::optional<Shadows> shadows_;
     std::vector<render::LayerPass> layers_;   // one an eye; none: objects are drawn straight into the picture
     std::vector<render::LatLongPass> frames_; // one an eye; where objects go into the surround's own picture
+    render::FrameTiles tiles_;                // of it, of the eye drawn last
+    std::vector<uint8_t> grain_;              // of films, where they are painted in memory
     Compose compose_ = Compose::Plain;
     int layerSamples_ = 1;
     double time_s_ = 0;

@@ -93,7 +93,7 @@ struct Surround::State {
             const EyePart part = partOf(frame.width, frame.height, layout, eye);
             render::CodedFrame& coded = inMemory[static_cast<size_t>(eye)];
             coded = {frame.at(part.x, part.y), part.width, part.height, frame.width};
-            gpu[static_cast<size_t>(eye)].uploadFrame(coded);
+            gpu[static_cast<size_t>(eye)].setFrame(coded);
         }
         uploadLight(found[slot]);
     }
@@ -240,7 +240,7 @@ Status Surround::State::openEnv(const Path& file) {
     if (mended)
         log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
                   file.string(), mended);
-    gpu[0].uploadFrame(picture->radianceLin);
+    gpu[0].setFrame(picture->radianceLin);
     uploadLight(found[0]);
     return Done{};
 }

@@ -21,7 +21,8 @@ uniform sampler2D baseColourMap, metallicRoughnessMap, normalMap, occlusionMap, 
 uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv;
 
 #ifdef VERTEX_LIT
-in vec3 perBaseLin, besidesLin;
+in vec4 perMapExposed;
+in vec3 besidesExposed;
 #else
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -29,9 +30,17 @@ in vec4 worldTangent;
 #ifdef OCCLUDED
 in vec4 envFold;
 #endif
-#endif
-in vec4 vertexUv;
+#ifdef VERTEX_COLOURS
 in vec4 vertexColourLin;
+#endif
+#endif
+#ifdef SECOND_UV
+in vec4 vertexUv;
+vec2 uvOf(int set) { return set == 0 ? vertexUv.xy : vertexUv.zw; }
+#else
+in vec2 vertexUv;
+vec2 uvOf(int set) { return vertexUv; }
+#endif
 #ifdef VERTEX_DIFFUSE
 in vec3 diffuseLin;
 #endif
@@ -47,10 +56,15 @@ in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
 out vec4 colour;
 
-vec2 uvOf(int set) { return set == 0 ? vertexUv.xy : vertexUv.zw; }
-
 void main() {
-    vec4 base = baseColourLin * vertexColourLin;
+#ifdef VERTEX_LIT
+    vec4 base = perMapExposed;
+#else
+    vec4 base = baseColourLin;
+#ifdef VERTEX_COLOURS
+    base *= vertexColourLin;
+#endif
+#endif
 #ifdef BASE_COLOUR_MAP
     base *= texture(baseColourMap, uvOf(baseColourUv));
 #endif
@@ -61,7 +75,10 @@ void main() {
     base.a = 1.0;
 #endif
 #ifdef VERTEX_LIT
-    vec3 radiance = base.rgb * perBaseLin + besidesLin;
+    vec3 exposed = base.rgb + besidesExposed;
+#ifdef EMISSIVE_MAP
+    exposed += emissiveLin * exposureScale * texture(emissiveMap, uvOf(emissiveUv)).rgb;
+#endif
 #else
     float metal = metallic, rough = roughness;
 #ifdef METALLIC_ROUGHNESS_MAP
@@ -112,13 +129,13 @@ void main() {
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
     vec3 radiance = reflectance.mirrored * mirrored * openMirrored + reflectance.around * around * open;
-#endif
     vec3 emitted = emissiveLin;
 #ifdef EMISSIVE_MAP
     emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #endif
-    radiance += emitted;
-    vec3 display = displayValue(radiance);
+    vec3 exposed = (radiance + emitted) * exposureScale;
+#endif
+    vec3 display = displayOfExposed(exposed);
 #ifdef WATER
     display = sqrt(display * display * waterLeft + waterVeiled);
 #endif

@@ -4,8 +4,12 @@ layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_NORMAL) in vec3 normal;
 layout(location = ATTRIBUTE_TANGENT) in vec4 tangent;
 layout(location = ATTRIBUTE_UV0) in vec2 uv0;
+#ifdef SECOND_UV
 layout(location = ATTRIBUTE_UV1) in vec2 uv1;
+#endif
+#ifdef VERTEX_COLOURS
 layout(location = ATTRIBUTE_COLOUR) in vec4 colourLin;
+#endif
 layout(location = ATTRIBUTE_JOINTS) in uvec4 joints;
 layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 
@@ -37,14 +41,21 @@ out vec4 bodiesInLobe; // what they send into the glossy lobe, and what is left 
 #endif
 #ifdef VERTEX_LIT
 #include "render/VertexLight.glsl"
+uniform vec4 baseColourLin;
+uniform vec3 emissiveLin;
 uniform float twoSided; // 1: the normal turns to whoever looks
-out vec3 perBaseLin, besidesLin; // what is sent back is base colour times the first, plus the second
+// What is sent to the eye, exposed: the first, times what the base colour's map has there, plus the second. The first's alpha
+// is opacity. Software renderers fetch each uniform number once for each pixel, so pixels are handed products.
+out vec4 perMapExposed;
+out vec3 besidesExposed;
+#endif
+#if defined(VERTEX_LIT) || defined(WATER)
+#include "render/Output.glsl"
 #endif
 #if !defined(WATER) && (defined(VERTEX_LIT) || defined(OCCLUDED))
 uniform vec3 eyeWorld;
 #endif
 #ifdef WATER
-#include "render/Output.glsl"
 #include "render/Water.glsl"
 out vec3 waterLeft, waterVeiled;
 #endif
@@ -56,9 +67,15 @@ out vec4 worldTangent;
 #ifdef OCCLUDED
 out vec4 envFold;
 #endif
-#endif
-out vec4 vertexUv; // set 0 in xy, set 1 in zw
+#ifdef VERTEX_COLOURS
 out vec4 vertexColourLin;
+#endif
+#endif
+#ifdef SECOND_UV
+out vec4 vertexUv; // set 0 in xy, set 1 in zw
+#else
+out vec2 vertexUv;
+#endif
 
 void main() {
 #ifdef SKINNED
@@ -72,8 +89,11 @@ void main() {
     // The cofactor matrix turns normals rightly under any scale, without a division.
     mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
     vec3 n = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
+#ifdef SECOND_UV
     vertexUv = vec4(uv0, uv1);
-    vertexColourLin = colourLin;
+#else
+    vertexUv = uv0;
+#endif
 #ifdef OCCLUDED
     vec4 rest = mix(folds, foldsBesideOwn, ownStrength);
     vec3 turned = m * rest.xyz;
@@ -84,13 +104,25 @@ void main() {
 #ifdef VERTEX_LIT
     vec3 v = normalize(eyeWorld - world.xyz);
     if (twoSided * dot(n, v) < 0.0) n = -n;
-    lightVertex(world.xyz, n, v, fold, perBaseLin, besidesLin);
+    vec3 perBase, besides;
+    lightVertex(world.xyz, n, v, fold, perBase, besides);
+    perMapExposed = baseColourLin * vec4(perBase * exposureScale, 1.0);
+#ifdef VERTEX_COLOURS
+    perMapExposed *= colourLin;
+#endif
+#ifndef EMISSIVE_MAP
+    besides += emissiveLin;
+#endif
+    besidesExposed = besides * exposureScale;
 #else
     worldPosition = world.xyz;
     worldNormal = n;
     worldTangent = vec4(m * tangent.xyz, tangent.w);
 #ifdef OCCLUDED
     envFold = fold;
+#endif
+#ifdef VERTEX_COLOURS
+    vertexColourLin = colourLin;
 #endif
 #endif
 #ifdef VERTEX_DIFFUSE

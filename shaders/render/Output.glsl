@@ -19,13 +19,14 @@ vec3 acesFilmic(vec3 lin) {
     return acesOut * v;
 }
 
-vec3 displayValue(vec3 radiance) {
-    radiance *= exposureScale;
+vec3 displayOfExposed(vec3 exposed) { // exposed: radiance times exposureScale
 #if defined(TONE_ACES)
-    return srgbFromLinear(acesFilmic(radiance));
+    return srgbFromLinear(acesFilmic(exposed));
 #elif defined(TONE_LINEAR)
-    return srgbFromLinear(radiance);
+    return srgbFromLinear(exposed);
 #else
-    return clamp(displayFromRadiance(radiance), 0.0, 1.0);
+    return clamp(displayFromRadiance(exposed), 0.0, 1.0);
 #endif
 }
+
+vec3 displayValue(vec3 radiance) { return displayOfExposed(radiance * exposureScale); }

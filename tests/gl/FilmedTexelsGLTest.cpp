@@ -1,7 +1,8 @@
 // Objects in the video's texels as its own camera would have filmed them.
 #include "Balls.h"
+#include "engine/render/FrameSampler.h"
 #include "engine/render/LatLongPass.h"
-#include "engine/render/LayerPass.h"
+#include "engine/render/PaintTexels.h"
 
 #include <cmath>
 #include <numbers>
@@ -11,16 +12,14 @@ namespace {
 
 constexpr int kWidth = 512, kHeight = kWidth / 2;
 
-class FilmedTexelsGL : public WithContext {};
-
 // The middle 128 x 64 texels of a frame of one grey, before which two halves stand: left and right,
 // premultiplied. scattered: the light about them all.
-ImageRgba8 painted(const camera::FilmLook& look, const glm::vec4& left, const glm::vec4& right,
-                   float behind = 0, float scattered = 0, int64_t index = 0) {
+ImageRgba8 paintedBy(bool processor, const camera::FilmLook& look, const glm::vec4& left,
+                     const glm::vec4& right, float behind = 0, float scattered = 0, int64_t index = 0) {
     ImageRgba8 frame(kWidth, kHeight);
     std::ranges::fill(frame.pixels, static_cast<uint8_t>(255 * behind + 0.5f));
     render::SurroundGpu surround;
-    surround.uploadFrame({frame.pixels.data(), kWidth, kHeight, kWidth});
+    surround.setFrame({frame.pixels.data(), kWidth, kHeight, kWidth});
     ImageRgbF around(8, 4);
     std::ranges::fill(around.pixels, scattered);
     surround.uploadScattered(around);
@@ -41,20 +40,59 @@ ImageRgba8 painted(const camera::FilmLook& look, const glm::vec4& left, const gl
     const render::Ball ball{{0, 0, -2}, 1.4f};
     auto pass = render::LatLongPass::make();
     EXPECT_TRUE(pass) << pass.error().sentence();
-    const render::LatLongPass::Filmed filmed{look, index};
-    pass->choose(surround, glm::mat3(1), {&ball, 1}, glm::vec3(0));
-    EXPECT_TRUE(pass->paint(surround, layer.texture(), view, glm::mat3(1), &filmed));
+    const render::Filmed filmed{look, index};
+    render::FrameTiles tiles;
+    tiles.choose({kWidth, kHeight}, glm::mat3(1), {&ball, 1}, glm::vec3(0));
     ImageRgba8 all(kWidth, kHeight), middle(128, 64);
-    glBindTexture(GL_TEXTURE_2D, surround.frameTexture());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, all.pixels.data());
+    if (processor) {
+        std::vector<uint32_t> pixels(size_t{kSize} * kSize);
+        layer.bind();
+        glReadPixels(0, 0, kSize, kSize, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
+        const std::vector<uint8_t> grain = render::makeGrain();
+        const render::FilmedNumbers numbers = render::numbersOf(filmed);
+        const render::TexelPaint paint{.layer = pixels.data(),
+                                       .layerSize = {kSize, kSize},
+                                       .rayScale = view.halfExtent(),
+                                       .filmed = &numbers,
+                                       .grainy = (render::filmedFeatures(look) & render::kGrainy) != 0,
+                                       .grain = grain.data(),
+                                       .scattered = &surround.scatteredLight()};
+        auto* out = reinterpret_cast<uint32_t*>(all.pixels.data());
+        for (int k = 0; k < render::FrameTiles::kCount.x * render::FrameTiles::kCount.y; ++k) {
+            const glm::ivec2 tile(k % render::FrameTiles::kCount.x, k / render::FrameTiles::kCount.x);
+            if (tiles.chosen()[static_cast<size_t>(k)])
+                render::paintTexels({frame.pixels.data(), kWidth, kHeight, kWidth}, paint, tiles.lowOf(tile),
+                                    tiles.lowOf(tile + 1), out, kWidth);
+        }
+        for (size_t k = 0; k < all.pixels.size(); k += 4) std::swap(all.pixels[k], all.pixels[k + 2]);
+    } else {
+        EXPECT_TRUE(pass->paint(surround, tiles, layer.texture(), view, glm::mat3(1), &filmed));
+        glBindTexture(GL_TEXTURE_2D, surround.frameTexture());
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, all.pixels.data());
+    }
     for (int y = 0; y < middle.height; ++y)
         std::copy_n(all.at((kWidth - middle.width) / 2, (kHeight - middle.height) / 2 + y), 4 * middle.width,
                     middle.at(0, y));
     return middle;
 }
 
-TEST_F(FilmedTexelsGL, EdgesMixLight) {
+// By the graphics side, and by the processor where that can.
+class FilmedTexelsGL : public WithContext, public testing::WithParamInterface<bool> {
+  protected:
+    void SetUp() override {
+        WithContext::SetUp();
+        if (GetParam() && !render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
+    }
+    ImageRgba8 painted(const camera::FilmLook& look, const glm::vec4& left, const glm::vec4& right,
+                       float behind = 0, float scattered = 0, int64_t index = 0) const {
+        return paintedBy(GetParam(), look, left, right, behind, scattered, index);
+    }
+};
+INSTANTIATE_TEST_SUITE_P(By, FilmedTexelsGL, testing::Bool(),
+                         [](const auto& spec) { return spec.param ? "Processor" : "Graphics"; });
+
+TEST_P(FilmedTexelsGL, EdgesMixLight) {
     const ImageRgba8 picture =
         painted({}, glm::vec4(0, 0, 0, 0.5f), glm::vec4(0.25f, 0.25f, 0.25f, 0.5f), 0.8f);
     // Half of black's, of a half's, and of 0.8's square.
@@ -62,7 +100,7 @@ TEST_F(FilmedTexelsGL, EdgesMixLight) {
     EXPECT_NEAR(picture.at(100, 30)[0], 255 * std::sqrt(0.5 * 0.64 + 0.5 * 0.25), 1.5);
 }
 
-TEST_F(FilmedTexelsGL, NothingIsChangedWhereNothingStands) {
+TEST_P(FilmedTexelsGL, NothingIsChangedWhereNothingStands) {
     camera::FilmLook look;
     look.glare = 0.1f;
     look.chromaTexels = {2, 2};
@@ -70,7 +108,7 @@ TEST_F(FilmedTexelsGL, NothingIsChangedWhereNothingStands) {
     EXPECT_EQ(painted(look, glm::vec4(0), glm::vec4(1), 0.4f, 0.9f).at(20, 30)[0], 102);
 }
 
-TEST_F(FilmedTexelsGL, PortAndLensScatterTheLightAround) {
+TEST_P(FilmedTexelsGL, PortAndLensScatterTheLightAround) {
     camera::FilmLook look;
     look.glare = 0.06f;
     const ImageRgba8 picture = painted(look, glm::vec4(0, 0, 0, 1), glm::vec4(0.5f, 0.5f, 0.5f, 1), 0, 0.6f);
@@ -78,7 +116,7 @@ TEST_F(FilmedTexelsGL, PortAndLensScatterTheLightAround) {
     EXPECT_NEAR(picture.at(100, 30)[1], 255 * std::sqrt(0.94 * 0.25 + 0.06 * 0.6), 1.5);
 }
 
-TEST_F(FilmedTexelsGL, GrainIsAsStrongAsTheFilmsAndItsFramesOwn) {
+TEST_P(FilmedTexelsGL, GrainIsAsStrongAsTheFilmsAndItsFramesOwn) {
     camera::FilmLook look;
     for (size_t band = 4; band < camera::kBrightnesses; ++band) look.fineNoise[band] = 6 / 255.0f;
     const auto shot = [&](int64_t index) {
@@ -101,7 +139,7 @@ TEST_F(FilmedTexelsGL, GrainIsAsStrongAsTheFilmsAndItsFramesOwn) {
     EXPECT_NEAR(deviation(68), 6, 0.4); // 3584 texels: 1.2 %, and the grain's own steps
 }
 
-TEST_F(FilmedTexelsGL, LevelsAreTakenOnlyWhereBothEndsAreMissing) {
+TEST_P(FilmedTexelsGL, LevelsAreTakenOnlyWhereBothEndsAreMissing) {
     camera::FilmLook look;
     look.black = glm::vec3(30 / 255.0f);
     const glm::vec4 black(0, 0, 0, 1), white(1);
@@ -113,7 +151,7 @@ TEST_F(FilmedTexelsGL, LevelsAreTakenOnlyWhereBothEndsAreMissing) {
 }
 
 // Red beside grey: with 4:2:0 squares of two texels have one hue, without it texels have their own.
-TEST_F(FilmedTexelsGL, ColoursAreShared) {
+TEST_P(FilmedTexelsGL, ColoursAreShared) {
     camera::FilmLook look;
     const auto differences = [&] {
         const ImageRgba8 picture =
@@ -128,6 +166,26 @@ TEST_F(FilmedTexelsGL, ColoursAreShared) {
     };
     look.chromaTexels = {2, 2};
     EXPECT_LE(differences(), 2);
+}
+
+// All that a film does at once: both ways are one picture but for the rounding of bytes.
+TEST_P(FilmedTexelsGL, IsTheSameByEitherWay) {
+    camera::FilmLook look;
+    look.chromaTexels = {2, 2};
+    look.glare = 0.05f;
+    look.black = glm::vec3(14, 15, 16) / 255.0f;
+    look.white = glm::vec3(240 / 255.0f);
+    for (size_t band = 0; band < camera::kBrightnesses; ++band)
+        look.fineNoise[band] = 0.002f * static_cast<float>(band), look.coarseNoise[band] = 0.01f;
+    const auto by = [&](bool processor) {
+        return paintedBy(processor, look, glm::vec4(0.4f, 0.1f, 0.05f, 0.7f), glm::vec4(0.2f, 0.5f, 0.8f, 1),
+                         0.3f, 0.5f, 7);
+    };
+    const ImageRgba8 graphics = by(false), processor = by(true);
+    int most = 0;
+    for (size_t k = 0; k < graphics.pixels.size(); ++k)
+        most = std::max(most, std::abs(graphics.pixels[k] - processor.pixels[k]));
+    EXPECT_LE(most, 2);
 }
 
 camera::FilmLook blurredBy(float texels) {

@@ -1,13 +1,12 @@
 #include "engine/media/live/Camera.h"
 
-#include "engine/media/Quiet.h"
+#include "engine/media/Codecs.h"
 #include "engine/media/VideoInfo.h"
-
-#include <opencv2/videoio.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <utility>
 
 namespace shoal::media {
 
@@ -21,19 +20,17 @@ class Camera {
     explicit Camera(int index) : index_(index) {}
 
     Status open() {
-        setUpDecoders();
         std::error_code code;
         if (!std::filesystem::exists("/dev/video" + std::to_string(index_), code))
             return Error{"", "is not there; `shoal devices` lists the cameras that are"};
+        const auto with = codecs();
+        if (!with) return Error{"", "cannot be opened: " + with.error().sentence()};
         try {
-            capture_.release();
-            if (!capture_.open(index_, cv::CAP_V4L2))
-                return Error{"", "cannot be opened, or is in use elsewhere"};
-            // As JPEG, in which alone most cameras send large pictures; they refuse what they do not know.
-            capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
-            capture_.set(cv::CAP_PROP_FRAME_WIDTH, kWishedWidth);
-            capture_.set(cv::CAP_PROP_FRAME_HEIGHT, kWishedHeight);
-            capture_.set(cv::CAP_PROP_BUFFERSIZE, 2); // no more than it needs: what waits grows old
+            camera_.reset();
+            // No more waits than is needed: what waits grows old.
+            camera_ = (*with)->openCamera(
+                index_, {.width = kWishedWidth, .height = kWishedHeight, .jpeg = true, .waiting = 2});
+            if (!camera_) return Error{"", "cannot be opened, or is in use elsewhere"};
         } catch (const std::exception&) {
             return Error{"", "cannot be opened"};
         }
@@ -43,16 +40,15 @@ class Camera {
     Result<LivePicture> read(ImageRgb8& bgr) {
         const Error silent{"", "sends no pictures any more"};
         try {
-            if (interrupted_ || !capture_.grab()) return silent;
+            if (interrupted_ || !camera_->grab()) return silent;
             LivePicture picture;
             picture.arrived_s = liveNow_s();
-            const auto width = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH));
-            const auto height = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT));
+            const auto [width, height] = std::pair(camera_->size().width, camera_->size().height);
             if (width < 2 || height < 2 || width > kMaxVideoSide || height > kMaxVideoSide)
                 return Error{"", "gives a picture of a size that is not played"};
             if (bgr.width != width || bgr.height != height) bgr = ImageRgb8(width, height);
             cv::Mat target(height, width, CV_8UC3, bgr.pixels.data());
-            if (!capture_.retrieve(target) || target.data != bgr.pixels.data()) return silent;
+            if (!camera_->retrieve(target) || target.data != bgr.pixels.data()) return silent;
             picture.decode_ms = 1e3 * (liveNow_s() - picture.arrived_s);
             return picture;
         } catch (const std::exception&) {
@@ -64,7 +60,7 @@ class Camera {
 
   private:
     int index_;
-    cv::VideoCapture capture_;
+    std::unique_ptr<OpenCamera> camera_; // once open
     std::atomic<bool> interrupted_{false};
 };
 

@@ -2,7 +2,7 @@
 // decoder is behind, it goes on with the newest picture that needs none before it.
 #pragma once
 
-#include "engine/media/live/Packet.h"
+#include "engine/media/Ffmpeg.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -1,15 +1,16 @@
 #include "engine/media/live/StreamFeed.h"
 
 #include "engine/core/Threads.h"
+#include "engine/media/PictureDecoder.h"
 #include "engine/media/live/Pace.h"
 #include "engine/media/live/PacketQueue.h"
-#include "engine/media/live/StreamDecoder.h"
 #include "engine/media/live/StreamInput.h"
 
 extern "C" {
 #include <libavformat/avformat.h>
 }
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -37,7 +38,10 @@ class Stream {
         if (Status opened = input_.open(); !opened) return opened;
         decoder_.emplace();
         const AVStream& picture = input_.picture();
-        if (Status opened = decoder_->open(*picture.codecpar, picture.time_base); !opened) return opened;
+        const auto threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
+        if (Status opened = decoder_->open(*picture.codecpar, picture.time_base, HoldBack::None, threads);
+            !opened)
+            return opened;
         queue_.reset(input_.stored());
         lastGiven_s_ = liveNow_s();
         ended_ = false;
@@ -103,7 +107,7 @@ class Stream {
 
     StreamInput input_;
     PacketQueue queue_;
-    std::optional<StreamDecoder> decoder_;
+    std::optional<PictureDecoder> decoder_;
     Packet packet_ = makePacket();
     double lastGiven_s_ = 0;
     bool ended_ = false;

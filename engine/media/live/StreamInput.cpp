@@ -1,5 +1,6 @@
 #include "engine/media/live/StreamInput.h"
 
+#include "engine/media/Quiet.h"
 #include "engine/media/VideoInfo.h"
 
 extern "C" {
@@ -17,9 +18,6 @@ namespace {
 constexpr const char* kFormats =
     "mpegts,mov,mp4,matroska,webm,avi,flv,live_flv,ogg,mpeg,mpjpeg,mjpeg,h264,hevc,ivf,nut,rtsp,sdp,rtp";
 
-// More than any picture of kMaxVideoSide a side takes in one piece, at 16 bits.
-constexpr size_t kMostMemory = size_t{256} << 20;
-
 std::string words(int error) {
     char text[AV_ERROR_MAX_STRING_SIZE]{};
     av_strerror(error, text, sizeof text);
@@ -36,8 +34,7 @@ std::string seconds(double s) {
 
 StreamInput::StreamInput(const LiveAddress& address, const FeedPatience& patience)
     : address_(address), patience_(patience) {
-    av_log_set_level(AV_LOG_QUIET); // the player reads our sentences instead
-    av_max_alloc(kMostMemory);
+    setUpDecoders();
     if (const auto* pipe = std::get_if<PipeAddress>(&address_))
         pipe_.emplace(pipe->file, [this] { return givesUp(); });
 }

@@ -1,8 +1,8 @@
 // A stream's or a pipe's packets, as they come. Internal to this folder; one thread's, but for the last two.
 #pragma once
 
+#include "engine/media/Ffmpeg.h"
 #include "engine/media/live/LiveFeed.h"
-#include "engine/media/live/Packet.h"
 #include "engine/media/live/PipeInput.h"
 
 #include <atomic>

@@ -1,11 +1,9 @@
 #include "input/hands/webcam/WebcamHands.h"
 
 #include "engine/core/Threads.h"
-#include "engine/media/Quiet.h"
+#include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
 #include "input/hands/webcam/WebcamEye.h"
-
-#include <opencv2/videoio.hpp>
 
 #include <chrono>
 #include <condition_variable>
@@ -78,15 +76,15 @@ struct WebcamHands::State {
     }
 
     std::string watchCamera() {
+        const auto with = media::codecs();
+        if (!with) return with.error().sentence();
         try {
-            cv::VideoCapture camera;
-            if (!camera.open(options.index)) return place() + " is not there, or lets nobody in";
-            camera.set(cv::CAP_PROP_FRAME_WIDTH, 640);
-            camera.set(cv::CAP_PROP_FRAME_HEIGHT, 480);
+            const auto camera = (*with)->openCamera(options.index, {.width = 640, .height = 480});
+            if (!camera) return place() + " is not there, or lets nobody in";
             WebcamEye eye(rig);
             const Clock::time_point began = Clock::now();
             cv::Mat picture;
-            while (!gone() && camera.read(picture))
+            while (!gone() && camera->grab() && camera->retrieve(picture))
                 see(eye, picture, std::chrono::duration<double>(Clock::now() - began).count());
         } catch (const cv::Exception&) { // of a driver: as good as unplugged
         }
@@ -107,7 +105,6 @@ struct WebcamHands::State {
 
 WebcamHands::WebcamHands(const WebcamOptions& options, const HandRig& rig)
     : state_(std::make_unique<State>(options, rig)) {
-    media::setUpDecoders();
     state_->stream.setState({false, state_->place() + " is being opened", {}});
     state_->thread = std::thread([s = state_.get()] { s->run(); });
 }

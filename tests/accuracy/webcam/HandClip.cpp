@@ -124,9 +124,6 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     light::PackedLight packed;
     light::packLight(made, light::MirrorMaps::Mirrors, packed);
     clip.surround_.emplace();
-    ImageRgba8 rgba;
-    media::toBgra(light, false, rgba);
-    clip.surround_->uploadFrame({rgba.pixels.data(), rgba.width, rgba.height, rgba.width});
     clip.surround_->uploadLight(packed);
     clip.target_.emplace(size.width, size.height, 4);
     clip.size_ = size;

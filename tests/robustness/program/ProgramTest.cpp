@@ -61,6 +61,19 @@ class Program : public testing::Test {
     }
 };
 
+// They would take a tenth of a second and an eighth of the memory (engine/media/Codecs.h).
+TEST_F(Program, StartsWithoutTheLibrariesOfPicturesAndCameras) {
+    const Path list = folder_ / "libraries.txt";
+    const std::string command =
+        std::string("LD_TRACE_LOADED_OBJECTS=1 '") + SHOAL_PROGRAM + "' >" + list.string();
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const auto libraries = readText(list);
+    ASSERT_TRUE(libraries);
+    EXPECT_NE(libraries->find("opencv_core"), std::string::npos) << "else nothing is listed";
+    for (const char* name : {"opencv_imgcodecs", "opencv_videoio", "gdal"})
+        EXPECT_EQ(libraries->find(name), std::string::npos) << name;
+}
+
 TEST_F(Program, HelpNamesUnits) {
     const Outcome help = run("play --help");
     EXPECT_EQ(help.status, 0);

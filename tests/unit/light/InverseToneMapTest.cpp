@@ -1,6 +1,22 @@
 #include "engine/light/InverseToneMap.h"
 
+#include <glm/ext/vector_double3.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+
+#include <cmath>
+
+// The shaders' twin, in double precision.
+namespace glsl {
+namespace {
+using vec3 = glm::dvec3;
+using glm::dot;
+using std::sqrt;
+#define float double
+#include "shaders/light/ToneCurve.glsl"
+#undef float
+} // namespace
+} // namespace glsl
 
 namespace shoal::light {
 namespace {
@@ -33,6 +49,21 @@ TEST(InverseToneMap, BrighterThanWhiteStaysInOrder) {
         EXPECT_NEAR(radianceFromDisplay(glm::vec3(shown)).x, y, 1e-4f * y);
         before = shown;
     }
+}
+
+// Relative to what is displayed, so that it holds for every hue.
+TEST(InverseToneMap, ShaderIsItsTwin) {
+    double before = 0;
+    for (double l = 1e-4; l < 3; l *= 1.0003) {
+        const double y = 10 * std::pow(l, 11) + 1.8 * l;
+        const double shown = glsl::displayFromRadiance(glm::dvec3(y)).x;
+        EXPECT_NEAR(glsl::radianceFromDisplay(glm::dvec3(l)).x, y, 1e-12 * y);
+        const double allowed = y < 11.8 ? 0.05 / 255 : y < 100 ? 0.25 / 255 : 0.5;
+        EXPECT_NEAR(shown / l, 1, allowed) << l;
+        EXPECT_GT(shown, before) << l;
+        before = shown;
+    }
+    EXPECT_GT(before, 1);
 }
 
 } // namespace

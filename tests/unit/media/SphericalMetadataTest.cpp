@@ -161,12 +161,6 @@ TEST(SphericalMetadata, EditListGivesTheLengthShown) {
     EXPECT_DOUBLE_EQ(parsed(movie("", edits, header)).shown_s, 2.0);
 }
 
-TEST(SphericalMetadata, ColourMatrixOfTheSampleEntry) {
-    EXPECT_EQ(parsed(movie(box("colr", "nclx" + be(1, 2) + be(1, 2) + be(6, 2) + be(0, 1)))).matrixCode, 6);
-    EXPECT_EQ(parsed(movie(box("colr", "prof" + be(0, 30)))).matrixCode, 0);
-    EXPECT_EQ(parsed(movie("")).matrixCode, 0);
-}
-
 TEST(SphericalMetadata, LargeSizesAndSizesToTheEnd) {
     const std::string plain = movie(sv3d(kEquirect));
     // A 64-bit media box before the movie; nothing of its claimed 4 GiB is there to be skipped to.

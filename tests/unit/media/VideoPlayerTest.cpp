@@ -191,6 +191,57 @@ TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
     EXPECT_EQ(player.waitFor(2e6)->index, index);
 }
 
+// FFmpeg's own converters write beyond rows of such widths, or stop short of their end.
+TEST(VideoPlayer, RowsOfAnyWidthEndWhereTheyShould) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    for (const int width : {426, 66, 70, 1000, 1002}) {
+        writeGreyVideo(file, 3, kFps, width, 34);
+        auto player = opened(file);
+        for (int i = 0; i < 3; ++i) {
+            const ImageRgb8& picture = player.waitFor(i / kFps)->pixelsBgr;
+            ASSERT_EQ(picture.width, width);
+            for (const uint8_t value : picture.pixels) ASSERT_NEAR(value, kFirstGrey + kGreyStep * i, 1);
+        }
+    }
+}
+
+// A telephone's: the track's matrix says how it was held.
+TEST(VideoPlayer, AClipIsTurnedUpright) {
+    const TempFolder folder;
+    const Path file = folder / "turned.mp4";
+    {
+        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 30,
+                               {96, 32});
+        ASSERT_TRUE(writer.isOpened());
+        cv::Mat picture(32, 96, CV_8UC3, cv::Scalar::all(20));
+        picture(cv::Rect(0, 0, 48, 32)) = cv::Scalar::all(220); // left half bright
+        for (int i = 0; i < 3; ++i) writer.write(picture);
+    }
+    // Row by row a b u, c d v, x y w; of 16.16 bits, the last column of 2.30 (ISO/IEC 14496-12, 8.3.2).
+    const auto matrix = [](int a, int b, int c, int d) {
+        std::string bytes;
+        for (const int value : {a << 16, b << 16, 0, c << 16, d << 16, 0, 0, 0, 1 << 30})
+            for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+        return bytes;
+    };
+    const std::string upright = readBytes(file);
+    const size_t at = upright.find(matrix(1, 0, 0, 1), upright.find("tkhd"));
+    ASSERT_NE(at, std::string::npos);
+    const auto bright = [&](const std::string& how, bool across, std::array<int, 2> place) {
+        std::string turned = upright;
+        writeBytes(file, turned.replace(at, how.size(), how));
+        auto player = opened(file);
+        const ImageRgb8& picture = player.waitFor(0)->pixelsBgr;
+        return picture.width == (across ? 32 : 96) && picture.height == (across ? 96 : 32) &&
+               *picture.at(place[0], place[1]) > 180;
+    };
+    EXPECT_TRUE(bright(matrix(1, 0, 0, 1), false, {8, 16}));
+    EXPECT_TRUE(bright(matrix(0, 1, -1, 0), true, {16, 8})) << "clockwise: what was left is above";
+    EXPECT_TRUE(bright(matrix(-1, 0, 0, -1), false, {88, 16}));
+    EXPECT_TRUE(bright(matrix(0, -1, 1, 0), true, {16, 88}));
+}
+
 TEST(VideoPlayer, EndsWhileBusy) {
     const TempFolder folder;
     const Path file = folder / "grey.avi";

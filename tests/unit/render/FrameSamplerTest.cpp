@@ -78,6 +78,7 @@ TEST_F(FrameSampler, MixesTheFourTexelsAround) {
                     }
             EXPECT_EQ(picture[static_cast<size_t>(cell.high.y * kStride + 3)], 0xdeadbeef) << "the next row";
             EXPECT_EQ(picture[static_cast<size_t>(2 * kStride + 2)], 0xdeadbeef) << "left of it";
+            EXPECT_EQ(picture[static_cast<size_t>(2 * kStride + 3 + wide)], 0xdeadbeef) << "right of it";
         }
     EXPECT_LT(worst, 1.6); // half a step of rounding, 1/255 of 255 of the weights
     EXPECT_LT(std::abs(sum / count), 0.15);

@@ -1,4 +1,4 @@
-// FFmpeg's things, owned. Internal to this folder.
+// FFmpeg's things, owned. For this room.
 #pragma once
 
 extern "C" {
@@ -26,5 +26,6 @@ using Frame = std::unique_ptr<AVFrame, FreeFrame>;
 using Codec = std::unique_ptr<AVCodecContext, FreeCodec>;
 
 inline Packet makePacket() { return Packet(av_packet_alloc()); }
+inline Frame makeFrame() { return Frame(av_frame_alloc()); }
 
 } // namespace shoal::media

@@ -1,0 +1,132 @@
+#include "engine/media/PictureDecoder.h"
+
+#include "engine/media/VideoInfo.h"
+#include "engine/media/YuvToBgr.h"
+
+extern "C" {
+#include <libswscale/swscale.h>
+}
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace shoal::media {
+
+PictureDecoder::PictureDecoder() : frame_(makeFrame()) {}
+PictureDecoder::~PictureDecoder() { sws_freeContext(scaler_); }
+
+PictureDecoder::PictureDecoder(PictureDecoder&& other) noexcept
+    : codec_(std::move(other.codec_)), frame_(std::move(other.frame_)),
+      scaler_(std::exchange(other.scaler_, nullptr)), rows_(std::move(other.rows_)) {}
+
+PictureDecoder& PictureDecoder::operator=(PictureDecoder&& other) noexcept {
+    std::swap(codec_, other.codec_);
+    std::swap(frame_, other.frame_);
+    std::swap(scaler_, other.scaler_);
+    return *this;
+}
+
+Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase, HoldBack holdBack,
+                            int threads) {
+    const AVCodec* kind = avcodec_find_decoder(parameters.codec_id);
+    codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
+    if (!codec_ || avcodec_parameters_to_context(codec_.get(), &parameters) < 0)
+        return Error{"", "is of a codec that is not installed"};
+    codec_->pkt_timebase = timeBase;
+    codec_->thread_count = threads;
+    if (holdBack == HoldBack::None) {
+        codec_->thread_type = FF_THREAD_SLICE; // threads that share a picture
+        codec_->flags |= AV_CODEC_FLAG_LOW_DELAY;
+    }
+    codec_->max_pixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
+    if (avcodec_open2(codec_.get(), kind, nullptr) < 0) return Error{"", "cannot be decoded"};
+    return Done{};
+}
+
+void PictureDecoder::send(const AVPacket* packet, double arrived_s, bool hurry) {
+    codec_->skip_frame = hurry ? AVDISCARD_NONREF : AVDISCARD_DEFAULT;
+    // Comes out with the picture, whatever the order: microseconds.
+    codec_->reordered_opaque = std::llround(arrived_s * 1e6);
+    avcodec_send_packet(codec_.get(), packet);
+}
+
+void PictureDecoder::forget() { avcodec_flush_buffers(codec_.get()); }
+
+bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
+
+double PictureDecoder::arrived_s() const { return static_cast<double>(frame_->reordered_opaque) * 1e-6; }
+
+// Motion JPEG is BT.601 whatever its size (JFIF); FFmpeg's numbers are those of H.273.
+ColourMatrix PictureDecoder::matrix() const {
+    return codec_->codec_id == AV_CODEC_ID_MJPEG
+               ? ColourMatrix::Bt601
+               : colourMatrixOf(frame_->colorspace, frame_->width, frame_->height);
+}
+
+bool PictureDecoder::fullRange() const {
+    return frame_->color_range == AVCOL_RANGE_JPEG || frame_->format == AV_PIX_FMT_YUVJ420P ||
+           frame_->format == AV_PIX_FMT_YUVJ422P || codec_->codec_id == AV_CODEC_ID_MJPEG;
+}
+
+Status PictureDecoder::convert(ImageRgb8& bgr) {
+    const int width = frame_->width, height = frame_->height;
+    if (width < 2 || height < 2) return Error{"", "its picture has no size"};
+    if (width > kMaxVideoSide || height > kMaxVideoSide)
+        return Error{"",
+                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+    if (bgr.width != width || bgr.height != height) bgr = ImageRgb8(width, height);
+    switch (frame_->format) {
+    case AV_PIX_FMT_YUV420P:
+    case AV_PIX_FMT_YUVJ420P:
+        convertPlanes(1, bgr);
+        return Done{};
+    case AV_PIX_FMT_YUV422P:
+    case AV_PIX_FMT_YUVJ422P:
+        convertPlanes(0, bgr);
+        return Done{};
+    default:
+        return convertRare(bgr);
+    }
+}
+
+void PictureDecoder::convertPlanes(int differenceRowShift, ImageRgb8& bgr) const {
+    const YuvToBgr convert(matrix(), fullRange());
+    for (int y = 0; y < bgr.height; ++y) {
+        const int half = y >> differenceRowShift;
+        convert.row({frame_->data[0] + ptrdiff_t{y} * frame_->linesize[0],
+                     frame_->data[1] + ptrdiff_t{half} * frame_->linesize[1],
+                     frame_->data[2] + ptrdiff_t{half} * frame_->linesize[2]},
+                    bgr.width, bgr.at(0, y));
+    }
+}
+
+// By FFmpeg, which writes beyond the ends of rows: so into memory of its own.
+Status PictureDecoder::convertRare(ImageRgb8& bgr) {
+    const Error unknown{"", "its picture is of an unknown form"};
+    const int width = frame_->width, height = frame_->height;
+    scaler_ = sws_getCachedContext(
+        scaler_, width, height, static_cast<AVPixelFormat>(frame_->format), width, height, AV_PIX_FMT_BGR24,
+        SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr);
+    if (!scaler_) return unknown;
+    const ColourMatrix is = matrix();
+    const int* from = sws_getCoefficients(is == ColourMatrix::Bt709    ? SWS_CS_ITU709
+                                          : is == ColourMatrix::Bt2020 ? SWS_CS_BT2020
+                                                                       : SWS_CS_ITU601);
+    constexpr int kOne = 1 << 16;
+    sws_setColorspaceDetails(scaler_, from, fullRange(), sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne,
+                             kOne);
+    constexpr int kMargin = 64;
+    const int stride = (3 * width + 2 * kMargin) / kMargin * kMargin;
+    rows_.resize(static_cast<size_t>(stride) * static_cast<size_t>(height + 1));
+    uint8_t* rows[4] = {rows_.data(), nullptr, nullptr, nullptr};
+    const int strides[4] = {stride, 0, 0, 0};
+    if (sws_scale(scaler_, frame_->data, frame_->linesize, 0, height, rows, strides) != height)
+        return unknown;
+    for (int y = 0; y < height; ++y)
+        std::copy_n(rows_.data() + ptrdiff_t{y} * stride, 3 * width, bgr.at(0, y));
+    return Done{};
+}
+
+} // namespace shoal::media
