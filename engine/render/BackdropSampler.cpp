@@ -70,16 +70,18 @@ void BackdropSampler::finish(const TexelPaint* paint) {
     crew_.finish();
     started_ = false;
     left_.clear();
+    for (size_t k = 0; k < states_.size(); ++k)
+        if (!states_[k].here) left_.push_back({&cells_.all()[k], paint && states_[k].painted});
+    if (!paint) return;
     wanted_.assign(static_cast<size_t>(FrameTiles::kCount.x * FrameTiles::kCount.y), false);
     bool any = false;
     for (size_t k = 0; k < states_.size(); ++k) {
-        const BackdropCell& cell = cells_.all()[k];
-        if (!states_[k].here) left_.push_back({&cell, states_[k].painted});
         if (!states_[k].painted) continue;
-        any = true;
+        const BackdropCell& cell = cells_.all()[k];
         seen_.tiles->eachBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) { wanted_[tile] = true; });
+        any = true;
     }
-    if (!any || !paint) return;
+    if (!any) return;
     painted_.paint(seen_.frame, *seen_.tiles, wanted_, *paint, crew_);
     collect([](const State& s) { return s.here && s.painted; });
     crew_.share(static_cast<int>(dueRow_.size()) - 1, SampleRow{this, painted_.frame()});
