@@ -30,7 +30,7 @@ class BackdropSampler {
     // The frame must live until finish(). What an earlier picture showed of the same is kept: a second eye's
     // differs by objects only.
     void start(const SampledView& seen);
-    // Its picture, with what is painted: null where tiles are. Returns when all is done.
+    // Returns when all of its picture is there. paint: what objects look like; null: there are no tiles.
     void finish(const TexelPaint* paint);
     bool started() const { return started_; }
 
