@@ -1,5 +1,6 @@
 #include "content/make/models/shade/HandShade.h"
 
+#include "content/make/models/shade/FitToHidden.h"
 #include "engine/render/FoldModel.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Surface.h"
@@ -10,9 +11,12 @@ namespace shoal::make {
 
 namespace {
 
-constexpr int kRays = 96; // from each of three points in a triangle
+constexpr int kRays = 192; // from each of three points in a triangle
 constexpr size_t kParts = 20;
-constexpr float kHalf = 0.45f; // curl: as most of what a hand's own parts count for is
+constexpr int kPlaces = 4000; // around each pose, a third of them within the hand
+// As most of what a hand's own parts count for is; and nearly a fist.
+const hands::HandShape kHalf{{0.45f, 0.45f, 0.45f, 0.45f, 0.45f}, 0},
+    kClosed{{0.65f, 0.75f, 0.75f, 0.75f, 0.75f}, 0};
 
 } // namespace
 
@@ -42,16 +46,23 @@ Result<Hand> loadHand(const Path& models, hands::Side side) {
 }
 
 std::vector<occlusion::BodyPart> fitHand(const Hand& hand) {
-    const scene::Surface surface = scene::posedSurface(hand.model, hand.rest);
-    return occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf},
-                                    occlusion::Parts::ByJoint, kParts);
+    const scene::Surface atRest = scene::posedSurface(hand.model, hand.rest);
+    std::vector<occlusion::BodyPart> parts = occlusion::fitEllipsoids(
+        {atRest.positions, atRest.indices, atRest.nodesOf}, occlusion::Parts::ByJoint, kParts);
+    const auto around = [&](const scene::Pose& pose, uint64_t seed) {
+        std::vector<glm::mat4> posedFromRest;
+        for (size_t node = 0; node < pose.modelFromNode.size(); ++node)
+            posedFromRest.push_back(pose.modelFromNode[node] * glm::inverse(hand.rest.modelFromNode[node]));
+        return lookAround(scene::posedSurface(hand.model, pose), std::move(posedFromRest), {}, kPlaces, seed);
+    };
+    fitToHidden(parts,
+                {around(hand.rest, 1), around(hand.closed(kHalf), 2), around(hand.closed(kClosed), 3)});
+    return parts;
 }
 
 render::BakedShade foldHand(Hand hand, const std::vector<occlusion::BodyPart>& parts) {
-    hands::HandShape half;
-    half.curl.fill(kHalf);
     render::foldModel(hand.model, hand.rest, kRays);
-    render::foldBesideOwn(hand.model, hand.closed(half),
+    render::foldBesideOwn(hand.model, hand.closed(kHalf),
                           render::makeBodyOccluders(hand.model, hand.rest, parts, true), kRays);
     return render::shadeOf(hand.model, parts);
 }
