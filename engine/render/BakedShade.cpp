@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double kSteps = 250;   // of a fold's numbers: a tenth of what rays leave open
-constexpr int kMostSteps = 2000; // either way
+constexpr int kMostSteps = 2000; // either way: what is hidden is whole long before
 constexpr size_t kMostParts = 64;
 constexpr float kMost_m = 100;  // of a centre's coordinates and a semi-axis
 constexpr double kDigits = 1e7; // of all other numbers

@@ -13,9 +13,9 @@ using hands::Side;
 
 Path models() { return dataRoot() / "content" / "models"; }
 
-class HandShade : public testing::TestWithParam<Side> {
+class EachHandShade : public testing::TestWithParam<Side> {
   protected:
-    HandShade() {
+    EachHandShade() {
         auto hand = make::loadHand(models(), GetParam());
         auto shade = readShade(models() /
                                (GetParam() == Side::Left ? "hand_left.shade.json" : "hand_right.shade.json"));
@@ -27,7 +27,7 @@ class HandShade : public testing::TestWithParam<Side> {
 };
 
 // Fails when a hand has changed: content/make/models/make_shade bakes it anew.
-TEST_P(HandShade, IsOfTheHandBesideIt) {
+TEST_P(EachHandShade, IsOfTheHandBesideIt) {
     ASSERT_TRUE(wearShade(shade_, hand_.model));
     const scene::Primitive& skin = hand_.model.meshes.at(0).primitives.at(0);
     EXPECT_EQ(skin.folds.size(), skin.positions.size());
@@ -36,7 +36,7 @@ TEST_P(HandShade, IsOfTheHandBesideIt) {
 }
 
 // But for what rounding, another compiler's too, moves across a step or a ray past an edge.
-TEST_P(HandShade, IsWhatItsMakerMakes) {
+TEST_P(EachHandShade, IsWhatItsMakerMakes) {
     const BakedShade again = make::foldHand(hand_, shade_.parts);
     const auto differing = [](const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
         EXPECT_EQ(a.size(), b.size());
@@ -50,7 +50,7 @@ TEST_P(HandShade, IsWhatItsMakerMakes) {
     EXPECT_EQ(again.skin, shade_.skin);
 }
 
-TEST_P(HandShade, OfAnotherModelIsRefusedAndChangesNothing) {
+TEST_P(EachHandShade, OfAnotherModelIsRefusedAndChangesNothing) {
     scene::Model moved = hand_.model;
     moved.meshes[0].primitives[0].positions[7].x += 1e-6f;
     EXPECT_FALSE(wearShade(shade_, moved));
@@ -65,8 +65,25 @@ TEST_P(HandShade, OfAnotherModelIsRefusedAndChangesNothing) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, HandShade, testing::Values(Side::Left, Side::Right),
+INSTANTIATE_TEST_SUITE_P(Both, EachHandShade, testing::Values(Side::Left, Side::Right),
                          [](const auto& side) { return side.param == Side::Left ? "left" : "right"; });
+
+TEST(HandShade, OfOneHandMirrorsTheOthers) {
+    const auto left = readShade(models() / "hand_left.shade.json"),
+               right = readShade(models() / "hand_right.shade.json");
+    ASSERT_TRUE(left.ok() && right.ok());
+    const auto mirrored = make::mirrored(right->parts);
+    ASSERT_EQ(left->parts.size(), mirrored.size());
+    for (size_t k = 0; k < mirrored.size(); ++k) {
+        const occlusion::Ellipsoid &a = left->parts[k].atRest, &b = mirrored[k].atRest;
+        EXPECT_EQ(left->parts[k].joint, mirrored[k].joint);
+        EXPECT_LT(glm::distance(a.centre, b.centre), 1e-6f);
+        EXPECT_LT(glm::distance(a.semiAxes, b.semiAxes), 1e-6f);
+        EXPECT_GT(glm::determinant(b.worldFromAxes), 0.999f);
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_GT(glm::dot(a.worldFromAxes[axis], b.worldFromAxes[axis]), 0.99999f);
+    }
+}
 
 TEST(BakedShade, IsReadAsItWasWritten) {
     BakedShade shade;

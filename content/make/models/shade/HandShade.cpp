@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRays = 192; // from each of three points in a triangle
 constexpr size_t kParts = 20;
-constexpr int kPlaces = 4000; // around each pose, a third of them within the hand
+constexpr int kPlaces = 4000; // around each pose
 // As most of what a hand's own parts count for is; and nearly a fist.
 const hands::HandShape kHalf{{0.45f, 0.45f, 0.45f, 0.45f, 0.45f}, 0},
     kClosed{{0.65f, 0.75f, 0.75f, 0.75f, 0.75f}, 0};
@@ -57,6 +57,16 @@ std::vector<occlusion::BodyPart> fitHand(const Hand& hand) {
     };
     fitToHidden(parts,
                 {around(hand.rest, 1), around(hand.closed(kHalf), 2), around(hand.closed(kClosed), 3)});
+    return parts;
+}
+
+std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts) {
+    for (occlusion::BodyPart& part : parts) {
+        occlusion::Ellipsoid& shape = part.atRest;
+        shape.centre.x = -shape.centre.x;
+        for (int axis = 0; axis < 3; ++axis) shape.worldFromAxes[axis].x = -shape.worldFromAxes[axis].x;
+        shape.worldFromAxes[0] = -shape.worldFromAxes[0]; // right-handed again
+    }
     return parts;
 }
 

@@ -23,6 +23,9 @@ Result<Hand> loadHand(const Path& models, hands::Side side);
 // The ellipsoids that hide what the skin hides from places around it, open and closing. Seconds.
 std::vector<occlusion::BodyPart> fitHand(const Hand& hand);
 
+// Of the other hand, whose joints are the same nodes.
+std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts);
+
 // Folds at rest, and half closed beside these ellipsoids. Seconds.
 render::BakedShade foldHand(Hand hand, const std::vector<occlusion::BodyPart>& parts);
 
