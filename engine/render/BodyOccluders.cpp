@@ -35,12 +35,19 @@ glm::vec3 seenFrom(const occlusion::Ellipsoid& part, const glm::vec3& place) {
 
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
                                 size_t most) {
+    const scene::Surface surface = scene::posedSurface(model, rest);
+    return makeBodyOccluders(
+        model, rest,
+        occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf}, parts, most),
+        parts == occlusion::Parts::ByJoint);
+}
+
+BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
+                                std::span<const occlusion::BodyPart> parts, bool onItself) {
     BodyOccluders body;
     body.albedo = scene::meanBaseColour(model);
-    body.onItself = parts == occlusion::Parts::ByJoint;
-    const scene::Surface surface = scene::posedSurface(model, rest);
-    for (const occlusion::BodyPart& part :
-         occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf}, parts, most)) {
+    body.onItself = onItself;
+    for (const occlusion::BodyPart& part : parts) {
         const glm::mat4 nodeFromModel = glm::inverse(rest.modelFromNode[part.joint]);
         body.parts.push_back({transformed(part.atRest, nodeFromModel), part.joint});
     }

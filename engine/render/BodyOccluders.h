@@ -25,6 +25,9 @@ struct BodyOccluders {
 // The model's meshes and pictures must still be there.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
                                 size_t most);
+// Of parts that are known: model frame, at rest; joint: the node that carries it.
+BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
+                                std::span<const occlusion::BodyPart> parts, bool onItself);
 
 // How much the body's own parts count, from 0 at rest, where folds say all, to 1. parts: all of them, placed.
 float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid> parts);

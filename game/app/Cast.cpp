@@ -1,5 +1,6 @@
 #include "game/app/Cast.h"
 
+#include "engine/render/BakedShade.h"
 #include "engine/render/FoldModel.h"
 #include "engine/scene/Roughness.h"
 #include "input/hands/HandRig.h"
@@ -55,6 +56,22 @@ void placeJoints(std::span<const hands::Joint> joints, std::span<const int> node
 
 } // namespace
 
+Status Cast::findShade(const Wish& wish, Actor& actor) {
+    const auto parts = wish.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape;
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, mostParts(actor.model, parts));
+    foldBody(actor.model);
+    if (!wish.side) return Done{};
+    // Half closed, as most of what its own parts count for is.
+    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+    if (!rig) return rig.error();
+    hands::HandShape half;
+    half.curl.fill(0.45f);
+    scene::Pose bent = actor.pose;
+    placeJoints(rig->pose(*wish.side, half, {}).joints, actor.jointNodes, bent);
+    render::foldBesideOwn(actor.model, bent, actor.body, kGripRays);
+    return Done{};
+}
+
 Result<Cast::Actor> Cast::readActor(const Wish& wish, render::Reflectance reflectance) {
     auto model = scene::loadModel(wish.file);
     if (!model) return model.error();
@@ -62,7 +79,6 @@ Result<Cast::Actor> Cast::readActor(const Wish& wish, render::Reflectance reflec
     actor.model = std::move(*model);
     if (!wish.look.empty() && !scene::wear(actor.model, wish.look))
         return Error{wish.file.string(), "has no variant named " + wish.look};
-    const auto parts = wish.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape;
     for (size_t joint = 0; joint < hands::kJointNames.size() && wish.side; ++joint) {
         const std::string name(hands::kJointNames[joint]);
         actor.jointNodes[joint] = actor.model.findNode(name);
@@ -70,18 +86,11 @@ Result<Cast::Actor> Cast::readActor(const Wish& wish, render::Reflectance reflec
     }
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
-    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, mostParts(actor.model, parts));
-    foldBody(actor.model);
-    if (wish.side) {
-        // Half closed, as most of what its own parts count for is.
-        const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-        if (!rig) return rig.error();
-        hands::HandShape half;
-        half.curl.fill(0.45f);
-        scene::Pose bent = actor.pose;
-        placeJoints(rig->pose(*wish.side, half, {}).joints, actor.jointNodes, bent);
-        render::foldBesideOwn(actor.model, bent, actor.body, kGripRays);
-    }
+    const auto shade = render::readShade(render::shadeBeside(wish.file));
+    if (shade && render::wearShade(*shade, actor.model))
+        actor.body = render::makeBodyOccluders(actor.model, actor.pose, shade->parts, wish.side.has_value());
+    else if (const auto found = findShade(wish, actor); !found)
+        return found.error();
     if (reflectance == render::Reflectance::Coded)
         actor.body.albedo = glm::pow(actor.body.albedo, glm::vec3(1 / 2.2f));
     const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);

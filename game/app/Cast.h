@@ -55,6 +55,8 @@ class Cast {
     };
     // On any thread; lacks what upload() makes.
     static Result<Actor> readActor(const Wish&, render::Reflectance reflectance);
+    // What is not found beside the model: its ellipsoids and folds.
+    static Status findShade(const Wish&, Actor& actor);
     void upload(Actor& actor, render::Reflectance reflectance, render::Detail detail);
 
     float leastRoughness_ = 1;

@@ -4,6 +4,7 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/VideoSource.h"
 #include "engine/occlusion/Folds.h"
+#include "engine/render/BakedShade.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"
 
@@ -15,8 +16,8 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kHandParts = 20, kFishParts = 4, kSharkParts = 12; // as the game has them
-constexpr int kFoldRays = 6, kGripRays = 12;
+constexpr size_t kFishParts = 4, kSharkParts = 12; // as the game has them
+constexpr int kFoldRays = 6;
 
 Path content() { return Path(SHOAL_SOURCE_DIR) / "content"; }
 
@@ -24,8 +25,7 @@ struct Actor {
     scene::Model model;
     scene::Pose rest, pose;
     render::BodyOccluders body;
-    std::vector<glm::vec4>
-        folds; // at rest; of a hand what its own parts leave half closed, as carried to rest
+    std::vector<glm::vec4> folds; // at rest; of a hand what its own parts leave
 };
 
 // From rest, as its joint has turned this vertex.
@@ -33,29 +33,31 @@ glm::mat3 turned(const Actor& actor, const scene::Pose& pose, size_t node) {
     return glm::mat3(pose.modelFromNode[node] * glm::inverse(actor.rest.modelFromNode[node]));
 }
 
-Actor load(const std::string& name, occlusion::Parts parts, size_t most) {
+Actor load(const std::string& name) {
     auto model = scene::loadModel(content() / "models" / (name + ".glb"));
     if (!model) throw std::runtime_error(model.error().sentence());
     Actor actor{std::move(*model), {}, {}, {}, {}};
     scene::restPose(actor.model, actor.pose);
     scene::updateGlobals(actor.model, actor.pose);
     actor.rest = actor.pose;
-    actor.body = render::makeBodyOccluders(actor.model, actor.pose, parts, most);
+    return actor;
+}
+
+Actor loadAnimal(const std::string& name, size_t parts) {
+    Actor actor = load(name);
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, occlusion::Parts::ByShape, parts);
     const scene::Surface surface = scene::posedSurface(actor.model, actor.rest);
     actor.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, {}, kFoldRays);
     return actor;
 }
 
-void foldBesideOwn(Actor& hand) {
-    const scene::Surface surface = scene::posedSurface(hand.model, hand.pose);
-    std::vector<occlusion::Occluder> own;
-    for (const auto& part : hand.body.parts)
-        own.push_back({render::placed(part, hand.pose, glm::mat4(1)), 1, {}});
-    hand.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, own, kGripRays);
-    for (size_t v = 0; v < hand.folds.size(); ++v)
-        hand.folds[v] =
-            glm::vec4(glm::inverse(turned(hand, hand.pose, surface.nodesOf[v])) * glm::vec3(hand.folds[v]),
-                      hand.folds[v].w);
+Actor loadHand(const std::string& name) {
+    Actor actor = load(name);
+    const auto shade = render::readShade(content() / "models" / (name + ".shade.json"));
+    if (!shade) throw std::runtime_error(shade.error().sentence());
+    actor.body = render::makeBodyOccluders(actor.model, actor.pose, shade->parts, true);
+    actor.folds = shade->besideOwn;
+    return actor;
 }
 
 void placeJoints(const hands::HandPose& pose, Actor& hand) {
@@ -87,8 +89,8 @@ SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
 } // namespace
 
 struct ClosingHand::Actors {
-    Actor hand = load("hand_right", occlusion::Parts::ByJoint, kHandParts);
-    Actor fish = load("clownfish", occlusion::Parts::ByShape, kFishParts);
+    Actor hand = loadHand("hand_right");
+    Actor fish = loadAnimal("clownfish", kFishParts);
     hands::HandRig rig;
 };
 
@@ -96,11 +98,6 @@ ClosingHand::ClosingHand() : actors_(std::make_shared<Actors>()) {
     auto rig = hands::HandRig::load(content() / "models" / "hand_skeleton.json");
     if (!rig) throw std::runtime_error(rig.error().sentence());
     actors_->rig = std::move(*rig);
-    hands::HandShape half;
-    half.curl.fill(0.45f);
-    Actor& hand = actors_->hand;
-    placeJoints(actors_->rig.pose(hands::Side::Right, half, {}), hand);
-    foldBesideOwn(hand);
 }
 
 OcclusionScene ClosingHand::at(float curl) const {
@@ -128,8 +125,8 @@ OcclusionScene handBySelf(float curl) {
 }
 
 OcclusionScene sharkAboveShoal() {
-    const Actor shark = load("shark", occlusion::Parts::ByShape, kSharkParts);
-    const Actor fish = load("sardine", occlusion::Parts::ByShape, kFishParts);
+    const Actor shark = loadAnimal("shark", kSharkParts);
+    const Actor fish = loadAnimal("sardine", kFishParts);
     OcclusionScene scene{"shark above a shoal", {place(shark, glm::mat4(1))}, {}};
     for (int i = 0; i < 8; ++i) {
         const auto k = static_cast<float>(i);

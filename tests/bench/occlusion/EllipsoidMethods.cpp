@@ -11,7 +11,7 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr int kRays = 6, kGripRays = 12; // at each of three points in a triangle, as the game folds
+constexpr int kRays = 6; // at each of three points in a triangle, as the game folds
 
 struct State {
     const Scene* scene = nullptr;
@@ -22,10 +22,10 @@ struct State {
     size_t parts = 0;
 };
 
-std::vector<glm::vec4> foldsOf(const Mesh& mesh, std::span<const occlusion::Occluder> own, int rays) {
+std::vector<glm::vec4> foldsOf(const Mesh& mesh) {
     std::vector<uint32_t> indices;
     for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    return occlusion::findFolds({mesh.positions, mesh.normals, indices}, own, rays);
+    return occlusion::findFolds({mesh.positions, mesh.normals, indices}, {}, kRays);
 }
 
 // As the skin turns each vertex, without its scale.
@@ -41,20 +41,14 @@ void build(State& state, const Scene& scene, Casting casting) {
     state.own.resize(scene.bodies.size());
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
-        const bool onItself = casting == Casting::All && body.half;
-        std::vector<occlusion::Occluder> ownHalfClosed;
+        const bool onItself = casting == Casting::All && !body.parts.empty();
         for (const occlusion::BodyPart& part : partsOf(body)) {
             ++state.parts;
-            if (!onItself) continue;
-            state.own[b].push_back(posed(part, body));
-            ownHalfClosed.push_back(posed(part, *body.half));
+            if (onItself) state.own[b].push_back(posed(part, body));
         }
         if (casting == Casting::Others) continue;
-        auto folds =
-            onItself ? foldsOf(body.half->posed, ownHalfClosed, kGripRays) : foldsOf(body.rest, {}, kRays);
-        for (size_t v = 0; v < folds.size(); ++v)
-            folds[v] = turned(onItself ? body.turned[v] * glm::inverse(body.half->turned[v]) : body.turned[v],
-                              folds[v]);
+        auto folds = onItself ? body.foldsBesideOwn : foldsOf(body.rest);
+        for (size_t v = 0; v < folds.size(); ++v) folds[v] = turned(body.turned[v], folds[v]);
         state.folds.push_back(std::move(folds));
     }
 }

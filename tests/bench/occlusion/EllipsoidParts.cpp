@@ -6,7 +6,7 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr size_t kHandParts = 20, kHunterParts = 12, kBodyParts = 4; // as the game fits them
+constexpr size_t kHunterParts = 12, kBodyParts = 4; // as the game fits them
 
 occlusion::Ellipsoid moved(const occlusion::Ellipsoid& at, const glm::mat4& to) {
     occlusion::Ellipsoid out = at;
@@ -19,18 +19,13 @@ occlusion::Ellipsoid moved(const occlusion::Ellipsoid& at, const glm::mat4& to) 
 
 } // namespace
 
-bool bendsSharply(const Body& body) { return body.name == "hand"; }
-
 std::vector<occlusion::BodyPart> partsOf(const Body& body) {
+    if (!body.parts.empty()) return body.parts;
     const std::vector<uint16_t> joints(body.boneOf.begin(), body.boneOf.end());
     std::vector<uint32_t> indices;
     for (const glm::uvec3& t : body.rest.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    const bool limbs = bendsSharply(body);
-    return occlusion::fitEllipsoids({body.rest.positions, indices, joints},
-                                    limbs ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape,
-                                    limbs                  ? kHandParts
-                                    : body.name == "shark" ? kHunterParts
-                                                           : kBodyParts);
+    return occlusion::fitEllipsoids({body.rest.positions, indices, joints}, occlusion::Parts::ByShape,
+                                    body.name == "shark" ? kHunterParts : kBodyParts);
 }
 
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body) {

@@ -7,9 +7,8 @@
 
 namespace shoal::bench {
 
+// By bone.
 std::vector<occlusion::BodyPart> partsOf(const Body& body);
-
-bool bendsSharply(const Body& body);
 
 // As it stands in the world.
 occlusion::Occluder posed(const occlusion::BodyPart& part, const Body& body);

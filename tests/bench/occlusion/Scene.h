@@ -2,10 +2,10 @@
 #pragma once
 
 #include "engine/core/Result.h"
+#include "engine/occlusion/FitEllipsoids.h"
 #include "tests/bench/occlusion/Mesh.h"
 #include "tests/bench/occlusion/Rays.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,15 +14,16 @@ namespace shoal::bench {
 // World frame, metres. A body without a skin has one bone.
 struct Body {
     std::string name;
-    Mesh posed;                           // in the world
-    Mesh rest;                            // as its file has it, at the size it has in the world
-    std::vector<int> boneOf;              // per vertex: the bone that moves it most
-    std::vector<glm::mat4> worldFromRest; // per bone; may scale
-    std::vector<glm::mat3> turned;        // per vertex: as the skin turns it from rest; may scale
-    std::shared_ptr<const Body> half;     // of what bends sharply: the same, half closed
-    int group = 0;                        // half of the receivers lie on each group's bodies
-    glm::vec3 albedoLin{0.7f};            // how pictures show it
-    glm::vec3 sentBack{0};                // of the light that falls on it, what others get: 0, a black body
+    Mesh posed;                             // in the world
+    Mesh rest;                              // as its file has it, at the size it has in the world
+    std::vector<int> boneOf;                // per vertex: the bone that moves it most
+    std::vector<glm::mat4> worldFromRest;   // per bone; may scale
+    std::vector<glm::mat3> turned;          // per vertex: as the skin turns it from rest; may scale
+    std::vector<occlusion::BodyPart> parts; // of what bends sharply, as the game keeps them: at rest, by bone
+    std::vector<glm::vec4> foldsBesideOwn;  // likewise, per vertex
+    int group = 0;                          // half of the receivers lie on each group's bodies
+    glm::vec3 albedoLin{0.7f};              // how pictures show it
+    glm::vec3 sentBack{0};                  // of the light that falls on it, what others get: 0, a black body
 };
 
 struct Camera {

@@ -2,6 +2,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/physics/Finger.h"
+#include "engine/render/BakedShade.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"
 #include "tests/bench/occlusion/Shapes.h"
@@ -36,6 +37,15 @@ Result<Actor> loadActor(const std::string& name) {
     return actor;
 }
 
+// As the game keeps it beside the model.
+Result<render::BakedShade> shadeFor(Actor& actor, const std::string& name) {
+    const Path file = render::shadeBeside(models() / (name + ".glb"));
+    auto shade = render::readShade(file);
+    if (shade && !render::wearShade(*shade, actor.model))
+        return Error{file.string(), "is another model's; content/make/models/make_shade bakes it anew"};
+    return shade;
+}
+
 // As linear blend skinning draws it. fins: whether thin ones that let some light through count as solid, or
 // not at all.
 Body bodyOf(const std::string& name, const Actor& actor, const mat4& worldFromModel, bool fins) {
@@ -67,6 +77,8 @@ Body bodyOf(const std::string& name, const Actor& actor, const mat4& worldFromMo
                 body.boneOf.push_back(part.joints[i][most]);
                 body.turned.push_back(glm::mat3(moved));
             }
+            body.foldsBesideOwn.insert(body.foldsBesideOwn.end(), part.foldsBesideOwn.begin(),
+                                       part.foldsBesideOwn.end());
             for (size_t i = 0; i < part.indices.size(); i += 3)
                 body.posed.triangles.emplace_back(base + part.indices[i], base + part.indices[i + 1],
                                                   base + part.indices[i + 2]);
@@ -149,10 +161,8 @@ Result<Scene> handScene() {
                 rests.turned[static_cast<size_t>(std::min(i + 1, given.count - 1))] * joint.orientation;
         }
     }
-    hands::HandShape halfClosed;
-    halfClosed.curl.fill(0.45f);
-    placeJoints(rig->pose(hands::Side::Right, halfClosed, {}), *hand);
-    const auto half = std::make_shared<Body>(bodyOf("hand", *hand, mat4(1), false));
+    const auto shade = shadeFor(*hand, "hand_right");
+    if (!shade) return shade.error();
     placeJoints(held, *hand);
     const vec3 back = palm.orientation * vec3(0, 1, 0), right = glm::cross(back, along);
     const mat4 turned(glm::vec4(right, 0), glm::vec4(back, 0), glm::vec4(along, 0), glm::vec4(hollow, 1));
@@ -164,7 +174,11 @@ Result<Scene> handScene() {
     scene.bodies[0].albedoLin = {0.85f, 0.40f, 0.12f};
     scene.bodies[1].albedoLin = {0.70f, 0.50f, 0.40f};
     scene.bodies[1].group = 1;
-    scene.bodies[1].half = half;
+    for (occlusion::BodyPart part : shade->parts) {
+        const std::vector<int>& bones = hand->model.skins.at(0).joints;
+        part.joint = static_cast<uint16_t>(std::ranges::find(bones, part.joint) - bones.begin());
+        scene.bodies[1].parts.push_back(part);
+    }
     return scene;
 }
 
