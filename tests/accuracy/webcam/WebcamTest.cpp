@@ -169,7 +169,9 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
 // As a clip, which a codec has been at: through the device's own thread, and through the program.
 class WebcamClip : public testing::Test {
   protected:
-    Path folder_ = Path(testing::TempDir()) / "shoal_webcam_clip";
+    // One each: tests run side by side.
+    Path folder_ = Path(testing::TempDir()) / (std::string("shoal_webcam_") +
+                                               testing::UnitTest::GetInstance()->current_test_info()->name());
     Path clipFile() const { return folder_ / "hands.avi"; }
     size_t frames_ = 0;
 
