@@ -14,6 +14,18 @@ extern "C" {
 
 namespace shoal::media {
 
+Status checkPictureSize(int width, int height) {
+    if (width < 2 || height < 2) return Error{"", "its picture has no size"};
+    if (width > kMaxVideoSide || height > kMaxVideoSide)
+        return Error{"",
+                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+    return Done{};
+}
+
+ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height) {
+    return codec == AV_CODEC_ID_MJPEG ? ColourMatrix::Bt601 : colourMatrixOf(stated, width, height);
+}
+
 PictureDecoder::PictureDecoder() : frame_(makeFrame()) {}
 PictureDecoder::~PictureDecoder() { sws_freeContext(scaler_); }
 
@@ -25,6 +37,7 @@ PictureDecoder& PictureDecoder::operator=(PictureDecoder&& other) noexcept {
     std::swap(codec_, other.codec_);
     std::swap(frame_, other.frame_);
     std::swap(scaler_, other.scaler_);
+    std::swap(rows_, other.rows_);
     return *this;
 }
 
@@ -58,11 +71,8 @@ bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), fram
 
 double PictureDecoder::arrived_s() const { return static_cast<double>(frame_->reordered_opaque) * 1e-6; }
 
-// Motion JPEG is BT.601 whatever its size (JFIF); FFmpeg's numbers are those of H.273.
 ColourMatrix PictureDecoder::matrix() const {
-    return codec_->codec_id == AV_CODEC_ID_MJPEG
-               ? ColourMatrix::Bt601
-               : colourMatrixOf(frame_->colorspace, frame_->width, frame_->height);
+    return matrixOf(codec_->codec_id, frame_->colorspace, frame_->width, frame_->height);
 }
 
 bool PictureDecoder::fullRange() const {
@@ -72,10 +82,7 @@ bool PictureDecoder::fullRange() const {
 
 Status PictureDecoder::convert(ImageRgb8& bgr) {
     const int width = frame_->width, height = frame_->height;
-    if (width < 2 || height < 2) return Error{"", "its picture has no size"};
-    if (width > kMaxVideoSide || height > kMaxVideoSide)
-        return Error{"",
-                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+    if (Status playable = checkPictureSize(width, height); !playable) return playable;
     if (bgr.width != width || bgr.height != height) bgr = ImageRgb8(width, height);
     switch (frame_->format) {
     case AV_PIX_FMT_YUV420P:

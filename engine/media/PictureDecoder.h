@@ -12,6 +12,12 @@ struct SwsContext;
 
 namespace shoal::media {
 
+// Error: no picture of that size is played.
+Status checkPictureSize(int width, int height);
+
+// Motion JPEG is BT.601 whatever its size (JFIF); else as colourMatrixOf() says, whose codes FFmpeg has too.
+ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
+
 // Whether pictures may be held back: a thread for each of several pictures is quicker, but late by as many.
 enum class HoldBack { None, ByThreads };
 

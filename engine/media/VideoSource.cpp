@@ -118,10 +118,7 @@ Status VideoSource::reopen() {
     for (unsigned i = 0; i < input->nb_streams; ++i)
         if (static_cast<int>(i) != stream_) input->streams[i]->discard = AVDISCARD_ALL;
     const AVCodecParameters& coded = *stream().codecpar;
-    if (coded.width < 2 || coded.height < 2) return Error{"", "its picture has no size"};
-    if (coded.width > kMaxVideoSide || coded.height > kMaxVideoSide)
-        return Error{"",
-                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+    if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
     const double pixelRate = 1.0 * coded.width * coded.height * rateOf(stream().avg_frame_rate);
     const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     const int threads = static_cast<int>(
@@ -149,9 +146,7 @@ void VideoSource::readInfo(const SphericalMetadata& metadata) {
     info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
     info_.codec = avcodec_get_name(coded.codec_id);
     info_.metadata = metadata;
-    info_.matrix = coded.codec_id == AV_CODEC_ID_MJPEG
-                       ? ColourMatrix::Bt601
-                       : colourMatrixOf(coded.color_space, coded.width, coded.height);
+    info_.matrix = matrixOf(coded.codec_id, coded.color_space, coded.width, coded.height);
 }
 
 bool VideoSource::decode() {

@@ -185,8 +185,10 @@ Status BackdropPass::drawCorners(const SurroundGpu& surround, const View& view, 
         if (!found) return found.error();
         const gl::Program& program = **found;
         program.use();
-        surround.bindFrame(program);
-        if (kind >= kPaintedPlain) glBindTexture(GL_TEXTURE_2D, painted_.name());
+        const GLuint frame = kind >= kPaintedPlain ? painted_.name() : surround.frameTexture();
+        glActiveTexture(GL_TEXTURE0 + UNIT_FRAME);
+        glBindTexture(GL_TEXTURE_2D, frame);
+        program.set("frame", UNIT_FRAME);
         program.set("envFromRay", envFromRay);
         program.set("rayScale", view.halfExtent());
         program.set("rayShift", view.shift);

@@ -1,7 +1,5 @@
 #include "engine/render/BackdropSampler.h"
 
-#include <cassert>
-
 namespace shoal::render {
 
 namespace {

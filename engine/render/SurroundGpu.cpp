@@ -124,10 +124,6 @@ void SurroundGpu::bindScattered(const gl::Program& program, int unit) const {
     bindTo(unit, scattered_.name(), program, "scattered");
 }
 
-void SurroundGpu::bindFrame(const gl::Program& program) const {
-    bindTo(UNIT_FRAME, frameTexture(), program, "frame");
-}
-
 void SurroundGpu::bindLight(const gl::Program& program) const {
     bindTo(UNIT_LIGHT, light_.name(), program, "lightMap");
     program.setArray("lightPlaces[0]", places_);

@@ -37,8 +37,7 @@ class SurroundGpu {
     uint64_t frameNumber() const { return frameNumber_; } // of those set; 0: none yet
     GLuint frameTexture() const;
 
-    void bindFrame(const gl::Program& program) const; // the program must be in use
-    void bindLight(const gl::Program& program) const;
+    void bindLight(const gl::Program& program) const; // the program must be in use
 
     void bindScattered(const gl::Program& program, int unit) const; // "scattered"
     const ImageRgbF& scatteredLight() const { return scatteredLight_; }
