@@ -1,8 +1,8 @@
 #include "engine/audio/Audio.h"
 
-#include "engine/audio/Along.h"
 #include "engine/audio/Device.h"
-#include "engine/audio/Voices.h"
+#include "engine/audio/StreamedTrack.h"
+#include "engine/audio/VoicePool.h"
 #include "engine/core/Log.h"
 
 #include <algorithm>
@@ -29,9 +29,9 @@ struct Audio::State {
 
     Device device;
     std::vector<ALuint> buffers;
-    Voices voices;
-    Along along;
-    Accompaniment accompaniment;
+    VoicePool voices;
+    StreamedTrack streamed;
+    TrackSource track;
 
     ~State() { close(); }
 
@@ -63,7 +63,7 @@ struct Audio::State {
         standing = false;
         device.makeCurrent();
         voices.setUp(options.doppler);
-        along.setUp();
+        streamed.setUp();
         for (const Clip& clip : clips) addBuffer(clip);
         setVolume();
         return Done{};
@@ -72,7 +72,7 @@ struct Audio::State {
     void close() {
         if (!device) return;
         device.makeCurrent();
-        along.tearDown();
+        streamed.tearDown();
         voices.tearDown();
         if (!buffers.empty()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
         buffers.clear();
@@ -122,7 +122,8 @@ int Audio::add(Clip clip) {
     return static_cast<int>(state_->clips.size()) - 1;
 }
 
-void Audio::update(const Listener& listener, std::span<const Emitter> emitters, std::span<const Shot> shots) {
+void Audio::update(const Listener& listener, std::span<const Emitter> emitters,
+                   std::span<const OneShot> shots) {
     State& s = *state_;
     if (!s.ready()) return;
     const glm::vec3 ahead = listener.worldFromHead * glm::vec3(0, 0, -1),
@@ -131,24 +132,24 @@ void Audio::update(const Listener& listener, std::span<const Emitter> emitters, 
     alListener3f(AL_POSITION, listener.position.x, listener.position.y, listener.position.z);
     alListenerfv(AL_ORIENTATION, facing.data());
     if (s.paused) return s.standStill();
-    s.voices.setShelter(listener.shelter);
+    s.voices.setEnclosure(listener.enclosure);
     s.voices.update({s.buffers, s.clips}, listener.position, emitters, shots,
                     s.device.played_s() - s.pausedFor_s);
 }
 
-void Audio::setAccompaniment(Accompaniment sound) {
-    state_->accompaniment = std::move(sound);
+void Audio::setTrack(TrackSource sound) {
+    state_->track = std::move(sound);
     if (!state_->device) return;
     state_->device.makeCurrent();
-    state_->along.stop();
+    state_->streamed.stop();
 }
 
-double Audio::accompany(double position_s, float gain, bool paused) {
+double Audio::syncTrack(double position_s, float gain, bool paused) {
     State& s = *state_;
-    if (!s.device || s.accompaniment.length <= 0) return 0;
+    if (!s.device || s.track.length <= 0) return 0;
     s.device.makeCurrent();
-    s.along.update(s.accompaniment, position_s, gain, paused || s.paused);
-    return s.along.ahead_s();
+    s.streamed.update(s.track, position_s, gain, paused || s.paused);
+    return s.streamed.ahead_s();
 }
 
 void Audio::setVolume(float volume) {
@@ -188,7 +189,5 @@ void Audio::render(std::span<float> stereo) {
     else
         std::fill(stereo.begin(), stereo.end(), 0.0f);
 }
-
-std::vector<std::string> listOutputs() { return outputNames(); }
 
 } // namespace shoal::audio

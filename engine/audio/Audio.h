@@ -1,5 +1,5 @@
-// Sounds in their places, heard through water. OpenAL Soft does the mixing on its own thread; these calls
-// belong to one thread. World frame: metres, +Y up, -Z ahead.
+// Spatial audio under water, and a streamed track in step with a video. OpenAL Soft mixes on a thread of its
+// own; these calls belong to one thread. World frame: metres, +Y up, -Z ahead.
 #pragma once
 
 #include "engine/audio/Clip.h"
@@ -15,9 +15,8 @@
 
 namespace shoal::audio {
 
-// Sound is so quick in water (1500 m/s) that what swims by hardly changes its pitch: a shark at 3 m/s by 3.5
-// cents, less than anybody hears. Ears learnt the effect in air (343 m/s), and expect of what rushes past
-// what it does there: 15 cents, just felt.
+// Exaggeration of the Doppler effect. At the speed of sound in water (1500 m/s) a shark at 3 m/s shifts
+// by 3.5 cents, which is inaudible; as in air (343 m/s) it shifts by 15 cents, which is just noticed.
 constexpr float kDopplerAsInAir = 1500.0f / 343;
 
 struct AudioOptions {
@@ -30,31 +29,31 @@ struct AudioOptions {
 struct Listener {
     glm::vec3 position{0};
     glm::quat worldFromHead{1, 0, 0, 0}; // looks along -Z, +Y up
-    float shelter = 0; // how enclosed the place is: 0 open water, 1 a tunnel; it reverberates accordingly
+    float enclosure = 0;                 // reverberation: 0 open water, 1 a tunnel
 };
 
-// A sound that goes on, looping, for as long as it is listed.
+// A looping sound, which plays for as long as it is listed.
 struct Emitter {
     uint32_t id = 0; // the same sound from one update to the next
     int clip = 0;
     glm::vec3 position{0};
     float gain = 1, pitch = 1; // 0 to 1; 0.25 to 4
-    bool everywhere = false;   // not placed: a bed. Stereo clips are always everywhere
+    bool everywhere = false;   // ambient, without a position. Stereo clips are always ambient
     glm::vec3 velocity{0};     // m/s, for the doppler effect
 };
 
-// A sound that starts now and ends by itself.
-struct Shot {
+// A sound that plays once, from now on.
+struct OneShot {
     int clip = 0;
     glm::vec3 position{0};
     float gain = 1, pitch = 1;
     bool everywhere = false;
-    glm::vec3 velocity{0}; // m/s; it moves on by itself while it sounds
+    glm::vec3 velocity{0}; // m/s; it keeps moving while it plays
 };
 
-// A sound to be heard in step with something seen: the video's own. Read piece by piece, stereo at 48 kHz.
-struct Accompaniment {
-    int64_t length = 0;                             // frames; then it begins again
+// Source of a streamed track, such as a video's own sound: stereo at 48 kHz, read piece by piece.
+struct TrackSource {
+    int64_t length = 0;                             // frames; then it loops
     std::function<void(int64_t frame)> seek;        // the next read begins there
     std::function<size_t(std::span<int16_t>)> read; // interleaved; frames that were ready, without waiting
 };
@@ -67,24 +66,24 @@ class Audio {
     Audio& operator=(Audio&&) noexcept;
     ~Audio();
 
-    // Index for Emitter::clip and Shot::clip, counted from 0 in the order of the calls. The clip is kept, for
-    // a device that comes back.
+    // Index for Emitter::clip and OneShot::clip, counted from 0 in the order of the calls. The clip is kept,
+    // for a device that comes back.
     int add(Clip clip);
 
-    // Starts, moves and ends sounds; call once a frame. No more than kSources sound at once: a new one takes
-    // the place of the one heard least, if that is heard less, else it is left out (an emitter until there is
-    // room). Emitters end with a short fade. A device that was pulled out is replaced when there is another;
-    // meanwhile all is silent. Takes no memory.
-    void update(const Listener& listener, std::span<const Emitter> emitters, std::span<const Shot> shots);
+    // Starts, moves and ends sounds; call once a frame. At most kSources play at once: a new one replaces the
+    // quietest, if that is quieter, else it is left out (an emitter until there is room). Emitters end with a
+    // short fade. A device that was unplugged is replaced when there is another; meanwhile all is silent.
+    // Does not allocate.
+    void update(const Listener& listener, std::span<const Emitter> emitters, std::span<const OneShot> shots);
     static constexpr int kSources = 32;
 
-    // Plays this sound from now on; an empty one ends it. Its functions are called within accompany() alone.
-    void setAccompaniment(Accompaniment sound);
+    // Streams this track from now on; an empty one ends it. Its functions are called only by syncTrack().
+    void setTrack(TrackSource sound);
 
-    // Once a frame: what is seen now belongs to that second of the sound (modulo its length), and moves on at
-    // its own pace until the next call. Paused it is silent and stands still. How far the sound is ahead of
-    // the picture; 0 while it is silent.
-    double accompany(double position_s, float gain, bool paused);
+    // Keeps the track in step; call once a frame. position_s: of the track (modulo its length) that belongs
+    // to the picture now shown. Paused it is silent and stands still. Returns how far the sound is ahead of
+    // the picture, seconds; 0 while it is silent.
+    double syncTrack(double position_s, float gain, bool paused);
 
     void setVolume(float volume); // 0 to 1
 
@@ -96,7 +95,7 @@ class Audio {
     Status reopen();
 
     bool headphones() const; // HRTF is on
-    int sounding() const;    // how many sounds there are now
+    int sounding() const;    // number of sounds now playing
 
     // Loopback only: the next samples, stereo interleaved, 48 kHz. Nominally -1 to 1, but not clipped.
     void render(std::span<float> stereo);

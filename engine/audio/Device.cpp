@@ -1,5 +1,7 @@
 #include "engine/audio/Device.h"
 
+#include "engine/audio/Audio.h"
+
 #include <array>
 #include <cassert>
 #include <fcntl.h>
@@ -114,7 +116,7 @@ void Device::render(std::span<float> stereo) {
     renderSamples_(device_, stereo.data(), static_cast<ALCsizei>(stereo.size() / 2));
 }
 
-std::vector<std::string> outputNames() {
+std::vector<std::string> listOutputs() {
     std::vector<std::string> names;
     const ALCchar* list = alcGetString(nullptr, ALC_ALL_DEVICES_SPECIFIER);
     while (list && *list) {

@@ -1,4 +1,4 @@
-// Where sound goes: a device of this machine, or memory. Internal to this room.
+// OpenAL output device, or loopback to memory. Internal to this folder.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -7,8 +7,6 @@
 #include <AL/alext.h>
 
 #include <span>
-#include <string>
-#include <vector>
 
 namespace shoal::audio {
 
@@ -24,15 +22,15 @@ class Device {
 
     explicit operator bool() const { return context_ != nullptr; }
 
-    // OpenAL's calls go to the context that is current in the process; each call of Audio starts with this.
+    // OpenAL's context is global to the process; each method of Audio starts with this.
     void makeCurrent() const;
 
-    // False once the device was pulled out.
+    // False once the device was unplugged.
     bool connected() const;
 
     bool headphones() const; // HRTF is on
 
-    // Seconds of sound made so far, whether to a device or to memory; it stands still while nothing is made.
+    // Seconds of sound rendered so far, to a device or to memory.
     double played_s() const;
 
     void render(std::span<float> stereo); // loopback only
@@ -43,8 +41,5 @@ class Device {
     LPALCRENDERSAMPLESSOFT renderSamples_ = nullptr;
     LPALCGETINTEGER64VSOFT getInteger64v_ = nullptr;
 };
-
-// Names of the sound outputs; empty without any.
-std::vector<std::string> outputNames();
 
 } // namespace shoal::audio

@@ -1,5 +1,6 @@
 #include "engine/core/Files.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <system_error>
@@ -28,14 +29,17 @@ Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config"); }
 Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share"); }
 Path stateFolder() { return xdgFolder("XDG_STATE_HOME", ".local/state"); }
 
-template <class Bytes> static Result<Bytes> readAll(const Path& file, uint64_t maxBytes) {
+enum class Extent { Whole, Begin };
+
+template <class Bytes> static Result<Bytes> read(const Path& file, uint64_t maxBytes, Extent extent) {
     std::error_code code;
     const auto status = fs::status(file, code);
     if (!fs::exists(status)) return Error{file.string(), "there is no such file"};
     if (fs::is_directory(status)) return Error{file.string(), "is a folder, not a file"};
     if (!fs::is_regular_file(status)) return Error{file.string(), "is not a regular file"};
-    const uint64_t size = fs::file_size(file, code);
+    uint64_t size = fs::file_size(file, code);
     if (code) return Error{file.string(), "cannot be read: " + code.message()};
+    if (extent == Extent::Begin) size = std::min(size, maxBytes);
     if (size > maxBytes)
         return Error{file.string(), "is larger than the limit of " + std::to_string(maxBytes) + " bytes"};
     std::ifstream stream(file, std::ios::binary);
@@ -48,11 +52,15 @@ template <class Bytes> static Result<Bytes> readAll(const Path& file, uint64_t m
 }
 
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes) {
-    return readAll<std::vector<uint8_t>>(file, maxBytes);
+    return read<std::vector<uint8_t>>(file, maxBytes, Extent::Whole);
+}
+
+Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes) {
+    return read<std::vector<uint8_t>>(file, maxBytes, Extent::Begin);
 }
 
 Result<std::string> readText(const Path& file, uint64_t maxBytes) {
-    return readAll<std::string>(file, maxBytes);
+    return read<std::string>(file, maxBytes, Extent::Whole);
 }
 
 Status writeFileWhole(const Path& file, std::string_view bytes) {

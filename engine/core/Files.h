@@ -1,4 +1,4 @@
-// Where things lie, and reading and writing them whole.
+// Locations of files, and reading and writing them whole. Any thread.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -26,6 +26,8 @@ Path stateFolder();
 // The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
 // is taken).
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes);
+// At most its first maxBytes.
+Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes);
 Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
 
 // Written beside its place and renamed: a reader sees the old file or the new one, never half of one. Creates

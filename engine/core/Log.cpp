@@ -1,8 +1,32 @@
 #include "engine/core/Log.h"
 
 #include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
 
 namespace shoal::log {
+
+namespace {
+
+spdlog::level::level_enum spdlogLevel(Level level) {
+    switch (level) {
+    case Level::Debug:
+        return spdlog::level::debug;
+    case Level::Info:
+        return spdlog::level::info;
+    case Level::Warning:
+        return spdlog::level::warn;
+    case Level::Error:
+        return spdlog::level::err;
+    }
+    return spdlog::level::err;
+}
+
+} // namespace
+
+void write(Level level, fmt::string_view format, fmt::format_args arguments) {
+    const spdlog::level::level_enum at = spdlogLevel(level);
+    if (spdlog::should_log(at)) spdlog::log(at, fmt::vformat(format, arguments));
+}
 
 void setUp(bool verbose) {
     auto logger =

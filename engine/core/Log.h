@@ -1,16 +1,29 @@
-// Messages to a person, on standard error. Set up once in main; usable from every thread.
+// One-line messages on standard error. Any thread. Formats are fmt's; spdlog itself stays out of this header,
+// because it takes seconds to compile.
 #pragma once
 
-#include <spdlog/spdlog.h>
+#include <fmt/core.h>
 
 namespace shoal::log {
 
-using spdlog::debug;
-using spdlog::error;
-using spdlog::info;
-using spdlog::warn;
+enum class Level { Debug, Info, Warning, Error };
 
-// One plain line a message on standard error, prefixed "shoal: "; debug lines only when verbose.
+void write(Level level, fmt::string_view format, fmt::format_args arguments);
+
+template <class... T> void debug(fmt::format_string<T...> format, T&&... arguments) {
+    write(Level::Debug, format, fmt::make_format_args(arguments...));
+}
+template <class... T> void info(fmt::format_string<T...> format, T&&... arguments) {
+    write(Level::Info, format, fmt::make_format_args(arguments...));
+}
+template <class... T> void warn(fmt::format_string<T...> format, T&&... arguments) {
+    write(Level::Warning, format, fmt::make_format_args(arguments...));
+}
+template <class... T> void error(fmt::format_string<T...> format, T&&... arguments) {
+    write(Level::Error, format, fmt::make_format_args(arguments...));
+}
+
+// Prefixes each line with "shoal: "; debug lines are written only when verbose.
 void setUp(bool verbose);
 
 } // namespace shoal::log

@@ -1,5 +1,6 @@
-// A small seeded generator (PCG32, O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient Statistically
-// Good Algorithms for Random Number Generation"). The only source of chance in the simulation.
+// Seeded pseudo-random number generator (PCG32, O'Neill 2014, "PCG: A Family of Simple Fast Space-Efficient
+// Statistically Good Algorithms for Random Number Generation"). The only source of randomness in the
+// simulation.
 #pragma once
 
 #include <cstdint>

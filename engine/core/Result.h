@@ -14,7 +14,7 @@ struct Error {
     std::string reason; // what is wrong and, where it helps, what to do; no full stop, no line break
 
     // "path: reason", as shown to a person.
-    std::string sentence() const { return path.empty() ? reason : path + ": " + reason; }
+    std::string message() const { return path.empty() ? reason : path + ": " + reason; }
 };
 
 template <class T> class [[nodiscard]] Result {

@@ -8,9 +8,10 @@
 
 namespace shoal {
 
-void stepBack() {
+void lowerThreadPriority() {
 #ifdef __linux__
-    // On Linux niceness is each thread's own. 10: a tenth of the weight of a thread that has not stepped back.
+    // On Linux niceness is each thread's own. 10: a tenth of the weight of a thread that has not stepped
+    // back.
     constexpr int kNiceness = 10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNiceness);
 #endif

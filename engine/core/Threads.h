@@ -1,11 +1,11 @@
-// How threads share the processor.
+// Scheduling priority of threads.
 #pragma once
 
 namespace shoal {
 
-// The calling thread, and those it starts from now on, step back while others want to run: for work that has
-// a frame of the video's time to finish, beside threads that have a frame of the display's. Does nothing
-// where the system knows no such thing.
-void stepBack();
+// Lowers the priority of the calling thread and of those it starts from now on: for work with a deadline of a
+// video frame, beside threads with the deadline of a display frame. Without effect where the system has no
+// priorities for threads.
+void lowerThreadPriority();
 
 } // namespace shoal

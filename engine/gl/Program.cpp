@@ -1,55 +1,19 @@
 #include "engine/gl/Program.h"
 
-#include "engine/core/Files.h"
+#include "engine/gl/ShaderSource.h"
 
 #include <array>
-#include <sstream>
 
 namespace shoal::gl {
 
 namespace {
 
-constexpr int kMaxIncludeDepth = 8;
-
-// Appends the file's lines to out, includes resolved, with #line marks that number the files as in `names`.
-Status appendSource(const std::string& name, std::string& out, std::vector<std::string>& names, int depth) {
-    if (depth > kMaxIncludeDepth) return Error{name, "includes nest too deeply"};
-    auto text = readText(dataRoot() / "shaders" / name);
-    if (!text) return text.error();
-    const size_t index = names.size();
-    names.push_back(name);
-    std::istringstream lines(*text);
-    std::string line;
-    int number = 0;
-    const auto mark = [&](int next) {
-        out += "#line " + std::to_string(next) + " " + std::to_string(index) + "\n";
-    };
-    if (depth > 0) mark(1);
-    while (std::getline(lines, line)) {
-        ++number;
-        constexpr std::string_view kInclude = "#include \"";
-        if (line.starts_with(kInclude) && line.ends_with('"')) {
-            const std::string included = line.substr(kInclude.size(), line.size() - kInclude.size() - 1);
-            Status status = appendSource(included, out, names, depth + 1);
-            if (!status) return status;
-            mark(number + 1);
-        } else {
-            out += line + '\n';
-        }
-    }
-    return Done{};
-}
-
 Result<GLuint> compile(GLenum stage, const std::string& name, const std::vector<std::string>& defines,
                        int glsl) {
-    std::string body;
-    std::vector<std::string> names;
-    if (Status status = appendSource(name, body, names, 0); !status) return status.error();
-    std::string source = "#version " + std::to_string(glsl) + " core\n";
-    for (const std::string& define : defines) source += "#define " + define + " 1\n";
-    source += "#line 1 0\n" + body;
+    auto source = readShader(name, defines, glsl);
+    if (!source) return source.error();
     const GLuint shader = glCreateShader(stage);
-    const char* text = source.c_str();
+    const char* text = source->text.c_str();
     glShaderSource(shader, 1, &text, nullptr);
     glCompileShader(shader);
     GLint compiled = 0;
@@ -59,8 +23,8 @@ Result<GLuint> compile(GLenum stage, const std::string& name, const std::vector<
         glGetShaderInfoLog(shader, log.size(), nullptr, log.data());
         glDeleteShader(shader);
         std::string files;
-        for (size_t i = 0; i < names.size(); ++i)
-            files += (i ? ", " : "") + std::to_string(i) + " = " + names[i];
+        for (size_t i = 0; i < source->files.size(); ++i)
+            files += (i ? ", " : "") + std::to_string(i) + " = " + source->files[i];
         return Error{"shaders/" + name, "does not compile (files: " + files + "): " + log.data()};
     }
     return shader;

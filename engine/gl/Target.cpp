@@ -6,9 +6,9 @@
 namespace shoal::gl {
 
 Target::Target(int width, int height, int samples, Kind kind) : width_(width), height_(height) {
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    samples_ = std::clamp(samples, 1, std::max(1, most));
+    GLint maximum = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &maximum);
+    samples_ = std::clamp(samples, 1, std::max(1, maximum));
     const int storage = samples_ > 1 ? samples_ : 0;
     const auto make = [&](Renderbuffer& buffer, GLenum format) {
         buffer = Renderbuffer::make();
@@ -46,8 +46,10 @@ Target::Target(int width, int height, int samples, Kind kind) : width_(width), h
         bindNew(resolved_);
         attachTexture();
     }
-    bindNew(colourOnly_);
-    attachColour();
+    if (!stencil) {
+        bindNew(colourOnly_);
+        attachColour();
+    }
     bindNew(drawn_);
     attachColour();
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
@@ -61,7 +63,7 @@ void Target::bind() const {
 }
 
 void Target::bindColour() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, colourOnly_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, (colourOnly_ ? colourOnly_ : drawn_).name());
     glViewport(0, 0, width_, height_);
 }
 
@@ -86,6 +88,13 @@ void Target::blitTo(GLuint destination, int x, int width, int height) const {
     const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
     glBlitFramebuffer(0, 0, width_, height_, x, 0, x + width, height, GL_COLOR_BUFFER_BIT, filter);
     glBindFramebuffer(GL_FRAMEBUFFER, destination);
+}
+
+void Target::readBgra(std::vector<uint32_t>& pixels) const {
+    pixels.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+    bindResolved();
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_BGRA, GL_UNSIGNED_BYTE, pixels.data());
 }
 
 ImageRgba8 Target::read() const {

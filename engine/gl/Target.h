@@ -4,6 +4,9 @@
 #include "engine/core/Image.h"
 #include "engine/gl/Objects.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace shoal::gl {
 
 class Target {
@@ -16,10 +19,11 @@ class Target {
 
     int width() const { return width_; }
     int height() const { return height_; }
+    int samples() const { return samples_; }
 
     void bind() const; // and sets the viewport
-    // The same without depth and stencil, for what asks for neither: Mesa's llvmpipe then takes rectangles
-    // whole instead of as triangles.
+    // The same without depth, for what does not need it: Mesa's llvmpipe then takes rectangles whole instead
+    // of as triangles. A stencil stays, and with it the depth.
     void bindColour() const;
     GLuint framebuffer() const { return drawn_.name(); }
 
@@ -32,6 +36,10 @@ class Target {
     // Resolves (if multisampled) into `destination` (0: the window) at column x, scaled with a linear filter
     // if sizes differ; leaves the destination bound.
     void blitTo(GLuint destination, int x, int width, int height) const;
+
+    // What is in it after resolve(): blue first, premultiplied, rows from the bottom. Waits until it is
+    // drawn.
+    void readBgra(std::vector<uint32_t>& pixels) const;
 
     // The resolved picture, top row first; colour is premultiplied by alpha as drawn.
     ImageRgba8 read() const;

@@ -31,10 +31,10 @@ struct RowWeights {
     float unit = 0;                 // a sum's by the mean radiance
 
     explicit RowWeights(const float* weights) {
-        const float most = *std::max_element(weights, weights + kBlock);
+        const float maximum = *std::max_element(weights, weights + kBlock);
         float sum = 0;
         for (size_t y = 0; y < kBlock; ++y) {
-            of[y] = static_cast<int16_t>(32767 * weights[y] / most + 0.5f);
+            of[y] = static_cast<int16_t>(32767 * weights[y] / maximum + 0.5f);
             sum += static_cast<float>(of[y]) * kWeightUnit;
         }
         unit = kUnit / (255 * kBlock * sum);

@@ -38,14 +38,13 @@ int rowOnSphere(int row, int height) {
 
 } // namespace
 
-CentroidChain::CentroidChain(int baseWidth, int leastWidth) {
-    assert(std::has_single_bit(static_cast<unsigned>(baseWidth)) && leastWidth >= 16 &&
-           leastWidth <= baseWidth);
+CentroidChain::CentroidChain(int baseWidth, int minWidth) {
+    assert(std::has_single_bit(static_cast<unsigned>(baseWidth)) && minWidth >= 16 && minWidth <= baseWidth);
     Sampling base{baseWidth, 0, {}};
     for (int y = 0; y < baseWidth / 2; ++y)
         base.rowFlux.push_back(texelSolidAngle(y, baseWidth, baseWidth / 2));
     samplings_.push_back(std::move(base));
-    while (samplings_.back().width > leastWidth) {
+    while (samplings_.back().width > minWidth) {
         const Sampling& wide = samplings_.back();
         const int height = wide.width / 2;
         Sampling half{wide.width / 2, wide.octaves + 1, {}};

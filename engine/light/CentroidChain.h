@@ -22,8 +22,8 @@ struct Sampling {
 // texel: summed over 64 texels around, 2 % of the diffuse light of a small sun.
 class CentroidChain {
   public:
-    // leastWidth .. baseWidth, powers of two >= 16.
-    CentroidChain(int baseWidth, int leastWidth);
+    // minWidth .. baseWidth, powers of two >= 16.
+    CentroidChain(int baseWidth, int minWidth);
 
     // base: baseWidth x baseWidth / 2, linear radiance, texels the means over their solid angle. Kept by
     // reference until the next call.

@@ -1,4 +1,4 @@
-// What lights the objects: made once per frame of the surround, immutable afterwards, free of OpenGL.
+// What lights the objects: made once per frame of the environment, immutable afterwards, free of OpenGL.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -22,9 +22,15 @@ struct GlossyLevel {
     ImageRgbF radianceLin; // empty where the radiance pyramid's level of the same index serves
 };
 
+// How the diffuse map is made.
+enum class DiffuseMethod {
+    Default, // exact lobes on the sphere: Filters.h
+    Thesis,  // every texel gathers every texel: BruteForceDiffuse.h
+};
+
 struct EnvironmentLight {
     RadiancePyramid radiance;
-    // Radiance leaving a white matte surface by its normal: irradiance / pi. A uniform surround of
+    // Radiance leaving a white matte surface by its normal: irradiance / pi. A uniform environment of
     // radiance L gives L. 64x32 for videos (the thesis' 4.1: 64x32 looks like 1024x512, 32x16 does not),
     // 512x256 for stills.
     ImageRgbF diffuse;

@@ -4,8 +4,8 @@
 
 namespace shoal::light {
 
-LightFilters::LightFilters(int baseWidth, float leastRoughness, LightQuality quality)
-    : plans_(glossyPlans(baseWidth, leastRoughness, quality)), chain_(baseWidth, 64) {
+LightFilters::LightFilters(int baseWidth, float minRoughness, LightQuality quality)
+    : plans_(glossyPlans(baseWidth, minRoughness, quality)), chain_(baseWidth, 64) {
     std::vector<double> alphas;
     for (size_t k = 0; k < plans_.size(); ++k) {
         if (!plans_[k].filtered) continue;

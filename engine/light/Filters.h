@@ -12,7 +12,7 @@ namespace shoal::light {
 
 class LightFilters {
   public:
-    LightFilters(int baseWidth, float leastRoughness, LightQuality quality);
+    LightFilters(int baseWidth, float minRoughness, LightQuality quality);
 
     // out.radiance holds the pyramid. Fills diffuse and glossy. One thread at a time.
     void make(EnvironmentLight& out);

@@ -18,12 +18,12 @@ namespace {
 constexpr int kCoarse = 64, kFine = 256; // texels around
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kFirst = std::numbers::sqrt3_v<float>, kRamp = 0.4f; // standard deviations above the mean
-constexpr float kLeastReach = 0.21f, kMostReach = 1.4f;              // of the window, radians
+constexpr float kMinReach = 0.21f, kMaxReach = 1.4f;                 // of the window, radians
 constexpr float kNarrow = 0.6f, kWide = 0.7f; // of the same: a sun's with its glow; half a scene's
 constexpr float kFineSlack = 0.04f;           // of a window of the fine level: a texel and a half
 // The radius of 1 - r^2 to the fifth power by that of itself: sqrt(3 / 7).
 constexpr float kParaboloid = 0.65f;
-constexpr float kLeastShare = 1e-4f;
+constexpr float kMinShare = 1e-4f;
 
 const ImageRgbF& levelOf(const RadiancePyramid& radiance, int width) {
     const auto found = std::ranges::find(radiance.levels, width, &ImageRgbF::width);
@@ -56,7 +56,7 @@ float kernel(float cosine, float cosReach) { return std::max(0.0f, (cosine - cos
 // 1 within, soft at the edge only.
 float inside(float cosine, float cosReach) { return std::min(1.0f, 2 * kernel(cosine, cosReach)); }
 
-float reachAround(float radius) { return std::clamp(1.5f * radius + 0.14f, kLeastReach, kMostReach); }
+float reachAround(float radius) { return std::clamp(1.5f * radius + 0.14f, kMinReach, kMaxReach); }
 
 // Takes the texels' own width s out of a spread: about its middle an even disc of radius r has the variance
 // r^2 / 2, a square s^2 / 6. Nothing is smaller than half a texel.
@@ -139,10 +139,10 @@ void LightFinder::settle(FoundLight& light, float window) const {
 
 // What a camera has clipped lies where what it left is brightest.
 void LightFinder::sharpen(float reach, FoundLight& light) {
-    float most = 0;
-    for (const Texel& texel : near_) most = std::max(most, texel.above);
+    float maximum = 0;
+    for (const Texel& texel : near_) maximum = std::max(maximum, texel.above);
     for (Texel& texel : near_) {
-        const float height = texel.above / most, square = height * height;
+        const float height = texel.above / maximum, square = height * height;
         texel.weight *= square * square;
     }
     FoundLight peak = light;
@@ -157,7 +157,7 @@ void LightFinder::sharpen(float reach, FoundLight& light) {
 FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float& reach) {
     FoundLight light;
     light.direction = seed;
-    reach = kLeastReach;
+    reach = kMinReach;
     float rough = 0;
     for (int i = 0; i < 16; ++i) {
         const Moments moments = momentsWithin(bright_, light.direction, std::cos(reach));
@@ -179,8 +179,8 @@ FoundLight LightFinder::seek(const glm::vec3& seed, const ImageRgbF& fine, float
     return light;
 }
 
-// What it gives beyond its surround: the mean radiance, as a plane that faces it weighs it, of all the rest.
-// Texels that its edge crosses count by how far they lie above the sphere's mean.
+// What it gives beyond its environment: the mean radiance, as a plane that faces it weighs it, of all the
+// rest. Texels that its edge crosses count by how far they lie above the sphere's mean.
 void LightFinder::weigh(const ImageRgbF& coarse, float reach, FoundLight& light) const {
     const float cosReach = std::cos(reach);
     glm::vec3 bright(0), rest(0);
@@ -245,7 +245,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
                  part * (luminance_[i] - mean_) * solidAngle(coarse, static_cast<int>(i) / coarse.width),
                  luminance_[i] - mean_});
     const ImageRgbF& fine = levelOf(radiance, kFine);
-    while (out.count < kMostLights && !bright_.empty()) {
+    while (out.count < kMaxLights && !bright_.empty()) {
         const auto seed = std::ranges::max_element(bright_, {}, &Texel::weight);
         float reach = 0;
         FoundLight light = seek(seed->direction, fine, reach);
@@ -255,7 +255,7 @@ void LightFinder::find(const RadiancePyramid& radiance, FoundLights& out) {
         std::erase_if(bright_, [&](const Texel& texel) {
             return glm::dot(texel.direction, light.direction) > std::cos(reach) || texel.direction == from;
         });
-        if (light.share >= kLeastShare)
+        if (light.share >= kMinShare)
             out.lights[out.count++] = light;
         else
             break;

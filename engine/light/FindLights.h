@@ -1,4 +1,4 @@
-// Where the light comes from: the few bright places of a surround that throw shadows, such as the sun or
+// Where the light comes from: the few bright places of an environment that throw shadows, such as the sun or
 // Snell's window, found in every frame's radiance pyramid.
 //
 // A texel counts as light by how many standard deviations its luminance lies above the mean of the sphere,
@@ -12,8 +12,8 @@
 // A sun is ten thousand times as bright as the white to which a camera clips it, and the glow that is left
 // around it lies as haze, clouds and horizon have it. In a window no wider than a sun's with its glow texels
 // therefore count by the fifth power of what they have above the mean, and the window closes in on them. That
-// changes nothing where a lamp is evenly bright. Wider windows look out on half a scene, whose middle is that
-// of all its light.
+// changes nothing where a dominant light is evenly bright. Wider windows look out on half a scene, whose
+// middle is that of all its light.
 #pragma once
 
 #include "engine/light/EnvironmentLight.h"
@@ -32,11 +32,11 @@ struct FoundLight {
     float share = 0;              // of the luminance of all that falls on that plane, 0 to 1
 };
 
-constexpr size_t kMostLights = 3;
+constexpr size_t kMaxLights = 3;
 constexpr size_t kThumbWidth = 32, kThumbHeight = 16;
 
 struct FoundLights {
-    std::array<FoundLight, kMostLights> lights; // the first `count`, the strongest first
+    std::array<FoundLight, kMaxLights> lights; // the first `count`, the strongest first
     size_t count = 0;
     glm::vec3 groundIrradiance{0};                         // on level ground, by all the sphere
     std::array<float, kThumbWidth * kThumbHeight> thumb{}; // luminance, lat-long: to tell scenes apart

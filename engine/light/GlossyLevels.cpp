@@ -12,7 +12,7 @@ namespace {
 constexpr int kNarrowestMirror = 512;
 // Of the filtered levels.
 struct Widths {
-    int least, most;
+    int minimum, maximum;
     int matte;            // roughness 1: the clamped cosine has a kink, which a strong sun makes visible
     double texelsPerLobe; // alpha times width, at least
 };
@@ -23,8 +23,9 @@ constexpr Widths widthsOf(LightQuality quality) {
 
 int widthFor(double roughness, int baseWidth, const Widths& widths) {
     if (roughness == 1) return std::min(widths.matte, baseWidth);
-    int width = widths.least;
-    while (width < std::min(widths.most, baseWidth) && roughness * roughness * width < widths.texelsPerLobe)
+    int width = widths.minimum;
+    while (width < std::min(widths.maximum, baseWidth) &&
+           roughness * roughness * width < widths.texelsPerLobe)
         width *= 2;
     return width;
 }
@@ -34,14 +35,14 @@ float roughnessOfTexel(int width) { return std::sqrt(2.5f / static_cast<float>(w
 
 } // namespace
 
-std::vector<GlossyPlan> glossyPlans(int baseWidth, float leastRoughness, LightQuality quality) {
+std::vector<GlossyPlan> glossyPlans(int baseWidth, float minRoughness, LightQuality quality) {
     assert(baseWidth >= 256 && std::has_single_bit(static_cast<unsigned>(baseWidth)));
     std::vector<GlossyPlan> plans;
     for (int width = baseWidth; width == baseWidth || width >= kNarrowestMirror; width /= 2)
         plans.push_back({std::min(roughnessOfTexel(width), 0.099f), width, false});
-    const double least = static_cast<double>(std::clamp(leastRoughness, kLeastFilteredRoughness, 1.0f));
+    const double minimum = static_cast<double>(std::clamp(minRoughness, kMinFilteredRoughness, 1.0f));
     const int first =
-        std::min(kGlossySteps, static_cast<int>(std::ceil(-std::log10(least) * kGlossySteps - 1e-6)));
+        std::min(kGlossySteps, static_cast<int>(std::ceil(-std::log10(minimum) * kGlossySteps - 1e-6)));
     for (int i = first; i >= 0; --i) {
         const double roughness = std::pow(10.0, -static_cast<double>(i) / kGlossySteps);
         plans.push_back(
@@ -51,11 +52,11 @@ std::vector<GlossyPlan> glossyPlans(int baseWidth, float leastRoughness, LightQu
 }
 
 float lodFromRoughness(const std::vector<GlossyLevel>& levels, float roughness) {
-    constexpr float kLeast = 1e-6f;
-    const float alpha = std::max(roughness * roughness, kLeast);
+    constexpr float kMin = 1e-6f;
+    const float alpha = std::max(roughness * roughness, kMin);
     float lod = 0;
     for (size_t k = 0; k + 1 < levels.size(); ++k) {
-        const float low = std::max(levels[k].roughness * levels[k].roughness, kLeast);
+        const float low = std::max(levels[k].roughness * levels[k].roughness, kMin);
         const float high = levels[k + 1].roughness * levels[k + 1].roughness;
         lod += std::clamp((alpha - low) * high / (alpha * (high - low)), 0.0f, 1.0f);
     }

@@ -11,11 +11,11 @@ namespace shoal::light {
 // neighbours misses the lobe between them by a hundredth.
 constexpr int kGlossySteps = 16;
 
-constexpr float kLeastFilteredRoughness = 0.1f;
+constexpr float kMinFilteredRoughness = 0.1f;
 
 enum class LightQuality {
     Video, // a fraction of a millisecond a frame, as accurate as 8 bits a channel need
-    Still, // for surrounds made once, whose sun may be 10^5 times their shade: texels a quarter as wide
+    Still, // for environments made once, whose sun may be 10^5 times their shade: texels a quarter as wide
 };
 
 struct GlossyPlan {
@@ -27,9 +27,9 @@ struct GlossyPlan {
 // Ascending roughness; the last is 1.
 //   First the pyramid's own levels from baseWidth (a power of two >= 256) down to 512, for mirrors: with the
 // roughness that their texels amount to.
-//   Then filtered levels, from the last that is not above leastRoughness (the least that any surface has; at
+//   Then filtered levels, from the last that is not above minRoughness (the least that any surface has; at
 // least 0.1) to 1, each as wide as its lobe needs, and no wider than baseWidth.
-std::vector<GlossyPlan> glossyPlans(int baseWidth, float leastRoughness, LightQuality quality);
+std::vector<GlossyPlan> glossyPlans(int baseWidth, float minRoughness, LightQuality quality);
 
 // Level of detail for a roughness, 0 to levels.size() - 1: linear in 1 / alpha = 1 / roughness^2 between two
 // levels. Of the variables tried (powers of alpha from 1 to -2, its logarithm) that one mixes two lobes into

@@ -13,12 +13,12 @@ namespace shoal::light {
 
 namespace {
 
-constexpr float kFollow_s = 0.15f, kFade_s = 0.25f; // time constants
-constexpr float kFastest_radps = 0.38f;             // 0.9 degrees from one frame to the next of a film
-constexpr float kSame = 0.26f;                      // radians: found so near, and it is the same light
-constexpr float kStronger = 1.3f, kRival_s = 0.5f;  // so much and for so long, and the other takes over
-constexpr float kGone = 0.02f;                      // presence: nobody sees it end
-constexpr float kCut = 0.15f;                       // scenes that differ more are not the same
+constexpr float kFollow_s = 0.15f, kFade_s = 0.25f;      // time constants
+constexpr float kFastest_radps = 0.38f;                  // 0.9 degrees from one frame to the next of a film
+constexpr float kSame = 0.26f;                           // radians: found so near, and it is the same light
+constexpr float kStronger = 1.3f, kStrongerFor_s = 0.5f; // so much and for so long, and the other takes over
+constexpr float kGone = 0.02f;                           // presence: nobody sees it end
+constexpr float kCut = 0.15f;                            // scenes that differ more are not the same
 
 float share(float dt_s, float constant_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / constant_s); }
 
@@ -41,10 +41,10 @@ void LightOverTime::take(const FoundLights& found, float presence) {
     now_.presence = found.count ? presence : 0;
     if (found.count) now_.light = found.lights[0];
     now_.groundIrradiance = found.groundIrradiance;
-    rivalled_s_ = 0;
+    strongerFor_s_ = 0;
 }
 
-const CastingLight& LightOverTime::follow(const FoundLights& found, float dt_s) {
+const ShadowLight& LightOverTime::follow(const FoundLights& found, float dt_s) {
     const bool cut = !begun_ || sceneDistance(found, last_) > kCut;
     begun_ = true;
     last_ = found;
@@ -60,10 +60,10 @@ const CastingLight& LightOverTime::follow(const FoundLights& found, float dt_s) 
         nearest = cosine;
         same = &found.lights[i];
     }
-    const bool rivalled =
+    const bool otherIsStronger =
         found.count > 0 && (!same || strength(found.lights[0]) > kStronger * strength(*same));
-    rivalled_s_ = rivalled ? rivalled_s_ + dt_s : 0;
-    const bool leaving = !same || rivalled_s_ > kRival_s;
+    strongerFor_s_ = otherIsStronger ? strongerFor_s_ + dt_s : 0;
+    const bool leaving = !same || strongerFor_s_ > kStrongerFor_s;
     now_.presence += ((leaving ? 0.0f : 1.0f) - now_.presence) * share(dt_s, kFade_s);
     if (leaving && now_.presence < kGone) {
         take(found, kGone);

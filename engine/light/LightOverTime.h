@@ -6,7 +6,7 @@
 
 namespace shoal::light {
 
-struct CastingLight {
+struct ShadowLight {
     FoundLight light;
     glm::vec3 groundIrradiance{0}; // as FoundLights has it, of the same age
     float presence = 0;            // 0: none, 1: wholly there; shadows are to fade with it
@@ -23,15 +23,15 @@ class LightOverTime {
     // followed with a time constant of 0.15 s, though never faster than 22 degrees a second; one that is more
     // than 15 degrees ahead (or most of its radius) is lost, fades, and is taken up anew where it then is.
     // After a cut, and at first, the strongest light is taken as it is.
-    const CastingLight& follow(const FoundLights& found, float dt_s);
+    const ShadowLight& follow(const FoundLights& found, float dt_s);
 
   private:
     void take(const FoundLights& found, float presence);
 
-    CastingLight now_;
+    ShadowLight now_;
     FoundLights last_;
     bool begun_ = false;
-    float rivalled_s_ = 0; // how long another light has been much the stronger
+    float strongerFor_s_ = 0; // how long another light has been much the stronger
 };
 
 } // namespace shoal::light

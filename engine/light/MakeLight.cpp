@@ -54,7 +54,7 @@ LightReport LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLig
 void LightMaker::finish(EnvironmentLight& out, LightReport& report) {
     const int baseWidth = out.radiance.levels[0].width;
     if (!filters_ || filters_->baseWidth() != baseWidth)
-        filters_.emplace(baseWidth, options_.leastRoughness, options_.quality);
+        filters_.emplace(baseWidth, options_.minRoughness, options_.quality);
     Stopwatch watch;
     filters_->make(out);
     report.filter_ms = watch.lap();

@@ -15,7 +15,7 @@ struct LightOptions {
     // Most texels around pyramid level 0, which mirrors show; rounded down to a power of two.
     int baseWidth = 1024;
     // Of all surfaces that will be lit: levels below it are not made, see glossyPlans().
-    float leastRoughness = 0.1f;
+    float minRoughness = 0.1f;
     LightQuality quality = LightQuality::Video;
 };
 

@@ -92,8 +92,8 @@ bool repair(float& value) {
 } // namespace
 
 int baseWidthFor(int sourceWidth, int askedWidth) {
-    const int most = std::max({1, std::min(sourceWidth, askedWidth), kMinBaseWidth});
-    return static_cast<int>(std::bit_floor(static_cast<unsigned>(most)));
+    const int maximum = std::max({1, std::min(sourceWidth, askedWidth), kMinBaseWidth});
+    return static_cast<int>(std::bit_floor(static_cast<unsigned>(maximum)));
 }
 
 void halve(const ImageRgbF& in, ImageRgbF& out) {

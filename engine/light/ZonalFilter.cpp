@@ -37,7 +37,6 @@ constexpr size_t kSignals = 6; // three channels at frequency k and at N - k, wh
 #include "engine/light/CombineRows.inl"
 
 using Four = float __attribute__((vector_size(16)));
-using FourIndices = int32_t __attribute__((vector_size(16)));
 
 // A square of a picture, turned over. stride: floats from row to row.
 inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_t outStride, float scale) {
@@ -46,13 +45,14 @@ inline void turnSquare(const float* in, ptrdiff_t inStride, float* out, ptrdiff_
     std::memcpy(&b, in + inStride, sizeof b);
     std::memcpy(&c, in + 2 * inStride, sizeof c);
     std::memcpy(&d, in + 3 * inStride, sizeof d);
-    constexpr FourIndices kFirst = {0, 4, 1, 5}, kLast = {2, 6, 3, 7}, kLow = {0, 1, 4, 5},
-                          kHigh = {2, 3, 6, 7};
-    const Four abFirst = __builtin_shuffle(a, b, kFirst), abLast = __builtin_shuffle(a, b, kLast),
-               cdFirst = __builtin_shuffle(c, d, kFirst), cdLast = __builtin_shuffle(c, d, kLast);
-    const Four rows[4] = {__builtin_shuffle(abFirst, cdFirst, kLow),
-                          __builtin_shuffle(abFirst, cdFirst, kHigh), __builtin_shuffle(abLast, cdLast, kLow),
-                          __builtin_shuffle(abLast, cdLast, kHigh)};
+    const Four abFirst = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+               abLast = __builtin_shufflevector(a, b, 2, 6, 3, 7),
+               cdFirst = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+               cdLast = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    const Four rows[4] = {__builtin_shufflevector(abFirst, cdFirst, 0, 1, 4, 5),
+                          __builtin_shufflevector(abFirst, cdFirst, 2, 3, 6, 7),
+                          __builtin_shufflevector(abLast, cdLast, 0, 1, 4, 5),
+                          __builtin_shufflevector(abLast, cdLast, 2, 3, 6, 7)};
     for (int i = 0; i < 4; ++i) {
         const Four scaled = rows[i] * scale, bounded = scaled > 0 ? scaled : Four{};
         std::memcpy(out + i * outStride, &bounded, sizeof bounded);
@@ -111,9 +111,9 @@ double columnGain(int m, int width, int octaves) {
     const double x = pi * m / width;
     double response = sinc(x) / sinc(x * std::pow(0.5, octaves));
     for (int i = 1; i <= octaves; ++i) response *= std::pow(std::cos(x * std::pow(0.5, i)), 3);
-    constexpr double kLeast = 0.4; // above, more is folded than told
+    constexpr double kMin = 0.4; // above, more is folded than told
     const double spline = sinc(x) * sinc(x) * 3 / (2 + std::cos(2 * x));
-    return spline / std::max(response, kLeast);
+    return spline / std::max(response, kMin);
 }
 
 } // namespace
@@ -171,7 +171,7 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
             }
         }
 
-        // Frequency 0 is the sum over the columns: what a uniform surround gives. Its rows kept must sum
+        // Frequency 0 is the sum over the columns: what a uniform environment gives. Its rows kept must sum
         // to 1.
         std::array<double, kRows> whole{}, kept{};
         for (int in = 0; in < height_; ++in)

@@ -14,11 +14,11 @@ namespace shoal::light {
 // out(r) = sum over all texels of flux times the lobe at the texel, over the same sum for light of radiance
 // 1. The lobe is math::ggxMirrorLobe; alpha = 1 is the clamped cosine of a matte surface.
 //
-// Turning the surround by one column turns the result, so for a row out and a row in the sum over columns is
-// a circular convolution with an even kernel; in the transformed rows it is one product for each frequency. A
-// narrow lobe has high frequencies, but those reach over few rows; a wide lobe reaches over all rows, but has
-// low frequencies only. What is below kNegligible of the whole is left out, and the rest scaled so that
-// uniform light stays exactly as it is.
+// Turning the environment by one column turns the result, so for a row out and a row in the sum over columns
+// is a circular convolution with an even kernel; in the transformed rows it is one product for each
+// frequency. A narrow lobe has high frequencies, but those reach over few rows; a wide lobe reaches over all
+// rows, but has low frequencies only. What is below kNegligible of the whole is left out, and the rest scaled
+// so that uniform light stays exactly as it is.
 //
 // The kernel takes back, to second order, how far the map's texels spread the light (Sampling::octaves), and
 // what looking the result up linearly between its texels takes away: among maps of this size it is nearly

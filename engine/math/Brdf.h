@@ -40,7 +40,7 @@ double phongLobe(double cosine, double exponent);
 // gives 1 / (2 alpha^2), as cos(t) ~ cos(t / 2)^4 turns Blinn's exponent 2 / alpha^2 into Phong's.
 double phongExponentFromRoughness(double roughness);
 
-// Split sum, second factor (Karis 2013): a white surround reflects f0 * scale + bias. scale + bias is the
+// Split sum, second factor (Karis 2013): a white environment reflects f0 * scale + bias. scale + bias is the
 // albedo of a surface with f0 = 1; what it lacks of 1 went to further bounces between microfacets, see
 // Fdez-Aguera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting".
 struct Dfg {

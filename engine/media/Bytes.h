@@ -1,4 +1,5 @@
-// Internal to this room: numbers in byte strings. The caller has checked that the bytes are there.
+// Integers and text in byte strings. Internal to this folder. The caller has checked that the bytes are
+// there.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Is this file usable, what is it, and if not, why not: for `shoal check`.
+// One-line descriptions of video and picture files for `shoal check`.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -8,8 +8,8 @@
 
 namespace shoal::media {
 
-// One sentence of what it is ("2048x1024 h264 video, ..."), or the reason why it cannot be used. Decodes up
-// to a second at the beginning and the last part, so damage in the middle may stay unseen.
+// A description ("2048x1024 h264 video, ..."), or the reason why it cannot be used. Decodes up to a second at
+// the beginning and the last part, so damage in the middle may go unnoticed.
 Result<std::string> checkVideo(const Path& file);
 
 // The same for photos and high dynamic range pictures, which are decoded whole.

@@ -17,8 +17,9 @@ namespace shoal::media {
 Status checkPictureSize(int width, int height) {
     if (width < 2 || height < 2) return Error{"", "its picture has no size"};
     if (width > kMaxVideoSide || height > kMaxVideoSide)
-        return Error{"",
-                     "its picture is larger than the limit of " + std::to_string(kMaxVideoSide) + " a side"};
+        return Error{"", "its picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                             " pixels is larger than the limit of " + std::to_string(kMaxVideoSide) +
+                             " a side"};
     return Done{};
 }
 
@@ -41,15 +42,15 @@ PictureDecoder& PictureDecoder::operator=(PictureDecoder&& other) noexcept {
     return *this;
 }
 
-Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase, HoldBack holdBack,
-                            int threads) {
+Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase,
+                            FrameThreading threading, int threads) {
     const AVCodec* kind = avcodec_find_decoder(parameters.codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
     if (!codec_ || avcodec_parameters_to_context(codec_.get(), &parameters) < 0)
         return Error{"", "is of a codec that is not installed"};
     codec_->pkt_timebase = timeBase;
     codec_->thread_count = threads;
-    if (holdBack == HoldBack::None) {
+    if (threading == FrameThreading::None) {
         codec_->thread_type = FF_THREAD_SLICE; // threads that share a picture
         codec_->flags |= AV_CODEC_FLAG_LOW_DELAY;
     }
@@ -65,7 +66,7 @@ void PictureDecoder::send(const AVPacket* packet, double arrived_s, bool hurry) 
     avcodec_send_packet(codec_.get(), packet);
 }
 
-void PictureDecoder::forget() { avcodec_flush_buffers(codec_.get()); }
+void PictureDecoder::flush() { avcodec_flush_buffers(codec_.get()); }
 
 bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
 
@@ -94,10 +95,12 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
         convertPlanes(0, bgr);
         return Done{};
     default:
-        return convertRare(bgr);
+        return convertBySwscale(bgr);
     }
 }
 
+// By our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT) or 1.2 times as
+// slow and up to 3 of 255 levels off, where ours is within 0.6.
 void PictureDecoder::convertPlanes(int differenceRowShift, ImageRgb8& bgr) const {
     const YuvToBgr convert(matrix(), fullRange());
     for (int y = 0; y < bgr.height; ++y) {
@@ -109,8 +112,8 @@ void PictureDecoder::convertPlanes(int differenceRowShift, ImageRgb8& bgr) const
     }
 }
 
-// By FFmpeg, which writes beyond the ends of rows: so into memory of its own.
-Status PictureDecoder::convertRare(ImageRgb8& bgr) {
+// By swscale, which writes beyond the ends of rows: so into memory of its own.
+Status PictureDecoder::convertBySwscale(ImageRgb8& bgr) {
     const Error unknown{"", "its picture is of an unknown form"};
     const int width = frame_->width, height = frame_->height;
     scaler_ = sws_getCachedContext(

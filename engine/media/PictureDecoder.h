@@ -1,4 +1,4 @@
-// From coded pictures to pictures: of files, streams and cameras. For this room; one thread's.
+// Decoder of video packets to pictures, through FFmpeg. Internal to this folder; belongs to one thread.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -12,14 +12,14 @@ struct SwsContext;
 
 namespace shoal::media {
 
-// Error: no picture of that size is played.
+// Error: pictures of that size are not played.
 Status checkPictureSize(int width, int height);
 
 // Motion JPEG is BT.601 whatever its size (JFIF); else as colourMatrixOf() says, whose codes FFmpeg has too.
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
 
-// Whether pictures may be held back: a thread for each of several pictures is quicker, but late by as many.
-enum class HoldBack { None, ByThreads };
+// ByThreads: each thread decodes a picture of its own, which is faster but delays pictures by as many.
+enum class FrameThreading { None, ByThreads };
 
 class PictureDecoder {
   public:
@@ -29,34 +29,33 @@ class PictureDecoder {
     PictureDecoder& operator=(PictureDecoder&& other) noexcept;
 
     // threads: at least 1. Error: no such codec is installed, or it does not start.
-    Status open(const AVCodecParameters& parameters, AVRational timeBase, HoldBack holdBack, int threads);
+    Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
+                int threads);
 
-    // A packet; null: no more will come. What cannot be decoded is passed over. hurry: so are pictures that
-    // no other needs.
+    // packet: null drains the decoder. Damaged packets are skipped. hurry: non-reference pictures too.
     void send(const AVPacket* packet, double arrived_s = 0, bool hurry = false);
-    void forget(); // what it began with: packets have been left out
+    void flush(); // after a seek, or where packets were left out
 
     // The next picture that is complete, if there is one.
     bool receive();
-    // Of the picture received last:
+    // Properties of the picture received last:
     const AVFrame& frame() const { return *frame_; }
-    double arrived_s() const; // its packet
+    double arrived_s() const; // of its packet, as given to send()
     ColourMatrix matrix() const;
 
-    // The picture received last, blue first; takes its size. Colours by the matrix and the range that it
-    // states; as exactly as 8 bits can where it is 4:2:0 or 4:2:2 of 8 bits itself. Error: it is too large,
-    // or of an unknown form.
+    // The picture received last, blue first; bgr takes its size. Colours by the matrix and range that it
+    // states. Error: it is too large, or of an unknown pixel format.
     Status convert(ImageRgb8& bgr);
 
   private:
     bool fullRange() const;
     void convertPlanes(int differenceRowShift, ImageRgb8& bgr) const;
-    Status convertRare(ImageRgb8& bgr);
+    Status convertBySwscale(ImageRgb8& bgr);
 
     Codec codec_;
     Frame frame_;
-    SwsContext* scaler_ = nullptr; // of rare forms
-    std::vector<uint8_t> rows_;    // theirs, with room behind each
+    SwsContext* scaler_ = nullptr; // of rare pixel formats
+    std::vector<uint8_t> rows_;    // its output, with a margin behind each row
 };
 
 } // namespace shoal::media

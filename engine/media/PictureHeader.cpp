@@ -1,9 +1,7 @@
 #include "engine/media/PictureHeader.h"
 
-#include "engine/media/Bytes.h"
-#include "engine/media/JpegSegments.h"
+#include <zlib.h>
 
-#include <array>
 #include <cctype>
 #include <optional>
 
@@ -147,27 +145,11 @@ std::optional<Size> sizeOf(PictureKind kind, ByteSpan b) {
     return std::nullopt;
 }
 
-// CRC-32 as in ISO 3309, the one PNG uses (PNG specification, annex D).
-uint32_t crc32(ByteSpan b) {
-    static const std::array<uint32_t, 256> table = [] {
-        std::array<uint32_t, 256> made{};
-        for (uint32_t n = 0; n < 256; ++n) {
-            uint32_t c = n;
-            for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ (c >> 1) : c >> 1;
-            made[n] = c;
-        }
-        return made;
-    }();
-    uint32_t c = 0xffffffffu;
-    for (const uint8_t byte : b) c = table[(c ^ byte) & 0xff] ^ (c >> 8);
-    return ~c;
-}
-
 const char* damageInPng(ByteSpan b) {
     for (size_t at = 8; b.size() >= at && b.size() - at >= 12;) {
         const size_t length = big32(b, at);
         if (length > b.size() - at - 12) return kCutShort;
-        if (crc32(b.subspan(at + 4, length + 4)) != big32(b, at + 8 + length))
+        if (::crc32(0, &b[at + 4], static_cast<uInt>(length + 4)) != big32(b, at + 8 + length))
             return "is damaged: a checksum in it does not match";
         if (hasText(b, at + 4, "IEND")) return "";
         at += 12 + length;
@@ -182,6 +164,28 @@ const char* damageInJpeg(ByteSpan b) {
 }
 
 } // namespace
+
+size_t walkJpeg(ByteSpan b, const std::function<bool(uint8_t marker, ByteSpan payload)>& visit) {
+    size_t at = 2;
+    while (at + 4 <= b.size()) {
+        if (b[at] != 0xff) break;
+        const uint8_t marker = b[at + 1];
+        if (marker == 0xff) { // fill byte
+            ++at;
+            continue;
+        }
+        if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd7)) { // markers without payload
+            at += 2;
+            continue;
+        }
+        const size_t length = big16(b, at + 2);
+        if (marker == 0xd9 || length < 2 || length > b.size() - at - 2) break;
+        if (visit(marker, b.subspan(at + 4, length - 2))) break;
+        at += 2 + length;
+        if (marker == 0xda) break;
+    }
+    return at;
+}
 
 const char* nameOf(PictureKind kind) {
     constexpr const char* kNames[] = {"JPEG", "PNG", "BMP", "WebP", "PNM", "Radiance HDR", "OpenEXR", "PFM"};

@@ -1,10 +1,11 @@
-// What kind of picture a file holds and how large it is, from its first bytes, before anything is decoded.
+// Kind and size of a picture file, read from its first bytes so that limits hold before memory is taken.
+// Read here because stb_image knows neither WebP, OpenEXR nor PFM, and OpenCV tells a size only by decoding.
 #pragma once
 
 #include "engine/core/Result.h"
+#include "engine/media/Bytes.h"
 
-#include <cstdint>
-#include <span>
+#include <functional>
 
 namespace shoal::media {
 
@@ -20,10 +21,14 @@ struct PictureHeader {
 };
 
 // bytes: the file or at least its beginning (a JPEG's size may follow long metadata). The error has no path.
-Result<PictureHeader> readPictureHeader(std::span<const uint8_t> bytes);
+Result<PictureHeader> readPictureHeader(ByteSpan bytes);
 
-// What is missing from a PNG or JPEG that was cut short or altered, so that its decoder need not find out;
-// empty if nothing is. PNG: every chunk and its checksum; JPEG: the end mark.
-const char* damageIn(PictureKind kind, std::span<const uint8_t> bytes);
+// Why a PNG or JPEG is cut short or altered; empty if it is neither. PNG: every chunk and its checksum; JPEG:
+// the end mark. Tested before decoding, because libpng and libjpeg write to standard error.
+const char* damageIn(PictureKind kind, ByteSpan bytes);
+
+// Calls visit(marker, payload) for each segment of a JPEG (ITU T.81 annex B) until it returns true or the
+// compressed data begins. Returns the offset reached.
+size_t walkJpeg(ByteSpan bytes, const std::function<bool(uint8_t marker, ByteSpan payload)>& visit);
 
 } // namespace shoal::media

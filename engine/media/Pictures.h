@@ -1,5 +1,5 @@
-// Pictures in and out. Rows from the top, as Image has them. No function here keeps state; use from any
-// thread, the first time before others are started (Quiet.h).
+// Reading and writing of picture files. Any thread; the first call before other threads are started
+// (DecoderSetup.h).
 #pragma once
 
 #include "engine/core/Files.h"
@@ -22,12 +22,12 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
 struct HdrPicture {
     ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
-    // Components that were no light and were replaced: NaN and negative by 0, infinite and above
-    // kMaxRadiance by the largest sound component. Worth a warning if above 0.
+    // Number of invalid components that were replaced: NaN and negative by 0, infinite and above kMaxRadiance
+    // by the largest valid component. Worth a warning if above 0.
     int64_t repaired = 0;
 };
 
-// Larger values are taken for damage: the sun's disc is about 1e9 cd/m^2, and sums of squares of this stay
+// Larger values count as damage: the sun's disc is about 1e9 cd/m^2, and sums of squares of this stay
 // finite in 32 bits.
 constexpr float kMaxRadiance = 1e12f;
 
@@ -39,7 +39,7 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);
 
-// What a picture of that name would be written as, by its extension in either case.
+// File format by extension, in either case.
 enum class WrittenAs { Nothing, Png, Jpeg, Hdr };
 WrittenAs writtenAs(const Path& file);
 

@@ -1,12 +1,15 @@
-// From a file's sound stream to stereo samples at kSoundRate_Hz with their place in time. Internal to this
-// room; belongs to one thread.
+// Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time. Internal to
+// this folder; belongs to one thread.
 #pragma once
 
-#include "engine/core/Files.h"
 #include "engine/core/Result.h"
+#include "engine/media/Ffmpeg.h"
+
+extern "C" {
+#include <libswresample/swresample.h>
+}
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace shoal::media {
@@ -14,9 +17,6 @@ namespace shoal::media {
 class SoundDecoder {
   public:
     static Result<SoundDecoder> open(const Path& file);
-    SoundDecoder(SoundDecoder&&) noexcept;
-    SoundDecoder& operator=(SoundDecoder&&) noexcept;
-    ~SoundDecoder();
 
     double length_s() const; // as the file says; 0 if it does not
 
@@ -28,9 +28,18 @@ class SoundDecoder {
     int64_t next(std::vector<int16_t>& stereo);
 
   private:
-    struct Impl;
-    explicit SoundDecoder(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    SoundDecoder() = default;
+    int64_t convert(std::vector<int16_t>& stereo);
+
+    Input input_;
+    Codec codec_;
+    std::unique_ptr<SwrContext, FreeAt<swr_free>> converter_{swr_alloc()}; // set up by the block it meets
+    Packet packet_ = makePacket();
+    Frame block_ = makeFrame(), converted_ = makeFrame();
+    int stream_ = -1;
+    double begins_s_ = 0;  // the first picture's time stamp
+    int64_t follows_ = -1; // the frame that the next samples should begin with; -1: as the time stamp says
+    bool draining_ = false;
 };
 
 } // namespace shoal::media

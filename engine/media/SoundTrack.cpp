@@ -15,7 +15,7 @@ namespace shoal::media {
 
 namespace {
 
-// Of a pass: a shorter one would be nothing but seeking, a longer one is no video.
+// Bounds of a pass: shorter ones would only seek.
 constexpr double kShortest_s = 0.1, kLongest_s = 24 * 3600;
 
 } // namespace
@@ -26,7 +26,7 @@ struct SoundTrack::Impl {
     // Guarded by mutex:
     std::vector<int16_t> ring = std::vector<int16_t>(2 * static_cast<size_t>(kSoundAhead));
     size_t begins = 0, count = 0; // frames in it
-    int64_t wanted = 0;           // where the thread shall go on, once the generation changes
+    int64_t wanted = 0;           // where the thread continues once the generation changes
     int generation = 0;
     bool broken = false;
     bool stop = false;
@@ -46,8 +46,7 @@ struct SoundTrack::Impl {
         if (thread.joinable()) thread.join();
     }
 
-    // Puts frames into the ring as there is room; silence where there are none. False: there is something
-    // else to do.
+    // Writes frames (null: silence) to the ring as there is room. False if stopped or sought meanwhile.
     bool put(const int16_t* stereo, int64_t frames, int mine) {
         std::unique_lock lock(mutex);
         if (stop || generation != mine) return false;
@@ -70,7 +69,7 @@ struct SoundTrack::Impl {
         return true;
     }
 
-    // From this frame on, to the end of the pass and over again, until there is something else to do.
+    // Decodes from this frame on, looping, until stopped or sought.
     void decode(int64_t at, int mine) {
         std::vector<int16_t> samples;
         while (decoder.seek(at)) {
@@ -79,7 +78,7 @@ struct SoundTrack::Impl {
                 if (first < 0) break;
                 const auto frames = static_cast<int64_t>(samples.size() / 2);
                 const int64_t hole = std::clamp<int64_t>(first - at, 0, pass - at);
-                const int64_t past = std::clamp<int64_t>(at - first, 0, frames); // of what came before
+                const int64_t past = std::clamp<int64_t>(at - first, 0, frames); // before `at`
                 if (!put(nullptr, hole, mine)) return;
                 at += hole;
                 const int64_t some = std::min(frames - past, pass - at);
@@ -95,9 +94,9 @@ struct SoundTrack::Impl {
     }
 
     void run() {
-        stepBack();
+        lowerThreadPriority();
         std::unique_lock lock(mutex);
-        int done = 0; // nothing is read before somebody has said where from
+        int done = 0; // nothing is read before the first seek()
         while (true) {
             changed.wait(lock, [&] { return stop || (generation != done && !broken); });
             if (stop) return;

@@ -1,9 +1,7 @@
-// The sound of a video, decoded on a thread of its own and read as plain samples. FFmpeg's libraries do the
-// work, apart from the picture's.
+// The sound of a video file, decoded by FFmpeg on a thread of its own and read as stereo samples, looping.
 //
-// Time: positions are frames of sound at 48 kHz since the first picture of the video. What the file lacks
-// (a sound that begins late, has holes, or ends early) is silence. Behind the last frame of a pass the first
-// follows.
+// Time: positions are frames of sound at 48 kHz since the first picture of the video. Where the file has no
+// sound (it begins late, has gaps, or ends early) there is silence.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -20,8 +18,8 @@ constexpr int kSoundAhead = kSoundRate_Hz; // frames decoded ahead at most, 192 
 
 class SoundTrack {
   public:
-    // passLength_s: of the video; 0: as long as the file says that it is. Fails where the file has no sound
-    // that can be decoded; nothing is trusted that the file says of itself.
+    // passLength_s: of the video, after which it loops; 0: as the file says. Fails where the file has no
+    // sound that can be decoded.
     static Result<SoundTrack> open(const Path& file, double passLength_s);
     SoundTrack(SoundTrack&&) noexcept;
     SoundTrack& operator=(SoundTrack&&) noexcept;
@@ -32,8 +30,8 @@ class SoundTrack {
     // The next frame to be read is this one (modulo the pass's length). Does not wait.
     void seek(int64_t frame);
 
-    // The next frames, left and right in turn; how many there were: fewer than asked for where the thread is
-    // not so far yet, unless told to wait for it. Once the file proves damaged, all further is silence.
+    // Reads the next frames, interleaved, and returns their number: fewer than asked for where the thread has
+    // not decoded them yet, unless it is to wait. After damage in the file the rest is silence.
     size_t read(std::span<int16_t> stereo, bool wait = false);
 
   private:

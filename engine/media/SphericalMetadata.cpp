@@ -1,10 +1,17 @@
 #include "engine/media/SphericalMetadata.h"
 
-#include "engine/media/BoundedStream.h"
-#include "engine/media/RdfText.h"
-#include "engine/media/WebmMetadata.h"
+#include "engine/media/PictureHeader.h"
+
+extern "C" {
+#include <libavformat/avformat.h>
+#include <libavutil/spherical.h>
+#include <libavutil/stereo3d.h>
+}
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <vector>
 
@@ -12,277 +19,181 @@ namespace shoal::media {
 
 namespace {
 
-constexpr int kMaxBoxes = 8192;
-constexpr int kMaxDepth = 12; // moov trak mdia minf stbl stsd entry sv3d proj are nine
-constexpr uint64_t kMaxRdfBytes = 64 << 10;
-constexpr uint32_t kMaxEdits = 64;
+// --- RDF and XMP text. Single values do not need an XML parser, which would meet hostile entities.
 
-constexpr uint32_t name4(const char (&text)[5]) {
-    return uint32_t(uint8_t(text[0])) << 24 | uint32_t(uint8_t(text[1])) << 16 |
-           uint32_t(uint8_t(text[2])) << 8 | uint32_t(uint8_t(text[3]));
+// The text of <name>value</name> or name="value", whichever comes first, without surrounding white space.
+// Empty if absent, not closed, or longer than 64 characters.
+std::string_view rdfValue(std::string_view text, std::string_view name) {
+    constexpr std::string_view kSpace = " \t\r\n";
+    for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        size_t begin = text.find_first_not_of(kSpace, at + name.size());
+        if (begin == text.npos) return {};
+        char close = 0;
+        if (text[begin] == '>' && at > 0 && text[at - 1] == '<') {
+            close = '<';
+        } else if (text[begin] == '=') {
+            begin = text.find_first_not_of(kSpace, begin + 1);
+            if (begin == text.npos || (text[begin] != '"' && text[begin] != '\'')) continue;
+            close = text[begin];
+        } else {
+            continue; // a closing tag, or a longer name
+        }
+        const std::string_view window = text.substr(begin + 1, 65);
+        const std::string_view value = window.substr(0, window.find(close));
+        const size_t first = value.find_first_not_of(kSpace);
+        if (value.size() == window.size() || first == value.npos) return {};
+        return value.substr(first, value.find_last_not_of(kSpace) - first + 1);
+    }
+    return {};
 }
 
-// ffcc8263-f855-4a93-8814-587a02521fdd
-constexpr std::array<uint8_t, 16> kSphericalUuid = {0xff, 0xcc, 0x82, 0x63, 0xf8, 0x55, 0x4a, 0x93,
-                                                    0x88, 0x14, 0x58, 0x7a, 0x02, 0x52, 0x1f, 0xdd};
+std::optional<double> rdfNumber(std::string_view text, std::string_view name) {
+    const std::string_view value = rdfValue(text, name);
+    double number = 0;
+    const auto [end, code] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (code != std::errc{} || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+// Google uses the same six names for photos (GPano) and for videos of version 1 (GSpherical).
+std::optional<PanoramaPlacement> placementIn(std::string_view text, const std::string& prefix) {
+    constexpr double kMaxPixels = 1 << 20;
+    const auto pixels = [&](const char* name) {
+        const double value = rdfNumber(text, prefix + name).value_or(-1);
+        return value >= 0 && value <= kMaxPixels ? static_cast<int>(value) : -1;
+    };
+    const PanoramaPlacement p{.fullWidth = pixels("FullPanoWidthPixels"),
+                              .fullHeight = pixels("FullPanoHeightPixels"),
+                              .left = pixels("CroppedAreaLeftPixels"),
+                              .top = pixels("CroppedAreaTopPixels"),
+                              .width = pixels("CroppedAreaImageWidthPixels"),
+                              .height = pixels("CroppedAreaImageHeightPixels"),
+                              .heading_deg = rdfNumber(text, prefix + "PoseHeadingDegrees").value_or(0)};
+    if (p.left < 0 || p.top < 0 || p.width < 1 || p.height < 1) return std::nullopt;
+    if (p.left + p.width > p.fullWidth || p.top + p.height > p.fullHeight) return std::nullopt;
+    return p;
+}
+
+// --- MP4
 
 struct Box {
-    uint32_t name = 0;
-    uint64_t begin = 0; // of the payload
-    uint64_t end = 0;
+    uint64_t begin = 0, end = 0; // of its payload; empty if there is no such box
 };
 
-// One track while it is being read; the first video track becomes the result.
-struct Track {
-    bool isVideo = false;
-    SphericalMetadata v1, v2;
-    int width = 0, height = 0;
-    double editedUnits = 0; // of the movie's time scale
-    double media_s = 0;
+class Mp4Reader {
+  public:
+    Mp4Reader(std::istream& stream, uint64_t size) : stream_(stream), size_(size) {}
+
+    // The first bytes of a payload; nothing if it has fewer.
+    template <size_t kCount> std::optional<std::array<uint8_t, kCount>> first(const Box& box) {
+        std::array<uint8_t, kCount> bytes;
+        if (box.end - box.begin < kCount || !read(box.begin, bytes)) return std::nullopt;
+        return bytes;
+    }
+
+    bool read(uint64_t offset, std::span<uint8_t> out) {
+        if (offset > size_ || size_ - offset < out.size()) return false;
+        stream_.clear();
+        stream_.seekg(static_cast<std::streamoff>(offset));
+        stream_.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(out.size()));
+        return static_cast<size_t>(stream_.gcount()) == out.size();
+    }
+
+    // The first box of that name within `parent` that `accept` takes.
+    template <class Accept> Box find(const Box& parent, std::string_view name, Accept&& accept) {
+        for (uint64_t at = parent.begin; parent.end - at >= 8 && boxesLeft_-- > 0;) {
+            std::array<uint8_t, 16> head{}; // size, name, and the large size if size is 1
+            if (!read(at, std::span(head).first(8))) break;
+            uint64_t size = big32(head, 0), header = 8;
+            if (size == 1) {
+                if (!read(at, head)) break;
+                size = big64(head, 8);
+                header = 16;
+            }
+            if (size == 0) size = parent.end - at; // to the end of the parent
+            if (size < header) break;
+            const uint64_t end = at + std::min(size, parent.end - at);
+            const Box box{std::min(at + header, end), end};
+            if (hasText(head, 4, name) && accept(box)) return box;
+            at = end;
+        }
+        return {};
+    }
+    Box find(const Box& parent, std::string_view name) {
+        return find(parent, name, [](const Box&) { return true; });
+    }
+
+  private:
+    std::istream& stream_;
+    uint64_t size_;
+    int boxesLeft_ = 8192;
 };
 
-struct Mp4Scan {
-    const BoundedStream& file;
-    SphericalMetadata found{};
-    bool done = false;
-    int boxes = 0;
-    uint32_t movieScale = 0;
-    Track track{};
+// Ignored where nothing would be left of the picture.
+void setMissing(SphericalMetadata& m, double top, double bottom, double left, double right) {
+    if (!(top + bottom < 1 && left + right < 1)) return;
+    m.missingTop = static_cast<float>(top), m.missingBottom = static_cast<float>(bottom);
+    m.missingLeft = static_cast<float>(left), m.missingRight = static_cast<float>(right);
+}
 
-    // The box at `at` of a parent that ends at `end`.
-    std::optional<Box> boxAt(uint64_t at, uint64_t end) const {
-        if (end - at < 8) return std::nullopt;
-        const auto head = file.bytes<8>(at);
-        if (!head) return std::nullopt;
-        uint64_t size = big32(*head, 0);
-        uint64_t header = 8;
-        if (size == 1) {
-            const auto large = file.bytes<8>(at + 8);
-            if (!large) return std::nullopt;
-            size = big64(*large, 0);
-            header = 16;
-        } else if (size == 0) {
-            size = end - at; // to the end of the parent
+// entry: what follows the 78 bytes of a VisualSampleEntry. The mandatory svhd is not asked for.
+SphericalMetadata v2Of(Mp4Reader& mp4, const Box& entry) {
+    SphericalMetadata m{.version = 2};
+    if (const auto b = mp4.first<5>(mp4.find(entry, "st3d"))) {
+        constexpr Layout kModes[] = {Layout::Mono, Layout::TopBottom, Layout::LeftRight};
+        if ((*b)[4] < 3) m.layout = kModes[(*b)[4]];
+    }
+    const Box projection = mp4.find(mp4.find(entry, "sv3d"), "proj");
+    if (const auto b = mp4.first<16>(mp4.find(projection, "prhd"))) { // 16.16 fixed point
+        const auto angle = [&](size_t at, float limit) {
+            return std::clamp(static_cast<float>(static_cast<int32_t>(big32(*b, at))) / 65536.0f, -limit,
+                              limit);
+        };
+        m.yaw_deg = angle(4, 180);
+        m.pitch_deg = angle(8, 90);
+        m.roll_deg = angle(12, 180);
+    }
+    if (const Box equi = mp4.find(projection, "equi"); equi.end > 0) {
+        m.projection = Projection::Equirect;
+        if (const auto b = mp4.first<20>(equi)) { // 0.32 fixed point
+            const auto part = [&](size_t at) { return big32(*b, at) / 4294967296.0; };
+            setMissing(m, part(4), part(8), part(12), part(16));
         }
-        if (size < header) return std::nullopt;
-        return Box{big32(*head, 4), std::min(at + header, end), at + std::min(size, end - at)};
+    } else if (mp4.find(projection, "cbmp").end > 0) {
+        m.projection = Projection::Cubemap;
+    } else if (mp4.find(projection, "mshp").end > 0) {
+        m.projection = Projection::Mesh;
     }
+    return m;
+}
 
-    template <class Visit> void children(uint64_t at, uint64_t end, int depth, Visit&& visit) {
-        if (depth > kMaxDepth) return;
-        while (at < end && !done) {
-            if (++boxes > kMaxBoxes) {
-                done = true;
-                return;
-            }
-            const auto box = boxAt(at, end);
-            if (!box) return;
-            visit(*box);
-            at = box->end;
-        }
+SphericalMetadata v1Of(Mp4Reader& mp4, const Box& track) {
+    // ffcc8263-f855-4a93-8814-587a02521fdd
+    constexpr std::array<uint8_t, 16> kUuid = {0xff, 0xcc, 0x82, 0x63, 0xf8, 0x55, 0x4a, 0x93,
+                                               0x88, 0x14, 0x58, 0x7a, 0x02, 0x52, 0x1f, 0xdd};
+    constexpr uint64_t kMaxTextBytes = 64 << 10;
+    const Box box = mp4.find(track, "uuid", [&](const Box& b) { return mp4.first<16>(b) == kUuid; });
+    if (box.end == 0) return {};
+    std::vector<uint8_t> bytes(std::min(box.end - box.begin - kUuid.size(), kMaxTextBytes));
+    if (!mp4.read(box.begin + kUuid.size(), bytes)) return {};
+    const std::string_view text = asText(bytes);
+    const std::string_view spherical = rdfValue(text, "GSpherical:Spherical");
+    if (spherical != "true" && spherical != "True" && spherical != "1") return {};
+    SphericalMetadata m{.present = true, .version = 1};
+    const std::string_view projection = rdfValue(text, "GSpherical:ProjectionType");
+    if (projection.empty() || projection == "equirectangular") m.projection = Projection::Equirect;
+    if (projection == "cubemap") m.projection = Projection::Cubemap;
+    const std::string_view stereo = rdfValue(text, "GSpherical:StereoMode");
+    if (stereo == "mono") m.layout = Layout::Mono;
+    if (stereo == "top-bottom") m.layout = Layout::TopBottom;
+    if (stereo == "left-right") m.layout = Layout::LeftRight;
+    if (const auto p = placementIn(text, "GSpherical:")) {
+        const double width = p->fullWidth, height = p->fullHeight;
+        setMissing(m, p->top / height, 1 - (p->top + p->height) / height, p->left / width,
+                   1 - (p->left + p->width) / width);
     }
-
-    void movie(const Box& box, int depth) {
-        switch (box.name) {
-        case name4("moov"):
-            children(box.begin, box.end, depth + 1, [&](const Box& b) { movie(b, depth + 1); });
-            done = true; // there is one
-            break;
-        case name4("mvhd"):
-            readMovieScale(box);
-            break;
-        case name4("trak"):
-            track = {};
-            children(box.begin, box.end, depth + 1, [&](const Box& b) { inTrack(b, depth + 1); });
-            if (track.isVideo) finish();
-            break;
-        default:
-            break;
-        }
-    }
-
-    void inTrack(const Box& box, int depth) {
-        switch (box.name) {
-        case name4("mdia"):
-        case name4("minf"):
-        case name4("stbl"):
-        case name4("edts"):
-            children(box.begin, box.end, depth + 1, [&](const Box& b) { inTrack(b, depth + 1); });
-            break;
-        case name4("hdlr"):
-            if (const auto b = payload<12>(box)) track.isVideo = track.isVideo || hasText(*b, 8, "vide");
-            break;
-        case name4("mdhd"):
-            readMediaLength(box);
-            break;
-        case name4("elst"):
-            readEdits(box);
-            break;
-        case name4("uuid"):
-            readV1(box);
-            break;
-        case name4("stsd"): // version, flags, number of entries; then the entries
-            if (box.end - box.begin >= 8)
-                children(box.begin + 8, box.end, depth + 1, [&](const Box& b) { sampleEntry(b, depth + 1); });
-            break;
-        default:
-            break;
-        }
-    }
-
-    // VisualSampleEntry: 78 bytes, then boxes.
-    void sampleEntry(const Box& box, int depth) {
-        const auto b = payload<78>(box);
-        if (!b) return;
-        if (track.width == 0) {
-            track.width = static_cast<int>(big16(*b, 24));
-            track.height = static_cast<int>(big16(*b, 26));
-        }
-        children(box.begin + 78, box.end, depth + 1, [&](const Box& child) { inEntry(child, depth + 1); });
-    }
-
-    void inEntry(const Box& box, int depth) {
-        SphericalMetadata& v2 = track.v2;
-        switch (box.name) {
-        case name4("sv3d"):
-        case name4("proj"):
-            children(box.begin, box.end, depth + 1, [&](const Box& b) { inEntry(b, depth + 1); });
-            break;
-        case name4("st3d"):
-            if (const auto b = payload<5>(box)) {
-                constexpr Layout kModes[] = {Layout::Mono, Layout::TopBottom, Layout::LeftRight};
-                if ((*b)[4] < 3) v2.layout = kModes[(*b)[4]], v2.present = true;
-            }
-            break;
-        case name4("prhd"): // 16.16 fixed point
-            if (const auto b = payload<16>(box)) {
-                const auto angle = [&](size_t at) {
-                    return static_cast<float>(static_cast<int32_t>(big32(*b, at))) / 65536.0f;
-                };
-                v2.yaw_deg = std::clamp(angle(4), -180.0f, 180.0f);
-                v2.pitch_deg = std::clamp(angle(8), -90.0f, 90.0f);
-                v2.roll_deg = std::clamp(angle(12), -180.0f, 180.0f);
-            }
-            break;
-        case name4("equi"):
-            setProjection(v2, Projection::Equirect);
-            if (const auto b = payload<20>(box)) { // 0.32 fixed point
-                const auto part = [&](size_t at) { return static_cast<float>(big32(*b, at) / 4294967296.0); };
-                setMissing(v2, part(4), part(8), part(12), part(16));
-            }
-            break;
-        case name4("cbmp"):
-            setProjection(v2, Projection::Cubemap);
-            break;
-        case name4("mshp"):
-            setProjection(v2, Projection::Mesh);
-            break;
-        default:
-            break;
-        }
-    }
-
-    static void setProjection(SphericalMetadata& m, Projection projection) {
-        m.present = true;
-        if (m.projection == Projection::Unknown) m.projection = projection;
-    }
-
-    // Ignored where nothing would be left of the picture.
-    static void setMissing(SphericalMetadata& m, float top, float bottom, float left, float right) {
-        if (!(top >= 0 && bottom >= 0 && left >= 0 && right >= 0 && top + bottom < 1 && left + right < 1))
-            return;
-        m.missingTop = top, m.missingBottom = bottom, m.missingLeft = left, m.missingRight = right;
-    }
-
-    void readV1(const Box& box) {
-        const auto uuid = payload<16>(box);
-        if (!uuid || *uuid != kSphericalUuid) return;
-        std::vector<uint8_t> bytes(std::min(box.end - box.begin - 16, kMaxRdfBytes));
-        if (!file.read(box.begin + 16, bytes)) return;
-        const std::string_view text = asText(bytes);
-        const auto spherical = rdfValue(text, "GSpherical:Spherical");
-        if (!spherical || (*spherical != "true" && *spherical != "True" && *spherical != "1")) return;
-        SphericalMetadata& v1 = track.v1;
-        v1.present = true;
-        const auto projection = rdfValue(text, "GSpherical:ProjectionType");
-        if (!projection || *projection == "equirectangular") v1.projection = Projection::Equirect;
-        if (projection == "cubemap") v1.projection = Projection::Cubemap;
-        const auto stereo = rdfValue(text, "GSpherical:StereoMode");
-        if (stereo == "mono") v1.layout = Layout::Mono;
-        if (stereo == "top-bottom") v1.layout = Layout::TopBottom;
-        if (stereo == "left-right") v1.layout = Layout::LeftRight;
-        readV1Cropping(text, v1);
-    }
-
-    static void readV1Cropping(std::string_view text, SphericalMetadata& v1) {
-        const auto number = [&](const char* name) { return rdfNumber(text, name).value_or(-1); };
-        const double fullWidth = number("GSpherical:FullPanoWidthPixels");
-        const double fullHeight = number("GSpherical:FullPanoHeightPixels");
-        const double width = number("GSpherical:CroppedAreaImageWidthPixels");
-        const double height = number("GSpherical:CroppedAreaImageHeightPixels");
-        const double left = number("GSpherical:CroppedAreaLeftPixels");
-        const double top = number("GSpherical:CroppedAreaTopPixels");
-        if (fullWidth < 1 || fullHeight < 1 || width < 1 || height < 1 || left < 0 || top < 0) return;
-        setMissing(v1, static_cast<float>(top / fullHeight),
-                   static_cast<float>(1 - (top + height) / fullHeight), static_cast<float>(left / fullWidth),
-                   static_cast<float>(1 - (left + width) / fullWidth));
-    }
-
-    void readMovieScale(const Box& box) {
-        const auto b = payload<24>(box);
-        if (b) movieScale = big32(*b, (*b)[0] == 1 ? 20 : 12);
-    }
-
-    void readMediaLength(const Box& box) {
-        const auto b =
-            payload<24>(box); // version 0: times 4 + 4, scale, duration; version 1: 8 + 8, scale, 8
-        if (!b) return;
-        const bool wide = (*b)[0] == 1;
-        const uint32_t scale = big32(*b, wide ? 20 : 12);
-        const auto wideLength = wide ? file.bytes<8>(box.begin + 24) : std::nullopt;
-        const double length = wide ? (wideLength ? static_cast<double>(big64(*wideLength, 0)) : 0.0)
-                                   : static_cast<double>(big32(*b, 16));
-        if (scale > 0) track.media_s = length / scale;
-    }
-
-    void readEdits(const Box& box) {
-        const auto head = payload<8>(box);
-        if (!head) return;
-        const bool wide = (*head)[0] == 1;
-        const uint64_t entrySize = wide ? 20 : 12;
-        const uint32_t count = std::min(big32(*head, 4), kMaxEdits);
-        for (uint32_t i = 0; i < count; ++i) {
-            const uint64_t at = box.begin + 8 + i * entrySize;
-            if (at + entrySize > box.end) return;
-            std::array<uint8_t, 16> b{}; // length, then media time; -1 there is an empty edit
-            if (!file.read(at, std::span(b).first(wide ? 16 : 8))) return;
-            const bool empty = wide ? big64(b, 8) == ~uint64_t{0} : big32(b, 4) == ~uint32_t{0};
-            if (!empty)
-                track.editedUnits +=
-                    wide ? static_cast<double>(big64(b, 0)) : static_cast<double>(big32(b, 0));
-        }
-    }
-
-    void finish() {
-        found = track.v2.projection != Projection::Unknown ? track.v2 : track.v1;
-        if (found.present) found.version = track.v2.projection != Projection::Unknown ? 2 : 1;
-        // st3d alone, or with V1 that is silent about stereo, still says how the eyes share the frame.
-        if (track.v2.layout != Layout::Auto) {
-            found.layout = track.v2.layout;
-            if (!found.present) found.present = true, found.version = 2;
-        }
-        found.frameWidth = track.width;
-        found.frameHeight = track.height;
-        found.shown_s =
-            track.editedUnits > 0 && movieScale > 0 ? track.editedUnits / movieScale : track.media_s;
-        done = true;
-    }
-
-    template <size_t kCount> std::optional<std::array<uint8_t, kCount>> payload(const Box& box) const {
-        if (box.end - box.begin < kCount) return std::nullopt;
-        return file.bytes<kCount>(box.begin);
-    }
-};
+    return m;
+}
 
 } // namespace
 
@@ -291,23 +202,69 @@ const char* nameOf(Projection projection) {
     return kNames[static_cast<int>(projection)];
 }
 
-SphericalMetadata sphericalMetadataOf(std::istream& stream, uint64_t size) {
-    const BoundedStream file{stream, size};
-    const auto head = file.bytes<4>(0);
-    if (head && big32(*head, 0) == 0x1A45DFA3) return webmMetadataOf(file);
-    Mp4Scan scan{.file = file};
-    scan.children(0, size, 0, [&](const Box& box) { scan.movie(box, 0); });
-    return scan.found;
+SphericalMetadata mp4Metadata(std::istream& stream, uint64_t size) {
+    Mp4Reader mp4(stream, size);
+    const Box track = mp4.find(mp4.find({0, size}, "moov"), "trak", [&](const Box& candidate) {
+        const auto handler = mp4.first<12>(mp4.find(mp4.find(candidate, "mdia"), "hdlr"));
+        return handler && hasText(*handler, 8, "vide");
+    });
+    Box entries = mp4.find(mp4.find(mp4.find(mp4.find(track, "mdia"), "minf"), "stbl"), "stsd");
+    entries.begin = std::min(entries.begin + 8, entries.end); // version, flags, number of entries
+    // VisualSampleEntry, whatever its name: 78 bytes, then boxes.
+    Box entry = mp4.find(entries, "");
+    entry.begin = std::min(entry.begin + 78, entry.end);
+
+    const SphericalMetadata v2 = v2Of(mp4, entry);
+    SphericalMetadata found = v2.projection != Projection::Unknown ? v2 : v1Of(mp4, track);
+    found.present = found.projection != Projection::Unknown || found.present;
+    // st3d alone, or beside V1 that states no stereo layout, still says how the eyes share the frame.
+    if (v2.layout != Layout::Auto) {
+        found.layout = v2.layout;
+        if (!found.present) found.present = true, found.version = 2;
+    }
+    return found;
 }
 
-Result<SphericalMetadata> readSphericalMetadata(const Path& file) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code))
-        return Error{file.string(), "there is no such file, or it is not a regular one"};
-    std::ifstream stream(file, std::ios::binary);
-    const uint64_t size = std::filesystem::file_size(file, code);
-    if (!stream || code) return Error{file.string(), "cannot be opened; check its permissions"};
-    return sphericalMetadataOf(stream, size);
+SphericalMetadata matroskaMetadata(const AVStream& stream, ByteSpan fileBegin) {
+    SphericalMetadata m;
+    size_t size = 0;
+    if (const auto* s = reinterpret_cast<const AVSphericalMapping*>(
+            av_stream_get_side_data(&stream, AV_PKT_DATA_SPHERICAL, &size))) {
+        m.projection = s->projection == AV_SPHERICAL_CUBEMAP ? Projection::Cubemap : Projection::Equirect;
+        const auto degrees = [](int32_t fixed) { return static_cast<float>(fixed) / 65536.0f; };
+        m.yaw_deg = degrees(s->yaw), m.pitch_deg = degrees(s->pitch), m.roll_deg = degrees(s->roll);
+        const auto part = [](uint32_t fixed) { return fixed / 4294967296.0; };
+        if (s->projection == AV_SPHERICAL_EQUIRECTANGULAR_TILE)
+            setMissing(m, part(s->bound_top), part(s->bound_bottom), part(s->bound_left),
+                       part(s->bound_right));
+    } else if (asText(fileBegin).find("\x76\x71\x81\x03") != std::string_view::npos) {
+        // libavformat drops meshes: ProjectionType, of one byte, 3.
+        m.projection = Projection::Mesh;
+    } else {
+        return m; // a flat video: its StereoMode does not describe a panorama
+    }
+    m.present = true;
+    if (const auto* s = reinterpret_cast<const AVStereo3D*>(
+            av_stream_get_side_data(&stream, AV_PKT_DATA_STEREO3D, &size)))
+        m.layout = s->type == AV_STEREO3D_2D           ? Layout::Mono
+                   : s->type == AV_STEREO3D_SIDEBYSIDE ? Layout::LeftRight
+                   : s->type == AV_STEREO3D_TOPBOTTOM  ? Layout::TopBottom
+                                                       : Layout::Auto;
+    return m;
+}
+
+std::optional<PanoramaPlacement> panoramaPlacement(const Path& file) {
+    const auto head = readFileBegin(file, 1 << 20); // the XMP segment is among the first
+    if (!head || !hasText(*head, 0, "\xff\xd8\xff")) return std::nullopt;
+    std::optional<PanoramaPlacement> found;
+    walkJpeg(*head, [&](uint8_t marker, ByteSpan payload) {
+        constexpr std::string_view kXmp{"http://ns.adobe.com/xap/1.0/\0", 29};
+        if (marker != 0xe1 || !hasText(payload, 0, kXmp)) return false;
+        const std::string_view xmp = asText(payload.subspan(kXmp.size()));
+        if (rdfValue(xmp, "GPano:ProjectionType") == "equirectangular") found = placementIn(xmp, "GPano:");
+        return found.has_value();
+    });
+    return found;
 }
 
 } // namespace shoal::media

@@ -43,11 +43,6 @@ double difference(const Cells& a, const Cells& b) {
 
 } // namespace
 
-const char* nameOf(Layout layout) {
-    constexpr const char* kNames[] = {"auto", "mono", "top-bottom", "left-right"};
-    return kNames[static_cast<int>(layout)];
-}
-
 EyeView eyeView(Layout layout, int eye) {
     assert(layout != Layout::Auto && (eye == 0 || eye == 1));
     const float second = eye == 1 ? 0.5f : 0.0f;

@@ -1,16 +1,17 @@
-// How the two eyes' pictures share one frame.
+// Stereo layouts of a frame, and their detection.
 #pragma once
 
+#include "engine/core/EnumNames.h"
 #include "engine/core/Image.h"
 
 #include <glm/vec2.hpp>
 
+#include <array>
+
 namespace shoal::media {
 
-// Auto is a wish ("find out"), never an answer. TopBottom: left eye above; LeftRight: left eye left.
+// Auto only as a request ("detect"), never as a result. TopBottom: left eye above; LeftRight: left eye left.
 enum class Layout { Auto, Mono, TopBottom, LeftRight };
-
-const char* nameOf(Layout layout);
 
 // The part of the frame that an eye sees: frameUv = offset + scale * eyeUv, both with v = 0 at the top.
 struct EyeView {
@@ -22,13 +23,18 @@ struct EyeView {
 EyeView eyeView(Layout layout, int eye);
 
 // From the frame's shape alone, expecting 2:1 for each eye within 6 %: 2:1 is mono, 1:1 top-bottom, 4:1
-// left-right. Auto if the shape says nothing (16:9 is used for all three).
+// left-right. Auto if the shape is ambiguous (16:9 is used for all three).
 Layout layoutFromShape(int width, int height);
 
-// From a frame: two eyes see almost the same, the two halves of one panorama (sky and ground) do not. Halves
-// count as the same if they differ, after averaging to 32x32, by less than kSameHalves of the picture's
-// standard deviation. frame: either channel order. Never Auto; Mono when in doubt, also for a blank frame.
+// From a frame: two eyes see almost the same picture, while the halves of one panorama (sky and ground)
+// differ. Halves count as equal if they differ, after averaging to 32x32, by less than kSameHalves of the
+// picture's standard deviation. frame: either channel order. Never Auto; Mono when in doubt, also for a blank
+// frame.
 Layout layoutFromContent(const ImageRgb8& frame);
 constexpr double kSameHalves = 0.4;
 
 } // namespace shoal::media
+
+template <> struct shoal::EnumNames<shoal::media::Layout> {
+    static constexpr std::array kNames = {"auto", "mono", "top-bottom", "left-right"};
+};

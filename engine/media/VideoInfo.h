@@ -1,4 +1,4 @@
-// What a video file is, found without playing it.
+// Properties of a video file, read without playing it.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -17,20 +17,18 @@ constexpr double kMinFps = 1, kMaxFps = 240, kFallbackFps = 30;
 struct VideoInfo {
     int width = 0; // of the whole frame, both eyes
     int height = 0;
-    double fps = kFallbackFps; // the container's mean; kFallbackFps if that is not within kMinFps..kMaxFps
+    double fps = kFallbackFps; // the container's mean rate; kFallbackFps if not within kMinFps..kMaxFps
     int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
     double duration_s = 0;     // frameCount / fps
     std::string codec;         // such as "h264"; empty if the container does not say
-    ColourMatrix matrix =
-        ColourMatrix::Bt601; // stated or told by size; frames are given out corrected for it
+    ColourMatrix matrix = ColourMatrix::Bt601; // stated, or by size; frames are decoded with it
     SphericalMetadata metadata;
     Layout layout = Layout::Mono;  // never Auto
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"
 };
 
-// layout: Auto finds out from the metadata, else the frame's shape, else its first frame; any other is taken
-// as it is. Fails if the file is not a regular one, not a video, larger than kMaxVideoSide, or if its first
-// frame cannot be decoded.
+// layout: Auto detects it from the metadata, else the frame's shape, else the first frame. Fails if the file
+// is not a regular one, not a video, larger than kMaxVideoSide, or if its first frame cannot be decoded.
 Result<VideoInfo> inspectVideo(const Path& file, Layout layout = Layout::Auto);
 
 } // namespace shoal::media

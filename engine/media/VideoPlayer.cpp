@@ -1,7 +1,6 @@
 #include "engine/media/VideoPlayer.h"
 
 #include "engine/core/Threads.h"
-#include "engine/media/DescribeVideo.h"
 #include "engine/media/VideoSource.h"
 
 #include <algorithm>
@@ -26,10 +25,10 @@ using Clock = std::chrono::steady_clock;
 
 // A jump ahead of more than this is a seek: below it, decoding through is about as quick.
 constexpr double kSeekAhead_s = 3;
-// While catching up without being waited for, show at least every so many frames one.
+// While catching up in newest(), one of so many frames is shown.
 constexpr int64_t kMaxSkip = 15;
 constexpr double kBackwardSlack_s = 0.5;
-// A pass may end this much before the stated end without being called damaged: containers count frames that
+// Frames that a pass may have fewer than stated without counting as damaged: containers count frames that
 // their edit list or a missing key frame hides.
 constexpr int64_t kMissingFrames = 4;
 constexpr double kMissingShare = 0.02;
@@ -64,8 +63,8 @@ struct VideoPlayer::Impl {
     int64_t lastMade = -1; // newest index that was begun in this generation
     int64_t generation = 0;
     int64_t passLength = 0;  // frames in a pass; 0 until the end was seen
-    int64_t last = kEndless; // no frame after this one can be had
-    bool broken = false;     // nothing more can be had; before the first frame: open() fails
+    int64_t last = kEndless; // last frame that can be decoded
+    bool broken = false;     // nothing more can be decoded; before the first frame: open() fails
     bool reported = false;
     std::string message;
     VideoCounts counts;
@@ -111,7 +110,7 @@ struct VideoPlayer::Impl {
     }
 
     void run() {
-        stepBack();
+        lowerThreadPriority();
         std::unique_lock lock(mutex);
         while (!stop) {
             const int slotIndex = freeSlot();
@@ -179,10 +178,10 @@ struct VideoPlayer::Impl {
         const int64_t stated = passLength > 0 ? passLength : info.frameCount;
         const int64_t missing =
             std::max(kMissingFrames, static_cast<int64_t>(kMissingShare * static_cast<double>(stated)));
-        // A known pass length was counted, so any frame less means that the file is no longer what it was.
+        // A known pass length was counted, so fewer frames mean that the file has changed.
         const bool damaged = passLength > 0 || count < stated - missing;
         if (damaged || counts.made == 0) {
-            // Reading again up to the last good frame, and failing earlier: no use trying on.
+            // Failed before the last good frame when read again: give up.
             broken = broken || counts.made == 0 || last != kEndless || pass + count == 0;
             last = std::min(last, pass + count - 1);
             lastMade = std::min(lastMade, last);
@@ -198,8 +197,7 @@ struct VideoPlayer::Impl {
         }
     }
 
-    // --- Frame's thread, with the lock held
-    // ------------------------------------------------------------------
+    // --- Frame's thread, with the lock held ----------------------------------------------------------------
 
     void show(int slotIndex) {
         if (shown >= 0) slots[static_cast<size_t>(shown)].state = State::Free;
@@ -208,7 +206,7 @@ struct VideoPlayer::Impl {
         ++counts.shown;
     }
 
-    // Forgets what was read ahead and goes on with this frame.
+    // Discards frames read ahead and continues with this one.
     void restartAt(int64_t index) {
         ++generation;
         lastMade = index - 1;
@@ -247,9 +245,9 @@ struct VideoPlayer::Impl {
 
 Result<VideoPlayer> VideoPlayer::open(const Path& file, VideoOptions options) {
     assert(options.slots >= 3);
-    // On a thread that has stepped back, because the decoder's own threads inherit that.
+    // On a thread of low priority, because the decoder's threads inherit it.
     auto source = std::async(std::launch::async, [&] {
-                      stepBack();
+                      lowerThreadPriority();
                       return VideoSource::open(file);
                   }).get();
     if (!source) return source.error();

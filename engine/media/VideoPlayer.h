@@ -1,8 +1,8 @@
-// Plays a video for ever, decoding on a thread of its own.
+// Looping player of a video file, decoding ahead on a thread of its own.
 //
-// Time: frame i of the n frames is due from i / fps seconds until the next is; behind the last frame the
-// first follows, so frame times go on growing ("unwrapped"): frame `index` shows picture `index % n`. Frames
-// are evenly spaced at the container's mean rate; a variable rate is evened out.
+// Time: frame i of the n frames is due from i / fps seconds on; after the last frame the first follows, and
+// times keep growing ("unwrapped"): frame `index` shows picture `index % n`. Frames are evenly spaced at the
+// container's mean rate, also those of a variable rate.
 //
 // Threads: newest(), waitFor(), status() and counts() belong to one thread, the frame's. `prepare` runs on
 // the decode thread. Memory: the slots, taken at open(); nothing per frame by us (FFmpeg's decoder has its
@@ -63,19 +63,19 @@ class VideoPlayer {
     const VideoInfo& info() const;
 
     // The newest complete frame that is due at this time, without waiting. Where the decoder is late this is
-    // an older one; it then leaves out frames instead of lagging. Small steps back in time (up to half a
-    // second) keep the frame, larger ones and jumps ahead seek. Never null. Valid until the next call of
-    // newest() or waitFor().
+    // an older one, and it skips frames to catch up. Small steps back in time (up to half a second) keep the
+    // frame, larger ones and jumps ahead seek. Never null. Valid until the next call of newest() or
+    // waitFor().
     const VideoFrame* newest(double videoTime_s);
 
     // Exactly the frame due at this time, however far ahead or back; waits for it. The same times give the
     // same frames on every machine. Where the file is damaged before that time: the last good frame.
     const VideoFrame* waitFor(double videoTime_s);
 
-    // The slot of a frame got from this player.
+    // The slot of a frame of this player.
     int slotOf(const VideoFrame& frame) const;
 
-    // One sentence for the person when something went wrong since the last call, else empty.
+    // A message for the user if something went wrong since the last call, else empty.
     std::string status();
 
     VideoCounts counts() const;

@@ -1,18 +1,15 @@
 #include "engine/media/VideoSource.h"
 
-#include "engine/media/Bytes.h"
+#include "engine/media/DecoderSetup.h"
 #include "engine/media/PictureHeader.h"
-#include "engine/media/Quiet.h"
 
 #include <opencv2/core.hpp>
 
 extern "C" {
-#include <libavformat/avformat.h>
 #include <libavutil/display.h>
 }
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <thread>
@@ -21,15 +18,15 @@ namespace shoal::media {
 
 namespace {
 
-// A thread of today decodes at least as many pixels a second, H.264 of a few Mbit/s; each takes memory for
-// some pictures more.
+// What one thread decodes at least per second, H.264 of a few Mbit/s; each thread needs memory for some
+// pictures.
 constexpr double kPixelsPerThread = 64e6;
-constexpr int kMostThreads = 8;
-constexpr double kMostStamp = 9e15;   // doubles count up to it
-constexpr int kMostBadPackets = 4096; // in a row, without a picture
+constexpr int kMaxThreads = 8;
+constexpr double kMaxStamp = 9e15;   // exact in double
+constexpr int kMaxBadPackets = 4096; // in a row, without a picture
 
-// FFmpeg's name of a container, by the file's beginning; null: none of those that we hand to it. Others it
-// knows include play lists and scripts that name further files.
+// FFmpeg's name of a container, by the file's beginning; null: not supported. Its other formats include play
+// lists and scripts that name further files.
 const char* containerOf(ByteSpan b) {
     for (const char* name : {"ftyp", "moov", "mdat", "wide", "free", "skip", "pnot", "styp", "moof"})
         if (hasText(b, 4, name)) return "mov";
@@ -42,27 +39,19 @@ const char* containerOf(ByteSpan b) {
     return nullptr;
 }
 
-// The container.
-Result<const char*> checkBeforeDecoding(const Path& file, const SphericalMetadata& metadata) {
-    std::array<uint8_t, 4096> head{};
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(head.data()), head.size());
-    const ByteSpan bytes = std::span(head).first(static_cast<size_t>(stream.gcount()));
-    if (bytes.empty()) return Error{file.string(), "is empty, or cannot be read"};
-    if (const auto picture = readPictureHeader(bytes))
+// The format to open it with. Pictures are told apart first, for a better reason.
+Result<const AVInputFormat*> formatOf(const Path& file, ByteSpan fileBegin) {
+    if (fileBegin.empty()) return Error{file.string(), "is empty"};
+    if (const auto picture = readPictureHeader(fileBegin))
         return Error{file.string(), std::string("is a ") + nameOf(picture->kind) +
                                         " picture, not a video; give it as " +
                                         (isHdr(picture->kind) ? "--env" : "--photo")};
-    const char* container = containerOf(bytes);
-    if (!container)
+    const char* container = containerOf(fileBegin);
+    const AVInputFormat* format = container ? av_find_input_format(container) : nullptr;
+    if (!format)
         return Error{file.string(),
                      "is not a video of a known kind (MP4, MOV, WebM, MKV, AVI, MPEG, OGG, FLV)"};
-    if (metadata.frameWidth > kMaxVideoSide || metadata.frameHeight > kMaxVideoSide)
-        return Error{file.string(), "its " + std::to_string(metadata.frameWidth) + "x" +
-                                        std::to_string(metadata.frameHeight) +
-                                        " pixels are more than the limit of " +
-                                        std::to_string(kMaxVideoSide) + " a side"};
-    return container;
+    return format;
 }
 
 double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0; }
@@ -79,20 +68,26 @@ int quarterTurnsOf(const AVStream& stream) {
 
 } // namespace
 
-void CloseInput::operator()(AVFormatContext* input) const { avformat_close_input(&input); }
-
 Result<VideoSource> VideoSource::open(const Path& file) {
     setUpDecoders();
-    auto metadata = readSphericalMetadata(file);
-    if (!metadata) return metadata.error();
-    const auto container = checkBeforeDecoding(file, *metadata);
-    if (!container) return container.error();
+    const auto begin = readFileBegin(file, 64 << 10);
+    if (!begin) return begin.error();
+    const auto format = formatOf(file, *begin);
+    if (!format) return format.error();
 
     VideoSource source;
     source.file_ = file;
-    source.container_ = *container;
+    source.container_ = *format;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
-    source.readInfo(*metadata);
+    const std::string_view container = (*format)->name;
+    if (container.starts_with("matroska")) {
+        source.info_.metadata = matroskaMetadata(source.stream(), *begin);
+    } else if (container.starts_with("mov")) {
+        std::error_code code;
+        std::ifstream stream(file, std::ios::binary);
+        source.info_.metadata = mp4Metadata(stream, std::filesystem::file_size(file, code));
+    }
+    source.readInfo();
     return source;
 }
 
@@ -104,30 +99,28 @@ Status VideoSource::reopen() {
     input_.reset();
     position_ = 0;
     begun_ = held_ = drained_ = false;
-    // As a file of that kind and nothing else: neither a name nor what is within may lead to a server.
-    AVFormatContext* input = nullptr;
-    AVDictionary* options = nullptr;
-    av_dict_set(&options, "protocol_whitelist", "file", 0);
-    const int opened = avformat_open_input(&input, ("file:" + file_.string()).c_str(),
-                                           av_find_input_format(container_), &options);
-    av_dict_free(&options);
-    input_.reset(opened < 0 ? nullptr : input);
-    if (!input_ || avformat_find_stream_info(input, nullptr) < 0) return undecodable;
-    stream_ = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    input_ = openInput(file_, container_);
+    if (!input_) return undecodable;
+    // Before the decoder sees it, where the container states a size.
+    for (unsigned i = 0; i < input_->nb_streams; ++i)
+        if (const AVCodecParameters& stated = *input_->streams[i]->codecpar;
+            stated.codec_type == AVMEDIA_TYPE_VIDEO && std::max(stated.width, stated.height) > kMaxVideoSide)
+            return checkPictureSize(stated.width, stated.height);
+    if (avformat_find_stream_info(input_.get(), nullptr) < 0) return undecodable;
+    stream_ = av_find_best_stream(input_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (stream_ < 0) return undecodable;
-    for (unsigned i = 0; i < input->nb_streams; ++i)
-        if (static_cast<int>(i) != stream_) input->streams[i]->discard = AVDISCARD_ALL;
+    keepOnly(*input_, stream_);
     const AVCodecParameters& coded = *stream().codecpar;
     if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
     const double pixelRate = 1.0 * coded.width * coded.height * rateOf(stream().avg_frame_rate);
     const auto cores = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     const int threads = static_cast<int>(
-        std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMostThreads)));
-    if (!decoder_.open(coded, stream().time_base, HoldBack::ByThreads, threads)) return undecodable;
+        std::clamp(std::ceil(pixelRate / kPixelsPerThread), 1.0, 1.0 * std::min(cores, kMaxThreads)));
+    if (!decoder_.open(coded, stream().time_base, FrameThreading::ByThreads, threads)) return undecodable;
     return Done{};
 }
 
-void VideoSource::readInfo(const SphericalMetadata& metadata) {
+void VideoSource::readInfo() {
     const AVCodecParameters& coded = *stream().codecpar;
     quarterTurns_ = quarterTurnsOf(stream());
     info_.width = quarterTurns_ % 2 ? coded.height : coded.width;
@@ -140,17 +133,18 @@ void VideoSource::readInfo(const SphericalMetadata& metadata) {
         stream().nb_frames > 0 ? static_cast<double>(stream().nb_frames) : std::round(duration_s * rate_);
     info_.frameCount = count > 1 && count < 1e8 ? static_cast<int64_t>(count) : 0;
     // An edit list may show fewer frames than are stored.
-    const double shown = std::round(metadata.shown_s * info_.fps);
+    const double shown_s =
+        stream().duration > 0 ? static_cast<double>(stream().duration) * av_q2d(stream().time_base) : 0;
+    const double shown = std::round(shown_s * info_.fps);
     if (shown >= 1 && shown < static_cast<double>(info_.frameCount))
         info_.frameCount = static_cast<int64_t>(shown);
     info_.duration_s = static_cast<double>(info_.frameCount) / info_.fps;
     info_.codec = avcodec_get_name(coded.codec_id);
-    info_.metadata = metadata;
     info_.matrix = matrixOf(coded.codec_id, coded.color_space, coded.width, coded.height);
 }
 
 bool VideoSource::decode() {
-    for (int bad = 0; bad < kMostBadPackets; ++bad) {
+    for (int bad = 0; bad < kMaxBadPackets; ++bad) {
         if (decoder_.receive()) {
             if (!begun_ && position_ == 0) {
                 begins_ = decoder_.frame().best_effort_timestamp;
@@ -189,8 +183,8 @@ bool VideoSource::retrieve(ImageRgb8& bgr) {
     return true;
 }
 
-// To the last key frame that leaves no more than this number to come; further and further before it, where a
-// container's own search ends behind what it was asked for.
+// Seeks to the last key frame at or before this frame; further back each time that the container's own search
+// lands behind it.
 bool VideoSource::jump(int64_t number) {
     const double frame_stamps = 1 / (rate_ * av_q2d(stream().time_base)); // time stamps a frame
     if (!begun_ || begins_ == AV_NOPTS_VALUE || !std::isfinite(frame_stamps)) return false;
@@ -198,10 +192,10 @@ bool VideoSource::jump(int64_t number) {
         const int64_t aim = std::max(int64_t{0}, number - before);
         const double stamp =
             static_cast<double>(begins_) + std::floor(static_cast<double>(aim) * frame_stamps);
-        if (!(std::abs(stamp) < kMostStamp)) return false;
+        if (!(std::abs(stamp) < kMaxStamp)) return false;
         if (av_seek_frame(input_.get(), stream_, static_cast<int64_t>(stamp), AVSEEK_FLAG_BACKWARD) < 0)
             return false;
-        decoder_.forget();
+        decoder_.flush();
         drained_ = false;
         if (decode()) {
             const int64_t at = decoder_.frame().best_effort_timestamp;
@@ -220,7 +214,7 @@ bool VideoSource::jump(int64_t number) {
 
 bool VideoSource::seek(int64_t number) {
     if (number == position_) return true;
-    // Near the stated end a seek could fall behind the real one, so it stops short and the caller grabs on.
+    // Near the stated end a seek could land behind the real one, so it stops short and the caller grabs on.
     constexpr int64_t kShortOfEnd = 16;
     const int64_t safe = std::clamp(number, int64_t{0}, std::max(int64_t{0}, info_.frameCount - kShortOfEnd));
     if (number >= position_ && safe <= position_) return true;
@@ -230,6 +224,36 @@ bool VideoSource::seek(int64_t number) {
     if (!seekable_ && number >= position_) return true;
     seekable_ = false; // from here on this file is only read in order
     return reopen().ok();
+}
+
+bool resolveLayout(VideoSource& source, Layout request, VideoInfo& info) {
+    info = source.info();
+    if (request != Layout::Auto) {
+        info.layout = request;
+        info.layoutSource = "asked for";
+    } else if (info.metadata.layout != Layout::Auto) {
+        info.layout = info.metadata.layout;
+        info.layoutSource = "metadata";
+    } else if (const Layout guess = layoutFromShape(info.width, info.height); guess != Layout::Auto) {
+        info.layout = guess;
+        info.layoutSource = "shape";
+    } else {
+        ImageRgb8 first(info.width, info.height);
+        if (!source.grab() || !source.retrieve(first) || !source.seek(0)) return false;
+        info.layout = layoutFromContent(first);
+        info.layoutSource = "content";
+    }
+    return true;
+}
+
+Result<VideoInfo> inspectVideo(const Path& file, Layout layout) {
+    auto source = VideoSource::open(file);
+    if (!source) return source.error();
+    VideoInfo info;
+    ImageRgb8 first(source->info().width, source->info().height);
+    if (!resolveLayout(*source, layout, info) || !source->grab() || !source->retrieve(first))
+        return Error{file.string(), "its first frame cannot be decoded"};
+    return info;
 }
 
 } // namespace shoal::media

@@ -1,20 +1,11 @@
-// For this room and the webcam's: one video file being decoded, frame by frame. Owned by one thread at a
-// time.
+// Decoder of one video file, frame by frame, through FFmpeg. For this folder and the webcam's; owned by one
+// thread at a time.
 #pragma once
 
 #include "engine/media/PictureDecoder.h"
 #include "engine/media/VideoInfo.h"
 
-#include <memory>
-
-struct AVFormatContext;
-struct AVStream;
-
 namespace shoal::media {
-
-struct CloseInput {
-    void operator()(AVFormatContext* input) const;
-};
 
 class VideoSource {
   public:
@@ -29,15 +20,15 @@ class VideoSource {
     // Decodes the next frame. False at the end, or where nothing more can be decoded.
     bool grab();
 
-    // The frame grabbed last, blue first and turned upright, into the image's own memory. False if it cannot
-    // be had or has another size than info() says.
+    // Converts the frame grabbed last, blue first and turned upright, into the image's memory. False if it
+    // cannot be converted or has another size than info() says.
     bool retrieve(ImageRgb8& bgr);
 
-    // Makes `number` the next frame, or a smaller number if that is as near as the file lets: the caller
-    // grabs on from position(). False if the file cannot be opened again.
+    // Makes `number` the next frame, or an earlier one where the file allows no better: the caller grabs on
+    // from position(). False if the file cannot be opened again.
     //
-    // Frames are told by their time stamps, as many as fit between at the container's mean rate: exact where
-    // no frame is half a one early or late.
+    // Frame numbers follow from time stamps at the container's mean rate: exact where no frame is half a
+    // frame early or late.
     bool seek(int64_t number);
 
   private:
@@ -46,24 +37,29 @@ class VideoSource {
     bool decode();   // the next frame
     bool jump(int64_t number);
     const AVStream& stream() const;
-    void readInfo(const SphericalMetadata& metadata);
+    void readInfo();
 
     Path file_;
-    const char* container_ = ""; // as FFmpeg calls it
-    std::unique_ptr<AVFormatContext, CloseInput> input_;
+    const AVInputFormat* container_ = nullptr;
+    Input input_;
     int stream_ = -1;
     PictureDecoder decoder_;
     Packet packet_ = makePacket();
     VideoInfo info_;
     int quarterTurns_ = 0; // clockwise, to be upright
-    ImageRgb8 unturned_;   // scratch, where there are some
+    ImageRgb8 unturned_;   // scratch for rotation
     int64_t position_ = 0;
-    double rate_ = 0;      // frames a second as the container says, however absurd
-    int64_t begins_ = 0;   // time stamp of frame 0, once that was decoded
-    bool begun_ = false;   // it was
+    double rate_ = 0;      // frames a second as the container says, unchecked
+    int64_t begins_ = 0;   // time stamp of frame 0
+    bool begun_ = false;   // frame 0 was decoded
     bool held_ = false;    // the next frame is decoded already
-    bool drained_ = false; // the decoder knows that the file is over
-    bool seekable_ = true; // until a seek went wrong
+    bool drained_ = false; // the end of the file was sent to the decoder
+    bool seekable_ = true; // until a seek failed
 };
+
+// Completes the source's info by its layout: `request`, else from the metadata, the frame's shape or the
+// first frame. Leaves the source at its beginning. False if the first frame was needed and could not be
+// decoded.
+bool resolveLayout(VideoSource& source, Layout request, VideoInfo& info);
 
 } // namespace shoal::media

@@ -14,10 +14,10 @@ namespace {
 constexpr int kLines = 80;         // of samples, across the body's longest side
 constexpr int kSweeps = 12;        // of assigning samples to parts
 constexpr float kThinnest = 0.25f; // of a sample's size: sheets block light though they have no volume
-constexpr float kFlattest = 0.08f; // shortest semi-axis, of the longest
-constexpr float kLeastShare = 0.004f;
+constexpr float kFlattest = 0.02f; // shortest semi-axis, of the longest
+constexpr float kMinShare = 0.004f;
 
-constexpr size_t kMostCrossings = 64;
+constexpr size_t kMaxCrossings = 64;
 
 struct Crossing {
     float distance = 0;
@@ -76,7 +76,7 @@ std::vector<Sample> fill(const RestBody& body) {
             origin[up] = low[up] + (static_cast<float>(v) + 0.5f) * step;
             crossings.clear();
             int around = 0; // surfaces: bodies overlap their fins
-            for (float at = 0; crossings.size() < kMostCrossings;) {
+            for (float at = 0; crossings.size() < kMaxCrossings;) {
                 const auto touch = bvh.first(origin, direction, at, INFINITY);
                 if (!touch) break;
                 at = touch->distance;
@@ -104,7 +104,7 @@ struct Moments {
 };
 
 // In two steps, so that nothing cancels.
-Moments momentsOf(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {
+Moments occlusionMoments(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {
     Moments m;
     for (size_t i = 0; i < samples.size(); ++i) {
         if (partOf[i] != part) continue;
@@ -148,7 +148,7 @@ Ellipsoid solidOf(const Moments& m) {
 }
 
 // A sample's distance to each part in units of the part's own spread, and the part's likelihood besides.
-void assign(std::span<const Sample> samples, size_t count, float least, std::vector<size_t>& partOf) {
+void assign(std::span<const Sample> samples, size_t count, float minimum, std::vector<size_t>& partOf) {
     struct Part {
         glm::dvec3 mean;
         glm::dmat3 inverse;
@@ -156,12 +156,12 @@ void assign(std::span<const Sample> samples, size_t count, float least, std::vec
     };
     std::vector<Part> parts;
     for (size_t k = 0; k < count; ++k) {
-        const Moments m = momentsOf(samples, partOf, k);
+        const Moments m = occlusionMoments(samples, partOf, k);
         if (m.mass <= 0) {
             parts.push_back({{}, glm::dmat3(0), INFINITY});
             continue;
         }
-        const glm::dmat3 spread = m.spread + glm::dmat3(static_cast<double>(least * least) * 0.1);
+        const glm::dmat3 spread = m.spread + glm::dmat3(static_cast<double>(minimum * minimum) * 0.1);
         parts.push_back({m.mean, glm::inverse(spread), std::log(glm::determinant(spread))});
     }
     for (size_t i = 0; i < samples.size(); ++i) {
@@ -175,7 +175,7 @@ void assign(std::span<const Sample> samples, size_t count, float least, std::vec
 }
 
 // Starts from samples that lie as far from each other as they can.
-std::vector<size_t> byShape(std::span<const Sample> samples, size_t most) {
+std::vector<size_t> byShape(std::span<const Sample> samples, size_t maximum) {
     std::vector<size_t> partOf(samples.size(), 0);
     std::vector<float> far(samples.size(), INFINITY);
     glm::vec3 seed = samples[0].at;
@@ -185,7 +185,7 @@ std::vector<size_t> byShape(std::span<const Sample> samples, size_t most) {
     for (size_t i = 0; i < samples.size(); ++i) far[i] = glm::distance(samples[i].at, seed);
     seed = samples[furthest()].at;
     std::fill(far.begin(), far.end(), INFINITY);
-    for (size_t k = 0; k < most; ++k) {
+    for (size_t k = 0; k < maximum; ++k) {
         for (size_t i = 0; i < samples.size(); ++i)
             if (const float d = glm::distance(samples[i].at, seed); d < far[i]) far[i] = d, partOf[i] = k;
         seed = samples[furthest()].at;
@@ -193,15 +193,15 @@ std::vector<size_t> byShape(std::span<const Sample> samples, size_t most) {
     return partOf;
 }
 
-std::vector<size_t> byJoint(std::span<const Sample> samples, size_t most) {
+std::vector<size_t> byJoint(std::span<const Sample> samples, size_t maximum) {
     std::map<uint16_t, float> masses;
     float all = 0;
     for (const Sample& s : samples) masses[s.joint] += s.mass, all += s.mass;
     std::vector<std::pair<float, uint16_t>> sorted;
     for (const auto& [joint, mass] : masses)
-        if (mass > kLeastShare * all) sorted.emplace_back(-mass, joint);
+        if (mass > kMinShare * all) sorted.emplace_back(-mass, joint);
     std::sort(sorted.begin(), sorted.end());
-    sorted.resize(std::min(sorted.size(), most));
+    sorted.resize(std::min(sorted.size(), maximum));
     std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     std::vector<size_t> partOf(samples.size(), sorted.size());
     for (size_t i = 0; i < samples.size(); ++i)
@@ -210,7 +210,7 @@ std::vector<size_t> byJoint(std::span<const Sample> samples, size_t most) {
     return partOf; // those of too little volume belong to no part
 }
 
-uint16_t mostOften(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {
+uint16_t maxOften(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {
     std::map<uint16_t, float> masses;
     for (size_t i = 0; i < samples.size(); ++i)
         if (partOf[i] == part) masses[samples[i].joint] += samples[i].mass;
@@ -221,19 +221,20 @@ uint16_t mostOften(std::span<const Sample> samples, std::span<const size_t> part
 
 } // namespace
 
-std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t most) {
+std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t maximum) {
     std::vector<BodyPart> result;
     const std::vector<Sample> samples = fill(body);
-    if (samples.empty() || most == 0) return result;
-    std::vector<size_t> partOf = parts == Parts::ByJoint ? byJoint(samples, most) : byShape(samples, most);
+    if (samples.empty() || maximum == 0) return result;
+    std::vector<size_t> partOf =
+        parts == Parts::ByJoint ? byJoint(samples, maximum) : byShape(samples, maximum);
     if (parts == Parts::ByShape)
-        for (int sweep = 0; sweep < kSweeps; ++sweep) assign(samples, most, samples[0].mass, partOf);
+        for (int sweep = 0; sweep < kSweeps; ++sweep) assign(samples, maximum, samples[0].mass, partOf);
     double all = 0;
     for (const Sample& s : samples) all += s.mass;
-    for (size_t k = 0; k < most; ++k) {
-        const Moments m = momentsOf(samples, partOf, k);
+    for (size_t k = 0; k < maximum; ++k) {
+        const Moments m = occlusionMoments(samples, partOf, k);
         if (m.mass <= 1e-4 * all) continue;
-        result.push_back({solidOf(m), mostOften(samples, partOf, k), static_cast<float>(m.mass / all)});
+        result.push_back({solidOf(m), maxOften(samples, partOf, k), static_cast<float>(m.mass / all)});
     }
     return result;
 }

@@ -1,4 +1,5 @@
-// A skinned body as a few solid ellipsoids, each riding on one joint.
+// The one approximate description of a body: a few solid ellipsoids, each attached to one joint. Occlusion
+// and shadows are derived from it.
 #pragma once
 
 #include "engine/occlusion/Ellipsoid.h"
@@ -23,11 +24,11 @@ struct BodyPart {
 };
 
 enum class Parts {
-    ByJoint, // a limb for each joint that has any volume: what bends sharply
-    ByShape, // where the volume is: what bends softly
+    ByJoint, // one for each joint that has any volume: for bodies that bend sharply
+    ByShape, // by where the volume is: for bodies that bend softly
 };
 
-// At most `most`, the same for the same body. Empty for a body without volume or surface.
-std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t most);
+// At most `maximum`, the same for the same body. Empty for a body without volume or surface.
+std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t maximum);
 
 } // namespace shoal::occlusion

@@ -1,4 +1,4 @@
-// From the sixteen samples of a pixel to its layers.
+// Merges the fragments at the sixteen samples of a pixel into layers.
 #pragma once
 
 #include <cstdint>

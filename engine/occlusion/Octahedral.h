@@ -1,5 +1,5 @@
-// Unit vectors as two numbers: folded onto an octahedron and flattened. Meyer et al. 2010, "On Floating-Point
-// Normal Vectors".
+// Unit vectors as two numbers: projected onto an octahedron and flattened. Meyer et al. 2010, "On
+// Floating-Point Normal Vectors".
 #pragma once
 
 #include <cmath>
@@ -20,9 +20,9 @@ inline glm::vec2 squareFromDirection(const glm::vec3& direction) {
 
 inline glm::vec3 directionFromSquare(const glm::vec2& square) {
     glm::vec3 v(square, 1.0f - std::abs(square.x) - std::abs(square.y));
-    const float fold = v.z < 0 ? -v.z : 0.0f;
-    v.x -= v.x < 0 ? -fold : fold;
-    v.y -= v.y < 0 ? -fold : fold;
+    const float wrap = v.z < 0 ? -v.z : 0.0f;
+    v.x -= v.x < 0 ? -wrap : wrap;
+    v.y -= v.y < 0 ? -wrap : wrap;
     return v / std::sqrt(glm::dot(v, v));
 }
 

@@ -14,10 +14,10 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr int kMostViews = 4096, kMostResolution = 256;
+constexpr int kMaxViews = 4096, kMaxResolution = 256;
 constexpr int kTurns = 8; // in a quarter turn, tried for the smallest frame
 // Of what one view sees, before it is merged; some 600 MB.
-constexpr size_t kMostFragments = 1u << 24;
+constexpr size_t kMaxFragments = 1u << 24;
 
 struct Frame {
     OllfbView view;
@@ -30,7 +30,7 @@ void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Fram
     frame.corners.resize(mesh.positions.size());
     std::transform(mesh.positions.begin(), mesh.positions.end(), frame.corners.begin(),
                    [&](const glm::vec3& p) { return upright * p; });
-    float least = INFINITY, turn = 0;
+    float minimum = INFINITY, turn = 0;
     for (int i = 0; i < kTurns; ++i) {
         const float angle = std::numbers::pi_v<float> / 2 * static_cast<float>(i) / kTurns;
         const float c = std::cos(angle), s = std::sin(angle);
@@ -42,7 +42,7 @@ void frameView(const BodyMesh& mesh, const glm::vec3& axis, int resolution, Fram
                 low = glm::min(low, turned), high = glm::max(high, turned);
             }
         const glm::vec2 size = high - low;
-        if (size.x * size.y < least) least = size.x * size.y, turn = angle;
+        if (size.x * size.y < minimum) minimum = size.x * size.y, turn = angle;
     }
     OllfbView& view = frame.view;
     view.viewFromBody = lookingAlong(axis, turn);
@@ -98,7 +98,7 @@ Status see(const BodyMesh& mesh, const Frame& frame, bool withNormals, Seen& see
     uint64_t total = 0;
     for (const glm::uvec3& t : mesh.triangles)
         scan(frame, t, [&](size_t pixel, int, const glm::vec3&) { ++seen.starts[pixel + 1], ++total; });
-    if (total > kMostFragments) return Error{"", "a body has too many layers behind each other to be seen"};
+    if (total > kMaxFragments) return Error{"", "a body has too many layers behind each other to be seen"};
     std::inclusive_scan(seen.starts.begin(), seen.starts.end(), seen.starts.begin());
     seen.fragments.resize(total);
     std::vector<uint32_t> next(seen.starts.begin(), seen.starts.end() - 1);
@@ -128,12 +128,12 @@ OllfbLayer pack(const Plane& plane, float depthRange_px) {
 
 Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
     if (Status status = checkMesh(mesh); !status) return status.error();
-    if (options.views < 1 || options.views > kMostViews) return Error{"", "views must be 1 to 4096"};
-    if (options.resolution < 1 || options.resolution > kMostResolution)
+    if (options.views < 1 || options.views > kMaxViews) return Error{"", "views must be 1 to 4096"};
+    if (options.resolution < 1 || options.resolution > kMaxResolution)
         return Error{"", "the resolution of a view must be 1 to 256"};
     Ollfb result;
-    result.ball_ = boundingBall(mesh);
-    if (!(result.ball_.radius > 0)) return result;
+    result.sphere_ = boundingSphere(mesh);
+    if (!(result.sphere_.radius > 0)) return result;
     result.closed_ = isClosed(mesh);
     result.onlyOuter_ = options.sides == Sides::Outer || (options.sides == Sides::ByMesh && result.closed_);
     result.axes_ = Axes(options.views);
@@ -170,8 +170,8 @@ Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
                 result.starts_.push_back(static_cast<uint16_t>(end));
             }
         }
-        if (result.bytes() > options.mostBytes)
-            return Error{"", "a body's layers would take more than " + std::to_string(options.mostBytes) +
+        if (result.bytes() > options.maxBytes)
+            return Error{"", "a body's layers would take more than " + std::to_string(options.maxBytes) +
                                  " bytes; see it from fewer sides or with fewer pixels"};
     }
     result.rows_.shrink_to_fit(), result.starts_.shrink_to_fit(), result.layers_.shrink_to_fit();

@@ -1,24 +1,22 @@
-// Orthographic linearised layered fragment buffers, cured of what Iorns 2016 (chapter 6) left open:
-// - A layer is a plane with the slope of its normal, and says which sixteenths of its pixel it covers. Steep
-// surfaces
-//   join, silhouettes are four times as fine as pixels.
+// Orthographic linearised layered fragment buffers: a body seen from many directions, all its surfaces behind
+// each other kept, so that rays through it can be traced in a shader (shaders/occlusion/Ollfb.glsl). After
+// Iorns 2016, chapter 6, with what it left open:
+// - A layer is a plane with the slope of its normal, and says which sixteenths of its pixel it covers. So
+// steep
+//   surfaces join, and silhouettes are four times as fine as pixels.
 // - What is between two layers is inside the body. A ray that is outside in one cell and inside in the next
-// has gone
-//   through the wall between them, however steep.
+//   has gone through the wall between them, however steep.
 // - Where a hit lies and how the surface turns there is read in the view that looks straight at it, blended
-// between
-//   four pixels.
+//   between four pixels.
 // - A view serves both ways along its axis, and is cropped and turned to what it sees.
 // - 48 bits a layer, 16 a pixel.
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/occlusion/CheckMesh.h"
+#include "engine/occlusion/BodyMesh.h"
 #include "engine/occlusion/Directions.h"
-#include "engine/occlusion/Visibility.h"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace shoal::occlusion {
@@ -34,8 +32,6 @@ static_assert(sizeof(OllfbLayer) == 6, "48 bits a layer");
 
 // Steeper planes are laid back to this slope: pixels of depth per pixel.
 inline constexpr float kSteepest = 12;
-// A ray that begins this close behind a surface is taken to leave it.
-inline constexpr float kLeaving_px = 3;
 // Depth beyond the body's own that a view can say, either side: what a plane may reach at its pixel's middle.
 inline constexpr float kDepthMargin_px = kSteepest * 0.75f;
 
@@ -73,24 +69,19 @@ class Ollfb {
         int views = 150;     // axes over half the sphere; 1 to 4096
         int resolution = 64; // pixels along the longer side of a view; 1 to 256
         Sides sides = Sides::ByMesh;
-        size_t mostBytes = 64u << 20;
+        size_t maxBytes = 64u << 20;
     };
 
-    // Errors: a mesh that cannot be (CheckMesh.h), options out of range, more than mostBytes, more than 65535
+    // Errors: a mesh that cannot be (CheckMesh.h), options out of range, more than maxBytes, more than 65535
     // layers in a row of pixels. What has no triangles or no extent is met by no ray.
     static Result<Ollfb> make(const BodyMesh& mesh, const Options& options);
     static Result<Ollfb> make(const BodyMesh& mesh) { return make(mesh, Options{}); }
-
-    // As TracesRays has it, up to `farthest` metres. A ray that begins on the surface is not caught by it as
-    // it leaves; with both sides to be met, this is so for its first kLeaving_px.
-    std::optional<Hit> trace(const glm::vec3& origin, const glm::vec3& direction, float nearest,
-                             float farthest = std::numeric_limits<float>::infinity()) const;
 
     size_t bytes() const {
         return axes_.bytes() + views_.size() * sizeof(OllfbView) + rows_.size() * sizeof(OllfbRow) +
                starts_.size() * sizeof(uint16_t) + layers_.size() * sizeof(OllfbLayer);
     }
-    const Ball& ball() const { return ball_; }
+    const Sphere& sphere() const { return sphere_; }
     bool closed() const { return closed_; }       // isClosed(): what lies between two layers is inside
     bool onlyOuter() const { return onlyOuter_; } // Sides::Outer, or by the mesh
 
@@ -103,7 +94,7 @@ class Ollfb {
     const std::vector<OllfbLayer>& layers() const { return layers_; }
 
   private:
-    Ball ball_;
+    Sphere sphere_;
     bool closed_ = false, onlyOuter_ = true;
     Axes axes_{0};
     std::vector<OllfbView> views_;
@@ -111,7 +102,5 @@ class Ollfb {
     std::vector<uint16_t> starts_;
     std::vector<OllfbLayer> layers_;
 };
-
-static_assert(TracesRays<Ollfb> && KeepsMemory<Ollfb>);
 
 } // namespace shoal::occlusion

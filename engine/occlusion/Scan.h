@@ -1,4 +1,4 @@
-// Which samples of a square grid a triangle covers, seen orthographically.
+// Rasterises a triangle onto a square grid of samples, orthographically.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height
     };
 
     struct Edge {
-        int64_t value, perX, perY, least;
+        int64_t value, perX, perY, minimum;
     };
     const int64_t startX = first(lowX) * kOne + kHalf, startY = first(lowY) * kOne + kHalf;
     const auto edge = [&](size_t from, size_t to) {
@@ -49,7 +49,7 @@ void scanTriangle(const std::array<glm::vec3, 3>& corners, int width, int height
     for (int64_t j = first(lowY), endY = last(highY, height), endX = last(highX, width); j <= endY; ++j) {
         int64_t e0 = opposite0.value, eB = oppositeB.value, eC = oppositeC.value;
         for (int64_t i = first(lowX); i <= endX; ++i) {
-            if (e0 >= opposite0.least && eB >= oppositeB.least && eC >= oppositeC.least) {
+            if (e0 >= opposite0.minimum && eB >= oppositeB.minimum && eC >= oppositeC.minimum) {
                 glm::vec3 weights;
                 weights[0] = static_cast<float>(static_cast<double>(e0) * perArea);
                 weights[static_cast<int>(b)] = static_cast<float>(static_cast<double>(eB) * perArea);

@@ -11,9 +11,9 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr double kBright = 2;    // times the mean luminance: what lies above belongs to the lamp
-constexpr double kReach = 0.7;   // cosine at which texels cease to be the lamp's
-constexpr double kLeast = 0.004; // sin^2 of half angle: what texels of a small map can tell
+constexpr double kBright = 2;  // times the mean luminance: what lies above belongs to the dominant light
+constexpr double kReach = 0.7; // cosine at which texels cease to be the dominant light's
+constexpr double kMin = 0.004; // sin^2 of half angle: what texels of a small map can tell
 
 double luminance(const float* rgb) {
     return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
@@ -87,7 +87,7 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     const auto excess = [&](int x, int y) {
         return std::max(luminance(radianceLin.at(x, y)) - kBright * mean, 0.0);
     };
-    // Where it is brightest: squares let the strongest of several lamps win.
+    // Where it is brightest: squares let the strongest of several dominant lights win.
     glm::dvec3 brightest(0);
     eachTexel(radianceLin, [&](int x, int y, double solidAngle, const glm::dvec3& dir) {
         brightest += solidAngle * excess(x, y) * excess(x, y) * dir;
@@ -117,20 +117,20 @@ SmoothLight smoothLight(const ImageRgbF& radianceLin) {
     for (size_t k = 0; k < 4; ++k) light.even[k] = glm::vec3(smooth[k]);
     if (weight <= 0) return light;
     // A cap's mean direction is (1 + cos) / 2 long.
-    const double cosine = std::clamp(2 * glm::length(centre) / weight - 1, 0.0, std::sqrt(1 - kLeast));
-    light.lampTowards = glm::vec3(glm::normalize(centre));
-    light.lampShare = static_cast<float>(1 - cosine * cosine);
-    light.lampRadiance = glm::vec3(flux / (2 * std::numbers::pi * (1 - cosine)));
+    const double cosine = std::clamp(2 * glm::length(centre) / weight - 1, 0.0, std::sqrt(1 - kMin));
+    light.dominantTowards = glm::vec3(glm::normalize(centre));
+    light.dominantShare = static_cast<float>(1 - cosine * cosine);
+    light.dominantRadiance = glm::vec3(flux / (2 * std::numbers::pi * (1 - cosine)));
     return light;
 }
 
-glm::mat4x3 lampDirections(const SmoothLight& light) {
-    const glm::mat3 lampFromAside = frameAround(light.lampTowards);
-    const float aside = std::sqrt(light.lampShare / 2), ahead = std::sqrt(1 - light.lampShare / 2);
+glm::mat4x3 dominantDirections(const SmoothLight& light) {
+    const glm::mat3 dominantFromAside = frameAround(light.dominantTowards);
+    const float aside = std::sqrt(light.dominantShare / 2), ahead = std::sqrt(1 - light.dominantShare / 2);
     glm::mat4x3 directions;
     for (int k = 0; k < 4; ++k) {
         const float turn = static_cast<float>(std::numbers::pi / 2) * static_cast<float>(k);
-        directions[k] = lampFromAside * glm::vec3(aside * std::cos(turn), aside * std::sin(turn), ahead);
+        directions[k] = dominantFromAside * glm::vec3(aside * std::cos(turn), aside * std::sin(turn), ahead);
     }
     return directions;
 }

@@ -1,4 +1,5 @@
-// Light as the soft shadows of bodies need it: its brightest part, and a colour for each of a few directions.
+// An environment map reduced to what soft occlusion needs: one dominant light, and the radiance from a few
+// directions.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -16,20 +17,20 @@ extern const std::array<glm::vec3, kAxisCount> kAxes;
 
 // In the frame of the map that it is made of, whose directions the axes are.
 struct SmoothLight {
-    // Radiance without the lamp from along each axis, and from its other end.
+    // Radiance without the dominant light from along each axis, and from its other end.
     std::array<glm::vec3, kAxisCount> ahead{}, behind{};
-    // Of all light the part that changes evenly: factors of 1, x, y, z.
+    // All light on spherical harmonics of two bands: factors of 1, x, y, z.
     std::array<glm::vec3, 4> even{};
-    // A round lamp: what is brighter than a few times the mean, about where that is brightest.
-    glm::vec3 lampTowards{0, 1, 0}; // unit
-    float lampShare = 0.1f;         // sin^2 of its half angle
-    glm::vec3 lampRadiance{0};
+    // A round dominant light: what is brighter than a few times the mean, about where that is brightest.
+    glm::vec3 dominantTowards{0, 1, 0}; // unit
+    float dominantShare = 0.1f;         // sin^2 of its half angle
+    glm::vec3 dominantRadiance{0};
 };
 
 // Of a lat-long map; a few hundred texels will do. Changes smoothly with the map. Allocates nothing.
 SmoothLight smoothLight(const ImageRgbF& radianceLin);
 
-// Four directions that share the lamp among them.
-glm::mat4x3 lampDirections(const SmoothLight& light);
+// Four directions that share the dominant light among them.
+glm::mat4x3 dominantDirections(const SmoothLight& light);
 
 } // namespace shoal::occlusion

@@ -9,7 +9,7 @@
 
 namespace shoal::panorama {
 
-MainLight findLight(const cv::Mat& photo) {
+MainLight findMainLight(const cv::Mat& photo) {
     cv::Mat radiance(photo.size(), CV_32F);
     for (int y = 0; y < photo.rows; ++y)
         for (int x = 0; x < photo.cols; ++x) {
@@ -18,12 +18,12 @@ MainLight findLight(const cv::Mat& photo) {
         }
     cv::Mat spread;
     cv::GaussianBlur(radiance, spread, {}, std::max(0.5, photo.cols * 0.01), 0, cv::BORDER_REPLICATE);
-    double most = 0;
+    double maximum = 0;
     cv::Point peak;
-    cv::minMaxLoc(spread, nullptr, &most, nullptr, &peak);
+    cv::minMaxLoc(spread, nullptr, &maximum, nullptr, &peak);
 
     cv::Mat spot, labels, numbers, centres;
-    cv::bitwise_or(radiance > 0.8 * most, spread >= most, spot); // the peak itself, whatever lies there
+    cv::bitwise_or(radiance > 0.8 * maximum, spread >= maximum, spot); // the peak itself, whatever lies there
     cv::connectedComponentsWithStats(spot, labels, numbers, centres, 8, CV_32S);
     const int mine = labels.at<int>(peak);
     double sum = 0, sumX = 0, sumY = 0;

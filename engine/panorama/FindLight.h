@@ -1,4 +1,4 @@
-// The main light of a photo.
+// Position and size of a photo's brightest light source.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,10 +10,10 @@ struct MainLight {
     double radius_px;  // of the disc of equal area
 };
 
-// The middle of the brightest spot: radiance after the thesis' inverse tone mapping, averaged over about a
-// hundredth of the picture's width, has its maximum there; the spot is all that hangs together with it and is
-// brighter than four fifths of that, weighed by its radiance. photo: 3 coded floats, at most some 1000 pixels
+// The radiance (after the thesis' inverse tone mapping) is blurred over about a hundredth of the picture's
+// width. The light is the connected region around its maximum that is brighter than four fifths of it; its
+// position is the region's centroid, weighted by radiance. photo: 3 coded floats, at most some 1000 pixels
 // wide (wider ones only cost time).
-MainLight findLight(const cv::Mat& photo);
+MainLight findMainLight(const cv::Mat& photo);
 
 } // namespace shoal::panorama

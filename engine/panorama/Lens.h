@@ -1,4 +1,4 @@
-// From a photo to latitude and longitude around the camera.
+// Projection between a rectilinear photo and latitude and longitude around the camera.
 #pragma once
 
 #include <cmath>
@@ -6,12 +6,12 @@
 
 namespace shoal::panorama {
 
-// A photo taken with a level camera: straight lines are straight, the horizon is its middle row.
+// A photo taken with a level pinhole camera: the horizon is its middle row.
 //
-// A column of the photo is a meridian, and a point on it stands at latitude atan(up * cos(longitude)), up in
-// focal lengths: at the sides the photo sees less high than in the middle. To make a rectangle of it without
-// cutting anything off, that factor is let go smoothly towards the top and bottom edges: right around the
-// horizon, while the whole edge becomes one parallel.
+// A column of the photo is a meridian, and a point on it has latitude atan(up * cos(longitude)), up in focal
+// lengths: at the sides the photo reaches less high than in the middle. To make a rectangle of it without
+// cropping, the factor cos(longitude) is blended to 1 towards the top and bottom edges: exact at the horizon,
+// while each edge becomes one parallel.
 struct Lens {
     double width = 0, height = 0; // pixels
     double focal_px = 1;

@@ -1,4 +1,4 @@
-// Capsules: how near they are, and when moving ones first touch. The closed forms under all contacts.
+// Capsules: distance between two, and time of first touch of two that move.
 #pragma once
 
 #include <glm/vec3.hpp>

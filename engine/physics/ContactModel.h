@@ -1,4 +1,4 @@
-// How hands and what swims meet: the model, its sources, its constants.
+// Contact model of hands and the bodies that swim among them: its method, sources and constants.
 //
 // A hand is 24 kinematic capsules, one a bone, moved by the velocities that a device's joints show: nothing
 // stops it. A body (a fish) is one capsule with a velocity of its own. A tick goes through five steps.
@@ -51,20 +51,20 @@ constexpr int   kSweeps            = 10;      // of Gauss-Seidel over a body's c
 constexpr float kSoftness          = 0.05f;   // regularisation: a lone bone gives 1 / 1.05 of its speed
 constexpr float kGive              = 0.6f;    // an open hand's fingers push with so much of their speed
 constexpr float kPartRate_Hz       = 12;      // share of an overlap parted a second...
-constexpr float kPartMost_mps      = 0.45f;   // ...and how fast at most
+constexpr float kPartMax_mps      = 0.45f;   // ...and how fast at most
 constexpr float kPartSlop_m        = 0.001f;  // overlap that is let be
 
 // -- Gripping ---------------------------------------------------------------------------------------------
 constexpr float kEnclosed_m        = 0.03f;   // radius that fingers close around: what is thicker gives way
 constexpr float kStiffness_Npm     = 250;     // of the flesh under a bone of a finger: force by depth...
-constexpr float kForceMost_N       = 4;       // ...and at most
+constexpr float kForceMax_N       = 4;       // ...and at most
 constexpr float kPalmStiffness_Npm = 2000;    // of the palm, which holds against what fingers press...
 constexpr float kPalmForce_N       = 10;      // ...and at most, a bone
 constexpr float kFriction          = 0.45f;   // wet skin on scales
 constexpr float kFirm_N            = 0.3f;    // a grip begins when it bears so much from every side
 constexpr float kFirmer            = 0.01f;   // a hand whose grip (0 to 1) has grown by so much is closing
 constexpr float kDrawRate_Hz       = 20;      // closing fingers draw what is among them into the hollow...
-constexpr float kDrawMost_mps      = 1.5f;    // ...of the hand, and how fast at most
+constexpr float kDrawMax_mps      = 1.5f;    // ...of the hand, and how fast at most
 constexpr float kEase              = 0.2f;    // of the way, a tick, that a shown finger goes to where it rests
 constexpr float kSettle_s          = 0.15f;   // in which a body comes to lie across the palm
 
@@ -76,7 +76,7 @@ constexpr float kTires_Hz          = 0.5f;    // how soon it tires...
 constexpr float kTiredOut          = 0.25f;   // ...down to this share
 constexpr float kWater_kgpm3       = 1025;    // sea water
 constexpr float kDragShape         = 0.25f;   // drag coefficient of a fish sheltered by a hand
-constexpr float kSlideMost_mps     = 1.5f;    // how fast it slides out of a hand
+constexpr float kSlideMax_mps     = 1.5f;    // how fast it slides out of a hand
 constexpr float kSlideGrip         = 0.7f;    // of a slide is left a tick after the grip has become firm
 constexpr float kSlideOut_m        = 0.05f;   // having slid so far it is out
 constexpr int   kUnopposed         = 8;       // ticks without force closure after which it is free

@@ -18,19 +18,19 @@ glm::vec3 middle(const Capsule& c) { return 0.5f * (c.a + c.b); }
 
 auto key(const Contact& c) { return std::tuple(c.body, c.group, c.tag); }
 
-// A ball around the capsule's whole way.
-struct Ball {
+// A sphere around the capsule's whole way.
+struct Sphere {
     glm::vec3 centre;
     float radius;
 };
 
-Ball around(const Capsule& from, const Capsule& to) {
+Sphere around(const Capsule& from, const Capsule& to) {
     const glm::vec3 a = middle(from), b = middle(to);
     const float half = 0.5f * std::max(glm::distance(from.a, from.b), glm::distance(to.a, to.b));
     return {0.5f * (a + b), 0.5f * glm::distance(a, b) + half + to.radius};
 }
 
-bool meet(const Ball& p, const Ball& q) {
+bool meet(const Sphere& p, const Sphere& q) {
     const glm::vec3 apart = p.centre - q.centre;
     const float reach = p.radius + q.radius + kLift_m;
     return glm::dot(apart, apart) < reach * reach;
@@ -75,7 +75,7 @@ struct ContactWorld::Bullet {
     btCollisionWorld world{&dispatcher, &broadphase, &configuration};
     btCapsuleShape moverShape{1, 1}, bodyShape{1, 1};
     btCollisionObject mover, body;
-    std::vector<Ball> balls; // around the movers: scratch
+    std::vector<Sphere> spheres; // around the movers: scratch
 
     Bullet() {
         mover.setCollisionShape(&moverShape);
@@ -84,6 +84,7 @@ struct ContactWorld::Bullet {
 
     // The way by which the body gets out of the mover soonest.
     glm::vec3 wayOut(const Capsule& mover, const Capsule& body);
+    bool begin(const Mover&, const Body&, Contact&);
 };
 
 namespace {
@@ -148,67 +149,96 @@ Mover moving(const Capsule& before, const Capsule& after, float dt_s, int group,
     return {before, after, (after.a - before.a) / dt_s, (after.b - before.b) / dt_s, group, tag};
 }
 
+namespace {
+
+// A pair of a mover and a body during the tick. A mover that was replaced is only looked at where it is now.
+struct Pair {
+    const Mover& mover;
+    const Body& body;
+    bool jumped;
+    const Capsule &moverFrom, &bodyFrom;
+    float radii;
+    Nearest at; // at the tick's end
+    glm::vec3 apart;
+
+    Pair(const Mover& m, const Body& b)
+        : mover(m), body(b), jumped(teleported(m)), moverFrom(jumped ? m.after : m.before),
+          bodyFrom(jumped ? b.after : b.before), radii(m.after.radius + b.after.radius),
+          at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
+};
+
+// A lasting contact keeps its side; its normal turns towards the line of nearest points where that is
+// certain.
+glm::vec3 renewedNormal(const Pair& pair, glm::vec3 normal) {
+    const float distance = glm::length(pair.apart);
+    if (distance <= kCoreShare * pair.radii) return normal;
+    const float side = glm::dot(pair.apart, normal) < 0 ? -1.0f : 1.0f;
+    return turned(normal, pair.apart * (side / distance));
+}
+
+// Depth, place and velocities at the tick's end. False: it is over.
+bool complete(const Pair& pair, float dt_s, Contact& c) {
+    // Beyond both radii on the far side the mover is through, and free.
+    const float along = glm::dot(pair.apart, c.normal);
+    c.lasting = glm::length(pair.apart) < pair.radii + kLift_m && along > -pair.radii;
+    if (!c.lasting && !c.fresh) return false;
+    c.depth = std::clamp(pair.radii - along, 0.0f, 2 * pair.radii);
+    c.point = pair.at.onSecond - c.normal * pair.body.after.radius;
+    c.moverVelocity = pair.jumped ? glm::vec3(0) : velocityAt(pair.mover, pair.at.onFirst);
+    const glm::vec3 way =
+        pair.jumped ? glm::vec3(0) : (middle(pair.mover.after) - middle(pair.moverFrom)) / dt_s;
+    c.closingSpeed = std::max(0.0f, glm::dot(way - pair.body.velocity, c.normal));
+    return true;
+}
+
+} // namespace
+
+// Normal and time of a contact without a past. False: the two do not touch.
+bool ContactWorld::Bullet::begin(const Mover& bone, const Body& flesh, Contact& c) {
+    const Pair pair(bone, flesh);
+    c.fresh = true;
+    const Nearest was = nearest(pair.moverFrom, pair.bodyFrom);
+    const glm::vec3 start = was.onSecond - was.onFirst;
+    const float room = glm::length(start);
+    if (room <= pair.radii) { // inside one another, and nobody knows how
+        c.normal = room > kCoreShare * pair.radii ? start / room : wayOut(pair.moverFrom, pair.bodyFrom);
+        return true;
+    }
+    c.time = firstTouch(pair.moverFrom, bone.after, pair.bodyFrom, flesh.after);
+    if (c.time > 1) return false;
+    const Nearest met =
+        nearest(between(pair.moverFrom, bone.after, c.time), between(pair.bodyFrom, flesh.after, c.time));
+    const glm::vec3 way = met.onSecond - met.onFirst;
+    c.normal = way / std::max(glm::length(way), 1e-9f); // both radii apart: never near 0
+    return true;
+}
+
 void ContactWorld::collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
                            std::span<const Contact> last, std::vector<Contact>& out) {
     out.clear();
-    std::vector<Ball>& balls = bullet_->balls;
-    balls.clear();
+    std::vector<Sphere>& spheres = bullet_->spheres;
+    spheres.clear();
     for (const Mover& mover : movers)
-        balls.push_back(around(teleported(mover) ? mover.after : mover.before, mover.after));
+        spheres.push_back(around(teleported(mover) ? mover.after : mover.before, mover.after));
     for (const Body& body : bodies) {
-        const Ball bodyBall = around(body.before, body.after);
+        const Sphere bodySphere = around(body.before, body.after);
         for (size_t i = 0; i < movers.size(); ++i) {
-            if (!meet(balls[i], bodyBall)) continue;
-            const Mover& mover = movers[i];
-            const bool jumped = teleported(mover);
-            const Capsule& from = jumped ? mover.after : mover.before;
-
+            if (!meet(spheres[i], bodySphere)) continue;
+            const Pair pair(movers[i], body);
             Contact c;
             c.body = body.id;
-            c.group = mover.group;
-            c.tag = mover.tag;
+            c.group = pair.mover.group;
+            c.tag = pair.mover.tag;
             const auto before =
                 std::lower_bound(last.begin(), last.end(), c,
                                  [](const Contact& l, const Contact& r) { return key(l) < key(r); });
-            const bool lasted = before != last.end() && key(*before) == key(c) && before->lasting && !jumped;
-
-            const float radii = mover.after.radius + body.after.radius;
-            const Nearest at = nearest(mover.after, body.after);
-            const glm::vec3 apart = at.onSecond - at.onFirst;
-            const float distance = glm::length(apart);
-            if (lasted) {
-                c.normal = before->normal;
-                if (distance > kCoreShare * radii) {
-                    const float side = glm::dot(apart, c.normal) < 0 ? -1.0f : 1.0f;
-                    c.normal = turned(c.normal, apart * (side / distance));
-                }
-            } else {
-                c.fresh = true;
-                const Capsule& bodyFrom = jumped ? body.after : body.before;
-                const Nearest was = nearest(from, bodyFrom);
-                const glm::vec3 start = was.onSecond - was.onFirst;
-                const float room = glm::length(start);
-                if (room <= radii) { // inside one another, and nobody knows how
-                    c.normal = room > kCoreShare * radii ? start / room : bullet_->wayOut(from, bodyFrom);
-                } else {
-                    c.time = firstTouch(from, mover.after, bodyFrom, body.after);
-                    if (c.time > 1) continue;
-                    const Nearest met =
-                        nearest(between(from, mover.after, c.time), between(bodyFrom, body.after, c.time));
-                    const glm::vec3 way = met.onSecond - met.onFirst;
-                    c.normal = way / std::max(glm::length(way), 1e-9f); // both radii apart: never near 0
-                }
-            }
-            // Beyond both radii on the far side the mover is through, and free.
-            const float along = glm::dot(apart, c.normal);
-            c.lasting = distance < radii + kLift_m && along > -radii;
-            if (!c.lasting && !c.fresh) continue;
-            c.depth = std::clamp(radii - along, 0.0f, 2 * radii);
-            c.point = at.onSecond - c.normal * body.after.radius;
-            c.moverVelocity = jumped ? glm::vec3(0) : velocityAt(mover, at.onFirst);
-            const glm::vec3 way = jumped ? glm::vec3(0) : (middle(mover.after) - middle(from)) / dt_s;
-            c.closingSpeed = std::max(0.0f, glm::dot(way - body.velocity, c.normal));
-            out.push_back(c);
+            const bool lasted =
+                before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
+            if (lasted)
+                c.normal = renewedNormal(pair, before->normal);
+            else if (!bullet_->begin(pair.mover, body, c))
+                continue;
+            if (complete(pair, dt_s, c)) out.push_back(c);
         }
     }
     // A total order, so the result does not depend on the callers' order.

@@ -1,4 +1,5 @@
-// Where the bones of hands meet bodies during one tick, and what lasts from tick to tick. See ContactModel.h.
+// Contacts of the bones of hands with bodies during one tick, and which of them last from tick to tick; see
+// ContactModel.h, steps 1 and 2.
 #pragma once
 
 #include "engine/physics/Capsule.h"

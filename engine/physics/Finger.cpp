@@ -29,8 +29,8 @@ Finger wrapped(const Finger& given, const Capsule& body) {
     Finger out = given;
     out.turned.fill(kStill);
     out.touches.fill(false);
-    std::array<glm::vec3, kFingerJoints> along{}; // unit, of the bone that ends there
-    std::array<float, kFingerJoints> length{};
+    std::array<glm::vec3, hands::kMaxFingerJoints> along{}; // unit, of the bone that ends there
+    std::array<float, hands::kMaxFingerJoints> length{};
     for (int i = 1; i < given.count; ++i) {
         const glm::vec3 bone = given.joints[i] - given.joints[i - 1];
         length[i] = glm::length(bone);

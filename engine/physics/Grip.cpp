@@ -73,7 +73,7 @@ Hold hold(std::span<const Press> presses, glm::vec3 asked_N) {
     return result;
 }
 
-float pressForce_N(float depth_m) { return std::min(kStiffness_Npm * std::max(0.0f, depth_m), kForceMost_N); }
+float pressForce_N(float depth_m) { return std::min(kStiffness_Npm * std::max(0.0f, depth_m), kForceMax_N); }
 
 float mass_kg(float radius_m, float halfLength_m) {
     const float pi = std::numbers::pi_v<float>;

@@ -1,4 +1,5 @@
-// Whether contacts hold a body against a force. See ContactModel.h, step 4.
+// Test whether contacts hold a body against a force, after Ferrari and Canny; see ContactModel.h, step 5.
+// Newtons, metres.
 #pragma once
 
 #include <glm/vec3.hpp>

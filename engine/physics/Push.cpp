@@ -9,12 +9,12 @@ namespace shoal::physics {
 
 namespace {
 
-constexpr size_t kMost = 64; // contacts looked at: two hands have 48 bones
+constexpr size_t kMax = 64; // contacts looked at: two hands have 48 bones
 
 // min |v - velocity|^2 + kSoftness |impulses|^2 so that v . n >= goal, impulses >= 0.
 template <class Goal> glm::vec3 solve(glm::vec3 velocity, std::span<const Contact> contacts, Goal goal) {
-    std::array<float, kMost> impulse{};
-    const size_t count = std::min(contacts.size(), kMost);
+    std::array<float, kMax> impulse{};
+    const size_t count = std::min(contacts.size(), kMax);
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         bool done = true;
         for (size_t i = 0; i < count; ++i) {
@@ -40,10 +40,10 @@ glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact> contacts) {
 glm::vec3 parting(std::span<const Contact> contacts) {
     const glm::vec3 velocity = solve(glm::vec3(0), contacts, [](const Contact& c) {
         if (!c.lasting) return 0.0f;
-        return std::min(kPartRate_Hz * std::max(0.0f, c.depth - kPartSlop_m), kPartMost_mps);
+        return std::min(kPartRate_Hz * std::max(0.0f, c.depth - kPartSlop_m), kPartMax_mps);
     });
     const float speed = glm::length(velocity); // in a wedge, more than any one contact asks
-    return speed > kPartMost_mps ? velocity * (kPartMost_mps / speed) : velocity;
+    return speed > kPartMax_mps ? velocity * (kPartMax_mps / speed) : velocity;
 }
 
 } // namespace shoal::physics

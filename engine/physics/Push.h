@@ -1,4 +1,4 @@
-// What contacts do to the velocity of a body that nobody holds. See ContactModel.h, step 3.
+// Velocity of a free body after contacts with hands; see ContactModel.h, step 3. World frame, m/s.
 #pragma once
 
 #include "engine/physics/ContactWorld.h"
@@ -13,7 +13,7 @@ namespace shoal::physics {
 // Against movers that rest it never gains speed.
 glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact>);
 
-// The velocity that parts what overlaps; to be moved by for one tick, not to be kept. At most kPartMost_mps
+// The velocity that parts what overlaps; to be moved by for one tick, not to be kept. At most kPartMax_mps
 // where contacts agree, and next to nothing where they contradict one another.
 glm::vec3 parting(std::span<const Contact>);
 

@@ -98,6 +98,8 @@ glm::ivec2 Window::framebufferSize() const {
     return size;
 }
 
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle(), title.c_str()); }
+
 void Window::present() { glfwSwapBuffers(state_->window); }
 
 void Window::toggleFullscreen() {

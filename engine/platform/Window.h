@@ -45,6 +45,7 @@ class Window {
     bool down(int key) const;
     glm::ivec2 framebufferSize() const;
     void present();
+    void setTitle(const std::string& title);
     void toggleFullscreen();
     void holdCursor(bool hold); // hides it and lets it move without bounds
     void close();

@@ -34,11 +34,11 @@ glm::vec3 seenFrom(const occlusion::Ellipsoid& part, const glm::vec3& place) {
 } // namespace
 
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
-                                size_t most) {
+                                size_t maximum) {
     const scene::Surface surface = scene::posedSurface(model, rest);
     return makeBodyOccluders(
         model, rest,
-        occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf}, parts, most),
+        occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf}, parts, maximum),
         parts == occlusion::Parts::ByJoint);
 }
 

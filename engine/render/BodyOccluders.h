@@ -1,8 +1,8 @@
-// A model as what takes light from others: ellipsoids that ride on its joints.
+// The one approximate body of a model: ellipsoids attached to its joints. Occlusion and shadows come from it.
 #pragma once
 
+#include "engine/occlusion/EllipsoidOcclusion.h"
 #include "engine/occlusion/FitEllipsoids.h"
-#include "engine/occlusion/Shade.h"
 #include "engine/scene/Model.h"
 
 #include <span>
@@ -24,12 +24,13 @@ struct BodyOccluders {
 
 // The model's meshes and pictures must still be there.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
-                                size_t most);
+                                size_t maximum);
 // Of parts that are known: model frame, at rest; joint: the node that carries it.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
                                 std::span<const occlusion::BodyPart> parts, bool onItself);
 
-// How much the body's own parts count, from 0 at rest, where folds say all, to 1. parts: all of them, placed.
+// How much the body's own parts count, from 0 at rest, where the baked self-occlusion says all, to 1. parts:
+// all of them, placed.
 float ownStrength(const BodyOccluders& body, std::span<const occlusion::Ellipsoid> parts);
 
 // The part in the world. worldFromModel may scale, alike in all directions.

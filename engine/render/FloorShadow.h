@@ -1,12 +1,12 @@
-// The soft shadow that a body throws on level ground, in closed form; no OpenGL.
+// The soft shadow that a body of ellipsoids casts on level ground, in closed form; no OpenGL.
 //
-// Seen from a place on the ground the light is a cap of even radiance, and a body a row of straight pieces
-// before it. On the plane through a piece at right angles to the way to the light, the cap is a disc and the
-// piece as good as a rectangle. The share of a disc that lies beyond a line at t of its radius is
+// Seen from a place on the ground the light is a cap of even radiance. On the plane through an ellipsoid's
+// centre at right angles to the way to the light, the cap is a disc and the ellipsoid casts an ellipse. The
+// share of a disc that lies beyond a line at t of its radius is
 //     C(t) = 1/2 + (t sqrt(1 - t^2) + asin t) / pi,
-// so that a strip hides C(t1) - C(t0) of it, exactly; a rectangle is taken to hide the product of what the
-// two strips hide that it lies in. Integrated over the ground that is exact again, but for the ends of
-// bodies, which have no thickness: a body takes no more light than its silhouette does.
+// so that a strip hides C(t1) - C(t0) of it, exactly. The ellipse is taken for a rectangle of the same area
+// and axes, which is taken to hide the product of what the two strips hide that it lies in: integrated over
+// the ground a body takes no more light than its silhouette does.
 //
 // Shafts are not dimmed. Single scattering in the film's water, under the light that open frames of it were
 // filmed in, integrated along every ray around a shark, all that it sends itself left out, loses at most 9 %
@@ -17,6 +17,8 @@
 // (root mean square) in half a second.
 #pragma once
 
+#include "engine/occlusion/Ellipsoid.h"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -25,13 +27,6 @@
 #include <vector>
 
 namespace shoal::render {
-
-// Straight from end to end; across and up: half axes of its elliptic cross-section, at right angles to that
-// and to each other. World frame, metres.
-struct CastingPiece {
-    glm::vec3 from{0}, to{0};
-    glm::vec3 across{0}, up{0};
-};
 
 struct FloorLight {
     glm::vec3 towards{0, 1, 0}; // unit, world frame
@@ -43,15 +38,16 @@ struct FloorLight {
     float raised() const;
 };
 
-// A piece as the light sees it, whatever the place on the ground.
+// An ellipsoid's silhouette as the light sees it, as a rectangle of the same area.
 struct FlatPiece {
-    glm::vec3 from{0}, middle{0};   // world frame
-    glm::vec3 along{0}, aside{0};   // unit, at right angles to the way to the light
-    float length_m = 0, half_m = 0; // along; aside, to either side
+    glm::vec3 middle{0};          // world frame
+    glm::vec3 along{0}, aside{0}; // unit, at right angles to the way to the light and to each other
+    float halfAlong_m = 0, halfAside_m = 0;
 };
 
-// Replaces out.
-void flatten(std::span<const CastingPiece> body, const FloorLight& light, std::vector<FlatPiece>& out);
+// Replaces out. body: world frame.
+void flatten(std::span<const occlusion::Ellipsoid> body, const FloorLight& light,
+             std::vector<FlatPiece>& out);
 
 // The share of the light that a body hides from a place on the ground, 0 to 1. body: flattened for this
 // light.
@@ -64,8 +60,8 @@ struct FloorPatch {
     float strength = 0;       // to multiply what is hidden with, 0 to 1
 };
 
-// Outside of it the body hides nothing. No cells where it would take less than `least` of the ground's light
-// anywhere; a body that takes a little more comes in faintly.
-FloorPatch patchOf(std::span<const CastingPiece> body, const FloorLight& light, float least);
+// Outside of it the body hides nothing. No cells where it would take less than `minimum` of the ground's
+// light anywhere; a body that takes a little more comes in faintly. body: flattened for this light.
+FloorPatch patchOf(std::span<const FlatPiece> body, const FloorLight& light, float minimum);
 
 } // namespace shoal::render

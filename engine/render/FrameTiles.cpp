@@ -34,15 +34,15 @@ void FrameTiles::chooseCap(const glm::vec3& dirEnv, float halfAngle) {
 }
 
 void FrameTiles::choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
-                        std::span<const scene::Ball> balls, const glm::vec3& eyeWorld) {
+                        std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld) {
     frameSize_ = frameSize;
     chosen_.assign(static_cast<size_t>(kCount.x * kCount.y), false);
-    for (const scene::Ball& ball : balls) {
-        const glm::vec3 away = ball.centre - eyeWorld;
+    for (const scene::Sphere& sphere : spheres) {
+        const glm::vec3 away = sphere.centre - eyeWorld;
         const float distance = glm::length(away);
         // Around the eye: everywhere.
         const float halfAngle =
-            distance > ball.radius ? std::asin(ball.radius / distance) : std::numbers::pi_v<float>;
+            distance > sphere.radius ? std::asin(sphere.radius / distance) : std::numbers::pi_v<float>;
         chooseCap(distance > 0 ? envFromWorld * (away / distance) : glm::vec3(0, 0, -1), halfAngle);
     }
 }

@@ -20,9 +20,9 @@ class FrameTiles {
     // square of a tile's longitude from the straight line that its rays are drawn on: a twentieth of a texel.
     static constexpr glm::ivec2 kCount{128, 64};
 
-    // The tiles of the caps behind which these balls stand, and a margin about them.
+    // The tiles of the caps behind which these spheres stand, and a margin about them.
     void choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
-                std::span<const scene::Ball> balls, const glm::vec3& eyeWorld);
+                std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld);
 
     const glm::ivec2& frameSize() const { return frameSize_; }
     const std::vector<bool>& chosen() const { return chosen_; } // row by row; empty before choose()

@@ -13,7 +13,7 @@ constexpr glm::ivec2 kCells(40, 24);
 // Of the picture's width: a larger layer saves less than laying it over takes.
 constexpr float kWorthIt = 0.85f;
 
-// Of a ball's shadow on the line at distance 1, seen from a pinhole: `across` and `ahead` of its centre.
+// Of a sphere's shadow on the line at distance 1, seen from a pinhole: `across` and `ahead` of its centre.
 bool tangents(float across, float ahead, float radius, float& low, float& high) {
     const float away = std::hypot(across, ahead);
     if (away <= radius) return false;
@@ -43,12 +43,18 @@ glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows) {
     return glm::max(glm::ivec2(glm::ceil(glm::vec2(pixels) * scale)), 1);
 }
 
+View widened(const View& view, float factor) {
+    View wide = view;
+    wide.verticalFov = 2 * std::atan(factor * std::tan(view.verticalFov / 2));
+    return wide;
+}
+
 Result<LayerPass> LayerPass::make() {
     LayerPass pass;
     auto program = gl::Program::load("render/Layer");
     if (!program) return program.error();
     pass.program_ = std::move(*program);
-    pass.drawn_ = Corners::make();
+    pass.drawn_ = TriangleBatch::make();
     return pass;
 }
 
@@ -63,17 +69,10 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-std::span<const uint32_t> LayerPass::read() {
-    pixels_.resize(static_cast<size_t>(layer_->width()) * static_cast<size_t>(layer_->height()));
-    layer_->bindResolved();
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, layer_->width(), layer_->height(), GL_BGRA, GL_UNSIGNED_BYTE, pixels_.data());
-    return pixels_;
-}
-
-void LayerPass::layOver(std::span<const Box> boxes) {
+void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
-    for (const Box& box : boxes) {
+    for (const scene::Sphere& sphere : spheres) {
+        const Box box = boxAround(sphere.centre, sphere.radius, view);
         // Half a texel more on each side, which the filter reaches.
         const glm::vec2 margin = 1.0f / glm::vec2(layer_->width(), layer_->height());
         const auto cellOf = [](const glm::vec2& place) {

@@ -1,14 +1,13 @@
-// Lets objects share the video's resolution: they are drawn into a smaller picture of their own, which is
-// then scaled up and laid over the backdrop, as the backdrop's texels are scaled up themselves. Pairs with
-// shaders/render/Layer.
+// An off-screen picture of the objects alone, at a resolution of its own. Laid over the background it is
+// enlarged as the background's texels are. Pairs with shaders/render/Layer.
 #pragma once
 
 #include "engine/gl/Program.h"
 #include "engine/gl/Target.h"
-#include "engine/render/Corners.h"
+#include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
+#include "engine/scene/Model.h"
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,12 +19,16 @@ struct Box {
     glm::vec2 low{-1}, high{1};
 };
 
-// In which the ball is seen; all of the picture where it surrounds the eye. May reach beyond the edges.
+// Around the sphere's outline; all of the picture where the sphere surrounds the eye. May reach beyond the
+// edges.
 Box boxAround(const glm::vec3& centreWorld, float radius, const View& view);
 
 // How large a picture of `pixels` has to be drawn to show as many pixels in its middle, where a picture of a
 // plane is coarsest, as a lat-long frame of so many rows has: never more than `pixels`.
 glm::ivec2 sizeAsFine(const View& view, glm::ivec2 pixels, int frameRows);
+
+// The same eye with an image plane so much larger (1: equal).
+View widened(const View& view, float factor);
 
 class LayerPass {
   public:
@@ -37,22 +40,17 @@ class LayerPass {
     // Nothing more is drawn into it; leaves another framebuffer bound.
     void end() const { layer_->resolve(); }
 
-    // What is in it: blue first, premultiplied, rows from the bottom. Waits until it is drawn; leaves another
-    // framebuffer bound. Good until the next call.
-    std::span<const uint32_t> read();
-
-    // Over the bound framebuffer, wherever one of the boxes is: there must be nothing in the layer beside
-    // them.
-    void layOver(std::span<const Box> boxes);
+    // Over the bound framebuffer, wherever one of the spheres is seen: there must be nothing in the layer
+    // beside them.
+    void layOver(std::span<const scene::Sphere> spheres, const View& view);
 
     const gl::Target& layer() const { return *layer_; } // after begin()
 
   private:
     gl::Program program_;
-    Corners drawn_;
+    TriangleBatch drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;
-    std::vector<uint32_t> pixels_;   // scratch: what was read
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
     std::vector<glm::vec2> corners_; // scratch: of their triangles
 };

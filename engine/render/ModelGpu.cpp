@@ -21,7 +21,7 @@ struct FixedVertex { // what morphing leaves alone
     glm::vec4 colour{1}; // linear or coded, as the reflectance is
     glm::u16vec4 joints{0};
     glm::vec4 weights{1, 0, 0, 0};
-    glm::vec4 folds{0}, foldsBesideOwn{0};
+    glm::vec4 selfOcclusion{0}, selfOcclusionBesideOwn{0};
 };
 
 struct MorphVertex {
@@ -85,8 +85,9 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
             fixed[i].joints = primitive.joints[v];
             fixed[i].weights = primitive.weights[v];
         }
-        if (!primitive.folds.empty()) fixed[i].folds = primitive.folds[v];
-        if (!primitive.foldsBesideOwn.empty()) fixed[i].foldsBesideOwn = primitive.foldsBesideOwn[v];
+        if (!primitive.selfOcclusion.empty()) fixed[i].selfOcclusion = primitive.selfOcclusion[v];
+        if (!primitive.selfOcclusionBesideOwn.empty())
+            fixed[i].selfOcclusionBesideOwn = primitive.selfOcclusionBesideOwn[v];
     }
     gpu.vertices = gl::Buffer::make();
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.name());
@@ -98,8 +99,9 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     attribute(ATTRIBUTE_UV1, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv1));
     attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colour));
     attribute(ATTRIBUTE_WEIGHTS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, weights));
-    attribute(ATTRIBUTE_FOLDS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, folds));
-    attribute(ATTRIBUTE_FOLDS_BESIDE_OWN, 4, GL_FLOAT, kStride, offsetof(FixedVertex, foldsBesideOwn));
+    attribute(ATTRIBUTE_SELF_OCCLUSION, 4, GL_FLOAT, kStride, offsetof(FixedVertex, selfOcclusion));
+    attribute(ATTRIBUTE_SELF_OCCLUSION_BESIDE_OWN, 4, GL_FLOAT, kStride,
+              offsetof(FixedVertex, selfOcclusionBesideOwn));
     glEnableVertexAttribArray(ATTRIBUTE_JOINTS);
     glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
                            reinterpret_cast<const void*>(offsetof(FixedVertex, joints)));
@@ -117,7 +119,7 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
     gpu.material = primitive.material;
     gpu.skinned = !primitive.joints.empty();
     gpu.coloured = !primitive.coloursLin.empty();
-    gpu.folded = !primitive.folds.empty();
+    gpu.withSelfOcclusion = !primitive.selfOcclusion.empty();
     std::vector<uint32_t> every(primitive.positions.size());
     std::iota(every.begin(), every.end(), 0u);
     gpu.details.push_back(uploadDetail(primitive, reflectance, every, primitive.indices));
@@ -225,7 +227,7 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
         for (const scene::Primitive& primitive : mesh.primitives) {
             PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(uploadPrimitive(primitive, reflectance));
-            uploaded.leastRoughness = scene::leastRoughness(model, gpu.materialOf(uploaded));
+            uploaded.minRoughness = scene::minRoughness(model, gpu.materialOf(uploaded));
             uploaded.mean = scene::meanSurface(model, gpu.materialOf(uploaded));
         }
     }

@@ -26,10 +26,10 @@ struct PrimitiveGpu {
     std::vector<DetailGpu> details; // finest first; at least one
     int material = -1;
     bool skinned = false;
-    bool coloured = false;    // by the vertex
-    bool folded = false;      // hides something of the world from itself
-    float leastRoughness = 1; // scene::leastRoughness() of its material
-    scene::MeanSurface mean;  // of its material
+    bool coloured = false;          // by the vertex
+    bool withSelfOcclusion = false; // hides something of the world from itself
+    float minRoughness = 1;         // scene::minRoughness() of its material
+    scene::MeanSurface mean;        // of its material
 
     // The coarsest that is off by no more than this, in the mesh's units.
     const DetailGpu& detail(float tolerance) const;

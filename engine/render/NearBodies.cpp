@@ -9,7 +9,7 @@ namespace shoal::render {
 namespace {
 
 // Of the cosine-weighted hemisphere: less is not worth a look, and twice as much counts in full.
-constexpr float kLeastShare = 0.01f;
+constexpr float kMinShare = 0.01f;
 
 float smoothstep(float from, float to, float x) {
     const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
@@ -31,21 +31,22 @@ PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFro
 } // namespace
 
 void NearBodies::clear() {
-    parts_.clear();
+    shapes_.clear();
+    sizes_.clear();
     bodies_.clear();
 }
 
 size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
-                       const Ball& bound) {
-    placed_.clear();
-    for (const BodyOccluders::Part& part : body.parts) placed_.push_back(placed(part, pose, worldFromModel));
-    bodies_.push_back({bound, parts_.size(), body.parts.size(), body.albedo, ownStrength(body, placed_)});
-    for (const auto& shape : placed_) {
+                       const Sphere& bound) {
+    const size_t first = shapes_.size();
+    for (const BodyOccluders::Part& part : body.parts) {
+        const occlusion::Ellipsoid& shape = shapes_.emplace_back(placed(part, pose, worldFromModel));
         const glm::vec3& a = shape.semiAxes;
-        const float least = std::min({a.x, a.y, a.z});
-        parts_.push_back(
-            {shape, std::max({a.x, a.y, a.z}), std::sqrt(a.x * a.y * a.z / std::max(least, 1e-9f))});
+        const float minimum = std::min({a.x, a.y, a.z});
+        sizes_.push_back({std::max({a.x, a.y, a.z}), std::sqrt(a.x * a.y * a.z / std::max(minimum, 1e-9f))});
     }
+    bodies_.push_back(
+        {bound, first, body.parts.size(), body.albedo, ownStrength(body, std::span(shapes_).subspan(first))});
     return bodies_.size() - 1;
 }
 
@@ -53,38 +54,39 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
     found_.clear();
     packed_.clear();
     const Body& self = bodies_[receiver];
-    const std::span own(parts_.data() + self.first, self.count);
+    const std::span own = ellipsoids(receiver);
     for (size_t b = 0; b < bodies_.size(); ++b) {
         const Body& body = bodies_[b];
         // Beyond this even all of it takes less than is worth a look.
         const float apart = glm::distance(body.bound.centre, self.bound.centre) - self.bound.radius;
-        if (b == receiver || apart * apart * kLeastShare > body.bound.radius * body.bound.radius) continue;
+        if (b == receiver || apart * apart * kMinShare > body.bound.radius * body.bound.radius) continue;
         for (size_t p = body.first; p < body.first + body.count; ++p) {
-            const Part& part = parts_[p];
+            const Size& part = sizes_[p];
             float nearest = INFINITY;
-            for (const Part& mine : own)
-                nearest = std::min(nearest, glm::distance(part.shape.centre, mine.shape.centre) - mine.reach);
+            for (size_t mine = 0; mine < own.size(); ++mine)
+                nearest = std::min(nearest, glm::distance(shapes_[p].centre, own[mine].centre) -
+                                                sizes_[self.first + mine].reach);
             // Counted from its middle, so that it goes on growing once they touch.
             const float away = std::max(nearest + part.size, 0.2f * part.size);
             const float share = part.size * part.size / (away * away);
-            if (share > kLeastShare) found_.push_back({share, p, b});
+            if (share > kMinShare) found_.push_back({share, p, b});
         }
     }
-    constexpr size_t kMost = MAX_OTHERS;
-    float least = kLeastShare;
-    if (found_.size() > kMost) {
-        std::partial_sort(found_.begin(), found_.begin() + kMost + 1, found_.end(),
+    constexpr size_t kMax = MAX_OTHERS;
+    float minimum = kMinShare;
+    if (found_.size() > kMax) {
+        std::partial_sort(found_.begin(), found_.begin() + kMax + 1, found_.end(),
                           [](const Found& a, const Found& b) { return a.share > b.share; });
-        least = found_[kMost].share;
-        found_.resize(kMost);
+        minimum = found_[kMax].share;
+        found_.resize(kMax);
     }
     if (self.ownStrength > 0)
-        for (const Part& mine : own.first(std::min<size_t>(own.size(), MAX_OCCLUDERS - MAX_OTHERS)))
-            packed_.push_back(pack(mine.shape, lightFromWorld, self.ownStrength, self.albedo));
+        for (const auto& mine : own.first(std::min<size_t>(own.size(), MAX_OCCLUDERS - MAX_OTHERS)))
+            packed_.push_back(pack(mine, lightFromWorld, self.ownStrength, self.albedo));
     const size_t ownCount = packed_.size();
     for (const Found& found : found_)
-        packed_.push_back(pack(parts_[found.part].shape, lightFromWorld,
-                               smoothstep(least, std::max(2 * kLeastShare, 1.3f * least), found.share),
+        packed_.push_back(pack(shapes_[found.part], lightFromWorld,
+                               smoothstep(minimum, std::max(2 * kMinShare, 1.3f * minimum), found.share),
                                bodies_[found.body].albedo));
     return {packed_, ownCount, self.ownStrength};
 }

@@ -10,12 +10,12 @@
 
 namespace shoal::render {
 
-using scene::Ball;
+using shoal::Sphere;
 
 // As shaders/occlusion/Bodies.glsl has it, std140.
 struct PackedOccluder {
     glm::vec4 centreStrength{0};
-    glm::vec4 diagonalVolume{0}; // of the matrix that makes it a ball, squared; product of its semi-axes
+    glm::vec4 diagonalVolume{0}; // of the matrix that makes it a sphere, squared; product of its semi-axes
     glm::vec4 mixed{0};          // yz, zx, xy of that matrix
     glm::vec4 albedo{0};
 };
@@ -28,7 +28,12 @@ class NearBodies {
     size_t count() const { return bodies_.size(); }
     // Returns the body's number, from 0. bound: holds it.
     size_t add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
-               const Ball& bound);
+               const Sphere& bound);
+
+    // The body's ellipsoids, world frame.
+    std::span<const occlusion::Ellipsoid> ellipsoids(size_t body) const {
+        return std::span(shapes_).subspan(bodies_[body].first, bodies_[body].count);
+    }
 
     struct Near {
         std::span<const PackedOccluder> occluders;
@@ -41,12 +46,11 @@ class NearBodies {
     Near near(size_t body, const glm::mat3& lightFromWorld);
 
   private:
-    struct Part {
-        occlusion::Ellipsoid shape;
+    struct Size {                  // of a part
         float reach = 0, size = 0; // longest semi-axis; that of a disc as large as its largest shadow
     };
     struct Body {
-        Ball bound;
+        Sphere bound;
         size_t first = 0, count = 0; // parts
         glm::vec3 albedo{0};
         float ownStrength = 0;
@@ -55,10 +59,10 @@ class NearBodies {
         float share;
         size_t part, body;
     };
-    std::vector<Part> parts_;
+    std::vector<occlusion::Ellipsoid> shapes_; // of all bodies
+    std::vector<Size> sizes_;                  // of each
     std::vector<Body> bodies_;
     std::vector<Found> found_;
-    std::vector<occlusion::Ellipsoid> placed_; // scratch
     std::vector<PackedOccluder> packed_;
 };
 

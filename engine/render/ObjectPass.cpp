@@ -2,6 +2,7 @@
 
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
+#include "engine/occlusion/gpu/Storage.h"
 #include "engine/render/SetWater.h"
 #include "shaders/render/Attributes.glsl"
 
@@ -35,8 +36,11 @@ enum FeatureBit : unsigned {
     kOccluded = 1u << 16,
     kVertexColours = 1u << 17,
     kSecondUv = 1u << 18,
+    kLayers = 1u << 19,
+    kLayersThesis = 1u << 20,
+    kShowNormals = 1u << 21, // these as ShownQuantity orders them
 };
-constexpr std::array<const char*, 19> kDefines = {"SKINNED",
+constexpr std::array<const char*, 26> kDefines = {"SKINNED",
                                                   "BASE_COLOUR_MAP",
                                                   "METALLIC_ROUGHNESS_MAP",
                                                   "NORMAL_MAP",
@@ -54,7 +58,14 @@ constexpr std::array<const char*, 19> kDefines = {"SKINNED",
                                                   "VERTEX_LIT",
                                                   "OCCLUDED",
                                                   "VERTEX_COLOURS",
-                                                  "SECOND_UV"};
+                                                  "SECOND_UV",
+                                                  "LAYERS",
+                                                  "LAYERS_THESIS",
+                                                  "SHOW_NORMALS",
+                                                  "SHOW_ROUGHNESS",
+                                                  "SHOW_OCCLUSION",
+                                                  "SHOW_DIFFUSE",
+                                                  "SHOW_DEPTH"};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
@@ -87,34 +98,34 @@ bool blended(const ModelGpu& gpu, const PrimitiveGpu& primitive) {
     return gpu.materialOf(primitive).alphaMode == scene::AlphaMode::Blend;
 }
 
-// Whether the ball reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
-bool sees(const View& view, const Ball& ball) {
-    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (ball.centre - view.eyeWorld);
-    if (-inEye.z < view.near_m - ball.radius || -inEye.z > view.far_m + ball.radius) return false;
+// Whether the sphere reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
+bool sees(const View& view, const Sphere& sphere) {
+    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (sphere.centre - view.eyeWorld);
+    if (-inEye.z < view.near_m - sphere.radius || -inEye.z > view.far_m + sphere.radius) return false;
     const glm::vec2 half = view.halfExtent();
     const auto beyond = [&](float across,
                             float slope) { // distance outside of the plane across = slope * ahead
-        return (across + slope * inEye.z) / std::sqrt(1 + slope * slope) > ball.radius;
+        return (across + slope * inEye.z) / std::sqrt(1 + slope * slope) > sphere.radius;
     };
     return !(beyond(inEye.x, half.x + view.shift.x) || beyond(-inEye.x, half.x - view.shift.x) ||
              beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
 }
 
-// World metres that no one sees at the ball's nearest point.
-float toleranceFor(const Ball& ball, const View& view, Detail detail) {
+// World metres that no one sees at the sphere's nearest point.
+float toleranceFor(const Sphere& sphere, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
     const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
-    const float distance = glm::distance(ball.centre, view.eyeWorld) - ball.radius;
+    const float distance = glm::distance(sphere.centre, view.eyeWorld) - sphere.radius;
     return std::max(distance, view.near_m) * 2 * view.halfExtent().y / static_cast<float>(view.heightPixels) *
            unseen_px;
 }
 
 // Whether relief may be left out and light come by the vertex. Over a whole picture of a dive, hands and all,
 // that differs by 0.1 % root mean square; only what comes so near that it fills the picture shows its relief.
-bool isSmall(const Ball& ball, const View& view) {
+bool isSmall(const Sphere& sphere, const View& view) {
     constexpr float kSmall = 0.42f; // radius, of the picture's height
-    const float distance = std::max(glm::distance(ball.centre, view.eyeWorld), view.near_m);
-    return view.heightPixels > 0 && ball.radius / distance < kSmall * 2 * view.halfExtent().y;
+    const float distance = std::max(glm::distance(sphere.centre, view.eyeWorld), view.near_m);
+    return view.heightPixels > 0 && sphere.radius / distance < kSmall * 2 * view.halfExtent().y;
 }
 
 gl::Texture makeDfgTable() {
@@ -135,9 +146,9 @@ void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& li
     program.setArray("radianceAhead[0]", light.ahead);
     program.setArray("radianceBehind[0]", light.behind);
     program.setArray("evenLight[0]", light.even);
-    program.set("lampTowards", occlusion::lampDirections(light));
-    program.set("lampRadiance", light.lampRadiance);
-    program.set("lampShare", light.lampShare);
+    program.set("dominantTowards", occlusion::dominantDirections(light));
+    program.set("dominantRadiance", light.dominantRadiance);
+    program.set("dominantShare", light.dominantShare);
 }
 
 void bindMap(const gl::Program& program, const scene::TextureUse& use,
@@ -151,10 +162,11 @@ void bindMap(const gl::Program& program, const scene::TextureUse& use,
 
 } // namespace
 
-Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion) {
+Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity shown) {
     ObjectPass pass;
     pass.detail_ = detail;
     pass.occlusion_ = occlusion;
+    pass.shown_ = shown;
     pass.dfg_ = makeDfgTable();
     pass.matrixBuffer_ = gl::Buffer::make();
     GLint alignment = 256;
@@ -177,13 +189,13 @@ void ObjectPass::begin() {
 }
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-                     const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body,
-                     std::span<const Ball> parts) {
+                     const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body,
+                     std::span<const Sphere> parts) {
     objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1)});
     if (parts.empty()) parts_.push_back(bound);
     parts_.insert(parts_.end(), parts.begin(), parts.end());
-    const int number =
-        body && occlusion_ ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
+    const int added = body ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
+    const int number = occlusion_ ? added : -1;
     for (const int index : model.order) {
         const auto n = static_cast<size_t>(index);
         const scene::Node& node = model.nodes[n];
@@ -214,7 +226,7 @@ size_t ObjectPass::append(const void* block, size_t bytes) {
 
 void ObjectPass::upload(const glm::mat3& envFromWorld) {
     shades_.clear();
-    for (size_t body = 0; body < near_.count(); ++body) {
+    for (size_t body = 0; occlusion_ && body < near_.count(); ++body) {
         const auto [occluders, own, ownStrength] = near_.near(body, envFromWorld);
         shades_.push_back({occluders.empty() ? 0 : append(occluders.data(), occluders.size_bytes()),
                            static_cast<int>(occluders.size()), static_cast<int>(own), ownStrength});
@@ -228,19 +240,20 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
 }
 
 bool ObjectPass::shaded(const Item& item) const {
-    return occlusion_ &&
-           (item.primitive->folded || (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
+    return occlusion_ && !layers_ &&
+           (item.primitive->withSelfOcclusion ||
+            (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
-    auto program = programs_.get(features);
+    auto program = programs_.get(features, features & kLayers ? occlusion::kStorageGlsl : 330);
     if (!program) return program;
     (*program)->bindBlock("JointBlock", BLOCK_JOINTS);
     (*program)->bindBlock("OccluderBlock", BLOCK_OCCLUDERS);
     return program;
 }
 
-Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view,
+Status ObjectPass::draw(Part part, const EnvironmentGpu& environment, const View& view,
                         const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
                         Glossy glossy) {
     order_.clear();
@@ -268,21 +281,26 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
         const Item& item = items_[index];
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
         const bool lean = detail_ == Detail::Lean;
-        const float smoothest = lean ? item.primitive->mean.roughness : item.primitive->leastRoughness;
-        if (glossy == Glossy::Prefiltered && smoothest < 0.99f * surround.smoothestFiltered())
+        const float smoothest = lean ? item.primitive->mean.roughness : item.primitive->minRoughness;
+        if (glossy == Glossy::Prefiltered && smoothest < 0.99f * environment.smoothestFiltered())
             features |= kMirrors;
         if (lean) features &= ~kMetallicRoughnessMap;
-        if (lean && isSmall(item.bound, view))
+        if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
+            features |= kShowNormals << (static_cast<unsigned>(shown_) - 1);
+        else if (lean && isSmall(item.bound, view))
             features = (features & ~(kNormalMap | kOcclusionMap | kMirrors)) | kVertexLit;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= kVertexDiffuse;
         if (shaded(item)) features |= kOccluded;
+        if (layers_)
+            features = (features & ~kOcclusionMap) | kLayers |
+                       (layers_->method() == occlusion::LayerMethod::Thesis ? kLayersThesis : 0u);
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) {
             current = *program;
             current->use();
-            surround.bindLight(*current);
+            environment.bindLight(*current);
             glActiveTexture(GL_TEXTURE0 + UNIT_DFG);
             glBindTexture(GL_TEXTURE_2D, dfg_.name());
             current->set("dfgTable", UNIT_DFG);
@@ -291,8 +309,10 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
             current->set("envFromWorld", envFromWorld);
             current->set("exposureScale", exposure.scale());
             setWater(*current, water);
-            if (features & kOccluded) setSmoothLight(*current, surround.smoothLight());
+            if (features & kOccluded) setSmoothLight(*current, environment.smoothLight());
+            if (layers_) layers_->bind(*current);
         }
+        if (layers_) current->set("bodyAlbedo", item.albedo);
         if (glossy == Glossy::PhongRings) {
             const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
             std::array<glm::vec2, 6> packed;
@@ -309,19 +329,13 @@ Status ObjectPass::draw(Part part, const SurroundGpu& surround, const View& view
     return Done{};
 }
 
-std::span<const Box> ObjectPass::seen(const View& view) {
-    boxes_.clear();
-    for (const Ball& ball : ballsSeen(view)) boxes_.push_back(boxAround(ball.centre, ball.radius, view));
-    return boxes_;
-}
-
-std::span<const Ball> ObjectPass::ballsSeen(const View& view) {
-    balls_.clear();
+std::span<const Sphere> ObjectPass::visibleSpheres(const View& view) {
+    spheres_.clear();
     for (const Object& object : objects_)
         if (sees(view, object.bound))
-            for (const Ball& part : std::span(parts_).subspan(object.firstPart, object.parts))
-                if (sees(view, part)) balls_.push_back(part);
-    return balls_;
+            for (const Sphere& part : std::span(parts_).subspan(object.firstPart, object.parts))
+                if (sees(view, part)) spheres_.push_back(part);
+    return spheres_;
 }
 
 void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
@@ -354,7 +368,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
                       static_cast<GLintptr>(item.matrixOffset), MAX_JOINTS * sizeof(glm::mat4));
     if (shaded(item)) {
         const Shade shade = item.body >= 0 ? shades_[static_cast<size_t>(item.body)] : Shade{};
-        program.set("foldAlbedo", item.albedo);
+        program.set("selfOcclusionAlbedo", item.albedo);
         program.set("occluderCount", shade.count);
         program.set("ownCount", shade.own);
         program.set("ownStrength", shade.ownStrength);

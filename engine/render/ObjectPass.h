@@ -1,14 +1,15 @@
-// Draws models in the light of the surround. Pairs with shaders/render/Object.
+// Draws models in the light of the environment. Pairs with shaders/render/Object.
 //
 // A frame: begin(), add() for each object, then draw() once for each eye. Nothing allocates once the vectors
 // have grown.
 #pragma once
 
 #include "engine/gl/Variants.h"
-#include "engine/render/LayerPass.h"
+#include "engine/occlusion/gpu/LayersGpu.h"
+#include "engine/render/Composition.h"
+#include "engine/render/EnvironmentGpu.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/NearBodies.h"
-#include "engine/render/SurroundGpu.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
@@ -17,34 +18,38 @@
 
 namespace shoal::render {
 
-enum class Glossy { Prefiltered, PhongRings }; // PhongRings: the thesis' 36 samples, for reference
-
 class ObjectPass {
   public:
     // occlusion: bodies take light from each other.
-    static Result<ObjectPass> make(Detail detail = Detail::Full, bool occlusion = true);
+    static Result<ObjectPass> make(Detail detail = Detail::Full, bool occlusion = true,
+                                   ShownQuantity shown = ShownQuantity::Light);
+
+    // From now on all that is drawn is one body, at rest in the world, that takes light from itself by rays
+    // through these layers and not by ellipsoids, baked values or occlusion maps; null: none. Needs
+    // OpenGL 4.3, Detail::Full. Must live until draw().
+    void setLayers(const occlusion::LayersGpu* layers) { layers_ = layers; }
 
     void begin();
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
-    // bound: a ball in the world that holds the posed model; what lies outside the view is not drawn. body:
-    // what it takes from others' light, and they from its own; null: nothing. parts: smaller balls that hold
-    // it as well, all together, for seen() and ballsSeen(); empty: none are known.
+    // bound: a sphere in the world that holds the posed model; what lies outside the view is not drawn. body:
+    // what it takes from others' light, and they from its own; null: nothing. parts: smaller spheres that
+    // hold it as well, all together, for visibleSpheres(); empty: none are known.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-             const glm::mat4& worldFromModel, const Ball& bound, const BodyOccluders* body = nullptr,
-             std::span<const Ball> parts = {});
+             const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body = nullptr,
+             std::span<const Sphere> parts = {});
     // Sends what was added to the graphics side. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
     enum class Part { Opaque, Blended };
-    // Opaque objects front to back, before the backdrop; blended ones back to front, after it.
-    Status draw(Part part, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+    // Opaque objects front to back, before the background; blended ones back to front, after it.
+    Status draw(Part part, const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, Glossy glossy);
 
-    // Where in the picture the objects are that the view sees; may be more, never less. Good until the next
-    // call.
-    std::span<const Box> seen(const View& view);
-    // The same objects in the world.
-    std::span<const Ball> ballsSeen(const View& view);
+    // Spheres that hold all objects in the view; world. Valid until the next call.
+    std::span<const Sphere> visibleSpheres(const View& view);
+
+    // The bodies of what was added since begin(), as ellipsoids.
+    const NearBodies& bodies() const { return near_; }
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -55,14 +60,14 @@ class ObjectPass {
         const PrimitiveGpu* primitive;
         size_t matrixOffset; // bytes into the buffer of matrices
         size_t matrixBytes;
-        Ball bound;       // world
+        Sphere bound;     // world
         float scale;      // world metres for one of the mesh's units
         int body;         // of near_; -1: none
-        glm::vec3 albedo; // mean, of the body that folds
+        glm::vec3 albedo; // mean, of the body that self-occlusion
     };
 
     struct Object {
-        Ball bound;
+        Sphere bound;
         size_t firstPart, parts; // of parts_
     };
 
@@ -80,6 +85,8 @@ class ObjectPass {
     gl::Variants programs_;
     Detail detail_ = Detail::Full;
     bool occlusion_ = true;
+    ShownQuantity shown_ = ShownQuantity::Light;
+    const occlusion::LayersGpu* layers_ = nullptr;
     gl::Texture dfg_;
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
@@ -90,9 +97,8 @@ class ObjectPass {
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     std::vector<Object> objects_;
-    std::vector<Ball> parts_;
-    std::vector<Box> boxes_; // scratch
-    std::vector<Ball> balls_;
+    std::vector<Sphere> parts_;
+    std::vector<Sphere> spheres_; // scratch
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

@@ -14,7 +14,7 @@ namespace shoal::render {
 
 namespace {
 constexpr std::array<const char*, 1> kDefines = {"COVERED"};
-constexpr float kLeast = 0.012f; // of the ground's light: three of 255 display values where it is bright
+constexpr float kMin = 0.012f; // of the ground's light: three of 255 display values where it is bright
 constexpr float kUnseen = 1 - 0.5f / 255; // a factor that leaves display values what they are
 
 // Whether all corners of the rectangle lie beyond one side of the view.
@@ -67,10 +67,10 @@ void ShadowPass::begin() {
     hidden_.clear();
 }
 
-void ShadowPass::add(std::span<const CastingPiece> body, const FloorLight& light) {
-    const FloorPatch floor = patchOf(body, light, kLeast);
-    if (floor.across == 0) return;
+void ShadowPass::add(std::span<const occlusion::Ellipsoid> body, const FloorLight& light) {
     flatten(body, light, body_);
+    const FloorPatch floor = patchOf(body_, light, kMin);
+    if (floor.across == 0) return;
     patches_.push_back({floor, flat_.size(), body_.size(), std::nullopt});
     flat_.insert(flat_.end(), body_.begin(), body_.end());
 }

@@ -28,7 +28,7 @@ class ShadowPass {
 
     // Once a frame: forgets the bodies of the last.
     void begin();
-    void add(std::span<const CastingPiece> body, const FloorLight& light);
+    void add(std::span<const occlusion::Ellipsoid> body, const FloorLight& light); // world frame
 
     // Objects that are in the picture already, before the ground: a texture whose alpha says where, seen so
     // much wider (1: not at all) than a picture of this many pixels.

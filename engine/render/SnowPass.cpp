@@ -31,13 +31,14 @@ Result<SnowPass> SnowPass::make() {
     return pass;
 }
 
-Status SnowPass::draw(On on, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
-                      const Exposure& exposure, const water::Water& water, double time_s) {
+Status SnowPass::draw(On on, const EnvironmentGpu& environment, const View& view,
+                      const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
+                      double time_s) {
     auto found = programs_.get(featuresOf(exposure));
     if (!found) return found.error();
     const gl::Program& program = **found;
     program.use();
-    surround.bindLight(program);
+    environment.bindLight(program);
     setWater(program, water);
     program.set("eyeWorld", view.eyeWorld);
     program.set("clipFromWorld", view.clipFromWorld());

@@ -3,7 +3,7 @@
 
 #include "engine/gl/Objects.h"
 #include "engine/gl/Variants.h"
-#include "engine/render/SurroundGpu.h"
+#include "engine/render/EnvironmentGpu.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
@@ -20,7 +20,7 @@ class SnowPass {
     };
 
     // After all else. time_s places every speck, so equal times give equal pictures.
-    Status draw(On on, const SurroundGpu& surround, const View& view, const glm::mat3& envFromWorld,
+    Status draw(On on, const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, double time_s);
 
   private:

@@ -36,9 +36,15 @@ struct View {
 // How radiance becomes display values. Numbers as in shaders/render/Output.glsl.
 enum class ToneCurve { InverseOfVideo = 0, Aces = 1, Linear = 2 };
 
+// How glossy light is looked up.
+enum class Glossy {
+    Prefiltered, // GGX, as glTF defines it
+    PhongRings,  // the thesis' 36 samples of a Phong lobe
+};
+
 struct Exposure {
     ToneCurve curve = ToneCurve::InverseOfVideo;
-    float exposure_ev = 0; // objects and backdrop alike
+    float exposure_ev = 0; // objects and background alike
 
     float scale() const { return std::exp2(exposure_ev); }
 };

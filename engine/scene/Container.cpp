@@ -1,5 +1,6 @@
 #include "engine/scene/Container.h"
 
+#include "engine/core/JsonBounds.h"
 #include "engine/scene/Loading.h"
 
 #include <cctype>
@@ -14,11 +15,6 @@ constexpr uint32_t kJsonChunk = 0x4E4F534A;   // "JSON"
 constexpr uint32_t kBinaryChunk = 0x004E4942; // "BIN"
 constexpr size_t kHeaderBytes = 12;
 constexpr size_t kChunkHeaderBytes = 8;
-
-// A parsed value costs up to some 100 bytes, an object up to some 2000 in tinygltf: below 1 GiB in all.
-constexpr uint64_t kMaxValues = 4'000'000;
-constexpr uint64_t kMaxObjects = 500'000;
-constexpr int kMaxDepth = 64;
 
 uint32_t littleEndian32(std::span<const uint8_t> bytes, size_t at) {
     return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 |
@@ -65,43 +61,11 @@ Container openContainer(std::span<const uint8_t> file) {
     return container;
 }
 
+// A parsed value costs up to some 100 bytes, an object up to some 2000 in tinygltf: below 1 GiB in all.
 void checkJsonSize(std::string_view json) {
-    uint64_t values = 0, objects = 0;
-    int depth = 0;
-    bool inString = false;
-    for (size_t i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (inString) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                inString = false;
-            continue;
-        }
-        switch (c) {
-        case '"':
-            inString = true;
-            break;
-        case '{':
-            ++objects;
-            [[fallthrough]];
-        case '[':
-            if (++depth > kMaxDepth) fault("its JSON is nested deeper than ", kMaxDepth, " levels");
-            break;
-        case '}':
-        case ']':
-            --depth;
-            break;
-        case ',':
-        case ':':
-            ++values;
-            break;
-        default:
-            break;
-        }
-        if (objects > kMaxObjects) fault("its JSON has more than ", kMaxObjects, " objects");
-        if (values > kMaxValues) fault("its JSON has more than ", kMaxValues, " values");
-    }
+    constexpr JsonBounds kBounds{.depth = 64, .values = 4'000'000, .objects = 500'000};
+    if (const std::string exceeded = exceededBound(json, kBounds); !exceeded.empty())
+        fault("its JSON ", exceeded);
 }
 
 } // namespace shoal::scene

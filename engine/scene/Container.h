@@ -18,7 +18,8 @@ struct Container {
 Container openContainer(std::span<const uint8_t> file);
 
 // Refuses JSON text that would take far more memory than itself once parsed (many tiny objects), or more
-// stack (deep nesting). Reads brackets and commas only; the parser finds what is not JSON at all.
+// stack (deep nesting); the parser's own callback takes quadratic time. Reads brackets and commas only; the
+// parser finds what is not JSON at all.
 void checkJsonSize(std::string_view json);
 
 } // namespace shoal::scene

@@ -32,8 +32,8 @@ Json parseJson(std::string_view text) {
 void checkVersion(const Json& asset) {
     const std::string version = asset["version"];
     if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
-    if (const std::string least = asset.value("minVersion", "2.0"); least != "2.0")
-        fault("asks for glTF version ", quoted(least), ", but only 2.0 is supported");
+    if (const std::string minimum = asset.value("minVersion", "2.0"); minimum != "2.0")
+        fault("asks for glTF version ", quoted(minimum), ", but only 2.0 is supported");
 }
 
 // KHR_mesh_quantization only widens the component types of attributes.
@@ -53,7 +53,7 @@ bool uses(const Json& root, const std::string& extension) {
     return false;
 }
 
-// Drops what this room does not read: it would cost memory in tinygltf and, being anything at all, surprise.
+// Drops members that the loader does not read: they would cost memory in tinygltf, whatever they hold.
 // Makes whole numbers written as 1.0, which JSON allows, into integers, as tinygltf expects. Depth is bounded
 // by checkJsonSize.
 void tidy(Json& value) {

@@ -1,4 +1,4 @@
-// From a .glb or .gltf file to a Model.
+// Loader of .glb and .gltf files. Calling thread; files are untrusted.
 #pragma once
 
 #include "engine/core/Files.h"

@@ -1,5 +1,5 @@
-// Coarser versions of a mesh for when it stands further off. A triangle smaller than a few pixels costs as
-// much as a large one, so what is far away would cost most of all.
+// Levels of detail of a mesh. A triangle smaller than a few pixels costs as much as a large one, so that
+// distant models would otherwise cost most.
 #pragma once
 
 #include "engine/scene/Model.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/Image.h"
+#include "engine/math/Sphere.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -52,15 +53,16 @@ struct MorphTarget { // deltas; each empty or one per vertex
 
 struct Primitive { // triangles
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;        // always there: flat ones are generated where the file has none
-    std::vector<glm::vec4> tangents;       // w: handedness; empty unless the material has a normal map
-    std::vector<glm::vec2> texCoords[2];   // empty if absent
-    std::vector<glm::vec4> coloursLin;     // empty if absent
-    std::vector<glm::u16vec4> joints;      // indices into Skin::joints; empty if absent
-    std::vector<glm::vec4> weights;        // sum 1; empty if absent
-    std::vector<glm::vec4> folds;          // occlusion::findFolds() at rest, in the mesh's frame; empty: none
-    std::vector<glm::vec4> foldsBesideOwn; // likewise, bent, beside the body's own ellipsoids
-    std::vector<uint32_t> indices;         // a multiple of 3, all below positions.size()
+    std::vector<glm::vec3> normals;      // always there: flat ones are generated where the file has none
+    std::vector<glm::vec4> tangents;     // w: handedness; empty unless the material has a normal map
+    std::vector<glm::vec2> texCoords[2]; // empty if absent
+    std::vector<glm::vec4> coloursLin;   // empty if absent
+    std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
+    std::vector<glm::vec4> weights;      // sum 1; empty if absent
+    std::vector<glm::vec4>
+        selfOcclusion; // occlusion::traceSelfOcclusion() at rest, in the mesh's frame; empty: none
+    std::vector<glm::vec4> selfOcclusionBesideOwn; // likewise, bent, beside the body's own ellipsoids
+    std::vector<uint32_t> indices;                 // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
     int material = -1;                 // index into Model::materials; -1: glTF's default material
     std::vector<int> variantMaterials; // per Model::variants, -1: as it is; empty without variants
@@ -118,15 +120,17 @@ struct Model {
     std::vector<ImageRgba8> images; // as stored: colour images sRGB-coded, data images linear
     std::vector<Skin> skins;
     std::vector<Animation> animations;
-    std::vector<std::string> variants; // names of the looks that its meshes can wear
+    std::vector<std::string> variants; // names of its material variants
 
     int findAnimation(const std::string& name) const; // -1 if absent
     int findNode(const std::string& name) const;      // -1 if absent
+    const Material& materialOf(const Primitive&) const;
+    const ImageRgba8* imageOf(const TextureUse&) const; // null: none
 };
 
 // Dresses the meshes as this variant has it. Materials that nothing wears then lose their textures, so that
 // nobody uploads them. False if there is no such variant.
-bool wear(Model&, const std::string& variant);
+bool applyVariant(Model&, const std::string& variant);
 
 // The state of a model at one moment. Reused between frames: nothing allocates after the first use.
 struct Pose {
@@ -152,10 +156,7 @@ void skinMatrices(const Model&, int skin, const Pose&, std::vector<glm::mat4>& o
 struct Bounds {
     glm::vec3 low{0}, high{0};
 };
-struct Ball {
-    glm::vec3 centre{0};
-    float radius = 0;
-};
+using shoal::Sphere;
 // Of the posed model's vertices, skinned and morphed, in the model frame.
 Bounds posedBounds(const Model&, const Pose&);
 

@@ -10,12 +10,6 @@ namespace shoal::scene {
 
 namespace {
 
-template <class List> int findNamed(const List& list, const std::string& name) {
-    const auto found =
-        std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
-    return found == list.end() ? -1 : static_cast<int>(found - list.begin());
-}
-
 // T * R * S, glTF 2.0 specification 3.5.3.
 glm::mat4 matrixOf(const Transform& t) {
     glm::mat4 matrix = glm::mat4_cast(t.rotation);
@@ -25,9 +19,6 @@ glm::mat4 matrixOf(const Transform& t) {
 }
 
 } // namespace
-
-int Model::findAnimation(const std::string& name) const { return findNamed(animations, name); }
-int Model::findNode(const std::string& name) const { return findNamed(nodes, name); }
 
 void restPose(const Model& model, Pose& pose) {
     const size_t count = model.nodes.size();

@@ -1,4 +1,4 @@
-// Where a posed model's vertices stand.
+// Positions of a posed model's vertices.
 #pragma once
 
 #include "engine/scene/Model.h"

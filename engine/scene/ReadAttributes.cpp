@@ -48,9 +48,9 @@ template <class Vector> std::vector<Vector> packed(const std::vector<float>& num
 
 class Attributes {
   public:
-    Attributes(Loading& loading, const Document& document, const std::map<std::string, int>& names,
-               std::string who, size_t vertices)
-        : loading_(loading), document_(document), names_(names), who_(std::move(who)), vertices_(vertices) {}
+    Attributes(const Document& document, const std::map<std::string, int>& names, std::string who,
+               size_t vertices)
+        : document_(document), names_(names), who_(std::move(who)), vertices_(vertices) {}
 
     bool has(const char* name) const { return names_.contains(name); }
 
@@ -82,7 +82,6 @@ class Attributes {
             fault(who, " has ", a.count, " elements, but the primitive ", vertices_, " vertices");
     }
 
-    Loading& loading_;
     const Document& document_;
     const std::map<std::string, int>& names_;
     std::string who_;
@@ -203,14 +202,14 @@ Primitive readAttributes(Loading& loading, const Document& document, const tinyg
                        text(who, ".", element("targets", static_cast<int64_t>(t))), "vertices");
 
     Primitive primitive;
-    const Attributes attributes(loading, document, from.attributes, who, vertices);
+    const Attributes attributes(document, from.attributes, who, vertices);
     primitive.positions =
         packed<glm::vec3>(attributes.floats("POSITION", {TINYGLTF_TYPE_VEC3}, kFloat, kQuantizedPositions));
     readShading(attributes, loading, primitive);
     readSkinning(attributes, loading, primitive);
     for (size_t t = 0; t < from.targets.size(); ++t)
         primitive.morphTargets.push_back(
-            readMorphTarget({loading, document, from.targets[t],
+            readMorphTarget({document, from.targets[t],
                              text(who, ".", element("targets", static_cast<int64_t>(t))), vertices}));
     return primitive;
 }

@@ -111,9 +111,7 @@ std::optional<Primitive> readPrimitive(Loading& loading, const Document& documen
                        loading.limits.maxVertices, who, "vertices");
         makeFlatNormals(primitive);
     }
-    const Material standard;
-    addTangents(loading, from.material < 0 ? standard : model.materials[static_cast<size_t>(from.material)],
-                primitive, who);
+    addTangents(loading, model.materialOf(primitive), primitive, who);
     return primitive;
 }
 

@@ -1,4 +1,5 @@
-// How smooth a model's surfaces are: what light has to be made for them.
+// Roughness and metalness of a model's materials, from factors and textures: they decide which prefiltered
+// light maps are made.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -7,10 +8,10 @@ namespace shoal::scene {
 
 // The least perceptual roughness of the material; where a texture gives it, all but the smoothest hundredth
 // of its texels are at least as rough.
-float leastRoughness(const Model& model, const Material& material);
+float minRoughness(const Model& model, const Material& material);
 
 // Over all materials that some mesh uses; 1 where there are none.
-float leastRoughness(const Model& model);
+float minRoughness(const Model& model);
 
 // Means over the texture that gives them, times the material's factors.
 struct MeanSurface {
@@ -19,6 +20,6 @@ struct MeanSurface {
 MeanSurface meanSurface(const Model& model, const Material& material);
 
 // The least of their roughnesses over all materials that some mesh uses; 1 where there are none.
-float leastMeanRoughness(const Model& model);
+float minMeanRoughness(const Model& model);
 
 } // namespace shoal::scene

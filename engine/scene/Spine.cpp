@@ -41,22 +41,22 @@ glm::quat rotationOf(const glm::mat4& m) {
                                     glm::normalize(glm::vec3(m[2]))));
 }
 
-} // namespace
+glm::vec3 positionOf(const Pose& pose, int node) {
+    return glm::vec3(pose.modelFromNode[static_cast<size_t>(node)][3]);
+}
 
-Spine findSpine(const Model& model, float length_m, float low_m) {
-    Pose pose;
-    restPose(model, pose);
+// The longest line of joints, each the parent of the next, along -z or along +z.
+std::vector<int> longestLine(const Model& model, const Pose& pose) {
     std::vector<bool> isJoint(model.nodes.size(), false);
     for (const Skin& skin : model.skins)
         for (const int joint : skin.joints) isJoint[static_cast<size_t>(joint)] = true;
-    const auto place = [&](int node) { return glm::vec3(pose.modelFromNode[static_cast<size_t>(node)][3]); };
-    const auto along = [&](int node, int child, float way) {
-        const glm::vec3 step = place(child) - place(node);
-        return way * step.z > 0.7f * glm::length(step);
+    const auto along = [&](int node, int child, float direction) {
+        const glm::vec3 step = positionOf(pose, child) - positionOf(pose, node);
+        return direction * step.z > 0.7f * glm::length(step);
     };
     // Longest line from each joint on; children come after their parents in the order.
     std::vector<int> best;
-    for (const float way : {-1.0f, 1.0f}) {
+    for (const float direction : {-1.0f, 1.0f}) {
         std::vector<size_t> steps(model.nodes.size(), 0);
         std::vector<int> next(model.nodes.size(), -1);
         int first = -1;
@@ -66,7 +66,7 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
             steps[node] = 1;
             for (const int child : model.nodes[node].children) {
                 const auto c = static_cast<size_t>(child);
-                if (!isJoint[c] || !along(*it, child, way) || steps[c] + 1 <= steps[node]) continue;
+                if (!isJoint[c] || !along(*it, child, direction) || steps[c] + 1 <= steps[node]) continue;
                 steps[node] = steps[c] + 1;
                 next[node] = child;
             }
@@ -76,6 +76,16 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
         for (int node = first; node >= 0; node = next[static_cast<size_t>(node)]) line.push_back(node);
         if (line.size() > best.size()) best = std::move(line);
     }
+    return best;
+}
+
+} // namespace
+
+Spine findSpine(const Model& model, float length_m, float low_m) {
+    Pose pose;
+    restPose(model, pose);
+    const auto place = [&](int node) { return positionOf(pose, node); };
+    const std::vector<int> best = longestLine(model, pose);
     Spine spine;
     spine.length_m = length_m;
     if (best.size() < kFewest) return spine;
@@ -107,10 +117,10 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
     return spine;
 }
 
-Beat measureBeat(const Model& model, const Spine& spine, int animation, Pose& scratch) {
-    constexpr int kSamples = 64, kMostBeats = 8;
+TailBeat measureBeat(const Model& model, const Spine& spine, int animation, Pose& scratch) {
+    constexpr int kSamples = 64, kMaxBeats = 8;
     constexpr float kTurn = 2 * std::numbers::pi_v<float>;
-    Beat beat;
+    TailBeat beat;
     if (spine.joints.empty()) return beat;
     std::array<float, kSamples> left{};
     const float duration_s = model.animations[static_cast<size_t>(animation)].duration_s;
@@ -132,7 +142,7 @@ Beat measureBeat(const Model& model, const Spine& spine, int animation, Pose& sc
 
     // left(t) = c cos(2 pi n t) + s sin(2 pi n t) for the strongest n: it passes 0, rising, at atan2(-c, s).
     float strongest = 0;
-    for (int n = 1; n <= kMostBeats; ++n) {
+    for (int n = 1; n <= kMaxBeats; ++n) {
         float c = 0, s = 0;
         for (int i = 0; i < kSamples; ++i) {
             const float angle = kTurn * static_cast<float>(n * i) / kSamples;

@@ -1,5 +1,5 @@
-// The chain of joints along a swimmer's body: found in any skinned model, measured, and bent beyond its
-// clips.
+// The chain of joints along a fish's body, found in any skinned model; its tail beat, measured in an
+// animation; and bends added to a pose.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -28,12 +28,12 @@ struct Spine {
 Spine findSpine(const Model&, float length_m, float low_m);
 
 // What a clip's body wave is: where it lies in the loop, and how far it swings the tail.
-struct Beat {
+struct TailBeat {
     float perLoop = 1;   // beats (left and right) in one loop: the strongest whole number of them
     float offset = 0;    // of the loop: where the tail passes the middle, going left
     float amplitude = 0; // half the tail's sweep, in body lengths: root mean square times the root of two
 };
-Beat measureBeat(const Model&, const Spine&, int animation, Pose& scratch);
+TailBeat measureBeat(const Model&, const Spine&, int animation, Pose& scratch);
 
 // Scales what the clip did to the spine: 0 leaves it straight, 1 as it is.
 void scaleWave(const Spine&, float factor, Pose&);

@@ -27,13 +27,13 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
         uint16_t mover = index;
         if (skinned) {
             modelFromMesh = glm::mat4(0);
-            int most = 0;
+            int maximum = 0;
             for (int k = 0; k < 4; ++k) {
                 modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
-                if (primitive.weights[v][k] > primitive.weights[v][most]) most = k;
+                if (primitive.weights[v][k] > primitive.weights[v][maximum]) maximum = k;
             }
             mover = static_cast<uint16_t>(
-                model.skins[static_cast<size_t>(node.skin)].joints[primitive.joints[v][most]]);
+                model.skins[static_cast<size_t>(node.skin)].joints[primitive.joints[v][maximum]]);
         }
         const glm::mat3 m(modelFromMesh);
         const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
@@ -60,6 +60,25 @@ Surface posedSurface(const Model& model, const Pose& pose) {
     return surface;
 }
 
+bool isBlended(const Model& model, const Primitive& primitive) {
+    return model.materialOf(primitive).alphaMode == AlphaMode::Blend;
+}
+
+std::vector<uint32_t> opaqueTriangles(const Model& model, const Surface& surface) {
+    std::vector<uint32_t> opaque;
+    auto next = surface.indices.begin(); // in the surface's order
+    for (const int index : model.order) {
+        const Node& node = model.nodes[static_cast<size_t>(index)];
+        if (node.mesh < 0) continue;
+        for (const Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
+            const auto end = next + static_cast<std::ptrdiff_t>(primitive.indices.size());
+            if (!isBlended(model, primitive)) opaque.insert(opaque.end(), next, end);
+            next = end;
+        }
+    }
+    return opaque;
+}
+
 glm::vec3 meanBaseColour(const Model& model) {
     std::array<double, 256> linear;
     for (size_t i = 0; i < 256; ++i) linear[i] = math::linearFromSrgb(static_cast<double>(i) / 255);
@@ -67,19 +86,14 @@ glm::vec3 meanBaseColour(const Model& model) {
     double all = 0;
     for (const Mesh& mesh : model.meshes)
         for (const Primitive& primitive : mesh.primitives) {
-            const Material material = primitive.material < 0
-                                          ? Material()
-                                          : model.materials[static_cast<size_t>(primitive.material)];
+            const Material& material = model.materialOf(primitive);
             glm::dvec3 colour(material.baseColourLin);
-            const int texture = material.baseColour.texture;
-            const int image = texture < 0 ? -1 : model.textures[static_cast<size_t>(texture)].image;
-            if (image >= 0) {
-                const ImageRgba8& texels = model.images[static_cast<size_t>(image)];
+            if (const ImageRgba8* texels = model.imageOf(material.baseColour)) {
                 constexpr size_t kEvery = 7; // odd: no column of any width is left out
                 glm::dvec3 mean(0);
                 double count = 0;
-                for (size_t i = 0; i + 3 < texels.pixels.size(); i += 4 * kEvery, ++count)
-                    for (int c = 0; c < 3; ++c) mean[c] += linear[texels.pixels[i + static_cast<size_t>(c)]];
+                for (size_t i = 0; i + 3 < texels->pixels.size(); i += 4 * kEvery, ++count)
+                    for (int c = 0; c < 3; ++c) mean[c] += linear[texels->pixels[i + static_cast<size_t>(c)]];
                 colour *= mean / std::max(count, 1.0);
             }
             double area = 0;

@@ -1,4 +1,4 @@
-// The skin of a posed model as one body: for those who ask where it is and not how it looks.
+// The surface of a posed model as one triangle mesh, without materials.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -17,8 +17,13 @@ struct Surface {
 // Every primitive of every node, in the order of model.order. The pose's globals must be up to date.
 Surface posedSurface(const Model& model, const Pose& pose);
 
-// Mean reflectance over the texels of all materials in use, weighed by the area of their triangles in the mesh;
-// linear.
+bool isBlended(const Model& model, const Primitive& primitive);
+
+// The corners of those of the surface's triangles that let no light through, three a triangle.
+std::vector<uint32_t> opaqueTriangles(const Model& model, const Surface& surface);
+
+// Mean reflectance over the texels of all materials in use, weighed by the area of their triangles in the
+// mesh; linear.
 glm::vec3 meanBaseColour(const Model& model);
 
 } // namespace shoal::scene

@@ -3,12 +3,12 @@
 #include "engine/scene/Vertices.h"
 
 #include <glm/geometric.hpp>
+#include <meshoptimizer.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace shoal::scene {
@@ -55,22 +55,17 @@ class Builder {
         return glm::dvec3(primitive_.positions[vertex(triangle, corner)]);
     }
 
-    // Vertices that differ in nothing that shapes the tangent count as one: the lowest of them.
+    // Vertices that differ in nothing that shapes the tangent count as one.
     void weld() {
-        const auto key = [&](uint32_t v) {
+        std::vector<std::array<float, 8>> keys(primitive_.positions.size());
+        for (size_t v = 0; v < keys.size(); ++v) {
             const glm::vec3 &p = primitive_.positions[v], &n = primitive_.normals[v];
-            return std::array<float, 8>{p.x, p.y, p.z, n.x, n.y, n.z, uv_[v].x, uv_[v].y};
-        };
-        std::vector<uint32_t> sorted(primitive_.positions.size());
-        std::iota(sorted.begin(), sorted.end(), 0u);
-        std::sort(sorted.begin(), sorted.end(), [&](uint32_t a, uint32_t b) {
-            const auto keyA = key(a), keyB = key(b);
-            return keyA != keyB ? keyA < keyB : a < b;
-        });
-        welded_.resize(sorted.size());
-        for (size_t i = 0; i < sorted.size(); ++i)
-            welded_[sorted[i]] =
-                i > 0 && key(sorted[i]) == key(sorted[i - 1]) ? welded_[sorted[i - 1]] : sorted[i];
+            keys[v] = {p.x, p.y, p.z, n.x, n.y, n.z, uv_[v].x, uv_[v].y};
+            for (float& number : keys[v]) number += 0.0f; // -0 becomes 0: bytes are compared
+        }
+        welded_.resize(keys.size());
+        meshopt_generateVertexRemap(welded_.data(), nullptr, keys.size(), keys.data(), keys.size(),
+                                    sizeof keys[0]);
     }
 
     void measure() {

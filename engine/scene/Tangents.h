@@ -1,8 +1,8 @@
-// Tangents by the convention of MikkTSpace, in which normal maps are baked. Mikkelsen 2008, "Simulation of
-// Wrinkled Surfaces Revisited", section 3 and appendix A; grouping and weights as in the reference
-// implementation's description: tangents of triangles that share a corner (same position, normal and texture
-// coordinate), hang together by edges and have their texture the same way round are averaged, weighted by the
-// corner's angle.
+// Tangents by the convention of MikkTSpace, in which normal maps are baked; Debian packages no library of it.
+// Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", section 3 and appendix A; grouping and weights
+// as in the reference implementation's description: tangents of triangles that share a corner (same position,
+// normal and texture coordinate), hang together by edges and have their texture the same way round are
+// averaged, weighted by the corner's angle.
 #pragma once
 
 #include "engine/scene/Model.h"

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kExtension = "KHR_materials_variants";
-constexpr size_t kMostVariants = 256;
+constexpr size_t kMaxVariants = 256;
 
 // What may be anything at all is taken for empty where it is not what it should be: the schema says the rest.
 const Json& member(const Json& value, const char* key) {
@@ -57,7 +57,7 @@ Variants readVariants(const Json& root) {
         const Json& name = member(variant, "name");
         variants.names.push_back(name.is_string() ? name.get<std::string>() : std::string());
     }
-    if (variants.names.size() > kMostVariants) fault("has more than ", kMostVariants, " material variants");
+    if (variants.names.size() > kMaxVariants) fault("has more than ", kMaxVariants, " material variants");
     if (variants.names.empty()) return variants;
     for (const Json& mesh : list(root, "meshes")) {
         auto& primitives = variants.materials.emplace_back();
@@ -80,7 +80,7 @@ std::vector<int> variantMaterials(const Variants& variants, size_t mesh, size_t 
     return chosen;
 }
 
-bool wear(Model& model, const std::string& variant) {
+bool applyVariant(Model& model, const std::string& variant) {
     const auto found = std::find(model.variants.begin(), model.variants.end(), variant);
     if (found == model.variants.end()) return false;
     const auto index = static_cast<size_t>(found - model.variants.begin());

@@ -1,4 +1,4 @@
-// Looks that a model can wear: the glTF extension KHR_materials_variants.
+// Material variants of a model: the glTF extension KHR_materials_variants.
 #pragma once
 
 #include "engine/scene/Model.h"

@@ -1,4 +1,4 @@
-// Triangles and vertices of a primitive rearranged; normals made where a file has none.
+// Vertices of a primitive reordered, and flat normals where a file has none. Private to the glTF loader.
 #pragma once
 
 #include "engine/scene/Model.h"

@@ -13,8 +13,8 @@ int FixedStep::advance(double elapsed_s) {
     if (!std::isfinite(elapsed_s)) elapsed_s = 0;
     const double kept = std::clamp(elapsed_s, 0.0, kMaxCatchUp_s);
     rest_ += std::llround(kept * 1e9) * kTickRate_Hz;
-    const int64_t most = static_cast<int64_t>(kMaxCatchUp_s * kTickRate_Hz);
-    const int64_t ticks = std::min(rest_ / kTick, most);
+    const int64_t maximum = static_cast<int64_t>(kMaxCatchUp_s * kTickRate_Hz);
+    const int64_t ticks = std::min(rest_ / kTick, maximum);
     rest_ -= ticks * kTick;
     rest_ = std::min(rest_, kTick - 1);
     return static_cast<int>(ticks);

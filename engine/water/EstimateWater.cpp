@@ -13,15 +13,15 @@ namespace shoal::water {
 
 namespace {
 
-// The frame is read at this many places: nothing here is finer.
+// Sampling resolution: nothing estimated here is finer.
 constexpr int kRows = 256, kPerSector = 8;
 
-constexpr float kHorizon_deg = 8; // above and below: what counts as the horizon
-// Where the veil is looked for. From 41 degrees up the surface is a window to the sky (Snell).
+constexpr float kHorizon_deg = 8; // half the height of the band around the horizon
+// Elevations at which the veil is fitted. Above 41 degrees the surface shows the sky (Snell's window).
 constexpr float kVeilTop_deg = 40, kVeilBottom_deg = 60, kVeilBand_deg = 10;
-// Where the floor is: steeper down are the camera's own shadow and mount.
+// Angles below the horizon that see the floor: steeper ones see the camera's own shadow and mount.
 constexpr float kFloorFar_deg = 2.5f, kFloorNear_deg = 45;
-// Red below this share of green or blue, whichever is more, is lost; blue skies and their haze keep more.
+// Red below this fraction of the larger of green and blue counts as lost; blue skies and haze keep more.
 constexpr float kLostRed = 0.5f;
 
 int rowAt(float elevation_deg) {
@@ -67,13 +67,14 @@ void solve(std::array<std::array<double, kVeilTerms>, kVeilTerms>& a, std::array
     }
 }
 
-// Below what the cells show: what is darker than the fit counts in full, what is brighter the less the
-// brighter (Lorentz' weights). level: of the horizon, where the search begins.
+// Lower envelope of the cells by iteratively reweighted least squares: weight 1 below the fit, Lorentzian
+// weights above. level: of the horizon, the starting value.
 std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int channel, double level) {
     constexpr int kRounds = 8;
-    constexpr double kTolerance = 0.1; // of the level: brighter by that counts half
-    // Against flat: bands 1 and 2 are no more than the cells insist on, as shares of all weights.
-    constexpr std::array<double, kVeilTerms> kStiff = {0, 0.004, 0.004, 0.004, 0.02, 0.02, 0.02, 0.02, 0.02};
+    constexpr double kTolerance = 0.1; // of the level: excess at which the weight is a half
+    // Regularisation of bands 1 and 2, relative to the sum of weights.
+    constexpr std::array<double, kVeilTerms> kRegularisation = {0,    0.004, 0.004, 0.004, 0.02,
+                                                                0.02, 0.02,  0.02,  0.02};
     std::array<double, kVeilTerms> fit{level};
     for (int round = 0; round < kRounds; ++round) {
         std::array<std::array<double, kVeilTerms>, kVeilTerms> a{};
@@ -92,7 +93,7 @@ std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int cha
                 b[i] += term * seen;
             }
         }
-        for (size_t i = 0; i < kVeilTerms; ++i) a[i][i] += weights * kStiff[i] + 1e-9;
+        for (size_t i = 0; i < kVeilTerms; ++i) a[i][i] += weights * kRegularisation[i] + 1e-9;
         solve(a, b);
         fit = b;
     }
@@ -128,21 +129,21 @@ glm::vec3 WaterEstimator::meanLin(int sector, int firstRow, int lastRow) const {
     return sum / static_cast<float>(lastRow - firstRow);
 }
 
-void WaterEstimator::sortSectors(int firstRow, int lastRow) {
+void WaterEstimator::rankSectors(int firstRow, int lastRow) {
     std::array<std::pair<float, int>, kSectors> byColour;
     for (int sector = 0; sector < kSectors; ++sector) {
         const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
         byColour[static_cast<size_t>(sector)] = {mean.x - std::max(mean.y, mean.z), sector};
     }
     std::sort(byColour.begin(), byColour.end());
-    for (size_t i = 0; i < byColour.size(); ++i) openFirst_[i] = byColour[i].second;
+    for (size_t i = 0; i < byColour.size(); ++i) byOpenness_[i] = byColour[i].second;
 }
 
-glm::vec3 WaterEstimator::across(int sectors, int firstRow, int lastRow) const {
+glm::vec3 WaterEstimator::medianLin(int sectors, int firstRow, int lastRow) const {
     std::array<std::array<float, kSectors>, 3> values;
     const auto count = static_cast<size_t>(sectors);
     for (size_t i = 0; i < count; ++i) {
-        const glm::vec3 mean = meanLin(openFirst_[i], firstRow, lastRow);
+        const glm::vec3 mean = meanLin(byOpenness_[i], firstRow, lastRow);
         for (size_t c = 0; c < 3; ++c) values[c][i] = mean[static_cast<int>(c)];
     }
     glm::vec3 median;
@@ -154,13 +155,14 @@ glm::vec3 WaterEstimator::across(int sectors, int firstRow, int lastRow) const {
     return median;
 }
 
-float WaterEstimator::redIsLost(int firstRow, int lastRow) const {
+float WaterEstimator::redLoss(int firstRow, int lastRow) const {
     int lost = 0;
     for (int sector = 0; sector < kSectors; ++sector) {
         const glm::vec3 mean = meanLin(sector, firstRow, lastRow);
         lost += mean.x < kLostRed * std::max(mean.y, mean.z);
     }
-    // A cave mouth or a diver may hide a third of it; of a dry place it is never a third.
+    // A cave mouth or a diver may hide a third of the horizon; above water less than a third has lost its
+    // red.
     const float share = static_cast<float>(lost) / kSectors;
     return glm::smoothstep(0.35f, 0.65f, share);
 }
@@ -169,18 +171,18 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
     sample(frame);
     WaterEstimate result;
     const int horizonTop = rowAt(kHorizon_deg), horizonBottom = rowAt(-kHorizon_deg);
-    result.evidence = redIsLost(horizonTop, horizonBottom);
-    sortSectors(horizonTop, rowAt(0));
-    // Towards the floor it is no longer endless: the upper half of the horizon.
-    const glm::vec3 veilLin = across(kOpenSectors, horizonTop, rowAt(0));
+    result.evidence = redLoss(horizonTop, horizonBottom);
+    rankSectors(horizonTop, rowAt(0));
+    // Only the upper half of the band: towards the floor the water has an end.
+    const glm::vec3 veilLin = medianLin(kOpenSectors, horizonTop, rowAt(0));
 
     floor_.clear();
     if (eyeHeight_m_)
         for (int row = rowAt(-kFloorFar_deg); row < rowAt(-kFloorNear_deg); ++row) {
             const float below = ((static_cast<float>(row) + 0.5f) / kRows - 0.5f) * std::numbers::pi_v<float>;
-            // Equal steps of the distance's logarithm count equally, but the last rows are few.
+            // Equal weight for equal steps of the distance's logarithm, bounded for the few farthest rows.
             floor_.push_back({*eyeHeight_m_ / std::sin(below), std::min(1 / std::tan(below), 8.0f),
-                              across(kOpenSectors, row, row + 1)});
+                              medianLin(kOpenSectors, row, row + 1)});
         }
     result.water.attenuation_perM = fitAttenuation(floor_, veilLin);
 
@@ -192,13 +194,13 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
             const float middle = top - kVeilBand_deg / 2;
             const glm::vec3 dir = directionFromLatLong(
                 glm::vec2((static_cast<float>(sector) + 0.5f) / kSectors, 0.5f - middle / 180));
-            // Below the horizon there is mostly floor: it bounds the veil, and says no more.
+            // Below the horizon there is mostly floor, which only bounds the veil.
             const float weight = std::cos(glm::radians(middle)) * (middle > -15 ? 1.0f : 0.3f);
             cells[count] = {veilTerms(dir),
                             squaredCoded(meanLin(sector, rowAt(top), rowAt(top - kVeilBand_deg))), weight};
         }
-    // From all sides: in a tunnel the water is as dark as its walls, however bright the sea beyond its end.
-    const glm::vec3 level = squaredCoded(across(kSectors, horizonTop, rowAt(0)));
+    // Over all sectors: in a tunnel the veil is as dark as its walls, however bright the sea beyond its end.
+    const glm::vec3 level = squaredCoded(medianLin(kSectors, horizonTop, rowAt(0)));
     for (int c = 0; c < 3; ++c) {
         const auto fit = lowerFit(cells, c, static_cast<double>(level[c]));
         for (size_t i = 0; i < kVeilTerms; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);

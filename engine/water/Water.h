@@ -1,15 +1,14 @@
-// Water between eye and object: what it takes of an object's light, and the veil of its own that it puts
-// there instead. Free of OpenGL.
+// Model of the water between eye and object: attenuation of the object's light, and the veil (backscatter)
+// that is added. Twin of shaders/render/Water.glsl; free of OpenGL.
 //
 // I = J exp(-beta d) + B (1 - exp(-beta d)), for each channel: Schechner and Karpel 2005, "Recovery of
-// Underwater Visibility and Structure by Polarization Analysis", with one beta for both terms; Akkaynak
-// and Treibitz 2018, "A Revised Underwater Image Formation Model", say how far that carries (beta depends on
-// distance and on the object; at the few metres of a dive by some tens of percent).
+// Underwater Visibility and Structure by Polarization Analysis", with one beta for both terms; its limits:
+// Akkaynak and Treibitz 2018, "A Revised Underwater Image Formation Model" (beta depends on distance and
+// object, at the few metres of a dive by some tens of percent).
 //
-// Such mixing is linear in the light of the scene as the camera took it, and neither coded values nor the
-// light that the inverse tone mapping makes of them are: that is about 1.8 times the coded value where things
-// are not bright, far more where they are. So water works on display values, and on their squares, which are
-// near enough to what sRGB's curve makes of them (and need no powers).
+// The equation is linear in the scene's light. Neither coded values nor the radiance after inverse tone
+// mapping are (the latter is about 1.8 times the coded value where that is low, far more where it is high).
+// So water works on the squares of display values, which approximate the sRGB curve without powers.
 #pragma once
 
 #include <glm/common.hpp>
@@ -37,8 +36,7 @@ inline std::array<float, kVeilTerms> veilTerms(const glm::vec3& dir) {
 }
 
 struct Water {
-    // Of endless water, as the video would show it: squared coded values by direction, the sum of these times
-    // veilTerms().
+    // Light of infinitely deep water: coefficients of veilTerms(), in squared coded values by direction.
     std::array<glm::vec3, kVeilTerms> veil{};
     glm::vec3 attenuation_perM{0}; // beta, by red, green and blue; 0: no water
 
@@ -53,11 +51,11 @@ inline glm::vec3 veilTowards(const Water& water, const glm::vec3& dir) {
     return glm::max(sum, 0.0f);
 }
 
-// What an object `distance_m` away looks like that would have these display values (0 to 1) at hand.
+// Display values (0 to 1) of an object `distance_m` away that has the values `display` without water.
 inline glm::vec3 seenThrough(const Water& water, const glm::vec3& display, const glm::vec3& dir,
                              float distance_m) {
-    const glm::vec3 left = glm::exp(-water.attenuation_perM * distance_m);
-    return glm::sqrt(display * display * left + veilTowards(water, dir) * (1.0f - left));
+    const glm::vec3 transmitted = glm::exp(-water.attenuation_perM * distance_m);
+    return glm::sqrt(display * display * transmitted + veilTowards(water, dir) * (1.0f - transmitted));
 }
 
 } // namespace shoal::water

@@ -1,6 +1,5 @@
 #include "engine/xr/Actions.h"
 
-#include "engine/xr/Convert.h"
 #include "engine/xr/Geometry.h"
 
 #include <cstring>
@@ -11,16 +10,7 @@ namespace {
 
 constexpr std::array<const char*, 2> kHands = {"/user/hand/left", "/user/hand/right"};
 
-// One row a controller: what closes the hand, what bends the index finger, what pauses. Where there is but
-// one button, it does both.
-struct Profile {
-    const char* name;
-    const char* squeeze;
-    const char* trigger;
-    const char* menu;
-    bool menuOnRight; // there is one on each hand
-};
-constexpr std::array<Profile, 5> kProfiles = {{
+constexpr std::array<InteractionProfile, 5> kProfiles = {{
     {"khr/simple_controller", "select/click", "select/click", "menu/click", true},
     {"oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
     {"valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
@@ -28,29 +18,25 @@ constexpr std::array<Profile, 5> kProfiles = {{
     {"microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
 }};
 
-Result<XrPath> pathOf(XrInstance instance, const std::string& text) {
+XrPath pathOf(XrInstance instance, const std::string& text) {
     XrPath path = XR_NULL_PATH;
-    if (Status s = SHOAL_XR(xrStringToPath(instance, text.c_str(), &path)); !s) return s.error();
+    SHOAL_XR(xrStringToPath(instance, text.c_str(), &path));
     return path;
 }
 
-XrActionStateGetInfo question(XrAction action, XrPath hand) {
+XrActionStateGetInfo infoOf(XrAction action, XrPath hand) {
     return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, hand};
 }
 
 } // namespace
 
-Result<Actions> Actions::make(XrInstance instance, XrSession session) {
+Actions Actions::make(XrInstance instance, XrSession session) {
     Actions made;
-    for (size_t i = 0; i < 2; ++i) {
-        const auto path = pathOf(instance, kHands[i]);
-        if (!path) return path.error();
-        made.hands_[i] = *path;
-    }
+    for (size_t i = 0; i < 2; ++i) made.hands_[i] = pathOf(instance, kHands[i]);
     XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO};
     std::strncpy(setInfo.actionSetName, "dive", sizeof setInfo.actionSetName - 1);
     std::strncpy(setInfo.localizedActionSetName, "Dive", sizeof setInfo.localizedActionSetName - 1);
-    if (Status s = SHOAL_XR(xrCreateActionSet(instance, &setInfo, made.set_.fresh())); !s) return s.error();
+    SHOAL_XR(xrCreateActionSet(instance, &setInfo, made.set_.fresh()));
 
     struct Row {
         XrAction* action;
@@ -69,89 +55,84 @@ Result<Actions> Actions::make(XrInstance instance, XrSession session) {
         info.actionType = row.type;
         info.countSubactionPaths = static_cast<uint32_t>(made.hands_.size());
         info.subactionPaths = made.hands_.data();
-        if (Status s = SHOAL_XR(xrCreateAction(made.set_.name(), &info, row.action)); !s) return s.error();
+        SHOAL_XR(xrCreateAction(made.set_.name(), &info, row.action));
     }
 
-    for (const Profile& profile : kProfiles) {
-        std::vector<XrActionSuggestedBinding> bindings;
-        for (size_t hand = 0; hand < 2; ++hand) {
-            const auto bind = [&](XrAction action, const std::string& below) -> Status {
-                const auto path = pathOf(instance, std::string(kHands[hand]) + below);
-                if (!path) return path.error();
-                bindings.push_back({action, *path});
-                return Done{};
-            };
-            const std::string input = "/input/";
-            if (Status s = bind(made.grip_, "/input/grip/pose"); !s) return s.error();
-            if (Status s = bind(made.squeeze_, input + profile.squeeze); !s) return s.error();
-            if (Status s = bind(made.trigger_, input + profile.trigger); !s) return s.error();
-            if (Status s = bind(made.haptic_, "/output/haptic"); !s) return s.error();
-            if (hand == 0 || profile.menuOnRight)
-                if (Status s = bind(made.menu_, input + profile.menu); !s) return s.error();
-        }
-        const auto path = pathOf(instance, std::string("/interaction_profiles/") + profile.name);
-        if (!path) return path.error();
-        const XrInteractionProfileSuggestedBinding suggested{
-            XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, *path,
-            static_cast<uint32_t>(bindings.size()), bindings.data()};
-        const XrResult result = xrSuggestInteractionProfileBindings(instance, &suggested);
-        if (result == XR_ERROR_PATH_UNSUPPORTED) continue; // a runtime without that controller
-        if (Status s = statusOf(result, "xrSuggestInteractionProfileBindings"); !s) return s.error();
-    }
-
+    for (const InteractionProfile& profile : kProfiles) made.suggest(instance, profile);
     for (size_t i = 0; i < 2; ++i) {
         const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, made.grip_,
                                            made.hands_[i], poseTo({})};
-        if (Status s = SHOAL_XR(xrCreateActionSpace(session, &info, made.gripSpaces_[i].fresh())); !s)
-            return s.error();
+        SHOAL_XR(xrCreateActionSpace(session, &info, made.gripSpaces_[i].fresh()));
     }
     const XrActionSet set = made.set_.name();
     const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
-    if (Status s = SHOAL_XR(xrAttachSessionActionSets(session, &attach)); !s) return s.error();
+    SHOAL_XR(xrAttachSessionActionSets(session, &attach));
     return made;
 }
 
-Status Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const {
+void Actions::suggest(XrInstance instance, const InteractionProfile& profile) const {
+    std::vector<XrActionSuggestedBinding> bindings;
+    for (size_t hand = 0; hand < 2; ++hand) {
+        const auto bind = [&](XrAction action, const std::string& below) {
+            bindings.push_back({action, pathOf(instance, std::string(kHands[hand]) + below)});
+        };
+        const std::string input = "/input/";
+        bind(grip_, "/input/grip/pose");
+        bind(squeeze_, input + profile.squeeze);
+        bind(trigger_, input + profile.trigger);
+        bind(haptic_, "/output/haptic");
+        if (hand == 0 || profile.menuOnRight) bind(menu_, input + profile.menu);
+    }
+    const XrInteractionProfileSuggestedBinding suggested{
+        XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+        pathOf(instance, std::string("/interaction_profiles/") + profile.name),
+        static_cast<uint32_t>(bindings.size()), bindings.data()};
+    const XrResult result = xrSuggestInteractionProfileBindings(instance, &suggested);
+    if (result != XR_ERROR_PATH_UNSUPPORTED) // a runtime without that controller
+        check(result, "xrSuggestInteractionProfileBindings");
+}
+
+void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const {
     const XrActiveActionSet active{set_.name(), XR_NULL_PATH};
     const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
-    const XrResult synced = xrSyncActions(session, &sync);
-    if (Status s = statusOf(synced, "xrSyncActions"); !s) return s;
+    const XrResult synced = SHOAL_XR(xrSyncActions(session, &sync));
     for (size_t i = 0; i < 2; ++i) {
         Controller& controller = out[i];
         controller = {};
         if (synced == XR_SESSION_NOT_FOCUSED) continue;
         XrActionStatePose held{XR_TYPE_ACTION_STATE_POSE};
-        const XrActionStateGetInfo askPose = question(grip_, hands_[i]);
-        if (Status s = SHOAL_XR(xrGetActionStatePose(session, &askPose, &held)); !s) return s;
+        const XrActionStateGetInfo askPose = infoOf(grip_, hands_[i]);
+        SHOAL_XR(xrGetActionStatePose(session, &askPose, &held));
         controller.active = held.isActive == XR_TRUE;
         if (!controller.active) continue;
         XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-        if (Status s = SHOAL_XR(xrLocateSpace(gripSpaces_[i].name(), world, time, &location)); !s) return s;
+        SHOAL_XR(xrLocateSpace(gripSpaces_[i].name(), world, time, &location));
         controller.worldFromGrip = poseFrom(location.pose);
         controller.gripValid = valid(location.locationFlags) && believable(controller.worldFromGrip);
         for (const auto& [action, value] :
              {std::pair(squeeze_, &controller.squeeze), std::pair(trigger_, &controller.trigger)}) {
             XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
-            const XrActionStateGetInfo ask = question(action, hands_[i]);
-            if (Status s = SHOAL_XR(xrGetActionStateFloat(session, &ask, &state)); !s) return s;
+            const XrActionStateGetInfo ask = infoOf(action, hands_[i]);
+            SHOAL_XR(xrGetActionStateFloat(session, &ask, &state));
             if (state.isActive) *value = state.currentState >= 0 ? std::min(state.currentState, 1.0f) : 0;
         }
         XrActionStateBoolean menu{XR_TYPE_ACTION_STATE_BOOLEAN};
-        const XrActionStateGetInfo askMenu = question(menu_, hands_[i]);
-        if (Status s = SHOAL_XR(xrGetActionStateBoolean(session, &askMenu, &menu)); !s) return s;
+        const XrActionStateGetInfo askMenu = infoOf(menu_, hands_[i]);
+        SHOAL_XR(xrGetActionStateBoolean(session, &askMenu, &menu));
         controller.menu = menu.isActive && menu.currentState;
     }
-    return Done{};
 }
 
-Status Actions::vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const {
+void Actions::vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const {
     const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, haptic_,
                                   hands_[static_cast<size_t>(hand)]};
-    if (!(amplitude > 0)) return SHOAL_XR(xrStopHapticFeedback(session, &info));
+    if (!(amplitude > 0)) {
+        SHOAL_XR(xrStopHapticFeedback(session, &info));
+        return;
+    }
     const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, kVibration_ns, frequency_Hz,
                                       std::min(amplitude, 1.0f)};
-    return SHOAL_XR(
-        xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
+    SHOAL_XR(xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
 }
 
 } // namespace shoal::xr

@@ -26,8 +26,8 @@ bool believable(const Pose& pose) {
 }
 
 bool believable(const Fov& fov) {
-    constexpr float kMost = 1.553f; // 89 degrees
-    return fov.left >= -kMost && fov.right <= kMost && fov.down >= -kMost && fov.up <= kMost &&
+    constexpr float kMax = 1.553f; // 89 degrees
+    return fov.left >= -kMax && fov.right <= kMax && fov.down >= -kMax && fov.up <= kMax &&
            fov.right - fov.left > 0.01f && fov.up - fov.down > 0.01f;
 }
 

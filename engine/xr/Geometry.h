@@ -1,4 +1,4 @@
-// From what a headset tells to what is drawn.
+// Conversion of a headset's eyes to views of the renderer, and plausibility checks of what a runtime reports.
 #pragma once
 
 #include "engine/render/View.h"

@@ -1,6 +1,5 @@
 #include "engine/xr/HandTrackers.h"
 
-#include "engine/xr/Convert.h"
 #include "engine/xr/Geometry.h"
 
 namespace shoal::xr {
@@ -19,7 +18,7 @@ HandTrackers::~HandTrackers() {
         if (tracker != XR_NULL_HANDLE) destroy_(tracker);
 }
 
-Result<HandTrackers> HandTrackers::make(const Instance& instance, XrSession session) {
+HandTrackers HandTrackers::make(const Instance& instance, XrSession session) {
     HandTrackers made;
     if (!instance.bareHands) return made;
     const XrInstance name = instance.handle.name();
@@ -27,18 +26,19 @@ Result<HandTrackers> HandTrackers::make(const Instance& instance, XrSession sess
     made.destroy_ = functionOf<PFN_xrDestroyHandTrackerEXT>(name, "xrDestroyHandTrackerEXT");
     made.locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
     if (!create || !made.destroy_ || !made.locate_)
-        return Error{"OpenXR", "the runtime promises XR_EXT_hand_tracking and lacks its functions"};
+        throw Failure("the runtime promises XR_EXT_hand_tracking and lacks its functions");
     for (size_t i = 0; i < 2; ++i) {
         const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr,
                                               i == 0 ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT,
                                               XR_HAND_JOINT_SET_DEFAULT_EXT};
-        if (Status s = statusOf(create(session, &info, &made.trackers_[i]), "xrCreateHandTrackerEXT"); !s)
-            return s.error();
+        check(create(session, &info, &made.trackers_[i]), "xrCreateHandTrackerEXT");
     }
     return made;
 }
 
-Status HandTrackers::locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const {
+static_assert(XR_HAND_JOINT_COUNT_EXT == hands::kJointCount);
+
+void HandTrackers::locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const {
     for (size_t i = 0; i < 2; ++i) {
         TrackedHand& hand = out[i];
         hand.active = false;
@@ -47,8 +47,7 @@ Status HandTrackers::locate(XrSpace world, XrTime time, std::array<TrackedHand, 
         const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, world, time};
         XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
                                           static_cast<uint32_t>(joints.size()), joints.data()};
-        if (Status s = statusOf(locate_(trackers_[i], &info, &locations), "xrLocateHandJointsEXT"); !s)
-            return s;
+        check(locate_(trackers_[i], &info, &locations), "xrLocateHandJointsEXT");
         hand.active = locations.isActive == XR_TRUE;
         for (size_t j = 0; hand.active && j < joints.size(); ++j) {
             const XrHandJointLocationEXT& joint = joints[j];
@@ -60,7 +59,6 @@ Status HandTrackers::locate(XrSpace world, XrTime time, std::array<TrackedHand, 
                            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT);
         }
     }
-    return Done{};
 }
 
 } // namespace shoal::xr

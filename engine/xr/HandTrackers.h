@@ -1,8 +1,7 @@
-// Bare hands by XR_EXT_hand_tracking. Only for the sources of this folder.
+// Hands without controllers, tracked through XR_EXT_hand_tracking. Private to this folder.
 #pragma once
 
-#include "engine/xr/Instance.h"
-#include "engine/xr/Tracked.h"
+#include "engine/xr/OpenXr.h"
 
 #include <array>
 
@@ -16,8 +15,8 @@ class HandTrackers {
     ~HandTrackers();
 
     // Without the extension: hands that are never active.
-    static Result<HandTrackers> make(const Instance& instance, XrSession session);
-    Status locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const;
+    static HandTrackers make(const Instance& instance, XrSession session);
+    void locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const;
 
   private:
     std::array<XrHandTrackerEXT, 2> trackers_{};

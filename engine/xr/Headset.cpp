@@ -1,8 +1,6 @@
 #include "engine/xr/Headset.h"
 
 #include "engine/xr/Actions.h"
-#include "engine/xr/Binding.h"
-#include "engine/xr/Convert.h"
 #include "engine/xr/Geometry.h"
 #include "engine/xr/HandTrackers.h"
 #include "engine/xr/Swapchain.h"
@@ -11,38 +9,20 @@ namespace shoal::xr {
 
 namespace {
 
-constexpr auto kViews = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-
 using Space = Handle<XrSpace, xrDestroySpace>;
 
+static_assert(static_cast<int>(SessionState::Idle) == XR_SESSION_STATE_IDLE &&
+              static_cast<int>(SessionState::Exiting) == XR_SESSION_STATE_EXITING);
+
 SessionState stateFrom(XrSessionState state) {
-    switch (state) {
-    case XR_SESSION_STATE_IDLE:
-        return SessionState::Idle;
-    case XR_SESSION_STATE_READY:
-        return SessionState::Ready;
-    case XR_SESSION_STATE_SYNCHRONIZED:
-        return SessionState::Synchronized;
-    case XR_SESSION_STATE_VISIBLE:
-        return SessionState::Visible;
-    case XR_SESSION_STATE_FOCUSED:
-        return SessionState::Focused;
-    case XR_SESSION_STATE_STOPPING:
-        return SessionState::Stopping;
-    case XR_SESSION_STATE_LOSS_PENDING:
-        return SessionState::LossPending;
-    case XR_SESSION_STATE_EXITING:
-        return SessionState::Exiting;
-    default:
-        return SessionState::None;
-    }
+    return state > 0 && state < kSessionStates ? static_cast<SessionState>(state) : SessionState::None;
 }
 
-Result<Space> makeSpace(XrSession session, const Pose& localFromOrigin) {
+Space makeSpace(XrSession session, const Pose& localFromOrigin) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
                                           XR_REFERENCE_SPACE_TYPE_LOCAL, poseTo(localFromOrigin)};
     Space space;
-    if (Status s = SHOAL_XR(xrCreateReferenceSpace(session, &info, space.fresh())); !s) return s.error();
+    SHOAL_XR(xrCreateReferenceSpace(session, &info, space.fresh()));
     return space;
 }
 
@@ -68,59 +48,40 @@ struct Headset::State {
         if (running) leaveInOrder();
     }
 
-    Status open(glm::ivec2 panelSize);
-    Status poll();
-    Status enter(SessionState next);
-    Status waitFrame();
-    Status locateEyes();
-    Status begin();
-    Status end(const Shown& shown);
+    void open(glm::ivec2 panelSize);
+    void poll();
+    void enter(SessionState next);
+    void waitFrame();
+    void locateEyes();
+    void begin();
+    void end(const Shown& shown);
     void leaveInOrder();
     Swapchain& picture(Picture p) { return pictures[static_cast<size_t>(p)]; }
 };
 
-Status Headset::State::open(glm::ivec2 panelSize) {
-    auto opened = Instance::open(true);
-    if (!opened) return opened.error();
-    instance = std::move(*opened);
-    auto created = createSession(instance);
-    if (!created) return created.error();
-    session = std::move(*created);
-    for (Space* space : {&local, &world}) {
-        auto made = makeSpace(session.name(), {});
-        if (!made) return made.error();
-        *space = std::move(*made);
-    }
-    auto trackers = HandTrackers::make(instance, session.name());
-    if (!trackers) return trackers.error();
-    hands = std::move(*trackers);
-    auto acts = Actions::make(instance.handle.name(), session.name());
-    if (!acts) return acts.error();
-    actions = std::move(*acts);
-    for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel}) {
-        auto chain = Swapchain::make(session.name(), p == Picture::Panel ? panelSize : instance.eyeSize);
-        if (!chain) return chain.error();
-        picture(p) = std::move(*chain);
-    }
+void Headset::State::open(glm::ivec2 panelSize) {
+    instance = Instance::open(true);
+    session = createSession(instance);
+    local = makeSpace(session.name(), {});
+    world = makeSpace(session.name(), {});
+    hands = HandTrackers::make(instance, session.name());
+    actions = Actions::make(instance.handle.name(), session.name());
+    for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
+        picture(p) = Swapchain::make(session.name(), p == Picture::Panel ? panelSize : instance.eyeSize);
     if (instance.hiddenPixels)
         getMask = functionOf<PFN_xrGetVisibilityMaskKHR>(instance.handle.name(), "xrGetVisibilityMaskKHR");
-    return Done{};
 }
 
-Status Headset::State::poll() {
+void Headset::State::poll() {
     for (;;) {
         XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-        const XrResult result = xrPollEvent(instance.handle.name(), &event);
-        if (Status s = statusOf(result, "xrPollEvent"); !s) return s;
-        if (result == XR_EVENT_UNAVAILABLE) return Done{};
+        if (SHOAL_XR(xrPollEvent(instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
         switch (event.type) {
         case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
-            if (Status s = enter(stateFrom(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state));
-                !s)
-                return s;
+            enter(stateFrom(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state));
             break;
         case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-            return Error{"OpenXR", "the headset's runtime is going away"};
+            throw Failure("the headset's runtime is going away");
         case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
             masksChanged = true;
             break;
@@ -133,91 +94,81 @@ Status Headset::State::poll() {
     }
 }
 
-Status Headset::State::enter(SessionState next) {
+void Headset::State::enter(SessionState next) {
     state = next;
     switch (dutyIn(state).step) {
     case Step::Begin: {
-        const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, kViews};
-        if (Status s = SHOAL_XR(xrBeginSession(session.name(), &info)); !s) return s;
+        const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, kStereo};
+        SHOAL_XR(xrBeginSession(session.name(), &info));
         running = true;
-        return Done{};
+        break;
     }
     case Step::End:
         running = false;
-        return SHOAL_XR(xrEndSession(session.name()));
+        SHOAL_XR(xrEndSession(session.name()));
+        break;
     case Step::Leave:
         leaving = true;
-        return Done{};
+        break;
     case Step::Lost:
-        return Error{"OpenXR", "the headset was lost; is its cable in place?"};
+        throw Failure("the headset was lost; is its cable in place?");
     case Step::Nothing:
         break;
     }
-    return Done{};
 }
 
-Status Headset::State::waitFrame() {
+void Headset::State::waitFrame() {
     const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
     XrFrameState next{XR_TYPE_FRAME_STATE};
-    if (Status s = SHOAL_XR(xrWaitFrame(session.name(), &wait, &next)); !s) return s;
+    SHOAL_XR(xrWaitFrame(session.name(), &wait, &next));
     frame.display_ns = next.predictedDisplayTime;
     frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
     frame.drawn = next.shouldRender == XR_TRUE;
-    if (Status s = locateEyes(); !s) return s;
-    if (Status s = hands.locate(world.name(), frame.display_ns, tracking.hands); !s) return s;
-    return actions.locate(session.name(), world.name(), frame.display_ns, tracking.controllers);
+    locateEyes();
+    hands.locate(world.name(), frame.display_ns, tracking.hands);
+    actions.locate(session.name(), world.name(), frame.display_ns, tracking.controllers);
 }
 
-Status Headset::State::locateEyes() {
+void Headset::State::locateEyes() {
     std::array<Eye, 2> eyes;
-    const auto locate = [&](const Space& space, bool& tracked) -> Status {
-        const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, kViews, frame.display_ns,
+    const auto locate = [&](const Space& space) { // whether the head is tracked
+        const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, kStereo, frame.display_ns,
                                     space.name()};
         XrViewState viewState{XR_TYPE_VIEW_STATE};
         std::array<XrView, 2> views{XrView{XR_TYPE_VIEW}, XrView{XR_TYPE_VIEW}};
         uint32_t count = 0;
-        if (Status s = SHOAL_XR(xrLocateViews(session.name(), &info, &viewState,
-                                              static_cast<uint32_t>(views.size()), &count, views.data()));
-            !s)
-            return s;
+        SHOAL_XR(xrLocateViews(session.name(), &info, &viewState, static_cast<uint32_t>(views.size()), &count,
+                               views.data()));
         const XrViewStateFlags flags = viewState.viewStateFlags;
-        tracked = count == 2 && (flags & XR_VIEW_STATE_POSITION_VALID_BIT) &&
-                  (flags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) &&
-                  (flags & XR_VIEW_STATE_ORIENTATION_TRACKED_BIT) &&
-                  // A headset that only turns has no position to lose.
-                  (!instance.tracksPosition || (flags & XR_VIEW_STATE_POSITION_TRACKED_BIT));
+        bool tracked = count == 2 && (flags & XR_VIEW_STATE_POSITION_VALID_BIT) &&
+                       (flags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) &&
+                       (flags & XR_VIEW_STATE_ORIENTATION_TRACKED_BIT) &&
+                       // A headset that only turns has no position to lose.
+                       (!instance.tracksPosition || (flags & XR_VIEW_STATE_POSITION_TRACKED_BIT));
         for (size_t i = 0; i < 2; ++i) {
             const XrFovf& fov = views[i].fov;
             eyes[i] = {poseFrom(views[i].pose), {fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown}};
             tracked = tracked && believable(eyes[i].worldFromEye) && believable(eyes[i].fov);
         }
-        return Done{};
+        return tracked;
     };
-    bool tracked = false;
-    if (centring) {
-        if (Status s = locate(local, tracked); !s) return s;
-        if (tracked) {
-            auto centred = makeSpace(session.name(),
-                                     originAt(between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f)));
-            if (!centred) return centred.error();
-            world = std::move(*centred);
-            centring = false;
-        }
+    const auto middle = [&] { return between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f); };
+    if (centring && locate(local)) {
+        world = makeSpace(session.name(), originAt(middle()));
+        centring = false;
     }
-    if (Status s = locate(world, tracked); !s) return s;
-    tracking.headTracked = tracked;
-    if (!tracked) return Done{};
+    tracking.headTracked = locate(world);
+    if (!tracking.headTracked) return;
     tracking.eyes = eyes;
-    tracking.worldFromHead = between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f);
-    return Done{};
+    tracking.worldFromHead = middle();
 }
 
-Status Headset::State::begin() {
+void Headset::State::begin() {
     const XrFrameBeginInfo info{XR_TYPE_FRAME_BEGIN_INFO};
-    return SHOAL_XR(xrBeginFrame(session.name(), &info)); // XR_FRAME_DISCARDED is a success
+    SHOAL_XR(xrBeginFrame(session.name(), &info)); // XR_FRAME_DISCARDED is a success
 }
 
-Status Headset::State::end(const Shown& shown) {
+void Headset::State::end(const Shown& shown) {
     std::array<XrCompositionLayerProjectionView, 2> views;
     for (size_t i = 0; i < 2; ++i) {
         const Eye& eye = tracking.eyes[i];
@@ -244,17 +195,23 @@ Status Headset::State::end(const Shown& shown) {
     if (shown.panel) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&panel);
     const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, frame.display_ns,
                               instance.blend,         count,   count ? layers.data() : nullptr};
-    return SHOAL_XR(xrEndFrame(session.name(), &info));
+    SHOAL_XR(xrEndFrame(session.name(), &info));
 }
 
 // As the runtime wants it: empty frames until it says that the session may end. Whatever fails ends it too.
 void Headset::State::leaveInOrder() {
-    for (int hand = 0; hand < 2; ++hand) (void)actions.vibrate(session.name(), hand, 0, 0);
-    if (XR_FAILED(xrRequestExitSession(session.name()))) return;
-    constexpr int kMostFrames = 120;
-    for (int i = 0; i < kMostFrames && running; ++i) {
-        if (!poll() || (running && dutyIn(state).frames && (!waitFrame() || !begin() || !end({})))) return;
-    }
+    constexpr int kMaxFrames = 120;
+    for (int hand = 0; hand < 2; ++hand) (void)statusOf([&] { actions.vibrate(session.name(), hand, 0, 0); });
+    (void)statusOf([&] {
+        SHOAL_XR(xrRequestExitSession(session.name()));
+        for (int i = 0; i < kMaxFrames && running; ++i) {
+            poll();
+            if (!running || !dutyIn(state).frames) continue;
+            waitFrame();
+            begin();
+            end({});
+        }
+    });
 }
 
 Headset::Headset(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -264,39 +221,53 @@ Headset::~Headset() = default;
 
 Result<Headset> Headset::open(glm::ivec2 panelSize) {
     auto state = std::make_unique<State>();
-    if (Status opened = state->open(panelSize); !opened) return opened.error();
+    if (Status opened = statusOf([&] { state->open(panelSize); }); !opened) return opened.error();
     return Headset(std::move(state));
 }
 
-Status Headset::poll() { return state_->poll(); }
+Status Headset::poll() {
+    return statusOf([&] { state_->poll(); });
+}
 const Duty& Headset::duty() const { return dutyIn(state_->state); }
 bool Headset::leaving() const { return state_->leaving; }
 bool Headset::takeMasksChanged() { return std::exchange(state_->masksChanged, false); }
 void Headset::recentre() { state_->centring = true; }
 
 Result<Frame> Headset::waitFrame() {
-    if (Status waited = state_->waitFrame(); !waited) return waited.error();
+    if (Status waited = statusOf([&] { state_->waitFrame(); }); !waited) return waited.error();
     return state_->frame;
 }
 
 const Tracking& Headset::tracking() const { return state_->tracking; }
-Status Headset::begin() { return state_->begin(); }
-Result<GLuint> Headset::acquire(Picture picture) { return state_->picture(picture).acquire(); }
-Status Headset::release(Picture picture) { return state_->picture(picture).release(); }
-Status Headset::end(const Shown& shown) { return state_->end(shown); }
+Status Headset::begin() {
+    return statusOf([&] { state_->begin(); });
+}
+Result<GLuint> Headset::acquire(Picture picture) {
+    GLuint framebuffer = 0;
+    Status acquired = statusOf([&] { framebuffer = state_->picture(picture).acquire(); });
+    return acquired ? Result<GLuint>(framebuffer) : acquired.error();
+}
+Status Headset::release(Picture picture) {
+    return statusOf([&] { state_->picture(picture).release(); });
+}
+Status Headset::end(const Shown& shown) {
+    return statusOf([&] { state_->end(shown); });
+}
 
 Result<HiddenArea> Headset::hiddenArea(int eye) const {
     HiddenArea area;
     if (!state_->getMask) return area;
     const auto get = [&](XrVisibilityMaskKHR& mask) {
-        return statusOf(state_->getMask(state_->session.name(), kViews, static_cast<uint32_t>(eye),
-                                        XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask),
-                        "xrGetVisibilityMaskKHR");
+        return statusOf([&] {
+            check(state_->getMask(state_->session.name(), kStereo, static_cast<uint32_t>(eye),
+                                  XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask),
+                  "xrGetVisibilityMaskKHR");
+        });
     };
     XrVisibilityMaskKHR mask{XR_TYPE_VISIBILITY_MASK_KHR};
     if (Status s = get(mask); !s) return s.error();
-    constexpr uint32_t kMost = 1u << 16;
-    if (mask.vertexCountOutput == 0 || mask.vertexCountOutput > kMost || mask.indexCountOutput > kMost)
+    constexpr uint32_t kMax = 1u << 16;
+    if (mask.vertexCountOutput == 0 || mask.vertexCountOutput > kMax || mask.indexCountOutput > kMax)
         return area;
     std::vector<XrVector2f> vertices(mask.vertexCountOutput);
     std::vector<uint32_t> indices(mask.indexCountOutput);
@@ -314,7 +285,7 @@ Result<HiddenArea> Headset::hiddenArea(int eye) const {
 }
 
 Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {
-    return state_->actions.vibrate(state_->session.name(), hand, amplitude, frequency_Hz);
+    return statusOf([&] { state_->actions.vibrate(state_->session.name(), hand, amplitude, frequency_Hz); });
 }
 
 glm::ivec2 Headset::eyeSize() const { return state_->instance.eyeSize; }
@@ -324,9 +295,9 @@ std::string Headset::name() const {
 }
 
 Result<std::string> activeRuntime() {
-    const auto instance = Instance::open(false);
-    if (!instance) return instance.error();
-    return instance->runtimeName;
+    std::string name;
+    Status opened = statusOf([&] { name = Instance::open(false).runtimeName; });
+    return opened ? Result<std::string>(name) : opened.error();
 }
 
 } // namespace shoal::xr

@@ -1,5 +1,6 @@
-// A headset behind OpenXR: its session, its frames, where head and hands are, what it shows. The lenses' warp
-// is the runtime's work. World frame: the dive's, whose origin is where the eyes were when it was centred.
+// A headset driven through OpenXR: session, frames, poses of head, hands and controllers, pictures to show.
+// The runtime corrects the lenses' distortion. World frame: the dive's, whose origin is where the eyes were
+// when it was centred.
 //
 // Each turn of the game's loop: poll(); where duty().frames, waitFrame(), then begin(), the pictures, end().
 // One thread, with the GL context that was current at open().
@@ -48,7 +49,8 @@ class Headset {
     Headset& operator=(Headset&&) noexcept;
     ~Headset(); // ends the session in good order; what vibrates stops
 
-    // Takes the runtime's news, and begins or ends the session as they ask. Fails when the headset is lost.
+    // Handles the runtime's events: begins or ends the session as they demand. Fails when the headset is
+    // lost.
     Status poll();
     const Duty& duty() const;
     bool leaving() const;    // the player told the runtime to end the game

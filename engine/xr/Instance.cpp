@@ -1,16 +1,15 @@
-#include "engine/xr/Instance.h"
+#include "engine/xr/OpenXr.h"
 
 #include <glm/common.hpp>
+#include <openxr/openxr_reflection.h>
 
 #include <cstdlib>
 #include <cstring>
-#include <span>
+#include <string_view>
 
 namespace shoal::xr {
 
 namespace {
-
-constexpr auto kViews = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 
 template <size_t kSize> void copyText(char (&to)[kSize], const char* from) {
     std::strncpy(to, from, kSize - 1);
@@ -20,34 +19,32 @@ template <size_t kSize> std::string textOf(const char (&from)[kSize]) {
     return std::string(from, strnlen(from, kSize));
 }
 
-Result<std::vector<XrExtensionProperties>> extensions() {
+std::vector<XrExtensionProperties> extensions() {
     return enumerate(XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES},
-                     [](uint32_t capacity, uint32_t* count, XrExtensionProperties* items) -> Status {
+                     [](uint32_t capacity, uint32_t* count, XrExtensionProperties* items) {
                          const XrResult result =
                              xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
                          if (result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_FILE_ACCESS_ERROR ||
                              result == XR_ERROR_FILE_CONTENTS_INVALID)
-                             return Error{"OpenXR", "no headset runtime is active; start one (Monado, "
-                                                    "SteamVR ...) or let XR_RUNTIME_JSON name its file (" +
-                                                        std::string(nameOf(result)) + ")"};
-                         return statusOf(result, "xrEnumerateInstanceExtensionProperties");
+                             throw Failure("no headset runtime is active; start one (Monado, SteamVR ...) or "
+                                           "let XR_RUNTIME_JSON name its file (" +
+                                           std::string(nameOf(result)) + ")");
+                         check(result, "xrEnumerateInstanceExtensionProperties");
                      });
 }
 
-Status findHeadset(Instance& instance) {
+void findHeadset(Instance& instance) {
     const XrSystemGetInfo wanted{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
     const XrResult found = xrGetSystem(instance.handle.name(), &wanted, &instance.system);
     if (found == XR_ERROR_FORM_FACTOR_UNAVAILABLE || found == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
-        return Error{"OpenXR", instance.runtimeName +
-                                   " has no headset; plug it in and wake it (xrGetSystem says " +
-                                   nameOf(found) + ")"};
-    if (Status status = statusOf(found, "xrGetSystem"); !status) return status;
+        throw Failure(instance.runtimeName + " has no headset; plug it in and wake it (xrGetSystem says " +
+                      nameOf(found) + ")");
+    check(found, "xrGetSystem");
 
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
     if (instance.bareHands) properties.next = &hands;
-    if (Status s = SHOAL_XR(xrGetSystemProperties(instance.handle.name(), instance.system, &properties)); !s)
-        return s;
+    SHOAL_XR(xrGetSystemProperties(instance.handle.name(), instance.system, &properties));
     instance.systemName = textOf(properties.systemName);
     instance.bareHands &= hands.supportsHandTracking == XR_TRUE;
     instance.tracksPosition = properties.trackingProperties.positionTracking == XR_TRUE;
@@ -55,15 +52,14 @@ Status findHeadset(Instance& instance) {
     const auto views =
         enumerate(XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
                   [&](uint32_t capacity, uint32_t* count, XrViewConfigurationView* items) {
-                      return SHOAL_XR(xrEnumerateViewConfigurationViews(
-                          instance.handle.name(), instance.system, kViews, capacity, count, items));
+                      SHOAL_XR(xrEnumerateViewConfigurationViews(instance.handle.name(), instance.system,
+                                                                 kStereo, capacity, count, items));
                   });
-    if (!views) return views.error();
-    if (views->size() != 2) return Error{"OpenXR", instance.runtimeName + " shows no two eyes"};
-    constexpr uint32_t kMost = 8192;
-    for (const XrViewConfigurationView& view : *views) { // both eyes get the larger size
-        const auto side = [&](uint32_t recommended, uint32_t most) {
-            return static_cast<int>(std::clamp(recommended, 16u, std::clamp(most, 16u, kMost)));
+    if (views.size() != 2) throw Failure(instance.runtimeName + " shows no two eyes");
+    constexpr uint32_t kMax = 8192;
+    for (const XrViewConfigurationView& view : views) { // both eyes get the larger size
+        const auto side = [&](uint32_t recommended, uint32_t maximum) {
+            return static_cast<int>(std::clamp(recommended, 16u, std::clamp(maximum, 16u, kMax)));
         };
         instance.eyeSize = glm::max(
             instance.eyeSize, glm::ivec2(side(view.recommendedImageRectWidth, view.maxImageRectWidth),
@@ -72,25 +68,42 @@ Status findHeadset(Instance& instance) {
 
     const auto blends = enumerate(XR_ENVIRONMENT_BLEND_MODE_OPAQUE, [&](uint32_t capacity, uint32_t* count,
                                                                         XrEnvironmentBlendMode* items) {
-        return SHOAL_XR(xrEnumerateEnvironmentBlendModes(instance.handle.name(), instance.system, kViews,
-                                                         capacity, count, items));
+        SHOAL_XR(xrEnumerateEnvironmentBlendModes(instance.handle.name(), instance.system, kStereo, capacity,
+                                                  count, items));
     });
-    if (!blends) return blends.error();
-    // The surround is everywhere, so opaque wherever the headset can be.
+    // The environment is everywhere, so opaque wherever the headset can be.
     const bool opaque =
-        std::find(blends->begin(), blends->end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != blends->end();
-    if (!opaque && !blends->empty()) instance.blend = blends->front();
-    return Done{};
+        std::find(blends.begin(), blends.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != blends.end();
+    if (!opaque && !blends.empty()) instance.blend = blends.front();
 }
 
 } // namespace
 
-Result<Instance> Instance::open(bool withHeadset) {
+const char* nameOf(XrResult result) {
+    switch (result) {
+#define SHOAL_XR_CASE(name, value)                                                                           \
+    case name:                                                                                               \
+        return #name;
+        XR_LIST_ENUM_XrResult(SHOAL_XR_CASE)
+#undef SHOAL_XR_CASE
+            default : return "an unknown result";
+    }
+}
+
+XrResult check(XrResult result, const char* call) {
+    if (XR_SUCCEEDED(result)) return result;
+    const std::string_view text(call);
+    const std::string name(text.substr(0, text.find('(')));
+    if (result == XR_ERROR_INSTANCE_LOST || result == XR_ERROR_SESSION_LOST)
+        throw Failure("the headset's runtime is gone (" + name + " says " + nameOf(result) + ")");
+    throw Failure(name + " says " + nameOf(result));
+}
+
+Instance Instance::open(bool withHeadset) {
     setenv("XR_LOADER_DEBUG", "none", 0); // what fails is said in our own words; the player's setting stands
     const auto present = extensions();
-    if (!present) return present.error();
     const auto has = [&](const char* name) {
-        return std::any_of(present->begin(), present->end(), [&](const XrExtensionProperties& extension) {
+        return std::any_of(present.begin(), present.end(), [&](const XrExtensionProperties& extension) {
             return textOf(extension.extensionName) == name;
         });
     };
@@ -98,8 +111,8 @@ Result<Instance> Instance::open(bool withHeadset) {
     std::vector<const char*> wanted;
     if (withHeadset) {
         if (!has(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME))
-            return Error{"OpenXR", "the active runtime takes no pictures from OpenGL (" +
-                                       std::string(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) + ")"};
+            throw Failure("the active runtime takes no pictures from OpenGL (" +
+                          std::string(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) + ")");
         wanted.push_back(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME);
         instance.bareHands = has(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
         instance.hiddenPixels = has(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
@@ -114,13 +127,11 @@ Result<Instance> Instance::open(bool withHeadset) {
     info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
     info.enabledExtensionCount = static_cast<uint32_t>(wanted.size());
     info.enabledExtensionNames = wanted.data();
-    if (Status s = SHOAL_XR(xrCreateInstance(&info, instance.handle.fresh())); !s) return s.error();
+    SHOAL_XR(xrCreateInstance(&info, instance.handle.fresh()));
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
-    if (Status s = SHOAL_XR(xrGetInstanceProperties(instance.handle.name(), &properties)); !s)
-        return s.error();
+    SHOAL_XR(xrGetInstanceProperties(instance.handle.name(), &properties));
     instance.runtimeName = textOf(properties.runtimeName);
-    if (withHeadset)
-        if (Status found = findHeadset(instance); !found) return found.error();
+    if (withHeadset) findHeadset(instance);
     return instance;
 }
 

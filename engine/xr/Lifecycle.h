@@ -1,5 +1,4 @@
-// The states of an OpenXR session, and what each asks of the game. A table, so that it can be read and tested
-// without a headset.
+// The states of an OpenXR session, and what the program must do in each: a table. Needs nothing of OpenXR.
 #pragma once
 
 #include <array>
@@ -7,7 +6,7 @@
 
 namespace shoal::xr {
 
-// As the runtime names them (XrSessionState).
+// XrSessionState, with the same numbers.
 enum class SessionState {
     None, // no session yet
     Idle,
@@ -21,19 +20,20 @@ enum class SessionState {
 };
 constexpr int kSessionStates = 9;
 
+// Once, on entering a state.
 enum class Step {
     Nothing,
-    Begin, // the session, now
-    End,   // the session, now
+    Begin, // the session
+    End,   // the session
     Leave, // the program: the player asked the runtime to
-    Lost,  // the program, saying why: the headset is gone
+    Lost,  // ends the program with an error: the headset is gone
 };
 
 struct Duty {
-    Step step = Step::Nothing; // once, on entering the state
-    bool frames = false;       // wait for frames and hand them in, even empty ones
-    bool drawn = false;        // the player sees them
-    bool plays = false;        // the dive goes on: the headset is worn and hands are ours
+    Step step = Step::Nothing;
+    bool frames = false; // wait for frames and hand them in, even empty ones
+    bool drawn = false;  // the player sees them
+    bool plays = false;  // the dive goes on: the headset is worn and hands are ours
 };
 
 constexpr std::array<Duty, kSessionStates> kDuties = {{

@@ -1,8 +1,8 @@
-// A ring of pictures that the runtime shows. Only for the sources of this folder.
+// A swapchain: the images that the runtime shows one after another. Private to this folder.
 #pragma once
 
 #include "engine/gl/Objects.h"
-#include "engine/xr/Instance.h"
+#include "engine/xr/OpenXr.h"
 
 namespace shoal::xr {
 
@@ -10,11 +10,11 @@ class Swapchain {
   public:
     Swapchain() = default;
     // Pictures for display-coded values (sRGB's format, written raw), one sample a pixel.
-    static Result<Swapchain> make(XrSession session, glm::ivec2 size);
+    static Swapchain make(XrSession session, glm::ivec2 size);
 
     // A framebuffer on the next picture, once the runtime has done with it; release() hands it over.
-    Result<GLuint> acquire();
-    Status release();
+    GLuint acquire();
+    void release();
 
     XrSwapchain name() const { return handle_.name(); }
     glm::ivec2 size() const { return size_; }

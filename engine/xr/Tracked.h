@@ -1,6 +1,8 @@
-// What a headset tells: plain data, in the units and axes of the game (metres, radians, +Y up, -Z ahead),
-// which are OpenXR's too. Needs nothing of OpenXR.
+// Tracking data of a headset: plain data, in the units and axes of the game (metres, radians, +Y up, -Z
+// ahead), which are OpenXR's too. Needs nothing of OpenXR.
 #pragma once
+
+#include "engine/scene/HandPose.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -51,7 +53,7 @@ struct TrackedJoint {
 // A bare hand: the joints of XR_EXT_hand_tracking, in its order.
 struct TrackedHand {
     bool active = false;
-    std::array<TrackedJoint, 26> joints{};
+    std::array<TrackedJoint, hands::kJointCount> joints{};
 };
 
 // What is held in a hand.

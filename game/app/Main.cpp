@@ -1,3 +1,3 @@
-#include "game/app/Cli.h"
+#include "game/app/CommandLine.h"
 
 int main(int argc, char** argv) { return shoal::app::run(argc, argv); }

@@ -1,4 +1,4 @@
-// All 26 joints of a hand from those that a device sends.
+// Estimation of all 26 joints of a hand from those that a tracker sends.
 #pragma once
 
 #include "input/hands/HandRig.h"
@@ -8,10 +8,8 @@
 
 namespace shoal::hands {
 
-// What is known of a finger: metres, device's frame. The names are OpenXR's; the thumb has no intermediate.
-struct PartialFinger {
-    std::optional<glm::vec3> metacarpal, proximal, intermediate, distal, tip;
-};
+// Metres, device's frame; empty where nothing is known.
+using JointPositions = std::array<std::optional<glm::vec3>, kJointCount>;
 
 struct PartialHand {
     int64_t identity = 0;
@@ -19,11 +17,10 @@ struct PartialHand {
     glm::vec3 palm{0};
     glm::vec3 normal{0, -1, 0};    // out of the palm; need not be of unit length
     glm::vec3 direction{0, 0, -1}; // towards the fingers; likewise
-    std::optional<glm::vec3> wrist;
     std::optional<float> palmWidth_m;
     std::optional<float> grip, pinch, confidence;
-    std::array<PartialFinger, kFingerCount> fingers;
-    // Fingertips of which the device does not say whose they are; the rest of `fingers` is then empty.
+    JointPositions joints; // but the palm
+    // Fingertips of which the device does not say whose they are; no finger is then in `joints`.
     std::array<glm::vec3, kFingerCount> looseTips{};
     int looseTipCount = 0;
 };
@@ -38,7 +35,7 @@ class HandCompleter {
     // has none.
     HandPose complete(const PartialHand& hand, Side side) const;
 
-    // The side that loose fingertips speak for, if they do.
+    // The side that loose fingertips indicate, if they do.
     std::optional<Side> sideOfTips(const PartialHand& hand) const;
 
   private:
@@ -46,8 +43,10 @@ class HandCompleter {
         std::array<int, kFingerCount> fingerOfTip{};
         float cost = 0;
     };
+    struct Placement; // of the rig's hand where the palm is seen
     Fit fitTips(const PartialHand& hand, Side side) const;
     float sizeOf(const PartialHand& hand) const;
+    void placeFinger(int finger, const Placement& placement, std::array<Joint, kJointCount>& joints) const;
 
     HandRig rig_;
     std::array<HandPose, 2> rest_; // flat, wrist at the origin

@@ -1,4 +1,4 @@
-// One device's hands, filtered, in the game's time.
+// The hands of one tracker, filtered, on the game's clock.
 #pragma once
 
 #include "input/hands/HandFilter.h"

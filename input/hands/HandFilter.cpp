@@ -49,8 +49,8 @@ Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
         else if (pinch_ > kPinchCloses)
             gesture_ = Gesture::Pinch;
     }
-    grip = gesture_ == Gesture::Fist ? std::max(grip_, kClosedLeast) : std::min(grip_, kOpenMost);
-    pinch = gesture_ == Gesture::Pinch ? std::max(pinch_, kClosedLeast) : std::min(pinch_, kOpenMost);
+    grip = gesture_ == Gesture::Fist ? std::max(grip_, kClosedMin) : std::min(grip_, kOpenMax);
+    pinch = gesture_ == Gesture::Pinch ? std::max(pinch_, kClosedMin) : std::min(pinch_, kOpenMax);
     return gesture_;
 }
 

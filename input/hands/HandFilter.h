@@ -1,19 +1,20 @@
-// From what a device sees to steady hands: a one-euro filter per joint, and strengths that do not flicker.
+// Filtering of one tracked hand: a one-euro filter per joint, and grip and pinch with hysteresis.
 #pragma once
 
-#include "input/hands/HandFrame.h"
+#include "input/hands/HandTracker.h"
 #include "input/hands/OneEuro.h"
 
 namespace shoal::hands {
 
 enum class Gesture { Open, Pinch, Fist };
 
-// Turns the strengths a device measures into a decision with hysteresis, so that every reader sees the same.
+// Decides with hysteresis from the strengths that a tracker measures which gesture a hand makes, once for all
+// readers.
 class GestureLatch {
   public:
     void reset() { *this = {}; }
-    // Changes grip and pinch so that they lie clearly on the side decided: below kOpenMost or above
-    // kClosedLeast; at most one of them closed.
+    // Changes grip and pinch so that they lie clearly on the side decided: below kOpenMax or above
+    // kClosedMin; at most one of them closed.
     Gesture step(float& grip, float& pinch, float dt_s);
 
   private:

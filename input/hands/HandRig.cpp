@@ -18,10 +18,12 @@ constexpr float kDegree = std::numbers::pi_v<float> / 180;
 // Bend of each joint at curl 1, radians about its own X; towards the palm. Ranges of a relaxed fist.
 constexpr std::array<float, kJointCount> kFullBend = [] {
     std::array<float, kJointCount> bend{};
-    bend[2] = 15 * kDegree; // thumb: metacarpal, proximal, distal
-    bend[3] = 40 * kDegree;
-    bend[4] = 60 * kDegree;
-    for (int proximal : {7, 12, 17, 22}) {
+    const int thumb = kFingerJoints[0].metacarpal;
+    bend[thumb] = 15 * kDegree;
+    bend[thumb + 1] = 40 * kDegree;
+    bend[thumb + 2] = 60 * kDegree;
+    for (int finger = 1; finger < kFingerCount; ++finger) {
+        const int proximal = kFingerJoints[finger].proximal;
         bend[proximal] = 80 * kDegree;
         bend[proximal + 1] = 95 * kDegree;
         bend[proximal + 2] = 60 * kDegree;
@@ -32,24 +34,13 @@ constexpr std::array<float, kJointCount> kFullBend = [] {
 // Turn about its own Y at spread 1, radians; positive towards the thumb's side of a right hand.
 constexpr std::array<float, kJointCount> kFullSpread = [] {
     std::array<float, kJointCount> spread{};
-    spread[2] = 15 * kDegree;
-    spread[7] = 10 * kDegree;
-    spread[12] = 2 * kDegree;
-    spread[17] = -6 * kDegree;
-    spread[22] = -13 * kDegree;
+    spread[kFingerJoints[0].metacarpal] = 15 * kDegree;
+    spread[kFingerJoints[1].proximal] = 10 * kDegree;
+    spread[kFingerJoints[2].proximal] = 2 * kDegree;
+    spread[kFingerJoints[3].proximal] = -6 * kDegree;
+    spread[kFingerJoints[4].proximal] = -13 * kDegree;
     return spread;
 }();
-
-int fingerOfJoint(int joint) {
-    if (joint < 2) return -1;
-    return joint < 6 ? 0 : 1 + (joint - 6) / 5;
-}
-
-glm::quat turnTo(glm::vec3 minusZ, glm::vec3 up) {
-    const glm::vec3 z = -glm::normalize(minusZ);
-    const glm::vec3 x = glm::normalize(glm::cross(up, z));
-    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)));
-}
 
 Joint mirrored(Joint joint) {
     joint.position.x = -joint.position.x;
@@ -121,7 +112,7 @@ Result<HandRig> HandRig::load(const Path& file) {
             const glm::vec3 ahead = position[towards[i]] - position[i];
             if (glm::length(ahead) < 1e-4f || glm::length(glm::cross(ahead, up[i])) < 1e-5f)
                 return fail("joint \"" + std::string(kJointNames[i]) + "\" has no usable direction");
-            turn[i] = turnTo(ahead, up[i]);
+            turn[i] = glm::normalize(glm::quatLookAt(glm::normalize(ahead), up[i]));
         }
     for (int i = 0; i < kJointCount; ++i) {
         const int parent = kJointParent[i];
@@ -159,9 +150,9 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist
         if (bend != 0) joint.orientation = joint.orientation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
         joint.orientation = glm::normalize(joint.orientation);
     };
-    place(1);
-    place(0);
-    for (int i = 2; i < kJointCount; ++i) place(i);
+    place(kWristJoint);
+    place(kPalmJoint);
+    for (int i = kWristJoint + 1; i < kJointCount; ++i) place(i);
 
     HandPose hand;
     hand.tracked = true;
@@ -184,8 +175,8 @@ float gripOf(const std::array<Joint, kJointCount>& joints) {
     // fist.
     constexpr float kOpen = 30 * kDegree, kFist = 200 * kDegree;
     float sum = 0;
-    for (int metacarpal : {6, 11, 16, 21})
-        for (int i = metacarpal; i < metacarpal + 3; ++i) {
+    for (int finger = 1; finger < kFingerCount; ++finger)
+        for (int i = kFingerJoints[finger].metacarpal; i + 2 <= kFingerJoints[finger].tip; ++i) {
             const glm::vec3 here = joints[i + 1].position - joints[i].position;
             const glm::vec3 next = joints[i + 2].position - joints[i + 1].position;
             const float scale = glm::length(here) * glm::length(next);
@@ -196,29 +187,9 @@ float gripOf(const std::array<Joint, kJointCount>& joints) {
 
 float pinchOf(const std::array<Joint, kJointCount>& joints) {
     constexpr float kFar_m = 0.05f; // gap between the tips' surfaces that counts as open
-    const float gap =
-        glm::distance(joints[5].position, joints[10].position) - joints[5].radius - joints[10].radius;
+    const Joint &thumb = joints[kFingerJoints[0].tip], &index = joints[kFingerJoints[1].tip];
+    const float gap = glm::distance(thumb.position, index.position) - thumb.radius - index.radius;
     return std::clamp(1 - gap / kFar_m, 0.0f, 1.0f);
-}
-
-glm::vec3 graspCentre(const std::array<Joint, kJointCount>& joints) {
-    return joints[0].position + joints[0].orientation * glm::vec3(0, -0.045f, -0.035f);
-}
-
-bool plausible(const HandPose& hand) {
-    const auto finite = [](float v) { return std::isfinite(v); };
-    if (!finite(hand.grip) || !finite(hand.pinch) || !finite(hand.confidence)) return false;
-    for (int i = 0; i < kJointCount; ++i) {
-        const Joint& joint = hand.joints[i];
-        const glm::vec3 p = joint.position;
-        if (!finite(p.x) || !finite(p.y) || !finite(p.z) || !(glm::dot(p, p) < 25)) return false;
-        const float norm = glm::dot(joint.orientation, joint.orientation);
-        if (!(norm > 0.9f && norm < 1.1f)) return false;
-        if (!(joint.radius >= 0.001f && joint.radius <= 0.1f)) return false;
-        const int parent = kJointParent[i];
-        if (parent >= 0 && !(glm::distance(p, hand.joints[parent].position) < 0.25f)) return false;
-    }
-    return true;
 }
 
 } // namespace shoal::hands

@@ -3,7 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
-#include "input/hands/HandPose.h"
+#include "engine/scene/HandPose.h"
 
 #include <array>
 
@@ -42,14 +42,6 @@ class HandRig {
 // pinch from the gap between thumb tip and index tip. 0 to 1.
 float gripOf(const std::array<Joint, kJointCount>&);
 float pinchOf(const std::array<Joint, kJointCount>&);
-
-// The middle of what a closing hand encloses: below the palm, between thumb and fingers. Same frame as the
-// joints.
-glm::vec3 graspCentre(const std::array<Joint, kJointCount>&);
-
-// All joints finite, within 5 m of the eye, orientations near unit length, radii 1 mm to 10 cm, bones below
-// 25 cm.
-bool plausible(const HandPose&);
 
 // Reach of a hand's grasp centre from the eye, metres.
 constexpr float kReachMin_m = 0.25f;

@@ -1,5 +1,5 @@
-// Every constant of how hands are filtered, bridged and read, in one table. Each has its test in
-// tests/unit/hands/TuningTest.cpp.
+// The constants of filtering, bridging of losses and gesture recognition of tracked hands. Each has its test
+// in tests/unit/hands/TuningTest.cpp.
 #pragma once
 
 namespace shoal::hands {
@@ -27,20 +27,21 @@ constexpr float kGap_s = 0.1f;        // frames farther apart than this are not 
 constexpr float kMouseReturns_s = 1; // a device that sees no hand for so long leaves the game to the mouse
 
 // Coming back: the hand glides to where it is seen, and pushes nothing meanwhile.
-constexpr float kGlide_mps = 2.0f;    // mean speed; its peak is 1.5 times that, below what tears a fish loose
-constexpr float kGlideLeast_s = 0.1f; // however near
-constexpr float kGlideMost_s = 0.5f;  // however far
-constexpr float kNear_m = 0.03f;      // nearer than this it stays solid: nobody sees it glide
-constexpr float kAppear_s = 0.15f;    // a hand that comes out of nothing is not solid for so long
+constexpr float kGlide_mps = 2.0f;  // mean speed; its peak is 1.5 times that, below what tears a fish loose
+constexpr float kGlideMin_s = 0.1f; // however near
+constexpr float kGlideMax_s = 0.5f; // however far
+constexpr float kNear_m = 0.03f;    // nearer than this it stays solid: nobody sees it glide
+constexpr float kAppear_s = 0.15f;  // a hand that comes out of nothing is not solid for so long
 
 // Gestures: a hand closes above the first, opens below the second; between them it stays what it was.
 constexpr float kGripCloses = 0.55f;
 constexpr float kGripOpens = 0.35f;
 constexpr float kPinchCloses = 0.75f;
 constexpr float kPinchOpens = 0.55f;
-constexpr float kPinchToFist = 0.80f;   // grip that turns a pinch into a fist without opening first
-constexpr float kClosedLeast = 0.60f;   // strength told at least while closed...
-constexpr float kOpenMost = 0.30f;      // ...and at most while open: no one else needs a threshold's care
+constexpr float kPinchToFist = 0.80f; // grip that turns a pinch into a fist without opening first
+constexpr float kClosedMin = 0.60f;   // strength reported at least while closed...
+constexpr float kOpenMax =
+    0.30f; // ...and at most while open, so that readers need no hysteresis of their own
 constexpr float kStrengthTau_s = 0.01f; // smoothing of the strengths, time constant
 
 } // namespace tuning

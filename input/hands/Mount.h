@@ -1,7 +1,7 @@
-// Where a device stands, and so where the hands it sees are put before the viewer.
+// Pose of a tracker relative to the viewer, which maps the hands it sees into the viewer's frame.
 #pragma once
 
-#include "input/hands/HandPose.h"
+#include "engine/scene/HandPose.h"
 
 namespace shoal::hands {
 
@@ -9,17 +9,17 @@ namespace shoal::hands {
 //
 //   desk    Leap on the desk: x to the right, y up, z towards the player: the viewer's own axes. The hands
 //           move in a box around 0.2 m above the device, but fish swim farther off than the desk is wide:
-//           the middle of that box is put kDeskCentre_m before the eyes, and ways from it are lengthened.
-//           The hands themselves keep their size.
+//           the middle of that box is put before the eyes, and distances from it are scaled by kReach. The
+//           hands themselves keep their size.
 //   head    Leap on a headset, looking ahead: its y points where the viewer looks, its x to the viewer's
-//           left and its z down. 0.08 m before the eyes. Nothing is lengthened: hands are where they are.
+//           left and its z down. 0.08 m before the eyes. Nothing is scaled: hands are where they are.
 //   camera  A webcam on the screen that looks back at the player: x to the right of its own picture (the
-//           player's left), y up, z towards the screen behind it. Ways are lengthened as on the desk.
+//           player's left), y up, z towards the screen behind it. Distances are scaled as on the desk.
 struct Mount {
     glm::quat viewerFromDevice{1, 0, 0, 0};
     glm::vec3 centreDevice_m{0}; // this point of the device's frame...
     glm::vec3 centreViewer_m{0}; // ...is put here
-    float reach = 1;             // ways from there are lengthened so many times
+    float reach = 1;             // scale of distances from there
 
     // In place: from the device's frame to the viewer's. The palm is moved, the hand keeps its size.
     void apply(HandPose& hand) const {

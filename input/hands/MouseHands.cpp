@@ -34,10 +34,8 @@ HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float clos
     // Fingers along the forearm and somewhat up; the back of the hand outwards, upwards and to the player.
     const glm::vec3 fingers = glm::normalize(glm::normalize(grasp - shoulder) + glm::vec3(0, 0.35f, 0));
     const glm::vec3 back = glm::vec3(sign * 0.65f, 0.6f, 0.35f);
-    const glm::vec3 z = -fingers;
-    const glm::vec3 x = glm::normalize(glm::cross(back, z));
     WristPose wrist;
-    wrist.orientation = glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(z, x), z)));
+    wrist.orientation = glm::normalize(glm::quatLookAt(fingers, back));
 
     const float smooth = closed * closed * (3 - 2 * closed);
     HandShape shape;

@@ -1,4 +1,4 @@
-// Two hands from one mouse.
+// Poses of two hands, of which the mouse moves one.
 #pragma once
 
 #include "input/hands/HandRig.h"

@@ -13,8 +13,8 @@ namespace shoal::hands {
 // Share of the way to a new value that a first-order low-pass goes in dt_s. Equations 3 to 5 there.
 float smoothing(float cutoff_Hz, float dt_s);
 
-// Of a point. Departs from the paper in one thing: the three coordinates share the cut-off that the length of
-// their speed asks for, so that a motion's direction is kept.
+// Of a point. Departs from the paper in one thing: the three coordinates share the cut-off that follows from
+// the length of their speed, so that a motion's direction is kept.
 class OneEuroPoint {
   public:
     explicit OneEuroPoint(const OneEuroTuning& tuning) : tuning_(tuning) {}

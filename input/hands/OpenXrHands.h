@@ -1,4 +1,4 @@
-// Hands as an OpenXR headset sees them: bare, or from what they hold.
+// Conversion of a headset's tracked hands, or of its controllers, to hand poses in the viewer's frame.
 #pragma once
 
 #include "engine/xr/Tracked.h"

@@ -1,6 +1,6 @@
 #include "input/haptics/CrashStop.h"
 
-#include "input/haptics/Report.h"
+#include "input/haptics/Driver.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ struct Guarded {
     Report stop;
 };
 
-std::array<Guarded, kMostGuarded> guarded;
+std::array<Guarded, kMaxGuarded> guarded;
 std::array<struct sigaction, kSignals.size()> before;
 std::atomic<int> writer{0}; // the thread that is writing, 0 if none
 std::atomic<bool> dying{false};

@@ -1,7 +1,7 @@
-// No motor outlives the program: when it dies by a signal, reports that were made ready before are written by
-// the signal's handler, with nothing but what POSIX allows there. This is the one place with state of its own
-// for the whole process, because signals are the process's. SIGKILL cannot be caught; a glove then stops by
-// its watchdog, Nintendo's controllers by themselves.
+// Signal handlers that stop all motors when the program dies: they write reports prepared before, with
+// nothing but what POSIX allows in a handler. The one place with global state, because signals belong to the
+// process. SIGKILL cannot be caught; a glove then stops by its watchdog, Nintendo's controllers by
+// themselves.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace shoal::haptics::crash {
 
-constexpr int kMostGuarded = 16;
+constexpr int kMaxGuarded = 16;
 
 // Handlers for the signals that end a program (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTERM, SIGINT,
 // SIGHUP, SIGQUIT), once; afterwards the signal does what it did before. Ignored ones stay ignored. The
@@ -23,7 +23,7 @@ int guard(const std::string& path, std::span<const uint8_t> stop);
 void unguard(int number);
 
 // Around each writing to a device: the handler waits (a moment) for the one in work, and allows no other, so
-// that the stop is the last that a device hears.
+// that the stop is the last report that a device receives.
 class Writing {
   public:
     Writing();

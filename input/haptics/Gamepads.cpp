@@ -1,5 +1,5 @@
-#include "input/haptics/Gamepads.h"
-
+// Drivers of the common game controllers with two or four motors.
+#include "input/haptics/DeviceTable.h"
 #include "input/haptics/Motors.h"
 
 #include <algorithm>
@@ -14,31 +14,6 @@ uint8_t scaled(float amplitude, float full) {
     return static_cast<uint8_t>(std::lround(driveOf(amplitude) * full));
 }
 
-// The DualSense's own structure, from `at` on: enable 1 (bit 0 vibration, bit 1 haptics instead of audio),
-// enable 2, right motor, left motor; enable 3 (bit 2 vibration, new firmware) at 38.
-Report dualSense(const HapticFrame& frame, size_t size, size_t at, bool newFirmware) {
-    const Motors motors = motorsOf(frame);
-    Report report{.size = size};
-    report.bytes[at] = newFirmware ? 0x02 : 0x03;
-    report.bytes[at + 2] = scaled(motors.weak, 255);
-    report.bytes[at + 3] = scaled(motors.strong, 255);
-    if (newFirmware) report.bytes[at + 38] = 0x04;
-    return report;
-}
-
-Report dualSenseUsb(const HapticFrame& frame, bool newFirmware) {
-    Report report = dualSense(frame, 48, 1, newFirmware);
-    report.bytes[0] = 0x02;
-    return report;
-}
-
-Report dualSenseBluetooth(const HapticFrame& frame, bool newFirmware) {
-    Report report = dualSense(frame, 78, 3, newFirmware);
-    report.bytes[0] = 0x31;
-    report.bytes[2] = 0x10; // a report for the controller itself, not its audio
-    return report;
-}
-
 // Over Bluetooth Sony wants a CRC-32 of the whole packet; A2 is the Bluetooth header of an output report.
 void addSonyChecksum(Report& report) {
     constexpr uint8_t kHeader = 0xA2;
@@ -48,46 +23,57 @@ void addSonyChecksum(Report& report) {
     for (size_t i = 0; i < 4; ++i) report.bytes[kAt + i] = static_cast<uint8_t>(crc >> (8 * i));
 }
 
-} // namespace
+// From firmware 2.21 on, and on every Edge, vibration has another enabling bit. Feature report 20 tells the
+// version.
+bool hasNewVibration(const DeviceContext& device) {
+    constexpr uint16_t kEdge = 0x0df2, kFrom = 2 << 8 | 21;
+    constexpr size_t kVersionAt = 44;
+    if (device.product == kEdge) return true;
+    std::array<uint8_t, 64> bytes{0x20};
+    return device.readFeature(bytes) == bytes.size() &&
+           (bytes[kVersionAt] | bytes[kVersionAt + 1] << 8) >= kFrom;
+}
 
-Report encodeDualSenseUsb(const HapticFrame& frame) { return dualSenseUsb(frame, false); }
-Report encodeDualSenseUsbNew(const HapticFrame& frame) { return dualSenseUsb(frame, true); }
-Report encodeDualSenseBluetooth(const HapticFrame& frame) { return dualSenseBluetooth(frame, false); }
-Report encodeDualSenseBluetoothNew(const HapticFrame& frame) { return dualSenseBluetooth(frame, true); }
+// id (over Bluetooth also the sequence number, and 10: for the controller itself, not its audio), then enable
+// 1 (bit 0 vibration, bit 1 haptics instead of audio), enable 2, right motor, left motor; 38 bytes after
+// enable 1 enable 3 (bit 2 vibration, new firmware).
+Report dualSense(const HapticFrame& frame, bool bluetooth, bool newVibration) {
+    const Motors motors = motorsOf(frame);
+    Report report{.size = bluetooth ? 78u : 48u};
+    const size_t at = bluetooth ? 3 : 1;
+    report.bytes[0] = bluetooth ? 0x31 : 0x02;
+    if (bluetooth) report.bytes[2] = 0x10;
+    report.bytes[at] = newVibration ? 0x02 : 0x03;
+    report.bytes[at + 2] = scaled(motors.weak, 255);
+    report.bytes[at + 3] = scaled(motors.strong, 255);
+    if (newVibration) report.bytes[at + 38] = 0x04;
+    return report;
+}
 
 void sealDualSenseBluetooth(Report& report, uint8_t sequence) {
     report.bytes[1] = static_cast<uint8_t>(sequence << 4);
     addSonyChecksum(report);
 }
 
-// id, enable (bit 0 rumble), two unused, right motor, left motor; light and blink not enabled.
-Report encodeDualShock4Usb(const HapticFrame& frame) {
+// id (over Bluetooth also C0: a HID report with a checksum, and an unused byte), enable (bit 0 rumble), two
+// unused, right motor, left motor; light and blink not enabled.
+Report dualShock4(const HapticFrame& frame, bool bluetooth) {
     const Motors motors = motorsOf(frame);
-    Report report{.size = 32};
-    report.bytes[0] = 0x05;
-    report.bytes[1] = 0x01;
-    report.bytes[4] = scaled(motors.weak, 255);
-    report.bytes[5] = scaled(motors.strong, 255);
-    return report;
-}
-
-// id, C0 (a HID report with a checksum), an unused byte, and then as over USB.
-Report encodeDualShock4Bluetooth(const HapticFrame& frame) {
-    const Motors motors = motorsOf(frame);
-    Report report{.size = 78};
-    report.bytes[0] = 0x11;
-    report.bytes[1] = 0xC0;
-    report.bytes[3] = 0x01;
-    report.bytes[6] = scaled(motors.weak, 255);
-    report.bytes[7] = scaled(motors.strong, 255);
+    Report report{.size = bluetooth ? 78u : 32u};
+    const size_t at = bluetooth ? 3 : 1;
+    report.bytes[0] = bluetooth ? 0x11 : 0x05;
+    if (bluetooth) report.bytes[1] = 0xC0;
+    report.bytes[at] = 0x01;
+    report.bytes[at + 3] = scaled(motors.weak, 255);
+    report.bytes[at + 4] = scaled(motors.strong, 255);
     return report;
 }
 
 void sealDualShock4Bluetooth(Report& report, uint8_t) { addSonyChecksum(report); }
 
-// id, motors meant (all four), left trigger, right trigger, strong, weak in per cent; on for 2.55 s, no
-// pause, repeated: it runs until it is told otherwise.
-Report encodeXboxBluetooth(const HapticFrame& frame) {
+// id, enabled motors (all four), left trigger, right trigger, strong, weak in per cent; on for 2.55 s, no
+// pause, repeated: it runs until it is told otherwise. The triggers' motors are for each hand's fingers.
+Report xbox(const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     Report report{.size = 9};
     report.bytes[0] = 0x03;
@@ -102,7 +88,7 @@ Report encodeXboxBluetooth(const HapticFrame& frame) {
 }
 
 // id, strong, weak: 16 bits each, little end first.
-Report encodeStadia(const HapticFrame& frame) {
+Report stadia(const HapticFrame& frame) {
     const Motors motors = motorsOf(frame);
     Report report{.size = 5};
     report.bytes[0] = 0x05;
@@ -115,5 +101,23 @@ Report encodeStadia(const HapticFrame& frame) {
     put(3, motors.weak);
     return report;
 }
+
+} // namespace
+
+std::optional<Driver> makeDualSense(const DeviceContext& device) {
+    const bool bluetooth = device.bluetooth, newVibration = hasNewVibration(device);
+    return Driver{
+        .encode = [=](const HapticFrame& frame) { return dualSense(frame, bluetooth, newVibration); },
+        .seal = bluetooth ? sealDualSenseBluetooth : nullptr};
+}
+
+std::optional<Driver> makeDualShock4(const DeviceContext& device) {
+    const bool bluetooth = device.bluetooth;
+    return Driver{.encode = [=](const HapticFrame& frame) { return dualShock4(frame, bluetooth); },
+                  .seal = bluetooth ? sealDualShock4Bluetooth : nullptr};
+}
+
+std::optional<Driver> makeXbox(const DeviceContext&) { return Driver{.encode = xbox}; }
+std::optional<Driver> makeStadia(const DeviceContext&) { return Driver{.encode = stadia}; }
 
 } // namespace shoal::haptics

@@ -1,4 +1,5 @@
-#include "input/haptics/Glove.h"
+// Driver of the fingertip glove of GLOVE.md.
+#include "input/haptics/DeviceTable.h"
 
 #include "input/haptics/glove/GloveCore.h"
 
@@ -17,12 +18,16 @@ bool isGlove(const ReportLayout& layout) {
            });
 }
 
-// 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies.
-Report encodeGlove(const HapticFrame& frame) {
+namespace {
+
+// 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body, for which a glove has no
+// actuator, goes to both palms.
+Report encode(const HapticFrame& frame) {
     Report report{.size = 1 + glove::kReportBytes};
     for (size_t i = 0; i < kActuatorCount; ++i) {
         Actuation felt = frame.actuators[i];
-        if (i % kActuatorsPerHand == kPalm && frame.body.amplitude > felt.amplitude) felt = frame.body;
+        if (i % kActuatorsPerHand == hands::kPalmPart && frame.body.amplitude > felt.amplitude)
+            felt = frame.body;
         if (!(felt.amplitude > 0)) continue; // NaN too
         report.bytes[2 + i] = static_cast<uint8_t>(std::lround(std::min(felt.amplitude, 1.0f) * 255));
         report.bytes[2 + kActuatorCount + i] = static_cast<uint8_t>(
@@ -31,6 +36,10 @@ Report encodeGlove(const HapticFrame& frame) {
     return report;
 }
 
-void sealGlove(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
+void seal(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
+
+} // namespace
+
+std::optional<Driver> makeGlove(const DeviceContext&) { return Driver{.encode = encode, .seal = seal}; }
 
 } // namespace shoal::haptics

@@ -1,14 +1,15 @@
-// What the player should feel now, for every device alike. A device shows of it what it can.
+// Vibration that the player should feel now, independent of the device; each driver reproduces what it can.
 #pragma once
+
+#include "engine/scene/HandPose.h"
 
 #include <array>
 
 namespace shoal::haptics {
 
 // Five fingertips and the palm of the left hand, then of the right.
-constexpr int kActuatorsPerHand = 6;
+constexpr int kActuatorsPerHand = hands::kHandParts;
 constexpr int kActuatorCount = 2 * kActuatorsPerHand;
-constexpr int kPalm = 5; // index within a hand, after thumb, index, middle, ring, little
 
 constexpr std::array<const char*, kActuatorCount> kActuatorNames = {
     "left thumb",  "left index",  "left middle",  "left ring",  "left little",  "left palm",

@@ -1,13 +1,13 @@
 #include "input/haptics/HapticOutput.h"
 
 #include "engine/core/Log.h"
-#include "input/haptics/Rack.h"
+#include "input/haptics/HapticDevices.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <semaphore.h>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 namespace shoal::haptics {
@@ -22,87 +22,63 @@ struct Submitted {
     Clock::time_point when{};
 };
 
-// Hands the newest value from one thread to another: three slots, of which the writer owns one, the reader
-// one, and the one between is swapped. Neither side ever waits.
-class Mailbox {
-  public:
-    void put(const Submitted& value) {
-        slots_[writing_] = value;
-        writing_ = between_.exchange(writing_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
-    }
-    const Submitted& newest() {
-        if (between_.load(std::memory_order_acquire) & kFresh)
-            reading_ = between_.exchange(reading_, std::memory_order_acq_rel) & ~kFresh;
-        return slots_[reading_];
-    }
-
-  private:
-    static constexpr unsigned kFresh = 4;
-    std::array<Submitted, 3> slots_{};
-    std::atomic<unsigned> between_{1};
-    unsigned writing_ = 0, reading_ = 2;
-};
-
-// Wakes the writing thread. POSIX's, because its post neither waits nor takes a lock.
-class Bell {
-  public:
-    Bell() { sem_init(&semaphore_, 0, 0); }
-    ~Bell() { sem_destroy(&semaphore_); }
-    Bell(const Bell&) = delete;
-    Bell& operator=(const Bell&) = delete;
-
-    void ring() { sem_post(&semaphore_); }
-    void waitAtMost(double seconds) {
-        timespec until{};
-        clock_gettime(CLOCK_MONOTONIC, &until);
-        const double whole = std::floor(seconds);
-        until.tv_sec += static_cast<time_t>(whole);
-        until.tv_nsec += static_cast<long>((seconds - whole) * 1e9);
-        if (until.tv_nsec >= 1'000'000'000) until.tv_nsec -= 1'000'000'000, ++until.tv_sec;
-        sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until);
-        while (sem_trywait(&semaphore_) == 0) { // several rings are one
-        }
-    }
-
-  private:
-    sem_t semaphore_;
-};
-
 double secondsSince(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
 } // namespace
 
+// The mutex is held for a copy of one frame at a time.
 struct HapticOutput::State {
-    Mailbox mailbox;
-    Bell bell;
-    std::atomic<bool> stop{false};
+    std::mutex mutex;
+    std::condition_variable changed;
+    Submitted newest;
+    bool fresh = false, stop = false;
     std::thread thread;
 
     explicit State(HidBus bus) {
         thread = std::thread([this, bus = std::move(bus)] { run(bus); });
     }
     ~State() {
-        stop = true;
-        bell.ring();
+        {
+            const std::lock_guard lock(mutex);
+            stop = true;
+        }
+        changed.notify_one();
         thread.join();
     }
 
+    void submit(const HapticFrame& frame) {
+        {
+            const std::lock_guard lock(mutex);
+            newest = {frame, Clock::now()};
+            fresh = true;
+        }
+        changed.notify_one();
+    }
+
+    // The newest frame, once there is one or the time is over; empty when the output ends.
+    std::optional<Submitted> wait(double max_s) {
+        std::unique_lock lock(mutex);
+        changed.wait_for(lock, std::chrono::duration<double>(max_s), [&] { return fresh || stop; });
+        fresh = false;
+        return stop ? std::nullopt : std::optional(newest);
+    }
+
     void run(const HidBus& bus) {
-        Rack rack(bus);
+        HapticDevices hapticDevices(bus);
         const Clock::time_point began = Clock::now();
-        while (!stop) {
-            const Submitted& newest = mailbox.newest();
-            const double left_s = kFelt_s - secondsSince(newest.when);
-            const double next_s = rack.step(left_s > 0 ? newest.frame : HapticFrame(), secondsSince(began));
-            for (const std::string& complaint : rack.takeComplaints()) log::warn("{}", complaint);
-            bell.waitAtMost(left_s > 0 ? std::min(next_s, left_s) : next_s);
+        for (double next_s = 0; const auto submitted = wait(next_s);) {
+            const double left_s = kFelt_s - secondsSince(submitted->when);
+            next_s = hapticDevices.step(left_s > 0 ? submitted->frame : HapticFrame(), secondsSince(began));
+            for (const std::string& warning : hapticDevices.takeWarnings()) log::warn("{}", warning);
+            if (left_s > 0) next_s = std::min(next_s, left_s);
         }
         const Clock::time_point stopping = Clock::now();
-        while (!rack.still() && secondsSince(stopping) < kStopping_s) {
-            const double next_s = rack.step({}, secondsSince(began));
-            if (!rack.still()) bell.waitAtMost(std::min(next_s, kStopping_s));
+        while (!hapticDevices.allStopped() && secondsSince(stopping) < kStopping_s) {
+            const double next_s = hapticDevices.step({}, secondsSince(began));
+            if (!hapticDevices.allStopped())
+                std::this_thread::sleep_for(std::chrono::duration<double>(std::min(next_s, kStopping_s)));
         }
     }
 };
@@ -112,9 +88,6 @@ HapticOutput::HapticOutput(HapticOutput&&) noexcept = default;
 HapticOutput& HapticOutput::operator=(HapticOutput&&) noexcept = default;
 HapticOutput::~HapticOutput() = default;
 
-void HapticOutput::submit(const HapticFrame& frame) {
-    state_->mailbox.put({frame, Clock::now()});
-    state_->bell.ring();
-}
+void HapticOutput::submit(const HapticFrame& frame) { state_->submit(frame); }
 
 } // namespace shoal::haptics

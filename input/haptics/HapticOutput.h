@@ -1,5 +1,4 @@
-// Haptic devices on a thread of their own: they come and go, and writing to them takes as long as it takes,
-// without the picture noticing.
+// Haptic output on a thread of its own, so that neither finding devices nor slow writes delay a picture.
 #pragma once
 
 #include "input/haptics/HapticFrame.h"
@@ -9,7 +8,7 @@
 
 namespace shoal::haptics {
 
-// A frame is felt for so long unless a newer one comes: when the program stalls, the motors stop.
+// A frame lasts that long unless a newer one comes: when the program stalls, the motors stop.
 constexpr double kFelt_s = 0.25;
 
 class HapticOutput {
@@ -19,8 +18,8 @@ class HapticOutput {
     HapticOutput& operator=(HapticOutput&&) noexcept;
     ~HapticOutput(); // stops every motor; takes at most a few writings' time
 
-    // What to feel from now on; only the newest frame counts. One thread; neither waits nor allocates.
-    // Written at once unless the device had its last report too short a time ago.
+    // What to feel from now on; only the newest frame counts. Does not allocate, and waits at most for the
+    // copy of a frame. Written at once unless the device had its last report too short a time ago.
     void submit(const HapticFrame& frame);
 
   private:

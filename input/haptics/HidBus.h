@@ -1,4 +1,4 @@
-// The devices' bus, as a few functions: hidapi's, or a recording one in tests.
+// Access to HID devices as a few functions: hidapi's, or a recording fake in tests.
 #pragma once
 
 #include "engine/core/Result.h"

@@ -1,13 +1,14 @@
 #include "input/haptics/Motors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shoal::haptics {
 
 namespace {
 
 constexpr float kLow_Hz = 60, kHigh_Hz = 200;
-constexpr float kLeastFelt = 0.2f; // of a motor's range
+constexpr float kMinFelt = 0.2f; // of a motor's range
 
 void add(Motors& motors, const Actuation& actuation) {
     const float quick = std::clamp((actuation.frequency_Hz - kLow_Hz) / (kHigh_Hz - kLow_Hz), 0.0f, 1.0f);
@@ -41,17 +42,41 @@ std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
         .subspan(static_cast<size_t>(hand) * kActuatorsPerHand, kActuatorsPerHand);
 }
 
-Actuation strongestFrom(std::span<const Actuation> actuations, float least_Hz) {
-    return strongest(actuations, [&](float frequency_Hz) { return frequency_Hz >= least_Hz; });
+Actuation strongestFrom(std::span<const Actuation> actuations, float min_Hz) {
+    return strongest(actuations, [&](float frequency_Hz) { return frequency_Hz >= min_Hz; });
 }
 
 Actuation strongestBelow(std::span<const Actuation> actuations, float limit_Hz) {
     return strongest(actuations, [&](float frequency_Hz) { return frequency_Hz < limit_Hz; });
 }
 
+Actuation strongestOf(const HapticFrame& frame) {
+    const Actuation actuator = strongestFrom(frame.actuators, 0);
+    return frame.body.amplitude > actuator.amplitude ? frame.body : actuator;
+}
+
 float driveOf(float amplitude) {
     if (!(amplitude > 1.0f / 512)) return 0; // NaN too
-    return kLeastFelt + (1 - kLeastFelt) * std::min(amplitude, 1.0f);
+    return kMinFelt + (1 - kMinFelt) * std::min(amplitude, 1.0f);
+}
+
+Actuation vibrationOf(const HapticFrame& frame, int hand) {
+    Actuation strongest = strongestFrom(handOf(frame, hand), 0);
+    if (frame.body.amplitude > strongest.amplitude) strongest = frame.body;
+    strongest.amplitude = std::min(strongest.amplitude, 1.0f);
+    return strongest;
+}
+
+bool VibrationTimer::due(const Actuation& now, double now_s) {
+    constexpr float kAmplitudeStep = 0.04f, kFrequencyStep_Hz = 8; // smaller steps are not felt
+    const bool on = now.amplitude > 0, was = sent_.amplitude > 0;
+    const bool news =
+        on != was || (on && (std::abs(now.amplitude - sent_.amplitude) > kAmplitudeStep ||
+                             std::abs(now.frequency_Hz - sent_.frequency_Hz) > kFrequencyStep_Hz));
+    if (!news && !(on && now_s - sent_s_ >= kVibrationAgain_s)) return false;
+    sent_ = now;
+    sent_s_ = now_s;
+    return true;
 }
 
 } // namespace shoal::haptics

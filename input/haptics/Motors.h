@@ -1,4 +1,4 @@
-// Many actuators on few motors.
+// A haptic frame of many actuators reduced to the few motors of a device. Pure, except VibrationTimer.
 #pragma once
 
 #include "input/haptics/HapticFrame.h"
@@ -22,11 +22,30 @@ Motors motorsOf(const HapticFrame& frame); // of everything, the body too
 std::span<const Actuation> handOf(const HapticFrame& frame, int hand);
 
 // The strongest with a frequency of at least / below that; amplitude 0 if there is none.
-Actuation strongestFrom(std::span<const Actuation> actuations, float least_Hz);
+Actuation strongestFrom(std::span<const Actuation> actuations, float min_Hz);
 Actuation strongestBelow(std::span<const Actuation> actuations, float limit_Hz);
+
+Actuation strongestOf(const HapticFrame& frame); // of everything, the body too
 
 // What a motor with an eccentric weight is driven by, 0 to 1. Such motors start only at about a fifth of
 // their range; amplitudes are laid over what can be felt, and 0 stays 0.
 float driveOf(float amplitude);
+
+// For a device with one motor a hand, such as a headset's controllers: the strongest of a hand's actuators
+// and the body's, so that many fingers are not felt as one blow. hand: 0 left, 1 right. Amplitude 0 to 1;
+// what is no number is nothing.
+Actuation vibrationOf(const HapticFrame& frame, int hand);
+
+// When to write to such a motor: a change at once, an ongoing vibration again before it runs out.
+class VibrationTimer {
+  public:
+    // Whether to send `now`. now_s: any clock that rises.
+    bool due(const Actuation& now, double now_s);
+
+  private:
+    Actuation sent_{};
+    double sent_s_ = -1e9;
+};
+constexpr double kVibrationAgain_s = 0.05; // half of what a headset is asked to vibrate for
 
 } // namespace shoal::haptics

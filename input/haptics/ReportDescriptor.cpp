@@ -6,8 +6,8 @@ namespace shoal::haptics {
 
 namespace {
 
-constexpr size_t kMostBytes = 4096, kMostFields = 1024, kMostDepth = 32;
-constexpr uint32_t kMostBits = 8 * 4096; // of a report
+constexpr size_t kMaxBytes = 4096, kMaxFields = 1024, kMaxDepth = 32;
+constexpr uint32_t kMaxBits = 8 * 4096; // of a report
 
 struct Globals {
     uint16_t page = 0;
@@ -49,13 +49,13 @@ struct Reader {
     bool addFields(ReportKind kind, uint32_t flags) {
         uint32_t& at = layout.lengths_bits[static_cast<size_t>(kind) * 256 + globals.report];
         constexpr uint32_t kConstant = 1, kVariable = 2;
-        if (globals.size_bits > kMostBits || globals.count > kMostBits ||
-            uint64_t{globals.size_bits} * globals.count > kMostBits - at)
+        if (globals.size_bits > kMaxBits || globals.count > kMaxBits ||
+            uint64_t{globals.size_bits} * globals.count > kMaxBits - at)
             return false;
         const bool named = !(flags & kConstant) && (flags & kVariable) && !locals.usages.empty() &&
                            globals.size_bits >= 1 && globals.size_bits <= 32;
         for (uint32_t i = 0; i < globals.count && named; ++i) {
-            if (layout.fields.size() == kMostFields) return false;
+            if (layout.fields.size() == kMaxFields) return false;
             // The last usage is that of all further fields.
             layout.fields.push_back({kind, globals.report,
                                      locals.usages[std::min<size_t>(i, locals.usages.size() - 1)],
@@ -80,7 +80,7 @@ struct Reader {
             break;
         case 0xA:
             collections.push_back(locals.usages.empty() ? 0 : locals.usages.front());
-            sound = collections.size() <= kMostDepth;
+            sound = collections.size() <= kMaxDepth;
             break;
         case 0xC:
             sound = !collections.empty();
@@ -116,7 +116,7 @@ struct Reader {
             break;
         case 0xA:
             pushed.push_back(globals);
-            return pushed.size() <= kMostDepth;
+            return pushed.size() <= kMaxDepth;
         case 0xB:
             if (pushed.empty()) return false;
             globals = pushed.back();
@@ -135,10 +135,10 @@ struct Reader {
             locals.first = usageOf(data);
         } else if (tag == 0x2) {
             const uint32_t last = usageOf(data);
-            if (last < locals.first || last - locals.first >= kMostFields) return false;
+            if (last < locals.first || last - locals.first >= kMaxFields) return false;
             for (uint32_t each = locals.first; each <= last; ++each) locals.usages.push_back(each);
         }
-        return locals.usages.size() <= kMostFields;
+        return locals.usages.size() <= kMaxFields;
     }
 };
 
@@ -154,7 +154,7 @@ size_t ReportLayout::bytes(ReportKind kind, uint8_t report) const {
 
 ReportLayout readReportDescriptor(std::span<const uint8_t> descriptor) {
     Reader reader;
-    descriptor = descriptor.first(std::min(descriptor.size(), kMostBytes));
+    descriptor = descriptor.first(std::min(descriptor.size(), kMaxBytes));
     while (!descriptor.empty()) {
         const uint8_t prefix = descriptor[0];
         constexpr uint8_t kLong = 0xFE;

@@ -1,5 +1,5 @@
-// Where in which report a HID device keeps what: its report descriptor, read (Device Class Definition for HID
-// 1.11, chapter 6.2.2).
+// Parser of HID report descriptors: which bits of which report mean what (Device Class Definition for
+// HID 1.11, chapter 6.2.2). Hand-written because hidapi and hidraw give only the descriptor's bytes.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "input/haptics/SimpleHaptic.h"
 
+#include "input/haptics/DeviceTable.h"
 #include "input/haptics/Motors.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ enum Shape : uint16_t { Click = 0x1003, Buzz = 0x1004, Rumble = 0x1005, Press = 
 constexpr uint16_t kStop = 2;        // ordinals 1 and 2 are the same everywhere: nothing, and stop
 constexpr float kQuickFrom_Hz = 100; // the deepest that still feels like a buzz
 
-// Best first; what goes on comes before a stroke.
+// Best first; continuous waveforms come before short pulses.
 constexpr std::array<uint16_t, 5> kForSlow = {Rumble, Buzz, Click, Press, Release};
 constexpr std::array<uint16_t, 5> kForQuick = {Buzz, Rumble, Click, Press, Release};
 
@@ -74,7 +75,7 @@ SimpleHaptic::Waveform choose(const std::vector<Listed>& list, std::span<const u
     return {};
 }
 
-uint32_t most(const ReportField& field) { return static_cast<uint32_t>(std::max(field.logicalMax, 0)); }
+uint32_t maximum(const ReportField& field) { return static_cast<uint32_t>(std::max(field.logicalMax, 0)); }
 
 } // namespace
 
@@ -97,11 +98,20 @@ std::optional<SimpleHaptic> findSimpleHaptic(const ReportLayout& layout, const R
     return found;
 }
 
+std::optional<Driver> makeSimpleHaptic(const DeviceContext& device) {
+    const auto found = findSimpleHaptic(device.layout, device.readFeature);
+    if (!found) return {};
+    Driver driver{.encode = [=](const HapticFrame& frame) { return found->encode(frame); },
+                  .oneShot = found->oneShot()};
+    // A waveform that lasts a given time is repeated after half of it.
+    for (const SimpleHaptic::Waveform& waveform : {found->slow, found->quick})
+        if (waveform.goesOn && waveform.duration_ms > 0)
+            driver.refresh_s = std::min(driver.refresh_s, waveform.duration_ms / 2 * 1e-3);
+    return driver;
+}
+
 Report SimpleHaptic::encode(const HapticFrame& frame) const {
-    std::array<Actuation, kActuatorCount + 1> felt;
-    std::copy(frame.actuators.begin(), frame.actuators.end(), felt.begin());
-    felt.back() = frame.body;
-    const Actuation strongest = strongestFrom(felt, 0);
+    const Actuation strongest = strongestOf(frame);
     const float amplitude = std::min(strongest.amplitude, 1.0f);
     const Waveform& waveform = strongest.frequency_Hz >= kQuickFrom_Hz ? quick : slow;
 
@@ -112,13 +122,13 @@ Report SimpleHaptic::encode(const HapticFrame& frame) const {
     setField(trigger, silent ? kStop : waveform.ordinal, body);
     if (silent) return report;
     if (intensity) {
-        const auto least = static_cast<float>(std::max(intensity->logicalMin, 0));
-        const float span = static_cast<float>(most(*intensity)) - least;
-        setField(*intensity, static_cast<uint32_t>(std::lround(least + amplitude * std::max(span, 0.0f))),
+        const auto minimum = static_cast<float>(std::max(intensity->logicalMin, 0));
+        const float span = static_cast<float>(maximum(*intensity)) - minimum;
+        setField(*intensity, static_cast<uint32_t>(std::lround(minimum + amplitude * std::max(span, 0.0f))),
                  body);
     }
     if (repeats) setField(*repeats, 0, body);
-    if (cutoff) setField(*cutoff, most(*cutoff), body); // as long as it takes
+    if (cutoff) setField(*cutoff, maximum(*cutoff), body); // as long as it takes
     return report;
 }
 

@@ -1,5 +1,6 @@
 #include "input/haptics/Switch.h"
 
+#include "input/haptics/DeviceTable.h"
 #include "input/haptics/Motors.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace shoal::haptics {
 
 namespace {
 
-constexpr size_t kUsbBytes = 64, kBluetoothBytes = 49;
 constexpr float kHighFrom_Hz = 160; // a hand's strongest actuation from there on is its high tone
 constexpr int kSafeIndex = 100;     // beyond it the tables warn of damage
 
@@ -17,6 +17,7 @@ int frequencyIndex(float frequency_Hz) {
     return static_cast<int>(std::lround(32 * std::log2(frequency_Hz / 10)));
 }
 
+// The left four bytes are of the left hand, the right of the right; a single Joy-Con takes its own half.
 Report tones(const HapticFrame& frame, size_t size) {
     Report report{.size = size};
     report.bytes[0] = 0x10;
@@ -32,6 +33,7 @@ Report tones(const HapticFrame& frame, size_t size) {
     return report;
 }
 
+// Vibration is off until it is enabled once, by subcommand 48.
 Report enable(size_t size) {
     Report report = tones({}, size);
     report.bytes[0] = 0x01; // a subcommand, behind tones of its own
@@ -39,6 +41,8 @@ Report enable(size_t size) {
     report.bytes[11] = 0x01;
     return report;
 }
+
+void seal(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
 
 } // namespace
 
@@ -68,11 +72,11 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
             static_cast<uint8_t>(0x40 + lowIndex / 2)};
 }
 
-Report encodeSwitchUsb(const HapticFrame& frame) { return tones(frame, kUsbBytes); }
-Report encodeSwitchBluetooth(const HapticFrame& frame) { return tones(frame, kBluetoothBytes); }
-Report switchEnableUsb() { return enable(kUsbBytes); }
-Report switchEnableBluetooth() { return enable(kBluetoothBytes); }
-
-void sealSwitch(Report& report, uint8_t sequence) { report.bytes[1] = sequence & 0x0F; }
+std::optional<Driver> makeSwitch(const DeviceContext& device) {
+    const size_t size = device.bluetooth ? 49 : 64;
+    return Driver{.encode = [=](const HapticFrame& frame) { return tones(frame, size); },
+                  .seal = seal,
+                  .initialReports = {enable(size)}};
+}
 
 } // namespace shoal::haptics

@@ -1,8 +1,10 @@
-// Nintendo's controllers: a voice coil in each hand that plays two tones at a time.
+// Amplitude and frequency codes of Nintendo's controllers: a voice coil in each hand that plays two tones at
+// a time. Pure.
 #pragma once
 
 #include "input/haptics/HapticFrame.h"
-#include "input/haptics/Report.h"
+
+#include <cstdint>
 
 namespace shoal::haptics {
 
@@ -14,15 +16,5 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
 
 // A table's number of an amplitude, 0 to 100.
 int switchAmplitudeIndex(float amplitude);
-
-// The left four bytes are of the left hand, the right of the right; a single Joy-Con takes its own half.
-Report encodeSwitchUsb(const HapticFrame& frame);
-Report encodeSwitchBluetooth(const HapticFrame& frame);
-
-// Vibration is off until it is asked for once: subcommand 48.
-Report switchEnableUsb();
-Report switchEnableBluetooth();
-
-void sealSwitch(Report& report, uint8_t sequence);
 
 } // namespace shoal::haptics

@@ -1,36 +1,36 @@
-// Light beneath the bodies around: twin of engine/occlusion/Shade.h, which says why. All in the light's frame. Needs no
-// more than OpenGL 3.3: no atomics, no buffers that a shader writes.
+// Diffuse and glossy light that ellipsoids block at a surface point, and the light that they reflect back. Twin of
+// engine/occlusion/EllipsoidOcclusion.h, which has the derivation. All in the light's frame. OpenGL 3.3.
 #define AXIS_ROWS 6
 layout(std140) uniform OccluderBlock {
-    // Each: centre, strength; the diagonal of the matrix that makes it a ball, squared, and the product of its semi-axes;
+    // Each: centre, strength; the diagonal of the matrix that makes it a sphere, squared, and the product of its semi-axes;
     // yz, zx, xy of that matrix; albedo.
     vec4 occluders[4 * MAX_OCCLUDERS];
 };
-uniform int occluderCount, ownCount; // the first of them are the surface's own body's, which its folds complete
-uniform vec3 foldAlbedo;             // of the surface's own body
+uniform int occluderCount, ownCount; // the first of them are the surface's own body's, which its self-occlusion complete
+uniform vec3 selfOcclusionAlbedo;             // of the surface's own body
 uniform vec3 radianceAhead[4 * AXIS_ROWS], radianceBehind[4 * AXIS_ROWS]; // along the axes, and against them
 uniform vec3 evenLight[4];                                                // factors of 1, x, y, z
-uniform mat4x3 lampTowards;
-uniform vec3 lampRadiance;
-uniform float lampShare;
+uniform mat4x3 dominantTowards;
+uniform vec3 dominantRadiance;
+uniform float dominantShare;
 
 const float kEndShare = 1.0 / float(8 * AXIS_ROWS); // of the sphere; as a cap:
 const float kCellSine = 2.0 * sqrt(kEndShare * (1.0 - kEndShare));
 
 struct Shaded {
-    vec3 taken;      // out of the diffuse radiance
-    float openLobe;  // what is left of the glossy lobe
-    vec3 seenInLobe; // what it sees of the bodies instead
+    vec3 taken;           // diffuse radiance lost, less what the ellipsoids reflect
+    float lobeVisibility; // share of the glossy lobe that is free, 0 to 1
+    vec3 seenInLobe;      // radiance of the ellipsoids in the rest of it
 };
 
-// Of a point, while one body after another takes its light: what is free of those ends of the axes that lie above it, of
-// the lamp, of the lobe.
-struct SoFar {
+// What the ellipsoids so far have left of a point's light: the free shares of those ends of the axes that lie above its
+// surface, of the dominant light and of the lobe.
+struct OpenShares {
     vec4 side[AXIS_ROWS]; // which ends these are
     vec4 open[AXIS_ROWS];
-    vec4 lampOpen;
+    vec4 dominantOpen;
     float lobeOpen;
-    vec4 albedo; // of what takes, and how much of that
+    vec4 albedo; // sum over the ellipsoids, weighted by what they cover; w: of the weights
 };
 
 // The product with each of a row's axes.
@@ -47,8 +47,8 @@ vec4 squares(vec3 diagonal, vec3 mixed, vec3 axis) {
     return vec4(same + plus, same - plus, turned + minus, turned - minus);
 }
 
-void takeByOccluders(int first, int end, vec3 p, vec3 reflected, float lobeSine, inout SoFar so) {
-    float lampSine = 0.5 * sqrt(lampShare);
+void blockByOccluders(int first, int end, vec3 p, vec3 reflected, float lobeSine, inout OpenShares so) {
+    float dominantSine = 0.5 * sqrt(dominantShare);
     for (int i = first; i < end; ++i) {
         vec4 place = occluders[4 * i], solid = occluders[4 * i + 1];
         vec3 diagonal = solid.xyz, mixed = occluders[4 * i + 2].xyz;
@@ -62,18 +62,18 @@ void takeByOccluders(int first, int end, vec3 p, vec3 reflected, float lobeSine,
         float edge = 0.5 * width * sqrt(outside - 1.0);
 
         vec3 s = slope / kCellSine;
-        float e = edge / kCellSine, least = 1.0 - place.w * min(cap / kEndShare, 1.0);
+        float e = edge / kCellSine, minimum = 1.0 - place.w * min(cap / kEndShare, 1.0);
 #define AXES(k, a, b, c)                                                                                        \
     so.open[k] *= clamp(so.side[k] * along(s, vec3(a, b, c)) +                                                  \
                             (e * sqrt(squares(diagonal, mixed, vec3(a, b, c))) + 0.5),                          \
-                        least, 1.0);
+                        minimum, 1.0);
 #include "occlusion/Axes.glsl"
 #undef AXES
-        float lampLeast = 1.0 - place.w * min(16.0 * cap / lampShare, 1.0);
+        float dominantMin = 1.0 - place.w * min(16.0 * cap / dominantShare, 1.0);
         for (int k = 0; k < 4; ++k) {
-            vec3 d = lampTowards[k];
+            vec3 d = dominantTowards[k];
             float extent = sqrt(dot(diagonal, d * d) + 2.0 * dot(mixed, d.yzx * d.zxy));
-            so.lampOpen[k] *= clamp((dot(slope, d) + edge * extent) / lampSine + 0.5, lampLeast, 1.0);
+            so.dominantOpen[k] *= clamp((dot(slope, d) + edge * extent) / dominantSine + 0.5, dominantMin, 1.0);
         }
         vec3 d = reflected;
         float extent = sqrt(dot(diagonal, d * d) + 2.0 * dot(mixed, d.yzx * d.zxy));
@@ -83,26 +83,26 @@ void takeByOccluders(int first, int end, vec3 p, vec3 reflected, float lobeSine,
     }
 }
 
-// fold: what else the body hides of itself, by direction: w plus its product with xyz.
-Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 fold) {
+// self-occlusion: what else the body hides of itself, by direction: w plus its product with xyz.
+Shaded occludeByEllipsoids(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 selfOcclusion) {
     float alpha = max(roughness * roughness, 0.02), lobeSine = 2.0 * alpha / (1.0 + alpha * alpha);
-    SoFar so;
-    so.lampOpen = vec4(1.0);
+    OpenShares so;
+    so.dominantOpen = vec4(1.0);
     so.lobeOpen = 1.0;
-    so.albedo = vec4(foldAlbedo, 1.0) * 1e-4;
+    so.albedo = vec4(selfOcclusionAlbedo, 1.0) * 1e-4;
 #define AXES(k, a, b, c)                                                                                        \
     so.open[k] = vec4(1.0);                                                                                     \
     so.side[k] = sign(along(normal, vec3(a, b, c)));
 #include "occlusion/Axes.glsl"
 #undef AXES
-    takeByOccluders(0, ownCount, p, reflected, lobeSine, so);
+    blockByOccluders(0, ownCount, p, reflected, lobeSine, so);
 #define AXES(k, a, b, c)                                                                                        \
-    so.open[k] = clamp(so.open[k] - fold.w - so.side[k] * along(fold.xyz, vec3(a, b, c)), 0.0, 1.0);
+    so.open[k] = clamp(so.open[k] - selfOcclusion.w - so.side[k] * along(selfOcclusion.xyz, vec3(a, b, c)), 0.0, 1.0);
 #include "occlusion/Axes.glsl"
 #undef AXES
-    so.lampOpen = clamp(so.lampOpen - fold.w - fold.xyz * lampTowards, 0.0, 1.0);
-    so.lobeOpen = clamp(so.lobeOpen - fold.w - dot(fold.xyz, reflected), 0.0, 1.0);
-    takeByOccluders(ownCount, occluderCount, p, reflected, lobeSine, so);
+    so.dominantOpen = clamp(so.dominantOpen - selfOcclusion.w - selfOcclusion.xyz * dominantTowards, 0.0, 1.0);
+    so.lobeOpen = clamp(so.lobeOpen - selfOcclusion.w - dot(selfOcclusion.xyz, reflected), 0.0, 1.0);
+    blockByOccluders(ownCount, occluderCount, p, reflected, lobeSine, so);
 
     vec3 lost = vec3(0.0), first = vec3(0.0);
     float share = 0.0;
@@ -124,11 +124,11 @@ Shaded shadeByBodies(vec3 p, vec3 normal, vec3 reflected, float roughness, vec4 
     vec3 r = back * reflected;
     vec3 sent = evenLight[0] * share + evenLight[1] * first.x + evenLight[2] * first.y + evenLight[3] * first.z;
     vec3 inLobe = evenLight[0] + evenLight[1] * r.x + evenLight[2] * r.y + evenLight[3] * r.z;
-    vec3 albedo = so.albedo.rgb / so.albedo.w * (1.0 - share); // what stands in their shade shades them likewise
+    vec3 albedo = so.albedo.rgb / so.albedo.w * (1.0 - share); // the surface blocks as much of their light
     Shaded shaded;
     shaded.taken = lost - albedo * max(sent, 0.0) +
-                   lampRadiance * (0.25 * lampShare * dot(max(normal * lampTowards, 0.0), 1.0 - so.lampOpen));
-    shaded.openLobe = so.lobeOpen;
+                   dominantRadiance * (0.25 * dominantShare * dot(max(normal * dominantTowards, 0.0), 1.0 - so.dominantOpen));
+    shaded.lobeVisibility = so.lobeOpen;
     shaded.seenInLobe = (1.0 - so.lobeOpen) * albedo * max(inLobe, 0.0);
     return shaded;
 }

@@ -9,9 +9,9 @@ vec2 squareFromDirection(vec3 direction) {
 
 vec3 directionFromSquare(vec2 square) {
     vec3 v = vec3(square, 1.0 - abs(square.x) - abs(square.y));
-    float fold = max(-v.z, 0.0);
-    v.x -= v.x < 0.0 ? -fold : fold;
-    v.y -= v.y < 0.0 ? -fold : fold;
+    float wrap = max(-v.z, 0.0);
+    v.x -= v.x < 0.0 ? -wrap : wrap;
+    v.y -= v.y < 0.0 ? -wrap : wrap;
     return normalize(v);
 }
 

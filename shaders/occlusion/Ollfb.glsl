@@ -1,4 +1,5 @@
-// Ollfb::trace: engine/occlusion/OllfbTrace.cpp says why. The hit's distance and normal; a negative distance where
+// Traces a ray through layered fragment buffers (engine/occlusion/Ollfb.h); tests/baselines/occlusion/TracedOllfb.cpp is
+// its twin on the processor, with the reasons. The hit's distance and normal; a negative distance where
 // nothing is met.
 #include "occlusion/Bindings.glsl"
 #include "occlusion/Octahedral.glsl"
@@ -27,7 +28,7 @@ uniform bool closed, onlyOuter;
 const int kTableWidth = 64;
 const float kSteepest = 12.0, kLeaving_px = 3.0, kDepthMargin_px = kSteepest * 0.75;
 const float kSheet_px = 0.25, kSheetPerSlope_px = 0.5, kBefore_px = 2.0;
-const float kFurthest_px = 3.0, kLeastRate = 0.05, kAlike = 0.5, kSunk_px = 0.5;
+const float kFurthest_px = 3.0, kMinRate = 0.05, kAlike = 0.5, kSunk_px = 0.5;
 
 uint half_(uint word, uint index) { return word >> (16u * (index & 1u)) & 0xffffu; }
 uint layerPart(uint layer, uint part) {
@@ -238,7 +239,7 @@ vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again)
         if (!surfaceNear(place, outwards * bodyFromView(), depth, slope, blended)) break;
         vec3 along = direction * bodyFromView();
         float rate = along.z - dot(slope, along.xy);
-        if (abs(rate) > kLeastRate)
+        if (abs(rate) > kMinRate)
             at += clamp((depth - place.z) / rate, -kFurthest_px, kFurthest_px) / view.pixelsPerMetre;
         outwards = bodyFromView() * blended;
     }

@@ -1,4 +1,5 @@
-// engine/occlusion/PixelWalk.h
+// Rays through slabs and through the cells of a grid (Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for
+// Ray Tracing").
 
 bool clipSlab(float origin, float direction, float low, float high, inout float from, inout float to) {
     if (direction == 0.0) return origin >= low && origin <= high && from <= to;

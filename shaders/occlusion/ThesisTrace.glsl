@@ -1,4 +1,4 @@
-// OllfbThesis::trace. The hit's distance and normal; a negative distance where nothing is met.
+// Traces a ray through the thesis' layered fragment buffers (engine/occlusion/ThesisViews.h). The hit's distance and normal; a negative distance where nothing is met.
 #include "occlusion/ThesisViews.glsl"
 #include "occlusion/Octahedral.glsl"
 #include "occlusion/Slab.glsl"

@@ -1,9 +1,9 @@
-// engine/occlusion/OllfbThesis.h: how a body is seen from the cube's directions.
+// How a body is seen from the directions of a cube's faces: engine/occlusion/ThesisViews.h.
 #include "occlusion/Bindings.glsl"
 
 uniform int cells;
 uniform int resolution;
-uniform vec4 ball; // centre, radius
+uniform vec4 sphere; // centre, radius
 uniform float pixelsPerMetre;
 
 struct ThesisLayer {
@@ -44,5 +44,5 @@ mat3 viewFromBody(vec3 axis) {
 }
 
 vec3 pixelFromBody(mat3 turn, vec3 position) {
-    return turn * (position - ball.xyz) * pixelsPerMetre + float(resolution) / 2.0;
+    return turn * (position - sphere.xyz) * pixelsPerMetre + float(resolution) / 2.0;
 }

@@ -1,4 +1,5 @@
-// glTF 2.0 metallic-roughness, lit by the surround and by nothing else.
+// glTF 2.0 metallic-roughness, lit by the environment and by nothing else.
+uniform mat3 envFromWorld;
 #include "render/Attributes.glsl"
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
@@ -6,10 +7,12 @@
 #ifdef PHONG_RINGS
 #include "light/PhongRings.glsl"
 #endif
+#ifdef LAYERS
+#include "occlusion/Layers.glsl"
+#endif
 #include "render/Output.glsl"
 
 uniform vec3 eyeWorld;
-uniform mat3 envFromWorld;
 uniform vec4 baseColourLin;
 uniform vec3 emissiveLin;
 uniform float metallic;
@@ -28,7 +31,7 @@ in vec3 worldPosition;
 in vec3 worldNormal;
 in vec4 worldTangent;
 #ifdef OCCLUDED
-in vec4 envFold;
+in vec4 envSelfOcclusion;
 #endif
 #ifdef VERTEX_COLOURS
 in vec4 vertexColourLin;
@@ -113,13 +116,22 @@ void main() {
 #else
     vec3 around = diffuseRadiance(envFromWorld * n);
 #endif
+#ifdef SHOW_OCCLUSION
+    vec3 unoccluded = around;
+#endif
 #ifdef OCCLUDED
 #ifndef VERTEX_DIFFUSE
-    Shaded shaded = shadeByBodies(envFromWorld * worldPosition, envFromWorld * n, r, rough, gl_FrontFacing ? envFold : vec4(0.0));
+    Shaded shaded = occludeByEllipsoids(envFromWorld * worldPosition, envFromWorld * n, r, rough, gl_FrontFacing ? envSelfOcclusion : vec4(0.0));
     around = max(around - shaded.taken, 0.0);
-    vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
+    vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.lobeVisibility);
 #endif
     mirrored = mirrored * bodiesInLobe.a + bodiesInLobe.rgb;
+#endif
+#ifdef LAYERS
+    vec3 geometric = normalize(worldNormal) * facing;
+    if (max(max(reflectance.around.r, reflectance.around.g), reflectance.around.b) > 0.02)
+        around = diffuseWithLayers(worldPosition, n, geometric, around);
+    mirrored = glossyWithLayers(worldPosition, reflect(-v, n), geometric, mirrored, metal, rough);
 #endif
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
@@ -138,6 +150,20 @@ void main() {
     vec3 display = displayOfExposed(exposed);
 #ifdef WATER
     display = sqrt(display * display * waterLeft + waterVeiled);
+#endif
+// SHOW_...: one quantity instead, see render::ShownQuantity.
+#ifndef VERTEX_LIT
+#if defined(SHOW_NORMALS)
+    display = 0.5 + 0.5 * n;
+#elif defined(SHOW_ROUGHNESS)
+    display = vec3(rough);
+#elif defined(SHOW_OCCLUSION)
+    display = around * open / max(unoccluded, vec3(1e-4));
+#elif defined(SHOW_DIFFUSE)
+    display = displayOfExposed(around * open * exposureScale);
+#elif defined(SHOW_DEPTH)
+    display = vec3(1.0 / (1.0 + length(toEye)));
+#endif
 #endif
 #ifdef ALPHA_BLEND
     colour = vec4(display * base.a, base.a);

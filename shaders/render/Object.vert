@@ -14,8 +14,8 @@ layout(location = ATTRIBUTE_JOINTS) in uvec4 joints;
 layout(location = ATTRIBUTE_WEIGHTS) in vec4 weights;
 
 #ifdef OCCLUDED
-layout(location = ATTRIBUTE_FOLDS) in vec4 folds;
-layout(location = ATTRIBUTE_FOLDS_BESIDE_OWN) in vec4 foldsBesideOwn;
+layout(location = ATTRIBUTE_SELF_OCCLUSION) in vec4 selfOcclusion;
+layout(location = ATTRIBUTE_SELF_OCCLUSION_BESIDE_OWN) in vec4 selfOcclusionBesideOwn;
 uniform float ownStrength; // of the body's own occluders, 0 to 1
 #endif
 
@@ -65,7 +65,7 @@ out vec3 worldPosition;
 out vec3 worldNormal;
 out vec4 worldTangent;
 #ifdef OCCLUDED
-out vec4 envFold;
+out vec4 envSelfOcclusion;
 #endif
 #ifdef VERTEX_COLOURS
 out vec4 vertexColourLin;
@@ -95,17 +95,17 @@ void main() {
     vertexUv = uv0;
 #endif
 #ifdef OCCLUDED
-    vec4 rest = mix(folds, foldsBesideOwn, ownStrength);
+    vec4 rest = mix(selfOcclusion, selfOcclusionBesideOwn, ownStrength);
     vec3 turned = m * rest.xyz;
-    vec4 fold = vec4(envFromWorld * turned * (length(rest.xyz) / max(length(turned), 1e-9)), rest.w);
+    vec4 selfOcclusion = vec4(envFromWorld * turned * (length(rest.xyz) / max(length(turned), 1e-9)), rest.w);
 #else
-    const vec4 fold = vec4(0.0);
+    const vec4 selfOcclusion = vec4(0.0);
 #endif
 #ifdef VERTEX_LIT
     vec3 v = normalize(eyeWorld - world.xyz);
     if (twoSided * dot(n, v) < 0.0) n = -n;
     vec3 perBase, besides;
-    lightVertex(world.xyz, n, v, fold, perBase, besides);
+    lightVertex(world.xyz, n, v, selfOcclusion, perBase, besides);
     perMapExposed = baseColourLin * vec4(perBase * exposureScale, 1.0);
 #ifdef VERTEX_COLOURS
     perMapExposed *= colourLin;
@@ -119,7 +119,7 @@ void main() {
     worldNormal = n;
     worldTangent = vec4(m * tangent.xyz, tangent.w);
 #ifdef OCCLUDED
-    envFold = fold;
+    envSelfOcclusion = selfOcclusion;
 #endif
 #ifdef VERTEX_COLOURS
     vertexColourLin = colourLin;
@@ -128,10 +128,10 @@ void main() {
 #ifdef VERTEX_DIFFUSE
     diffuseLin = diffuseRadiance(envFromWorld * n);
 #ifdef OCCLUDED
-    Shaded shaded = shadeByBodies(envFromWorld * world.xyz, envFromWorld * n,
-                                  envFromWorld * reflect(normalize(world.xyz - eyeWorld), n), roughness, fold);
+    Shaded shaded = occludeByEllipsoids(envFromWorld * world.xyz, envFromWorld * n,
+                                  envFromWorld * reflect(normalize(world.xyz - eyeWorld), n), roughness, selfOcclusion);
     diffuseLin = max(diffuseLin - shaded.taken, 0.0);
-    bodiesInLobe = vec4(shaded.seenInLobe, shaded.openLobe);
+    bodiesInLobe = vec4(shaded.seenInLobe, shaded.lobeVisibility);
 #endif
 #endif
 #ifdef WATER

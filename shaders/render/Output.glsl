@@ -3,7 +3,7 @@
 
 // The curve is compiled in, one program for each: a software renderer runs all branches of a choice. TONE_ACES, TONE_LINEAR
 // (clip; both with sRGB coding), else the inverse of the video's inverse tone mapping.
-uniform float exposureScale; // 2^EV, on objects and backdrop alike
+uniform float exposureScale; // 2^EV, on objects and background alike
 
 vec3 srgbFromLinear(vec3 lin) {
     lin = clamp(lin, 0.0, 1.0);

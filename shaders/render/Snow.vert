@@ -35,9 +35,9 @@ void main() {
     float size_m = mix(0.003, 0.014, habit.x * habit.x * habit.x);
     float size_px = size_m * pixelsPerSlope / ahead;
     // Never below two pixels, or it would flicker from pixel to pixel: it covers less of them instead.
-    const float kLeast_px = 2.0;
-    gl_PointSize = max(size_px, kLeast_px);
-    float cover = min(1.0, size_px / kLeast_px);
+    const float kMin_px = 2.0;
+    gl_PointSize = max(size_px, kMin_px);
+    float cover = min(1.0, size_px / kMin_px);
     // Out of the eye's focus near, and unseen where the cube ends.
     cover *= smoothstep(0.15, 0.45, away) * (1.0 - smoothstep(0.35, 0.5, away / cube_m));
     speckCover = 0.8 * cover;

@@ -4,8 +4,8 @@
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;
 
-// p: world; fold: occlusion::findFolds(), light's frame; n, v: unit, world, to the surface's outside and to the eye.
-void lightVertex(vec3 p, vec3 n, vec3 v, vec4 fold, out vec3 perBaseLin, out vec3 besidesLin) {
+// p: world; self-occlusion: occlusion::traceSelfOcclusion(), light's frame; n, v: unit, world, to the surface's outside and to the eye.
+void lightVertex(vec3 p, vec3 n, vec3 v, vec4 selfOcclusion, out vec3 perBaseLin, out vec3 besidesLin) {
     float nv = clamp(dot(n, v), 1e-3, 1.0);
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;
     float lost = 1.0 - (dfg.x + dfg.y);
@@ -14,9 +14,9 @@ void lightVertex(vec3 p, vec3 n, vec3 v, vec4 fold, out vec3 perBaseLin, out vec
     vec3 around = diffuseRadiance(envFromWorld * n);
     vec3 mirrored = glossyRadiance(envFromWorld * reflect(-v, n), roughness);
 #ifdef OCCLUDED
-    Shaded shaded = shadeByBodies(envFromWorld * p, envFromWorld * n, envFromWorld * reflect(-v, n), roughness, fold);
+    Shaded shaded = occludeByEllipsoids(envFromWorld * p, envFromWorld * n, envFromWorld * reflect(-v, n), roughness, selfOcclusion);
     around = max(around - shaded.taken, 0.0);
-    mirrored = mirrored * shaded.openLobe + shaded.seenInLobe;
+    mirrored = mirrored * shaded.lobeVisibility + shaded.seenInLobe;
 #endif
     perBaseLin = mix((1.0 - single - multiple) * around, dfg.x * mirrored + lost * around, metallic);
     besidesLin = mix(single * mirrored + multiple * around, dfg.y * mirrored, metallic);

@@ -1,5 +1,5 @@
 // Objects that share the video's resolution.
-#include "Balls.h"
+#include "Spheres.h"
 #include "engine/render/LayerPass.h"
 
 #include <cmath>
@@ -21,8 +21,8 @@ TEST(LayerSize, IsAsFineAsTheVideoInTheMiddle) {
     EXPECT_EQ(render::sizeAsFine(view, {1600, 900}, 4096), glm::ivec2(1600, 900));
 }
 
-// Against points all over the ball, projected one by one.
-TEST(LayerBox, HoldsTheWholeBallAndLittleMore) {
+// Against points all over the sphere, projected one by one.
+TEST(LayerBox, HoldsTheWholeSphereAndLittleMore) {
     render::View view{.verticalFov = 1.1f, .aspect = 1.5f};
     view.worldFromEye = glm::normalize(glm::quat(0.9f, 0.1f, 0.3f, -0.1f));
     view.eyeWorld = {0.3f, -0.2f, 0.1f};
@@ -42,7 +42,7 @@ TEST(LayerBox, HoldsTheWholeBallAndLittleMore) {
             low = glm::min(low, glm::vec2(clip) / clip.w), high = glm::max(high, glm::vec2(clip) / clip.w);
         }
         const render::Box box = render::boxAround(centre, radius, view);
-        for (int axis = 0; axis < 2; ++axis) { // the points are a hundredth of the ball apart
+        for (int axis = 0; axis < 2; ++axis) { // the points are a hundredth of the sphere apart
             EXPECT_NEAR(box.low[axis], low[axis], 0.01f);
             EXPECT_NEAR(box.high[axis], high[axis], 0.01f);
         }
@@ -57,7 +57,7 @@ class LayerGL : public WithContext {};
 // What covers half of a texel lets half of the picture through; beside the boxes nothing changes.
 TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
     auto layer = render::LayerPass::make();
-    ASSERT_TRUE(layer) << layer.error().sentence();
+    ASSERT_TRUE(layer) << layer.error().message();
     const gl::Target target(320, 192, 1);
     for (const int samples : {1, 4}) {
         layer->begin({160, 96}, samples);
@@ -67,8 +67,13 @@ TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
         target.bind();
         glClearColor(0.2f, 0.4f, 0.8f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
-        const render::Box right{{0.25f, -0.9f}, {0.75f, 0.9f}};
-        layer->layOver({&right, 1});
+        // Seen from 0.25 to 0.75 of the way to the right edge.
+        const render::View view{.verticalFov = 1.2f, .aspect = 320.0f / 192};
+        const float half = view.halfExtent().x, low = std::atan(0.3f * half), high = std::atan(0.7f * half);
+        const scene::Sphere right{5.0f *
+                                      glm::vec3(std::sin((low + high) / 2), 0, -std::cos((low + high) / 2)),
+                                  5.0f * std::sin((high - low) / 2)};
+        layer->layOver({&right, 1}, view);
         const ImageRgba8 picture = target.read();
         const auto expect = [&](int x, glm::vec3 colour) {
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(x, 96)[c], 255 * colour[c], 1) << x;
@@ -82,7 +87,7 @@ TEST_F(LayerGL, LiesOverThePictureByItsAlpha) {
 // Blocks of the layer's texels are blended into each other as the video's are.
 TEST_F(LayerGL, ScalesUpSmoothly) {
     auto layer = render::LayerPass::make();
-    ASSERT_TRUE(layer) << layer.error().sentence();
+    ASSERT_TRUE(layer) << layer.error().message();
     const gl::Target target(400, 240, 1);
     layer->begin({100, 60}, 1);
     glEnable(GL_SCISSOR_TEST);
@@ -94,8 +99,8 @@ TEST_F(LayerGL, ScalesUpSmoothly) {
     target.bind();
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    const render::Box all;
-    layer->layOver({&all, 1});
+    const scene::Sphere all{{0, 0, 0}, 1}; // around the eye
+    layer->layOver({&all, 1}, {});
     const ImageRgba8 picture = target.read();
     // From the middle of texel 49 (pixel 198) to that of 50 (202): a ramp, at the pixels' middles.
     for (int x = 190; x < 210; ++x)

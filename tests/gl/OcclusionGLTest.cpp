@@ -1,9 +1,10 @@
 // Bodies take light from each other in the picture as they do on paper.
-#include "Balls.h"
+#include "Spheres.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
 #include "engine/render/NearBodies.h"
 
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace shoal {
@@ -14,15 +15,15 @@ class OcclusionGL : public WithContext {};
 constexpr float kLight = 0.8f; // radiance all around
 constexpr int kSize = 96;
 
-render::BodyOccluders ballBody(const glm::vec3& semiAxes) {
+render::BodyOccluders sphereBody(const glm::vec3& semiAxes) {
     render::BodyOccluders body;
     body.parts.push_back({{{}, glm::mat3(1), semiAxes}, 0});
     return body;
 }
 
-// A part beside the ball that takes its light, as a finger does a palm's.
+// A part beside the sphere that takes its light, as a finger does a palm's.
 render::BodyOccluders itself() {
-    render::BodyOccluders body = ballBody({0.2f, 0.5f, 0.2f});
+    render::BodyOccluders body = sphereBody({0.2f, 0.5f, 0.2f});
     body.parts[0].inNode.centre = {0.9f, 0.3f, 1};
     // One to have moved against, too small to take any.
     body.parts.insert(body.parts.begin(), {{{0, 0, -9}, glm::mat3(1), glm::vec3(1e-4f)}, 0});
@@ -32,8 +33,8 @@ render::BodyOccluders itself() {
     return body;
 }
 
-// At rest a body's own parts say nothing that its folds do not; once bent far they count in full, at any
-// size.
+// At rest a body's own parts say nothing that its self-occlusion does not; once bent far they count in full,
+// at any size.
 TEST_F(OcclusionGL, OwnPartsCountOnceTheBodyIsBent) {
     const render::BodyOccluders body = itself();
     const auto strength = [&](const glm::vec3& moved, float scale) {
@@ -57,15 +58,15 @@ struct Other {
     render::BodyOccluders body;
 };
 
-// A white matte ball of radius 1 at the origin, seen from +Z; the others are not drawn, but take light.
+// A white matte sphere of radius 1 at the origin, seen from +Z; the others are not drawn, but take light.
 ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                      render::Detail detail, float roughness) {
     light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
     for (size_t i = 0; i < light.atlas.rgba.size(); ++i)
         if (i % 4 != 3) light.atlas.rgba[i] = 0x3a66; // 0.8
-    render::SurroundGpu surround;
-    surround.uploadLight(light, smooth);
-    const scene::Model model = ball(0, roughness);
+    render::EnvironmentGpu environment;
+    environment.uploadLight(light, smooth);
+    const scene::Model model = sphere(0, roughness);
     scene::Model nothing = model;
     nothing.order.clear();
     scene::Pose pose;
@@ -73,7 +74,7 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     scene::updateGlobals(model, pose);
     const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Linear, detail);
     auto pass = render::ObjectPass::make(detail);
-    EXPECT_TRUE(pass) << pass.error().sentence();
+    EXPECT_TRUE(pass) << pass.error().message();
     render::View view;
     view.eyeWorld = {0, 0, 6};
     view.verticalFov = 0.4f;
@@ -90,7 +91,7 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
         pass->add(nothing, gpu, pose, other.worldFromModel, {glm::vec3(other.worldFromModel[3]), 1},
                   &other.body);
     pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw(render::ObjectPass::Part::Opaque, surround, view, glm::mat3(1),
+    EXPECT_TRUE(pass->draw(render::ObjectPass::Part::Opaque, environment, view, glm::mat3(1),
                            {.curve = render::ToneCurve::Linear}, {}, render::Glossy::Prefiltered));
     return target.read();
 }
@@ -99,8 +100,8 @@ std::vector<Other> someOthers() {
     std::vector<Other> others = {
         {glm::rotate(glm::translate(glm::mat4(1), glm::vec3(0.2f, 1.5f, 0.6f)), 0.7f,
                      glm::vec3(0, 0.6f, 0.8f)),
-         ballBody({0.5f, 0.2f, 0.8f})},
-        {glm::translate(glm::mat4(1), glm::vec3(-0.9f, -0.3f, 1.4f)), ballBody({0.3f, 0.3f, 0.25f})}};
+         sphereBody({0.5f, 0.2f, 0.8f})},
+        {glm::translate(glm::mat4(1), glm::vec3(-0.9f, -0.3f, 1.4f)), sphereBody({0.3f, 0.3f, 0.25f})}};
     others[1].body.albedo = {0.6f, 0.3f, 0.1f};
     return others;
 }
@@ -112,13 +113,13 @@ occlusion::SmoothLight unevenLight() {
         light.behind[k] = 0.4f + 0.2f * glm::vec3(0.3f, std::cos(2.0f * static_cast<float>(k)), 0);
     }
     light.even = {glm::vec3(0.4f), glm::vec3(0.1f, 0, 0.05f), glm::vec3(0.1f, 0.2f, 0), glm::vec3(-0.1f)};
-    light.lampTowards = glm::normalize(glm::vec3(0.1f, 0.8f, 0.5f));
-    light.lampShare = 0.06f;
-    light.lampRadiance = {3, 2.5f, 2};
+    light.dominantTowards = glm::normalize(glm::vec3(0.1f, 0.8f, 0.5f));
+    light.dominantShare = 0.06f;
+    light.dominantRadiance = {3, 2.5f, 2};
     return light;
 }
 
-// What Object.frag makes of it on the CPU: NearBodies' choice, take() and openLobe().
+// What Object.frag makes of it on the CPU: NearBodies' choice, occlude() and lobeVisibility().
 glm::vec3 expected(const glm::vec3& p, const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                    float roughness) {
     const render::BodyOccluders self = itself();
@@ -132,9 +133,9 @@ glm::vec3 expected(const glm::vec3& p, const std::vector<Other>& others, const o
     const math::Dfg dfg =
         math::dfg(std::max(static_cast<double>(glm::dot(n, v)), 1e-3), static_cast<double>(roughness));
     const float single = static_cast<float>(0.04 * dfg.scale + dfg.bias);
-    const glm::vec3 taken = occlusion::take(p, n, {&own, 1}, {}, occluders, smooth).radiance;
+    const glm::vec3 taken = occlusion::occlude(p, n, {&own, 1}, {}, occluders, smooth).radiance;
     occluders.push_back(own);
-    const float open = occlusion::openLobe(p, glm::reflect(-v, n), roughness, occluders);
+    const float open = occlusion::lobeVisibility(p, glm::reflect(-v, n), roughness, occluders);
     return single * kLight * open + (1 - single) * glm::max(kLight - taken, 0.0f);
 }
 
@@ -151,7 +152,7 @@ void compare(render::Detail detail, float roughness, float tolerance) {
                                  std::tan(0.2f);
             const glm::vec3 d = glm::normalize(glm::vec3(at, -1)), eye(0, 0, 6);
             const float b = glm::dot(eye, d), c = glm::dot(eye, eye) - 1;
-            if (b * b - c < 0.02f) continue; // the rim, where triangles leave the ball
+            if (b * b - c < 0.02f) continue; // the rim, where triangles leave the sphere
             const glm::vec3 p = glm::normalize(eye + (-b - std::sqrt(b * b - c)) * d);
             const glm::vec3 right = expected(p, others, smooth, roughness);
             for (int ch = 0; ch < 3; ++ch) {
@@ -165,7 +166,7 @@ void compare(render::Detail detail, float roughness, float tolerance) {
     EXPECT_LT(darkest, 0.6f * kLight); // there is something to see
 }
 
-// A step of 8 bits is 0.008 at this brightness; the ball's triangles turn normals by a hundredth. What the
+// A step of 8 bits is 0.008 at this brightness; the sphere's triangles turn normals by a hundredth. What the
 // lobe sees of the second body is not in `expected`: under 4 % of reflectance.
 TEST_F(OcclusionGL, PixelsAreAsOnPaper) { compare(render::Detail::Full, 1, 0.02f); }
 TEST_F(OcclusionGL, VerticesAreAsOnPaper) { compare(render::Detail::Lean, 1, 0.03f); }

@@ -1,6 +1,6 @@
-// What is drawn belongs to the picture: backdrop where the map says, matte and mirror balls in the video's
+// What is drawn belongs to the picture: backdrop where the map says, matte and mirror spheres in the video's
 // own colours.
-#include "Balls.h"
+#include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
@@ -8,7 +8,7 @@
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
 #include "engine/platform/Headless.h"
-#include "engine/render/BackdropPass.h"
+#include "engine/render/BackgroundPass.h"
 
 #include <gtest/gtest.h>
 
@@ -39,10 +39,10 @@ ImageRgb8 smoothFrame(int width) {
 }
 
 // Returns what it shows, to be kept for as long.
-[[nodiscard]] ImageRgba8 upload(render::SurroundGpu& surround, const ImageRgb8& frame) {
+[[nodiscard]] ImageRgba8 upload(render::EnvironmentGpu& environment, const ImageRgb8& frame) {
     ImageRgba8 bgra;
     media::toBgra(frame, false, bgra);
-    surround.setFrame({bgra.pixels.data(), bgra.width, bgra.height, bgra.width});
+    environment.setFrame({bgra.pixels.data(), bgra.width, bgra.height, bgra.width});
     return bgra;
 }
 
@@ -54,17 +54,18 @@ glm::quat looking(const glm::vec3& dir) {
 }
 
 // Drawn by the graphics side, and by the processor where that can.
-class RenderGLBackdrop : public RenderGL, public testing::WithParamInterface<bool> {};
-INSTANTIATE_TEST_SUITE_P(From, RenderGLBackdrop, testing::Bool(),
-                         [](const auto& spec) { return spec.param ? "Memory" : "Texture"; });
+class RenderGLBackground : public RenderGL, public testing::WithParamInterface<render::Backend> {};
+INSTANTIATE_TEST_SUITE_P(From, RenderGLBackground,
+                         testing::Values(render::Backend::Software, render::Backend::OpenGL),
+                         [](const auto& spec) {
+                             return spec.param == render::Backend::Software ? "Memory" : "Texture";
+                         });
 
-TEST_P(RenderGLBackdrop, ShowsTheMapWhereItLies) {
-    auto pass = render::BackdropPass::make();
-    ASSERT_TRUE(pass) << pass.error().sentence();
-    render::SurroundGpu surround;
-    const ImageRgba8 frame = upload(surround, smoothFrame(512));
-    const render::BackdropPass::InMemory inMemory{
-        {frame.pixels.data(), frame.width, frame.height, frame.width}};
+TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
+    auto pass = render::makeBackgroundPass(GetParam(), false);
+    ASSERT_TRUE(pass) << pass.error().message();
+    render::EnvironmentGpu environment;
+    const ImageRgba8 frame = upload(environment, smoothFrame(512));
     const gl::Target target(96, 64, 1);
     // Ahead, behind (the seam), both poles, and askew.
     for (const glm::vec3 ahead : {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0),
@@ -75,9 +76,7 @@ TEST_P(RenderGLBackdrop, ShowsTheMapWhereItLies) {
         view.aspect = 1.5f;
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        if (GetParam() && !pass->canDrawFromMemory(surround, {})) GTEST_SKIP() << "a graphics card draws";
-        ASSERT_TRUE(GetParam() ? pass->drawFromMemory(surround, view, glm::mat3(1), inMemory, nullptr)
-                               : pass->draw(surround, view, glm::mat3(1), {}));
+        ASSERT_TRUE((*pass)->draw({.environment = environment, .view = view, .canvas = target}, nullptr));
         const ImageRgba8 picture = target.read();
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
@@ -95,35 +94,38 @@ TEST_P(RenderGLBackdrop, ShowsTheMapWhereItLies) {
     }
 }
 
-TEST_F(RenderGL, YawOfTheSurroundTurnsItToTheRight) {
-    auto pass = render::BackdropPass::make();
+TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
+    auto pass = render::BackgroundPass::make(false);
     ASSERT_TRUE(pass);
-    render::SurroundGpu surround;
-    const ImageRgba8 shown = upload(surround, smoothFrame(256));
+    render::EnvironmentGpu environment;
+    const ImageRgba8 shown = upload(environment, smoothFrame(256));
     const gl::Target target(9, 9, 1);
     target.bind();
     glClear(GL_DEPTH_BUFFER_BIT);
     // The column that looks along -Z appears 90 degrees to the right of -Z, so ahead lies what looks along
     // -X.
     const glm::mat3 envFromWorld(glm::mat3_cast(glm::angleAxis(kPi / 2, glm::vec3(0, 1, 0))));
-    const Status drawn = pass->draw(surround, {.verticalFov = 0.2f, .aspect = 1}, envFromWorld, {});
-    ASSERT_TRUE(drawn);
+    ASSERT_TRUE((*pass)->draw({.environment = environment,
+                               .envFromWorld = envFromWorld,
+                               .view = {.verticalFov = 0.2f, .aspect = 1},
+                               .canvas = target},
+                              nullptr));
     const ImageRgba8 picture = target.read();
     const glm::vec3 expected = smoothColour({-1, 0, 0}) * 255.0f;
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f);
 }
 
-TEST_F(RenderGL, WhiteMatteBallInAUniformVideoHasTheVideosValue) {
+TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
     for (const auto& [r, g, b] :
          {std::array<uint8_t, 3>{20, 20, 20}, {128, 128, 128}, {200, 180, 40}, {255, 255, 255}})
         for (const float roughness : {0.0f, 0.5f, 1.0f}) {
             const ImageRgb8 frame = uniformFrame(r, g, b);
-            render::SurroundGpu surround;
-            const ImageRgba8 shown = upload(surround, frame);
-            surround.uploadLight(lightOf(frame));
+            render::EnvironmentGpu environment;
+            const ImageRgba8 shown = upload(environment, frame);
+            environment.uploadLight(lightOf(frame));
             const ImageRgba8 picture =
-                drawBall(ball(0, roughness), surround,
-                         {.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1}, 0, 64);
+                drawSphere(sphere(0, roughness), environment,
+                           {.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1}, 0, 64);
             int covered = 0;
             for (int y = 0; y < 64; ++y)
                 for (int x = 0; x < 64; ++x) {
@@ -139,21 +141,22 @@ TEST_F(RenderGL, WhiteMatteBallInAUniformVideoHasTheVideosValue) {
         }
 }
 
-// Where detail is lean and the ball is small, all light comes by the vertex: a uniform video stays uniform,
+// Where detail is lean and the sphere is small, all light comes by the vertex: a uniform video stays uniform,
 // and in a smooth one nobody can tell.
 TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
-    constexpr int kSize = 64; // the ball's radius is 24 pixels
+    constexpr int kSize = 64; // the sphere's radius is 24 pixels
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kSize};
     for (const bool smooth : {false, true})
         for (const float metallic : {0.0f, 1.0f})
             for (const float roughness : {0.2f, 0.5f, 1.0f}) {
                 const ImageRgb8 video = smooth ? smoothFrame(512) : uniformFrame(200, 180, 40);
-                render::SurroundGpu surround;
-                const ImageRgba8 shown = upload(surround, video);
-                surround.uploadLight(lightOf(video));
-                const scene::Model model = ball(metallic, roughness);
-                const ImageRgba8 pixel = drawBall(model, surround, view, 0, kSize);
-                const ImageRgba8 vertex = drawBall(model, surround, view, 0, kSize, {}, render::Detail::Lean);
+                render::EnvironmentGpu environment;
+                const ImageRgba8 shown = upload(environment, video);
+                environment.uploadLight(lightOf(video));
+                const scene::Model model = sphere(metallic, roughness);
+                const ImageRgba8 pixel = drawSphere(model, environment, view, 0, kSize);
+                const ImageRgba8 vertex =
+                    drawSphere(model, environment, view, 0, kSize, {}, render::Detail::Lean);
                 int covered = 0;
                 double sum = 0;
                 for (int y = 0; y < kSize; ++y)
@@ -185,14 +188,14 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
 TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
     constexpr int kSize = 64;
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = kSize};
-    render::SurroundGpu surround;
-    const ImageRgba8 shown = upload(surround, uniformFrame(120, 100, 90));
-    surround.uploadLight(lightOf(uniformFrame(120, 100, 90)));
+    render::EnvironmentGpu environment;
+    const ImageRgba8 shown = upload(environment, uniformFrame(120, 100, 90));
+    environment.uploadLight(lightOf(uniformFrame(120, 100, 90)));
     const glm::vec4 colour(0.9f, 0.5f, 0.7f, 1);
     const glm::vec3 glow(0.3f, 0.1f, 0.2f);
     constexpr uint8_t kLeft = 200, kRight = 120;
 
-    scene::Model plain = ball(0, 0.6f);
+    scene::Model plain = sphere(0, 0.6f);
     plain.materials[0].baseColourLin = {0.8f, 0.7f, 0.6f, 1};
     scene::Model coloured = plain;
     plain.materials[0].baseColourLin *= colour * glm::vec4(glm::vec3(std::pow(kLeft / 255.0f, 2.2f)), 1);
@@ -215,8 +218,8 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
         if (map) coloured.materials[0].emissive = {0, 0};
         plain.materials[0].emissiveLin = glow * (map ? math::linearFromSrgb(kRight / 255.0f) : 1.0f);
         for (const auto detail : {render::Detail::Full, render::Detail::Lean}) {
-            const ImageRgba8 a = drawBall(plain, surround, view, 0.5f, kSize, {}, detail);
-            const ImageRgba8 b = drawBall(coloured, surround, view, 0.5f, kSize, {}, detail);
+            const ImageRgba8 a = drawSphere(plain, environment, view, 0.5f, kSize, {}, detail);
+            const ImageRgba8 b = drawSphere(coloured, environment, view, 0.5f, kSize, {}, detail);
             for (int y = 24; y < 40; ++y)
                 for (int x = 24; x < 40; ++x)
                     for (int c = 0; c < 3; ++c)
@@ -229,14 +232,14 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
 
 TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
     const ImageRgb8 frame = smoothFrame(512);
-    render::SurroundGpu surround;
-    const ImageRgba8 shown = upload(surround, frame);
-    surround.uploadLight(lightOf(frame));
+    render::EnvironmentGpu environment;
+    const ImageRgba8 shown = upload(environment, frame);
+    environment.uploadLight(lightOf(frame));
     for (const glm::vec3 eye :
          {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
         render::View view{.eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-        const ImageRgba8 picture = drawBall(ball(1, 0), surround, view, 0, 9);
-        // The middle of the ball throws the look back whence it came.
+        const ImageRgba8 picture = drawSphere(sphere(1, 0), environment, view, 0, 9);
+        // The middle of the sphere throws the look back whence it came.
         const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
         // 1/255 asked for, and half a step of rounding in the frame.
         for (int c = 0; c < 3; ++c)
@@ -268,41 +271,46 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
     maker.make(
         {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
         made);
-    render::SurroundGpu surround;
-    surround.uploadLight(lightOf(frame));
+    render::EnvironmentGpu environment;
+    environment.uploadLight(lightOf(frame));
     for (const float roughness : {0.08f, 0.1f, 0.13f, 0.31f, 0.55f, 0.65f, 0.95f, 1.0f})
         for (const glm::vec3 eye : {glm::vec3(0, 3, 0.01f), glm::vec3(0.02f, 0.5f, 3), glm::vec3(3, 0, 0),
                                     glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-            const ImageRgba8 picture = drawBall(ball(1, roughness), surround, view, 0, 9);
+            const ImageRgba8 picture = drawSphere(sphere(1, roughness), environment, view, 0, 9);
             const glm::vec3 dir = glm::normalize(eye);
             const math::Dfg dfg = math::dfg(1, static_cast<double>(roughness));
             const auto kept = static_cast<float>(dfg.scale + dfg.bias);
             const glm::vec3 radiance = kept * light::lookUpGlossy(made, dir, roughness) +
                                        (1 - kept) * light::lookUp(made.diffuse, dir);
             const glm::vec3 expected = light::displayFromRadiance(radiance) * 255.0f;
-            // Rounding, and the ball's 96 facets around, which look up to a fiftieth of a radian elsewhere.
+            // Rounding, and the sphere's 96 facets around, which look up to a fiftieth of a radian elsewhere.
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 2.5f)
                     << "roughness " << roughness << " from " << eye.x << " " << eye.y << " " << eye.z;
         }
 }
 
-TEST_F(RenderGL, ExposureChangesObjectAndBackdropAlike) {
+TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
     const ImageRgb8 frame = uniformFrame(90, 120, 60);
-    render::SurroundGpu surround;
-    const ImageRgba8 shown = upload(surround, frame);
-    surround.uploadLight(lightOf(frame));
-    auto backdrop = render::BackdropPass::make();
-    ASSERT_TRUE(backdrop);
+    render::EnvironmentGpu environment;
+    const ImageRgba8 shown = upload(environment, frame);
+    environment.uploadLight(lightOf(frame));
+    auto background = render::BackgroundPass::make(false);
+    ASSERT_TRUE(background);
     for (const float ev : {-1.5f, 0.7f, 3.0f}) {
         const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
-        const ImageRgba8 object = drawBall(ball(0, 1), surround, view, ev, 9);
+        const ImageRgba8 object = drawSphere(sphere(0, 1), environment, view, ev, 9);
         const gl::Target target(9, 9, 1);
         target.bind();
         glClear(GL_DEPTH_BUFFER_BIT);
-        ASSERT_TRUE(backdrop->draw(surround, view, glm::mat3(1), {.exposure_ev = ev}));
+        ASSERT_TRUE((*background)
+                        ->draw({.environment = environment,
+                                .view = view,
+                                .exposure = {.exposure_ev = ev},
+                                .canvas = target},
+                               nullptr));
         const ImageRgba8 behind = target.read();
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(object.at(4, 4)[c], behind.at(4, 4)[c], 1) << ev;
     }

@@ -1,5 +1,5 @@
 // Shadows on the ground as drawn.
-#include "Balls.h"
+#include "Spheres.h"
 #include "engine/render/ShadowPass.h"
 
 #include <array>
@@ -19,20 +19,19 @@ render::FloorLight sunlight() {
             .height_m = -1.25f};
 }
 
-std::vector<render::CastingPiece> shark() {
-    std::vector<render::CastingPiece> body;
-    for (int i = 0; i < 6; ++i) {
-        const glm::vec3 from(-1.1f + static_cast<float>(i) * 0.36f, -0.3f, -2.2f);
-        body.push_back({from, from + glm::vec3(0.36f, 0, 0), {0, 0, 0.17f}, {0, 0.17f, 0}});
-    }
+std::vector<occlusion::Ellipsoid> shark() {
+    std::vector<occlusion::Ellipsoid> body;
+    for (int i = 0; i < 3; ++i)
+        body.push_back(
+            {{-0.8f + static_cast<float>(i) * 0.65f, -0.3f, -2.2f}, glm::mat3(1), {0.45f, 0.2f, 0.2f}});
     return body;
 }
 
-ImageRgba8 shaded(std::span<const render::CastingPiece> body, const render::FloorLight& light,
+ImageRgba8 shaded(std::span<const occlusion::Ellipsoid> body, const render::FloorLight& light,
                   const render::View& view, const water::Water& water,
                   const render::ShadowPass::Cover* cover = nullptr) {
     auto pass = render::ShadowPass::make();
-    EXPECT_TRUE(pass) << pass.error().sentence();
+    EXPECT_TRUE(pass) << pass.error().message();
     const gl::Target target(kSize, kSize, 1);
     target.bind();
     glClearColor(kBefore / 255.0f, kBefore / 255.0f, kBefore / 255.0f, 1);

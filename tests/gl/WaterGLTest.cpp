@@ -1,5 +1,5 @@
 // Water and what drifts in it, as drawn.
-#include "Balls.h"
+#include "Spheres.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/SnowPass.h"
 #include "engine/water/Water.h"
@@ -19,27 +19,27 @@ water::Water someWater() {
     return water;
 }
 
-// The shader's water is the arithmetic's: a white matte ball in even light sends back that light, dimmed and
-// veiled by what lies between.
-TEST_F(WaterGL, ABallSinksIntoTheVeilAsComputed) {
+// The shader's water is the arithmetic's: a white matte sphere in even light sends back that light, dimmed
+// and veiled by what lies between.
+TEST_F(WaterGL, ASphereSinksIntoTheVeilAsComputed) {
     const ImageRgb8 frame = uniformFrame(150, 140, 120);
-    render::SurroundGpu surround;
-    surround.uploadLight(lightOf(frame));
+    render::EnvironmentGpu environment;
+    environment.uploadLight(lightOf(frame));
     const glm::vec3 display(150 / 255.0f, 140 / 255.0f, 120 / 255.0f);
     for (const float distance_m : {0.5f, 4.0f, 30.0f})
         for (const glm::vec3 ahead :
              {glm::vec3(0, 0, -1), glm::vec3(0.6f, 0.8f, 0), glm::vec3(0, -0.6f, 0.8f)}) {
-            const glm::vec3 eye = -ahead * (distance_m + 1); // to the ball's near side
+            const glm::vec3 eye = -ahead * (distance_m + 1); // to the sphere's near side
             const glm::vec3 side = glm::normalize(glm::cross(ahead, glm::vec3(0.9f, 0.1f, 0.2f)));
             const render::View view{.eyeWorld = eye,
                                     .worldFromEye =
                                         glm::quat_cast(glm::mat3(side, glm::cross(-ahead, side), -ahead)),
                                     .verticalFov = 0.02f,
                                     .aspect = 1};
-            const ImageRgba8 picture = drawBall(ball(0, 1), surround, view, 0, 9, someWater());
+            const ImageRgba8 picture = drawSphere(sphere(0, 1), environment, view, 0, 9, someWater());
             const glm::vec3 expected = 255.0f * water::seenThrough(someWater(), display, ahead, distance_m);
             // Rounding of the picture and the frame's light as half floats; vertices a few hundredths of a
-            // radian apart on the ball are at most a millimetre behind its surface.
+            // radian apart on the sphere are at most a millimetre behind its surface.
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f) << distance_m << " m, channel " << c;
         }
@@ -52,10 +52,10 @@ struct Snowfall {
 
 Snowfall snowAt(double time_s, float depth) {
     const ImageRgb8 frame = uniformFrame(150, 140, 120);
-    render::SurroundGpu surround;
-    surround.uploadLight(lightOf(frame));
+    render::EnvironmentGpu environment;
+    environment.uploadLight(lightOf(frame));
     auto pass = render::SnowPass::make();
-    EXPECT_TRUE(pass) << pass.error().sentence();
+    EXPECT_TRUE(pass) << pass.error().message();
     const gl::Target target(320, 180, 1);
     target.bind();
     glClearColor(0, 0, 0, 0);
@@ -64,8 +64,8 @@ Snowfall snowAt(double time_s, float depth) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepth(1);
     const render::View view{.heightPixels = 180};
-    EXPECT_TRUE(
-        pass->draw(render::SnowPass::On::Everything, surround, view, glm::mat3(1), {}, someWater(), time_s));
+    EXPECT_TRUE(pass->draw(render::SnowPass::On::Everything, environment, view, glm::mat3(1), {}, someWater(),
+                           time_s));
     Snowfall fall{target.read()};
     for (size_t i = 0; i < fall.picture.pixels.size(); i += 4) fall.specks += fall.picture.pixels[i + 1] > 4;
     return fall;

@@ -1,6 +1,7 @@
 // glTF models drawn by `shoal view`, against path-traced pictures of the same scenes and against other
 // real-time renderers. The bound: no further from the path tracer than the median of the real-time renderers.
 #include "engine/core/Files.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,10 +18,7 @@
 namespace shoal {
 namespace {
 
-Path sharedFolder() {
-    const char* set = std::getenv("SHOAL_SHARED");
-    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared") / "data" / "fidelity";
-}
+Path sharedFolder() { return tests::sharedDataFolder() / "fidelity"; }
 
 // Four channels, alpha last.
 struct Picture {
@@ -74,10 +72,10 @@ double rmse(const Picture& a, const Picture& b) {
 Picture reduced(const Picture& large, int width, int height) {
     Picture small{width, height, std::vector<uint8_t>(static_cast<size_t>(width) * height * 4)};
     const double ratio = static_cast<double>(large.width) / width;
-    const auto range = [&](int at, int most) {
+    const auto range = [&](int at, int maximum) {
         const double centre = (at + 0.5) * ratio - 0.5;
         return std::array{std::max(0, static_cast<int>(std::ceil(centre - ratio))),
-                          std::min(most - 1, static_cast<int>(std::floor(centre + ratio)))};
+                          std::min(maximum - 1, static_cast<int>(std::floor(centre + ratio)))};
     };
     const auto weight = [&](int at, int source) {
         return std::max(0.0, 1 - std::abs(source - ((at + 0.5) * ratio - 0.5)) / ratio);
@@ -124,7 +122,7 @@ struct Distances {
 void measure(const std::string& name, const std::string& pathTracer, Distances& distances) {
     const Path folder = sharedFolder();
     const auto text = readText(folder / "scenarios.json");
-    if (!text) GTEST_SKIP() << "needs the reference data: " << text.error().sentence();
+    if (!text) GTEST_SKIP() << "needs the reference data: " << text.error().message();
     const auto scenarios = nlohmann::json::parse(*text).at("scenarios");
     const auto found =
         std::find_if(scenarios.begin(), scenarios.end(), [&](const auto& s) { return s.at("name") == name; });
@@ -133,9 +131,9 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
 
     const auto& orbit = scenario.at("orbit");
     const auto& target = scenario.at("target");
-    const Path out = Path(testing::TempDir()) / (name + ".png");
+    const Path picture = tests::cacheFolder() / (name + ".png"); // the average wants it too
     std::string command =
-        std::string("'") + SHOAL_PROGRAM + "' view '" + (folder / scenario.at("model")).string() +
+        std::string("'") + tests::program() + "' view '" + (folder / scenario.at("model")).string() +
         "' --env '" + (folder / scenario.at("lighting")).string() +
         "' --env-yaw 90 --tone aces --orbit=" + number(orbit.at("theta")) + "," + number(orbit.at("phi")) +
         "," + number(orbit.at("radius")) + " --target=" + number(target.at("x")) + "," +
@@ -143,9 +141,16 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
         number(scenario.at("verticalFoV")) + " --size " +
         std::to_string(scenario.at("dimensions").at("width").get<int>()) + "x" +
         std::to_string(scenario.at("dimensions").at("height").get<int>()) + " --background " +
-        (scenario.at("renderSkybox").get<bool>() ? "env" : "none") + " --out '" + out.string() + "'";
-    ASSERT_EQ(std::system(command.c_str()), 0) << command;
-    const auto drawn = readPng(out);
+        (scenario.at("renderSkybox").get<bool>() ? "env" : "none") + " --out '";
+    if (!std::filesystem::exists(picture)) {
+        std::filesystem::create_directories(picture.parent_path());
+        const Status drew = writeWhole(picture, [&](const Path& out) -> Status {
+            if (std::system((command + out.string() + "'").c_str()) == 0) return Done{};
+            return Error{out.string(), command + " failed"};
+        });
+        ASSERT_TRUE(drew) << drew.error().message();
+    }
+    const auto drawn = readPng(picture);
     ASSERT_TRUE(drawn);
     const auto ours = colourAtHalfResolution(
         reduced(*drawn, scenario.at("golden_size")[0].get<int>(), scenario.at("golden_size")[1].get<int>()));
@@ -158,11 +163,11 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
     ASSERT_TRUE(truth);
     ASSERT_EQ(ours->width, truth->width);
     for (const char* renderer : {"model-viewer", "filament", "babylon", "gltf-sample-viewer", "rhodonite"}) {
-        const auto picture = golden(renderer);
-        if (!picture || picture->width != truth->width || picture->height != truth->height) continue;
+        const auto other = golden(renderer);
+        if (!other || other->width != truth->width || other->height != truth->height) continue;
         // In another pose: no measure of lighting.
         if (std::string(renderer) == "babylon" && name == "khronos-Fox") continue;
-        distances.others[renderer] = rmse(*picture, *truth);
+        distances.others[renderer] = rmse(*other, *truth);
     }
     ASSERT_FALSE(distances.others.empty());
     distances.ours = rmse(*ours, *truth);

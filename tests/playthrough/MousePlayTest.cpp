@@ -1,5 +1,5 @@
 // Somebody with a mouse and nothing but the picture: points at a fish, clicks when the hand is there.
-#include "game/Playback.h"
+#include "game/playthrough/Playback.h"
 #include "input/hands/MouseHands.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +12,11 @@ namespace shoal::game {
 namespace {
 
 TEST(MousePlay, CatchesFishWithPointingAndClicking) {
-    const auto files = loadDiveFiles("reef");
-    ASSERT_TRUE(files) << files.error().sentence();
+    const auto files = loadDiveFiles((dataRoot() / "tests/playthrough/dive/cove.toml").string());
+    ASSERT_TRUE(files) << files.error().message();
     auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    ASSERT_TRUE(rig) << rig.error().sentence();
-    int most = 0, sum = 0;
+    ASSERT_TRUE(rig) << rig.error().message();
+    int maximum = 0, sum = 0;
     for (uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
         Dive dive(files->species, files->dive, seed);
         hands::MouseHands mouse(*rig);
@@ -66,10 +66,10 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
         std::printf("seed %d: %d caught, %d lost, %d points\n", static_cast<int>(seed), now.caught, now.lost,
                     now.score);
         EXPECT_GE(now.caught, 5) << "seed " << seed;
-        most = std::max(most, now.caught);
+        maximum = std::max(maximum, now.caught);
         sum += now.caught;
     }
-    EXPECT_LT(most, 60);
+    EXPECT_LT(maximum, 60);
     // As hard as a game should be: 11 to 15 catches in a dive; single dives differ by a third, the mean of
     // eight by an eighth.
     EXPECT_GE(sum, 8 * 9);

@@ -1,7 +1,7 @@
 // Films the reef (Reef.toml): make_video_frames FOLDER TASK [-- TASK]..., where a task is
 //     draw                     radiance and distances, into FOLDER, at times through the film; what is there
 //     stays film                     all frames, raw, 3 bytes a pixel, sRGB-coded, to standard output truth
-//     TO FRAME...        TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml shelter
+//     TO FRAME...        TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml enclosure
 //     FILE.toml        when the camera is sheltered from the open sea, and how much look WIDTH FRAME... PNGs
 //     of some frames in FOLDER, to be looked at
 // FOLDER keeps what was lit once, for the next run.
@@ -165,7 +165,7 @@ Status truth(const Studio& studio, const Path& to, const std::vector<int>& frame
 }
 
 // Shelter: how much of the light that open water has about it at this depth is missing.
-Status shelter(const Studio& studio, const Path& to) {
+Status enclosure(const Studio& studio, const Path& to) {
     std::string text = "# Where the film's camera is sheltered: seconds of the film, and how much, 0 (open "
                        "water) to 1 (dark); straight lines between.\nshelter = [\n";
     const int fps = studio.scene.film.fps;
@@ -213,7 +213,7 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
     std::vector<int> frames;
     for (size_t i = 2; i < words.size(); ++i) frames.push_back(std::atoi(words[i].c_str()));
     if (task == "truth") return truth(studio, words[1], frames);
-    if (task == "shelter") return shelter(studio, words[1]);
+    if (task == "shelter") return enclosure(studio, words[1]);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), frames);
     return Error{task, "is no task"};
 }
@@ -243,6 +243,6 @@ Status run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     const Status done = run(argc, argv);
-    if (!done) std::fprintf(stderr, "make_video_frames: %s\n", done.error().sentence().c_str());
+    if (!done) std::fprintf(stderr, "make_video_frames: %s\n", done.error().message().c_str());
     return done ? 0 : 1;
 }

@@ -44,9 +44,9 @@ vec3 Route::at(float turn) const {
 }
 
 float Route::distanceTo(const vec3& p) const {
-    float least = 1e9f;
-    for (const vec3& q : points_) least = std::min(least, glm::dot(p - q, p - q));
-    return std::sqrt(least);
+    float minimum = 1e9f;
+    for (const vec3& q : points_) minimum = std::min(minimum, glm::dot(p - q, p - q));
+    return std::sqrt(minimum);
 }
 
 } // namespace shoal::reef

@@ -207,7 +207,7 @@ void World::save(const Path& cache, uint64_t key) const {
         bytes.append(reinterpret_cast<const char*>(part.data()), part.size() * sizeof(vec3));
     bytes.append(reinterpret_cast<const char*>(grid_.data()), grid_.size() * sizeof(vec3));
     if (const Status kept = writeFileWhole(cache, bytes); !kept)
-        std::fprintf(stderr, "%s\n", kept.error().sentence().c_str());
+        std::fprintf(stderr, "%s\n", kept.error().message().c_str());
 }
 
 } // namespace shoal::reef

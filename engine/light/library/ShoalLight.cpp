@@ -142,7 +142,7 @@ ShoalLightStatus shoalLightMakerCreate(const ShoalLightOptions* options, ShoalLi
         return bad("widestMirror lies outside 256 to 8192");
     return guarded([&] {
         const bool still = o.quality == SHOAL_LIGHT_STILL;
-        const bool smooth = o.leastRoughness < light::kLeastFilteredRoughness;
+        const bool smooth = o.leastRoughness < light::kMinFilteredRoughness;
         *maker =
             new ShoalLightMaker{.options = {o.widestMirror, o.leastRoughness,
                                             still ? light::LightQuality::Still : light::LightQuality::Video},

@@ -9,13 +9,13 @@ namespace {
 
 class Camera : public OpenCamera {
   public:
-    bool open(int index, const CameraWish& wish) {
+    bool open(int index, const CameraRequest& request) {
         if (!capture_.open(index, cv::CAP_V4L2)) return false;
         // What a camera does not know it refuses.
-        if (wish.jpeg) capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
-        capture_.set(cv::CAP_PROP_FRAME_WIDTH, wish.width);
-        capture_.set(cv::CAP_PROP_FRAME_HEIGHT, wish.height);
-        if (wish.waiting > 0) capture_.set(cv::CAP_PROP_BUFFERSIZE, wish.waiting);
+        if (request.jpeg) capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
+        capture_.set(cv::CAP_PROP_FRAME_WIDTH, request.width);
+        capture_.set(cv::CAP_PROP_FRAME_HEIGHT, request.height);
+        if (request.waiting > 0) capture_.set(cv::CAP_PROP_BUFFERSIZE, request.waiting);
         return true;
     }
     bool grab() override { return capture_.grab(); }
@@ -39,9 +39,9 @@ const Codecs shoalCodecs = {
     .imencode = [](const std::string& kind, const cv::Mat& bgr,
                    std::vector<uint8_t>& bytes) { return cv::imencode(kind, bgr, bytes); },
     .imwrite = [](const std::string& file, const cv::Mat& bgr) { return cv::imwrite(file, bgr); },
-    .openCamera = [](int index, const CameraWish& wish) -> std::unique_ptr<OpenCamera> {
+    .openCamera = [](int index, const CameraRequest& request) -> std::unique_ptr<OpenCamera> {
         auto camera = std::make_unique<Camera>();
-        if (!camera->open(index, wish)) return nullptr;
+        if (!camera->open(index, request)) return nullptr;
         return camera;
     },
 };

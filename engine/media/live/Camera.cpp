@@ -12,8 +12,8 @@ namespace shoal::media {
 
 namespace {
 
-// The camera gives what is nearest to it: a surround has twice as many columns as rows.
-constexpr int kWishedWidth = 3840, kWishedHeight = 1920;
+// The camera gives the nearest size it has.
+constexpr int kRequestedWidth = 3840, kRequestedHeight = 1920;
 
 class Camera {
   public:
@@ -24,12 +24,12 @@ class Camera {
         if (!std::filesystem::exists("/dev/video" + std::to_string(index_), code))
             return Error{"", "is not there; `shoal devices` lists the cameras that are"};
         const auto with = codecs();
-        if (!with) return Error{"", "cannot be opened: " + with.error().sentence()};
+        if (!with) return Error{"", "cannot be opened: " + with.error().message()};
         try {
             camera_.reset();
-            // No more waits than is needed: what waits grows old.
+            // A short queue: pictures that wait grow old.
             camera_ = (*with)->openCamera(
-                index_, {.width = kWishedWidth, .height = kWishedHeight, .jpeg = true, .waiting = 2});
+                index_, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
             if (!camera_) return Error{"", "cannot be opened, or is in use elsewhere"};
         } catch (const std::exception&) {
             return Error{"", "cannot be opened"};
@@ -83,7 +83,7 @@ std::vector<CameraListed> listCameras() {
         if (!node.starts_with("video") || node.size() < 6 || node.size() > 8 ||
             node.find_first_not_of("0123456789", 5) != std::string::npos)
             continue;
-        // A camera's further nodes give what is no picture.
+        // A camera's further nodes give metadata.
         int which = 0;
         if (std::ifstream(entry.path() / "index") >> which && which != 0) continue;
         CameraListed camera{std::stoi(node.substr(5)), {}};

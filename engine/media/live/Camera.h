@@ -1,4 +1,4 @@
-// Cameras, through OpenCV.
+// Video4Linux cameras, through OpenCV.
 #pragma once
 
 #include "engine/media/live/LiveFeed.h"
@@ -8,15 +8,14 @@
 
 namespace shoal::media {
 
-// address: "camera:0" and so on. Does not let itself be interrupted while the camera is silent: OpenCV waits
-// for ten seconds.
+// Cannot be interrupted while the camera is silent: OpenCV waits for ten seconds.
 LiveFeed cameraFeed(const CameraAddress& address);
 
 struct CameraListed {
     int index = 0;
     std::string name;
 };
-// As the system lists them, without opening any.
+// As the system lists them; none is opened.
 std::vector<CameraListed> listCameras();
 
 } // namespace shoal::media

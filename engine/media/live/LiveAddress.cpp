@@ -7,13 +7,13 @@ namespace shoal::media {
 
 namespace {
 
-// By kStreamSchemes. Over HTTP a server may send us on to a safe address; from a safe one to no other.
+// By kStreamSchemes. HTTP may be redirected to HTTPS, but not the reverse.
 constexpr std::array kProtocols = {"rtp,udp,tcp", "http,https,tls,tcp", "https,tls,tcp", "tcp", "udp"};
 static_assert(kProtocols.size() == kStreamSchemes.size());
 
-constexpr size_t kLongest = 2048;
+constexpr size_t kMaxLength = 2048;
 
-// What stands before "://", if that can be a scheme.
+// The text before "://", if that can be a scheme.
 std::string_view schemeOf(const std::string& text) {
     const size_t end = text.find("://");
     if (end == std::string::npos || end == 0) return {};
@@ -36,7 +36,7 @@ Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
         return std::optional<LiveAddress>(CameraAddress{std::stoi(number)});
     }
     if (const std::string_view scheme = schemeOf(text); !scheme.empty()) {
-        if (text.size() > kLongest) return Error{withoutPassword(text.substr(0, 80)), "is too long a URL"};
+        if (text.size() > kMaxLength) return Error{withoutPassword(text.substr(0, 80)), "is too long a URL"};
         for (size_t i = 0; i < kStreamSchemes.size(); ++i)
             if (scheme == kStreamSchemes[i])
                 return std::optional<LiveAddress>(StreamAddress{text, kProtocols[i]});

@@ -1,4 +1,4 @@
-// What `--video` may name beside a file.
+// Addresses of live video, as `--video` takes them: camera, named pipe or URL.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -12,26 +12,26 @@
 namespace shoal::media {
 
 struct CameraAddress {
-    int index = 0; // as the system counts them
+    int index = 0; // of /dev/videoN
 };
 struct PipeAddress {
     Path file;
 };
 struct StreamAddress {
     std::string url;
-    // What FFmpeg may open for it, with commas between: a server cannot lead it to files or elsewhere.
+    // Protocols that FFmpeg may use for it, comma separated: a server cannot redirect it to files.
     const char* protocols = "";
 };
 using LiveAddress = std::variant<CameraAddress, PipeAddress, StreamAddress>;
 
-// Before "://"; whatever else stands there is refused.
+// Schemes of URLs that are played; all others are refused.
 inline constexpr std::array kStreamSchemes = {"rtsp", "http", "https", "tcp", "udp"};
 
 // "camera:N", the name of a named pipe, or a URL of one of the schemes. Empty: `text` names a file, if
-// anything. Errors: it names something live that cannot be had, such as a scheme that is not allowed.
+// anything. Errors: a malformed camera or URL, or a scheme that is not allowed.
 Result<std::optional<LiveAddress>> liveAddress(const std::string& text);
 
-// As it is shown: without the user's name and password.
+// For messages: without user name and password.
 std::string withoutPassword(const std::string& url);
 
 } // namespace shoal::media

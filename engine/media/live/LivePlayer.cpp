@@ -1,6 +1,6 @@
 #include "engine/media/live/LivePlayer.h"
 
-#include "engine/media/live/Backoff.h"
+#include "engine/media/live/Timing.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-constexpr Seconds kAskEvery{0.05};
-constexpr Seconds kFarewell{2}; // for a feed that does not hear that it is interrupted
+constexpr Seconds kPollInterval{0.05};
+constexpr Seconds kJoinTimeout{2}; // for a feed that cannot be interrupted
 
 } // namespace
 
@@ -54,7 +54,7 @@ struct LivePlayer::Impl {
     // The frame thread's:
     LiveState state = LiveState::Playing;
     std::string notice, noticedReason;
-    std::array<double, 64> calls_s{}; // times of newest(), round and round
+    std::array<double, 64> calls_s{}; // ring buffer: times of newest()
     size_t callCount = 0;
     int displayFrames = 0;
 
@@ -65,7 +65,7 @@ struct LivePlayer::Impl {
 
     // --- Decode thread -------------------------------------------------------------------------------------
 
-    // False: it is time to go.
+    // Runs `call` unlocked. False: the player ends.
     template <class Call> bool inCall(std::unique_lock<std::mutex>& lock, Call&& call) {
         inFeed = true;
         lock.unlock();
@@ -107,7 +107,7 @@ struct LivePlayer::Impl {
         changed.notify_all();
     }
 
-    // Reads until nothing more comes; says why.
+    // Reads until no more pictures come; returns why.
     Error play(std::unique_lock<std::mutex>& lock, Backoff& backoff) {
         for (;;) {
             const int index = freeSlot();
@@ -140,8 +140,8 @@ struct LivePlayer::Impl {
     }
 
     void run() {
-        // Does not step back as a file's thread does: what that has ready before it is due is late here.
-        Backoff backoff(options.retryFirst_s, options.retryMost_s);
+        // At normal priority, unlike a file's thread: live pictures are not ready before they are due.
+        Backoff backoff(options.retryFirst_s, options.retryMax_s);
         std::unique_lock lock(mutex);
         while (!stop) {
             Status opened = Error{};
@@ -182,7 +182,7 @@ struct LivePlayer::Impl {
         displayFrames = static_cast<int>(std::count_if(calls_s.begin(), calls_s.begin() + known, after));
     }
 
-    void tellState() {
+    void updateState() {
         const LiveState now = lost                                             ? LiveState::Lost
                               : options.now_s() - lastMade_s > options.still_s ? LiveState::Stopped
                                                                                : LiveState::Playing;
@@ -205,7 +205,7 @@ Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const st
     impl->feed = std::move(feed);
     impl->options = std::move(options);
     impl->slots.resize(static_cast<size_t>(impl->options.slots));
-    // It keeps what it uses alive for itself, should it be left behind.
+    // The thread shares ownership, in case it is left behind.
     impl->thread = std::thread([impl] { impl->run(); });
     LivePlayer player(impl);
 
@@ -220,7 +220,7 @@ Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const st
         if (impl->takeReady()) break;
         if (impl->lost) return failed(impl->reason);
         if (Clock::now() >= last) return failed("no picture has come");
-        impl->changed.wait_for(lock, kAskEvery);
+        impl->changed.wait_for(lock, kPollInterval);
         lock.unlock();
         const bool go = !wait || wait();
         lock.lock();
@@ -245,7 +245,7 @@ LivePlayer::~LivePlayer() {
     lock.unlock();
     impl_->feed.interrupt();
     lock.lock();
-    impl_->changed.wait_for(lock, kFarewell, [&] { return impl_->finished; });
+    impl_->changed.wait_for(lock, kJoinTimeout, [&] { return impl_->finished; });
     impl_->changed.wait(lock, [&] { return impl_->finished || impl_->inFeed; });
     const bool finished = impl_->finished;
     lock.unlock();
@@ -257,7 +257,7 @@ const LiveFrame* LivePlayer::newest() {
     const std::lock_guard lock(p.mutex);
     p.countCall();
     if (p.takeReady()) p.countDisplayFrames();
-    p.tellState();
+    p.updateState();
     return &p.slots[static_cast<size_t>(p.shown)].frame;
 }
 
@@ -280,6 +280,16 @@ const std::string& LivePlayer::notice() const { return impl_->notice; }
 LiveCounts LivePlayer::counts() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->counts;
+}
+
+Result<std::string> checkLive(const LiveAddress& address) {
+    LiveFeed feed = feedFrom(address);
+    const std::string kind = feed.kind;
+    auto player = LivePlayer::open(std::move(feed));
+    if (!player) return player.error();
+    const LiveFrame& frame = *player->newest();
+    return "a live " + kind + " of " + std::to_string(frame.pixelsBgr.width) + "x" +
+           std::to_string(frame.pixelsBgr.height) + ", lat-long " + enumName(frame.layout);
 }
 
 } // namespace shoal::media

@@ -1,9 +1,9 @@
-// Plays what is live: the newest picture, whenever one has come. No looking ahead, no seeking, no end: where
-// nothing comes, the last picture stays, and the connection is made anew until it comes again.
+// Player of live video: always the newest picture, never reading ahead. Where nothing comes, the last picture
+// stays, and the connection is made again until pictures come.
 //
-// Threads: newest() and what tells of it belong to one thread, the frame's. `prepare` runs on the decode
-// thread. Memory: the slots, taken when the first pictures come and when they change their size; nothing per
-// frame by us. A frame that was not shown before the next was complete is never shown.
+// Threads: all methods belong to one thread, the frame's. `prepare` runs on the decode thread. Memory: the
+// slots, allocated when pictures first come and when they change their size. A frame that was not shown
+// before the next was complete is never shown.
 #pragma once
 
 #include "engine/media/StereoView.h"
@@ -26,10 +26,10 @@ struct LiveOptions {
     int slots = 3;                // one shown, one ready, one being filled; at least 3
     // As VideoOptions::prepare.
     std::function<void(const LiveFrame& frame, int slot)> prepare;
-    double firstPicture_s = 10; // open() waits so long
+    double firstPicture_s = 10; // time limit of open()
     bool keepPixels = true;     // false: only `prepare` sees pixelsBgr; in frames given out it is empty
-    double still_s = 1;         // without a new picture: it has stopped, and says so
-    double retryFirst_s = 0.5, retryMost_s = 8;
+    double still_s = 1;         // without a new picture for so long: LiveState::Stopped
+    double retryFirst_s = 0.5, retryMax_s = 8;
     std::function<double()> now_s = liveNow_s;
 };
 
@@ -39,8 +39,8 @@ enum class LiveState { Playing, Stopped, Lost };
 struct LiveCounts {
     int64_t shown = 0;      // frames given out
     int64_t made = 0;       // frames decoded and prepared
-    int64_t passedOver = 0; // that came, but were older than another that was there
-    int64_t stops = 0;      // times that nothing new came for still_s
+    int64_t passedOver = 0; // skipped because a newer one was there
+    int64_t stops = 0;      // times that nothing came for still_s
     int64_t losses = 0;     // times that the connection was lost
     int64_t resized = 0;    // times that the picture changed its size
 };
@@ -48,31 +48,31 @@ struct LiveCounts {
 class LivePlayer {
   public:
     // Returns when the first picture is ready. Errors: why there is none, or none within firstPicture_s, or
-    // wait() said false. wait: asked some twenty times a second whether to go on waiting.
+    // wait() returned false. wait: polled some twenty times a second; whether to go on waiting.
     static Result<LivePlayer> open(LiveFeed feed, LiveOptions options = {},
                                    const std::function<bool()>& wait = {});
 
     LivePlayer(LivePlayer&&) noexcept;
     LivePlayer& operator=(LivePlayer&&) noexcept;
-    // Soon, whatever the feed is waiting for: where it does not let itself be interrupted its thread is left
-    // behind, and touches nothing of ours any more.
+    // Returns soon, whatever the feed is waiting for: a feed that cannot be interrupted leaves its thread
+    // behind, detached and sharing nothing with us.
     ~LivePlayer();
 
-    // Once for each picture of the display: the newest complete frame. Never null. Valid until the next call.
+    // To be called once per displayed frame: the newest complete frame. Never null. Valid until the next
+    // call.
     const LiveFrame* newest();
 
-    // How many calls of newest() came after the frame of the last one had arrived, that one counted: 1 if the
-    // display's next picture showed it.
+    // Display frames between the arrival of the frame last returned and its display: 1 if the next showed it.
     int displayFrames() const;
 
-    // Since the frame of the last newest() had arrived.
+    // Time since the frame last returned had arrived.
     double age_s() const;
 
     int slotOf(const LiveFrame& frame) const;
 
     LiveState state() const; // as of the last newest()
 
-    // One sentence for the person while nothing new comes, else empty. Valid until the next newest().
+    // A message for the user while nothing new comes, else empty. Valid until the next newest().
     const std::string& notice() const;
 
     LiveCounts counts() const;
@@ -82,5 +82,9 @@ class LivePlayer {
     explicit LivePlayer(std::shared_ptr<Impl> impl);
     std::shared_ptr<Impl> impl_;
 };
+
+// A description of a camera, pipe or stream for `shoal check`. Waits for its first picture, ten seconds at
+// most. Error: why it cannot be played.
+Result<std::string> checkLive(const LiveAddress& address);
 
 } // namespace shoal::media

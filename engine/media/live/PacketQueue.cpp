@@ -4,7 +4,7 @@
 
 namespace shoal::media {
 
-PacketQueue::PacketQueue() : ring_(kMostPackets) {
+PacketQueue::PacketQueue() : ring_(kMaxPackets) {
     for (Entry& each : ring_) each.packet = makePacket();
 }
 
@@ -12,7 +12,7 @@ void PacketQueue::reset(bool wait) {
     const std::lock_guard lock(mutex_);
     drop(count_);
     wait_ = wait;
-    closed_ = left_ = needsKey_ = false;
+    closed_ = stopped_ = needsKey_ = false;
     dropped_ = 0;
 }
 
@@ -29,11 +29,11 @@ void PacketQueue::drop(size_t count) {
 
 bool PacketQueue::push(AVPacket& packet, double arrived_s) {
     std::unique_lock lock(mutex_);
-    if (wait_) changed_.wait(lock, [&] { return interrupted_ || left_ || count_ < kWaitingPackets; });
-    if (interrupted_ || left_) return false;
+    if (wait_) changed_.wait(lock, [&] { return interrupted_ || stopped_ || count_ < kWaitingPackets; });
+    if (interrupted_ || stopped_) return false;
     const bool key = packet.flags & AV_PKT_FLAG_KEY;
     const auto size = static_cast<size_t>(packet.size);
-    if (!wait_ && (count_ == ring_.size() || bytes_ + size > kMostBytes)) {
+    if (!wait_ && (count_ == ring_.size() || bytes_ + size > kMaxBytes)) {
         drop(count_);
         needsKey_ = true;
     }
@@ -59,17 +59,17 @@ void PacketQueue::close(std::string reason) {
     changed_.notify_all();
 }
 
-bool PacketQueue::rest(double seconds) {
+bool PacketQueue::sleep(double seconds) {
     std::unique_lock lock(mutex_);
     return !changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                              [&] { return interrupted_ || left_; });
+                              [&] { return interrupted_ || stopped_; });
 }
 
 PacketQueue::Popped PacketQueue::pop(Packet& packet) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return count_ > 0 || closed_ || interrupted_; });
     if (count_ == 0 || interrupted_) return {};
-    // What lies before the newest key picture is older than it, and not needed for it.
+    // Nothing before the newest key frame is needed to decode it.
     if (!wait_)
         for (size_t i = count_ - 1; i > 0; --i)
             if (entry(i).packet->flags & AV_PKT_FLAG_KEY) {
@@ -98,9 +98,9 @@ std::string PacketQueue::reason() const {
     return reason_;
 }
 
-void PacketQueue::leave() {
+void PacketQueue::stop() {
     const std::lock_guard lock(mutex_);
-    left_ = true;
+    stopped_ = true;
     changed_.notify_all();
 }
 

@@ -1,5 +1,5 @@
-// Coded pictures on their way from the network to the decoder. What is live is never waited for: where the
-// decoder is behind, it goes on with the newest picture that needs none before it.
+// Bounded queue of coded pictures between the reader's thread and the decoder's. Where the decoder is behind
+// a live stream, packets before the newest key frame are dropped.
 #pragma once
 
 #include "engine/media/Ffmpeg.h"
@@ -15,31 +15,31 @@ class PacketQueue {
   public:
     PacketQueue();
 
-    // Empty again, and open. wait: push() waits for room and drops nothing.
+    // Empties and opens it. wait: push() waits for room and drops nothing.
     void reset(bool wait);
 
     // --- The reader's thread
 
-    // Takes what the packet refers to. False once interrupted.
+    // Takes over the packet's data. False once stopped or interrupted.
     bool push(AVPacket& packet, double arrived_s);
 
-    // Nothing more will come; why. What is there can still be popped.
+    // No more packets will come, for this reason. Those in the queue can still be popped.
     void close(std::string reason);
 
-    // False if left or interrupted meanwhile.
-    bool rest(double seconds);
+    // False if stopped or interrupted meanwhile.
+    bool sleep(double seconds);
 
     // --- The decoder's thread
 
     struct Popped {
-        bool some = false; // else it is closed or interrupted
+        bool some = false; // false: closed and empty, or interrupted
         double arrived_s = 0;
         int dropped = 0; // packets left out before this one
     };
-    // Blocks until there is something.
+    // Blocks until there is a packet.
     Popped pop(Packet& packet);
 
-    void leave(); // the reader is to end; until reset()
+    void stop(); // the reader's calls return false until reset()
 
     size_t count() const;
     std::string reason() const; // of close()
@@ -48,7 +48,7 @@ class PacketQueue {
 
     void interrupt(); // for good
 
-    static constexpr size_t kMostPackets = 512, kMostBytes = size_t{64} << 20, kWaitingPackets = 4;
+    static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{64} << 20, kWaitingPackets = 4;
 
   private:
     struct Entry {
@@ -62,7 +62,7 @@ class PacketQueue {
     std::condition_variable changed_;
     std::vector<Entry> ring_;
     size_t first_ = 0, count_ = 0, bytes_ = 0;
-    bool wait_ = false, closed_ = false, left_ = false, interrupted_ = false, needsKey_ = false;
+    bool wait_ = false, closed_ = false, stopped_ = false, interrupted_ = false, needsKey_ = false;
     int dropped_ = 0;
     std::string reason_;
 };

@@ -17,7 +17,7 @@ namespace shoal::media {
 namespace {
 
 constexpr int kBuffer = 1 << 16;
-constexpr int kAskEvery_ms = 100;
+constexpr int kPollInterval_ms = 100;
 
 int readFor(void* pipe, uint8_t* bytes, int count) {
     return static_cast<PipeInput*>(pipe)->read(std::span(bytes, static_cast<size_t>(count)));
@@ -40,8 +40,8 @@ PipeInput::~PipeInput() {
 
 Status PipeInput::open() {
     close(context_);
-    // Opened before the old one is closed: a writer who has just come must not find the pipe without readers.
-    // And anew each time: of a writer who went nothing but his going could be heard for ever.
+    // Opened before the old one is closed: a new writer must not find the pipe without readers. And opened
+    // again each time: after a writer has closed, the old descriptor reports only the end of the file.
     const int opened = ::open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor_ >= 0) ::close(descriptor_);
     descriptor_ = opened;
@@ -58,8 +58,8 @@ int PipeInput::read(std::span<uint8_t> bytes) {
     for (;;) {
         if (giveUp_()) return AVERROR_EXIT;
         pollfd waiting{descriptor_, POLLIN, 0};
-        // Waits for the first writer too; POLLHUP comes once one was there and the last has gone.
-        if (poll(&waiting, 1, kAskEvery_ms) <= 0) continue;
+        // Waits for the first writer too; POLLHUP comes once the last writer has closed.
+        if (poll(&waiting, 1, kPollInterval_ms) <= 0) continue;
         const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
         if (count > 0) return static_cast<int>(count);
         if (count == 0) return AVERROR_EOF;

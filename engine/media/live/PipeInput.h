@@ -1,4 +1,4 @@
-// A named pipe as FFmpeg reads it. Internal to this folder.
+// FFmpeg input that reads a named pipe and can be interrupted. Internal to this folder.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -13,17 +13,17 @@ namespace shoal::media {
 
 class PipeInput {
   public:
-    // giveUp: asked ten times a second while nothing comes.
+    // giveUp: polled ten times a second while nothing comes.
     PipeInput(Path file, std::function<bool()> giveUp);
     ~PipeInput();
     PipeInput(const PipeInput&) = delete;
     PipeInput& operator=(const PipeInput&) = delete;
 
-    // For a writer that comes now, or is there already.
+    // For the writer that is there, or the next.
     Status open();
     AVIOContext* context() { return context_; }
 
-    // Blocks until there are some. As FFmpeg wants it: their count, or a negative error.
+    // Blocks until there are some. Returns their count, or a negative error of FFmpeg's.
     int read(std::span<uint8_t> bytes);
 
   private:

@@ -1,4 +1,5 @@
-// A stream's or a pipe's packets, as they come. Internal to this folder; one thread's, but for the last two.
+// Reader of a stream's or pipe's video packets. Internal to this folder; used by one thread but for the last
+// two methods.
 #pragma once
 
 #include "engine/media/Ffmpeg.h"
@@ -9,51 +10,48 @@
 #include <memory>
 #include <optional>
 
-struct AVFormatContext;
-struct AVStream;
-
 namespace shoal::media {
 
 class StreamInput {
   public:
-    StreamInput(const LiveAddress& address, const FeedPatience& patience);
+    StreamInput(const LiveAddress& address, const FeedTimeouts& timeouts);
     ~StreamInput();
     StreamInput(const StreamInput&) = delete;
     StreamInput& operator=(const StreamInput&) = delete;
 
-    // Anew, whatever was before.
+    // Connects, or connects again.
     Status open();
 
-    const AVStream& picture() const; // the stream of pictures, once open
-    // It is of a length that is known: a file on a server. It gives as much as is read.
+    const AVStream& video() const; // once open
+    // A file on a server, of known length: it sends as fast as it is read.
     bool stored() const { return stored_; }
-    // Whether time stamps are the sender's, and not made up on the way.
+    // Whether time stamps are the sender's, and not invented by FFmpeg.
     bool stamped() const { return stamped_; }
 
-    // Blocks until the next packet of the pictures. Error: why there is none.
+    // Blocks until the next video packet. Error: why there is none.
     Status read(AVPacket& packet);
 
     // From any thread: open() and read() return soon; until the next open(), or for good.
-    void leave() { left_ = true; }
+    void stop() { stopped_ = true; }
     void interrupt() { interrupted_ = true; }
 
   private:
     bool givesUp() const;
-    void giveWholePictures();
-    void tellKey(AVPacket& packet);
-    void close();
+    Status openFormat();
+    void passPacketsUnparsed();
+    void markKeyFrame(AVPacket& packet);
 
     LiveAddress address_;
-    FeedPatience patience_;
+    FeedTimeouts timeouts_;
     std::optional<PipeInput> pipe_;
-    AVFormatContext* format_ = nullptr;
+    Input format_;
     int stream_ = -1;
-    bool whole_ = false; // packets are pictures as they come
+    bool unparsed_ = false; // each packet is one picture
     std::unique_ptr<AVCodecParserContext, CloseParser> parser_;
     Codec parsed_;
     bool stored_ = false, stamped_ = true;
-    double until_s_ = 0; // when to give up
-    std::atomic<bool> left_{false}, interrupted_{false};
+    double deadline_s_ = 0;
+    std::atomic<bool> stopped_{false}, interrupted_{false};
 };
 
 } // namespace shoal::media

@@ -1,4 +1,4 @@
-// The cured layers where shaders find them.
+// An Ollfb in graphics memory, for shaders/occlusion/Ollfb.glsl. Main thread; OpenGL 4.3.
 #pragma once
 
 #include "engine/gl/Program.h"

@@ -20,11 +20,11 @@ Status canKeepLayers() {
 }
 
 Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
-    GLint64 most = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    if (bytes > static_cast<size_t>(most))
+    GLint64 maximum = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &maximum);
+    if (bytes > static_cast<size_t>(maximum))
         return Error{"", "a storage buffer of " + std::to_string(bytes) +
-                             " bytes is too large here; at most " + std::to_string(most)};
+                             " bytes is too large here; at most " + std::to_string(maximum)};
     while (glGetError() != GL_NO_ERROR) {
     }
     gl::Buffer buffer = gl::Buffer::make();

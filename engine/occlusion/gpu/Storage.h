@@ -1,4 +1,4 @@
-// Buffers that shaders read and write by index.
+// Shader storage buffers (OpenGL 4.3): creation, and reading back.
 #pragma once
 
 #include "engine/core/Result.h"

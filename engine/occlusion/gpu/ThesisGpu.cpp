@@ -37,13 +37,13 @@ struct MeshGpu {
 void setViews(const gl::Program& program, const ThesisViews& views) {
     program.set("cells", views.cells);
     program.set("resolution", views.resolution);
-    program.set("ball", glm::vec4(views.ball.centre, views.ball.radius));
+    program.set("sphere", glm::vec4(views.sphere.centre, views.sphere.radius));
     program.set("pixelsPerMetre", views.pixelsPerMetre());
 }
 
 } // namespace
 
-Result<ThesisGpu> ThesisGpu::see(const BodyMesh& mesh, const OllfbThesis::Options& options) {
+Result<ThesisGpu> ThesisGpu::see(const BodyMesh& mesh, const ThesisOptions& options) {
     if (Status status = canKeepLayers(); !status) return status.error();
     if (Status status = checkMesh(mesh); !status) return status.error();
     if (Status status = checkOptions(options); !status) return status.error();
@@ -55,14 +55,14 @@ Result<ThesisGpu> ThesisGpu::see(const BodyMesh& mesh, const OllfbThesis::Option
     if (!sort) return sort.error();
 
     ThesisGpu result;
-    result.views_ = {options.cells, options.resolution, boundingBall(mesh)};
+    result.views_ = {options.cells, options.resolution, boundingSphere(mesh)};
     const ThesisViews& views = result.views_;
     const size_t pixels =
         static_cast<size_t>(views.count()) * static_cast<size_t>(views.resolution * views.resolution);
-    const Error tooLarge{"", "a body's layers would take more than " + std::to_string(options.mostBytes) +
+    const Error tooLarge{"", "a body's layers would take more than " + std::to_string(options.maxBytes) +
                                  " bytes; see it from fewer sides or with fewer pixels"};
     result.startCount_ = pixels + 1;
-    if (result.bytes() > options.mostBytes) return tooLarge;
+    if (result.bytes() > options.maxBytes) return tooLarge;
 
     // All views side by side in a picture that has no memory.
     const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(views.count()))));
@@ -103,7 +103,7 @@ Result<ThesisGpu> ThesisGpu::see(const BodyMesh& mesh, const OllfbThesis::Option
     for (const uint32_t each : counts) {
         offsets.push_back(static_cast<uint32_t>(total));
         total += each;
-        if (total * sizeof(ThesisLayer) > options.mostBytes) return tooLarge;
+        if (total * sizeof(ThesisLayer) > options.maxBytes) return tooLarge;
     }
     result.layerCount_ = total;
     auto layers = storageBuffer(nullptr, total * sizeof(ThesisLayer));

@@ -1,5 +1,7 @@
 #include "input/hands/leap/LeapMessage.h"
 
+#include "engine/core/JsonBounds.h"
+
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -11,37 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr size_t kMostHands = 8, kMostPointables = 64;
+constexpr size_t kMaxHands = 8, kMaxPointables = 64;
 constexpr double kMetresFromMillimetres = 1e-3;
 constexpr double kFarthest_m = 5; // the device sees less than one
-
-// Depth and number of values, without building anything.
-bool withinBounds(std::string_view text) {
-    if (text.size() > kLeapMessageBytes) return false;
-    int depth = 0;
-    size_t values = 1;
-    bool quoted = false;
-    for (size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                quoted = false;
-        } else if (c == '"') {
-            quoted = true;
-        } else if (c == '[' || c == '{') {
-            if (++depth > kLeapMessageDepth) return false;
-            ++values;
-        } else if (c == ']' || c == '}') {
-            --depth;
-        } else if (c == ',') {
-            ++values;
-        }
-        if (values > kLeapMessageValues) return false;
-    }
-    return true;
-}
 
 const json* member(const json& object, const char* key) {
     const auto found = object.find(key);
@@ -82,7 +56,7 @@ std::string words(const json& object, const char* key) {
     return text;
 }
 
-std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double most) {
+std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double maximum) {
     const json* value = member(object, key);
     if (!value || !value->is_array() || value->size() != 3) return std::nullopt;
     glm::vec3 v(0);
@@ -90,7 +64,7 @@ std::optional<glm::vec3> triple(const json& object, const char* key, double scal
         const json& entry = (*value)[static_cast<size_t>(i)];
         if (!entry.is_number()) return std::nullopt;
         const double given = entry.get<double>() * scale;
-        if (!(std::fabs(given) <= most)) return std::nullopt; // NaN too
+        if (!(std::fabs(given) <= maximum)) return std::nullopt; // NaN too
         v[i] = static_cast<float>(given);
     }
     return v;
@@ -115,7 +89,7 @@ std::optional<PartialHand> readHand(const json& from) {
     const std::string type = words(from, "type");
     if (type == "left") hand.side = Side::Left;
     if (type == "right") hand.side = Side::Right;
-    hand.wrist = point(from, "wrist");
+    hand.joints[kWristJoint] = point(from, "wrist");
     if (const auto width = number(from, "palmWidth"); width && *width > 20 && *width < 200)
         hand.palmWidth_m = static_cast<float>(*width * kMetresFromMillimetres);
     hand.grip = share(from, "grabStrength");
@@ -143,17 +117,15 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
     if (!type && mcp)
         if (const auto id = whole(from, "id")) type = *id - 10 * hand->identity;
     if (type && *type >= 0 && *type < kFingerCount) {
-        PartialFinger& finger = hand->fingers[static_cast<size_t>(*type)];
-        if (*type == 0) {
-            finger.metacarpal = mcp;
-            finger.proximal = pip;
-        } else {
-            finger.metacarpal = point(from, "carpPosition");
-            finger.proximal = mcp;
-            finger.intermediate = pip;
-        }
-        finger.distal = dip;
-        finger.tip = tip;
+        const FingerJoints& finger = kFingerJoints[static_cast<size_t>(*type)];
+        const auto set = [&](int joint, const std::optional<glm::vec3>& position) {
+            hand->joints[static_cast<size_t>(joint)] = position;
+        };
+        if (*type != 0) set(finger.metacarpal, point(from, "carpPosition"));
+        set(finger.tip - 3, mcp);
+        set(finger.tip - 2, pip);
+        set(finger.tip - 1, dip);
+        set(finger.tip, tip);
     } else if (tip && hand->looseTipCount < kFingerCount) {
         hand->looseTips[static_cast<size_t>(hand->looseTipCount++)] = *tip;
     }
@@ -163,10 +135,10 @@ LeapFrame readFrame(const json& from) {
     LeapFrame frame;
     frame.time_us = whole(from, "timestamp");
     if (const json* hands = member(from, "hands"); hands && hands->is_array())
-        for (size_t i = 0; i < std::min(hands->size(), kMostHands); ++i)
+        for (size_t i = 0; i < std::min(hands->size(), kMaxHands); ++i)
             if (auto hand = readHand((*hands)[i])) frame.hands.push_back(*hand);
     if (const json* pointables = member(from, "pointables"); pointables && pointables->is_array())
-        for (size_t i = 0; i < std::min(pointables->size(), kMostPointables); ++i)
+        for (size_t i = 0; i < std::min(pointables->size(), kMaxPointables); ++i)
             readPointable((*pointables)[i], frame.hands);
     return frame;
 }
@@ -174,7 +146,10 @@ LeapFrame readFrame(const json& from) {
 } // namespace
 
 Result<LeapMessage> readLeapMessage(std::string_view text) {
-    if (!withinBounds(text)) return Error{"", "is larger or deeper than any frame of hands"};
+    const Error tooLarge{"", "is larger or deeper than any frame of hands"};
+    if (text.size() > kLeapMessageBytes) return tooLarge;
+    const JsonBounds bounds{kLeapMessageDepth, kLeapMessageValues, kLeapMessageValues};
+    if (!exceededBound(text, bounds).empty()) return tooLarge;
     const json message = json::parse(text, nullptr, false);
     if (!message.is_object()) return Error{"", "is no JSON object"};
     if (message.contains("hands") || message.contains("pointables") || message.contains("timestamp"))

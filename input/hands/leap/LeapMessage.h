@@ -1,4 +1,4 @@
-// What the Leap / Ultraleap service says over its WebSocket: JSON, protocol versions 1 to 6.
+// Parser of the messages of the Leap / Ultraleap service: JSON, protocol versions 1 to 6.
 #pragma once
 
 #include "engine/core/Result.h"

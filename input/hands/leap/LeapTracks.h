@@ -1,7 +1,7 @@
-// Which of the hands in a service's frame is the left one, and which the right.
+// Assignment of the hands in a service's frame to left and right, completed and in the viewer's frame.
 #pragma once
 
-#include "input/hands/HandFrame.h"
+#include "input/hands/HandTracker.h"
 #include "input/hands/Mount.h"
 #include "input/hands/leap/LeapMessage.h"
 

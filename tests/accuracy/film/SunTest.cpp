@@ -14,7 +14,7 @@ namespace {
 TEST(FilmSun, IsFoundAndDoesNotJump) {
     const Path file = dataRoot() / "content/video/reef.mp4";
     auto player = media::VideoPlayer::open(file);
-    if (!player) GTEST_SKIP() << player.error().sentence();
+    if (!player) GTEST_SKIP() << player.error().message();
     // content/make/video/Reef.toml: 58 degrees high in air, 66.7 in water of index 1.34; azimuth 205 degrees
     // from -Z over +X.
     const double up = glm::radians(66.7), round = glm::radians(205.0);
@@ -34,7 +34,7 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
             {picture.pixels.data(), picture.width, picture.height, ptrdiff_t{3} * picture.width, true}, 512,
             radiance);
         finder.find(radiance, found);
-        const CastingLight& now = steady.follow(found, static_cast<float>(1 / player->info().fps));
+        const ShadowLight& now = steady.follow(found, static_cast<float>(1 / player->info().fps));
         // Waves and clouds move by degrees what the camera clips about the sun.
         EXPECT_LT(degreesBetween(now.light.direction, sun), 6) << "frame " << i;
         if (i > 0) {
@@ -52,7 +52,7 @@ TEST(FilmSun, IsFoundAndDoesNotJump) {
 // about them, and the tunnel's mouth.
 TEST(FilmSun, LightsAreFoundWhereTheyWereBeforeTheCamera) {
     auto player = media::VideoPlayer::open(dataRoot() / "content/video/reef.mp4");
-    if (!player) GTEST_SKIP() << player.error().sentence();
+    if (!player) GTEST_SKIP() << player.error().message();
     PyramidMaker pyramid;
     RadiancePyramid radiance;
     LightFinder finder;

@@ -1,11 +1,12 @@
-// Diffuse and glossy light of made and of real surrounds against the double-precision integrals over every
+// Diffuse and glossy light of made and of real environments against the double-precision integrals over every
 // texel.
 #include "tests/accuracy/light/RadianceFile.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
-#include "engine/light/Reference.h"
+#include "tests/TestPaths.h"
+#include "tests/baselines/light/Reference.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -16,10 +17,7 @@
 namespace shoal::light {
 namespace {
 
-Path hdrFolder() {
-    const char* set = std::getenv("SHOAL_SHARED");
-    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared") / "data" / "hdr";
-}
+Path hdrFolder() { return tests::sharedDataFolder() / "hdr"; }
 
 struct Sample {
     glm::dvec3 direction{0};
@@ -40,15 +38,15 @@ void spread(const glm::dvec3& axis, double from, double to, int count, std::vect
 }
 
 // Over the sphere, closer together around its brightest texel, where narrow lobes have their all.
-std::vector<Sample> samplesFor(const ImageRgbF& surround) {
+std::vector<Sample> samplesFor(const ImageRgbF& environment) {
     glm::dvec3 axis(0);
-    float most = -1;
-    for (int y = 0; y < surround.height; ++y)
-        for (int x = 0; x < surround.width; ++x)
-            if (surround.at(x, y)[1] > most) {
-                most = surround.at(x, y)[1];
-                axis =
-                    directionFromLatLong(glm::dvec2((x + 0.5) / surround.width, (y + 0.5) / surround.height));
+    float maximum = -1;
+    for (int y = 0; y < environment.height; ++y)
+        for (int x = 0; x < environment.width; ++x)
+            if (environment.at(x, y)[1] > maximum) {
+                maximum = environment.at(x, y)[1];
+                axis = directionFromLatLong(
+                    glm::dvec2((x + 0.5) / environment.width, (y + 0.5) / environment.height));
             }
     std::vector<Sample> samples;
     spread(axis, 0, 0.05, 24, samples);
@@ -85,7 +83,7 @@ ImageRgbF checkerboard() {
     return image;
 }
 
-std::optional<ImageRgbF> surroundNamed(const std::string& name) {
+std::optional<ImageRgbF> environmentNamed(const std::string& name) {
     if (name == "uniform") return uniform(kWidth, glm::dvec3(1));
     if (name == "half")
         return paint(kWidth, kHeight, [](const glm::dvec3& d) {
@@ -111,19 +109,19 @@ class LightAccuracy : public testing::TestWithParam<const char*> {};
 // Lookups included. The bounds are what the light promises; the suns' directions are not all that there are.
 TEST_P(LightAccuracy, AgainstTheIntegral) {
     const std::string name = GetParam();
-    const auto surround = surroundNamed(name);
-    if (!surround) GTEST_SKIP() << "needs the reference data in " << hdrFolder();
+    const auto environment = environmentNamed(name);
+    if (!environment) GTEST_SKIP() << "needs the reference data in " << hdrFolder();
     std::vector<Lobe> lobes = {diffuseLobe()};
     for (const float roughness : kRoughness) lobes.push_back(glossyLobe(static_cast<double>(roughness)));
 
     EnvironmentLight light;
-    LightMaker({1024, 0.1f, LightQuality::Still}).makeFromHdr(*surround, light);
+    LightMaker({1024, 0.1f, LightQuality::Still}).makeFromHdr(*environment, light);
 
     Error diffuse;
     std::vector<Error> glossy(std::size(kRoughness));
-    for (const auto& [dir, solidAngle] : samplesFor(*surround)) {
+    for (const auto& [dir, solidAngle] : samplesFor(*environment)) {
         const glm::vec3 d(dir);
-        const auto truth = referenceRadiance(*surround, dir, lobes);
+        const auto truth = referenceRadiance(*environment, dir, lobes);
         diffuse.add(lookUp(light.diffuse, d), truth[0], solidAngle);
         for (size_t i = 0; i < std::size(kRoughness); ++i)
             glossy[i].add(lookUpGlossy(light, d, kRoughness[i]), truth[i + 1], solidAngle);
@@ -141,7 +139,7 @@ TEST_P(LightAccuracy, AgainstTheIntegral) {
         EXPECT_LT(glossy[i].relative(), isSun ? 0.10 : 0.02) << "roughness " << kRoughness[i];
 }
 
-INSTANTIATE_TEST_SUITE_P(Surrounds, LightAccuracy,
+INSTANTIATE_TEST_SUITE_P(Environments, LightAccuracy,
                          testing::Values("uniform", "half", "gradient", "checkerboard", "sun_zenith",
                                          "sun_beside_pole", "sun_horizon", "sun_seam", "venice_sunset",
                                          "studio_small_03", "dikhololo_night", "st_fagans_interior",

@@ -1,11 +1,12 @@
 // Lights of pictures of high dynamic range are found where they are after a camera has clipped them.
 #include "tests/accuracy/light/RadianceFile.h"
 #include "tests/unit/light/Angles.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include "engine/light/FindLights.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 struct Picture {
     const char* name;
-    double mostMean;   // of the exposures tried: the sphere's mean by white
+    double maxMean;    // of the exposures tried: the sphere's mean by white
     double within_deg; // of the clipped picture's lights the nearest to the true strongest one
 };
 
@@ -33,8 +34,7 @@ ImageRgb8 clipped(const ImageRgbF& radianceLin, double mean) {
 }
 
 TEST_P(FoundLightsHdr, ClippedTheyAreFoundWhereTheyWere) {
-    const char* set = std::getenv("SHOAL_SHARED");
-    const Path folder = (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared") / "data" / "hdr";
+    const Path folder = tests::sharedDataFolder() / "hdr";
     const Path file = folder / (std::string(GetParam().name) + "_1k.hdr");
     const auto picture = readRadianceFile(file);
     if (!picture) GTEST_SKIP() << file << " is not at hand";
@@ -45,7 +45,7 @@ TEST_P(FoundLightsHdr, ClippedTheyAreFoundWhereTheyWere) {
     pyramid.make(*picture, 512, radiance);
     finder.find(radiance, truth);
     ASSERT_GT(truth.count, 0u);
-    for (double mean = 0.05; mean <= GetParam().mostMean; mean *= std::sqrt(2.0)) {
+    for (double mean = 0.05; mean <= GetParam().maxMean; mean *= std::sqrt(2.0)) {
         const ImageRgb8 frame = clipped(*picture, mean);
         pyramid.make({frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false}, 512,
                      radiance);
@@ -57,10 +57,10 @@ TEST_P(FoundLightsHdr, ClippedTheyAreFoundWhereTheyWere) {
     }
 }
 
-// Suns and lamps: within 2 degrees, as far as they are not drowned in white walls. Glows and canopies of 20
-// to 50 degrees' radius have no middle of their own: half or double the window through which it is sought,
-// and the truth moves by 12 degrees (evening sky), 19 (lamps of a town), 14 (canopy). They are held to less
-// than that.
+// Suns and dominant lights: within 2 degrees, as far as they are not drowned in white walls. Glows and
+// canopies of 20 to 50 degrees' radius have no middle of their own: half or double the window through which
+// it is sought, and the truth moves by 12 degrees (evening sky), 19 (dominant lights of a town), 14 (canopy).
+// They are held to less than that.
 INSTANTIATE_TEST_SUITE_P(
     Pictures, FoundLightsHdr,
     testing::Values(Picture{"kloppenheim_05", 0.41, 2}, Picture{"studio_small_03", 0.41, 2},

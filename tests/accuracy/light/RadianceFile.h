@@ -1,4 +1,4 @@
-// A reader of Radiance RGBE files, no more than the reference surrounds need; the accuracy of the light is
+// A reader of Radiance RGBE files, no more than the reference environments need; the accuracy of the light is
 // measured without leaning on engine/media.
 #pragma once
 

@@ -1,6 +1,7 @@
 // Diffuse light of bodies near each other, by ellipsoids and few directions, against traced rays.
 #include "Truth.h"
 
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -34,11 +35,13 @@ Error measure(const OcclusionScene& scene, const ImageRgbF& light, int bounces) 
              scatter(scene, receiver, 400 / static_cast<int>(scene.receivers.size()))) {
             if (truth.buried(at)) continue;
             const glm::dvec3 open = truth.unoccluded(at.normal);
-            occlusion::Fold fold;
-            if (self) fold = {at.fold, bounces > 0 ? scene.bodies[receiver].albedo : glm::vec3(0)};
-            const glm::dvec3 taken(occlusion::take(at.position, at.normal,
-                                                   self ? own : std::vector<occlusion::Occluder>(), fold,
-                                                   others, smooth)
+            occlusion::SelfOcclusion selfOcclusion;
+            if (self)
+                selfOcclusion = {at.selfOcclusion,
+                                 bounces > 0 ? scene.bodies[receiver].albedo : glm::vec3(0)};
+            const glm::dvec3 taken(occlusion::occlude(at.position, at.normal,
+                                                      self ? own : std::vector<occlusion::Occluder>(),
+                                                      selfOcclusion, others, smooth)
                                        .radiance);
             error.add(glm::max(open - taken, 0.0), open, open - truth.lost(at, self, bounces, 256));
         }

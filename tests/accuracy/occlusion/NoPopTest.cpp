@@ -2,6 +2,7 @@
 #include "Truth.h"
 #include "engine/render/NearBodies.h"
 
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
@@ -47,17 +48,17 @@ std::vector<occlusion::Occluder> nearFirst(const OcclusionScene& scene) {
 // The most that the light left at a point changes by in a tick from tick `first` to `last`, by traced rays.
 float trueChange(const ClosingHand& closing, const SurfacePoint& at, const ImageRgbF& light, size_t first,
                  size_t last) {
-    float most = 0, before = 0;
+    float maximum = 0, before = 0;
     for (size_t tick = first; tick <= last; ++tick) {
         const OcclusionScene scene = closing.at(curlAt(tick));
         const Truth truth(scene, light);
         constexpr int kBounces = 4, kRays = 1024;
         const double open = truth.unoccluded(at.normal).y;
         const auto left = static_cast<float>(1 - truth.lost(at, false, kBounces, kRays).y / open);
-        if (tick > first) most = std::max(most, std::abs(left - before));
+        if (tick > first) maximum = std::max(maximum, std::abs(left - before));
         before = left;
     }
-    return most;
+    return maximum;
 }
 
 TEST(ClosingHand, DarkensAFishWithoutAPop) {
@@ -84,7 +85,7 @@ TEST(ClosingHand, DarkensAFishWithoutAPop) {
             for (const occlusion::Occluder& part : occluders)
                 if (within(part.shape, points[k].position)) swallowed[k] = true;
             const glm::vec3 taken =
-                occlusion::take(points[k].position, points[k].normal, {}, {}, occluders, smooth).radiance;
+                occlusion::occlude(points[k].position, points[k].normal, {}, {}, occluders, smooth).radiance;
             shades[tick].push_back(std::max(0.0f, open[k].y - taken.y) / open[k].y);
             left += std::max(0.0f, open[k].y - taken.y), all += open[k].y;
         }

@@ -3,10 +3,11 @@
 #include "engine/core/Files.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/VideoSource.h"
-#include "engine/occlusion/Folds.h"
-#include "engine/render/BakedShade.h"
+#include "engine/occlusion/TraceSelfOcclusion.h"
+#include "engine/render/BakedOcclusion.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"
+#include "tests/TestPaths.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -17,50 +18,52 @@ namespace shoal {
 namespace {
 
 constexpr size_t kFishParts = 4, kSharkParts = 12; // as the game has them
-constexpr int kFoldRays = 6;
+constexpr int kSelfOcclusionRays = 6;
 
-Path content() { return Path(SHOAL_SOURCE_DIR) / "content"; }
+Path content() { return tests::sourceFolder() / "content"; }
 
-struct Actor {
+struct ModelInstance {
     scene::Model model;
     scene::Pose rest, pose;
     render::BodyOccluders body;
-    std::vector<glm::vec4> folds; // at rest; of a hand what its own parts leave
+    std::vector<glm::vec4> selfOcclusion; // at rest; of a hand what its own parts leave
 };
 
 // From rest, as its joint has turned this vertex.
-glm::mat3 turned(const Actor& actor, const scene::Pose& pose, size_t node) {
-    return glm::mat3(pose.modelFromNode[node] * glm::inverse(actor.rest.modelFromNode[node]));
+glm::mat3 turned(const ModelInstance& instance, const scene::Pose& pose, size_t node) {
+    return glm::mat3(pose.modelFromNode[node] * glm::inverse(instance.rest.modelFromNode[node]));
 }
 
-Actor load(const std::string& name) {
+ModelInstance load(const std::string& name) {
     auto model = scene::loadModel(content() / "models" / (name + ".glb"));
-    if (!model) throw std::runtime_error(model.error().sentence());
-    Actor actor{std::move(*model), {}, {}, {}, {}};
-    scene::restPose(actor.model, actor.pose);
-    scene::updateGlobals(actor.model, actor.pose);
-    actor.rest = actor.pose;
-    return actor;
+    if (!model) throw std::runtime_error(model.error().message());
+    ModelInstance instance{std::move(*model), {}, {}, {}, {}};
+    scene::restPose(instance.model, instance.pose);
+    scene::updateGlobals(instance.model, instance.pose);
+    instance.rest = instance.pose;
+    return instance;
 }
 
-Actor loadAnimal(const std::string& name, size_t parts) {
-    Actor actor = load(name);
-    actor.body = render::makeBodyOccluders(actor.model, actor.pose, occlusion::Parts::ByShape, parts);
-    const scene::Surface surface = scene::posedSurface(actor.model, actor.rest);
-    actor.folds = occlusion::findFolds({surface.positions, surface.normals, surface.indices}, {}, kFoldRays);
-    return actor;
+ModelInstance loadAnimal(const std::string& name, size_t parts) {
+    ModelInstance instance = load(name);
+    instance.body =
+        render::makeBodyOccluders(instance.model, instance.pose, occlusion::Parts::ByShape, parts);
+    const scene::Surface surface = scene::posedSurface(instance.model, instance.rest);
+    instance.selfOcclusion = occlusion::traceSelfOcclusion(
+        {surface.positions, surface.normals, surface.indices}, {}, kSelfOcclusionRays);
+    return instance;
 }
 
-Actor loadHand(const std::string& name) {
-    Actor actor = load(name);
-    const auto shade = render::readShade(content() / "models" / (name + ".shade.json"));
-    if (!shade) throw std::runtime_error(shade.error().sentence());
-    actor.body = render::makeBodyOccluders(actor.model, actor.pose, shade->parts, true);
-    actor.folds = shade->besideOwn;
-    return actor;
+ModelInstance loadHand(const std::string& name) {
+    ModelInstance instance = load(name);
+    const auto shade = render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json"));
+    if (!shade) throw std::runtime_error(shade.error().message());
+    instance.body = render::makeBodyOccluders(instance.model, instance.pose, shade->parts, true);
+    instance.selfOcclusion = shade->besideOwn;
+    return instance;
 }
 
-void placeJoints(const hands::HandPose& pose, Actor& hand) {
+void placeJoints(const hands::HandPose& pose, ModelInstance& hand) {
     for (size_t joint = 0; joint < hands::kJointNames.size(); ++joint)
         hand.pose
             .modelFromNode[static_cast<size_t>(hand.model.findNode(std::string(hands::kJointNames[joint])))] =
@@ -68,51 +71,52 @@ void placeJoints(const hands::HandPose& pose, Actor& hand) {
             glm::mat4_cast(pose.joints[joint].orientation);
 }
 
-SceneBody place(const Actor& actor, const glm::mat4& worldFromModel) {
+SceneBody place(const ModelInstance& instance, const glm::mat4& worldFromModel) {
     SceneBody body;
-    body.surface = scene::posedSurface(actor.model, actor.pose);
+    body.surface = scene::posedSurface(instance.model, instance.pose);
     for (glm::vec3& p : body.surface.positions) p = glm::vec3(worldFromModel * glm::vec4(p, 1));
     for (glm::vec3& n : body.surface.normals) n = glm::normalize(glm::mat3(worldFromModel) * n);
-    body.albedo = actor.body.albedo;
-    body.onItself = actor.body.onItself;
-    for (size_t v = 0; v < actor.folds.size(); ++v) {
+    body.albedo = instance.body.albedo;
+    body.onItself = instance.body.onItself;
+    for (size_t v = 0; v < instance.selfOcclusion.size(); ++v) {
         const glm::mat3 carried =
-            glm::mat3(worldFromModel) * turned(actor, actor.pose, body.surface.nodesOf[v]);
-        body.folds.emplace_back(carried * glm::vec3(actor.folds[v]) / std::cbrt(glm::determinant(carried)),
-                                actor.folds[v].w);
+            glm::mat3(worldFromModel) * turned(instance, instance.pose, body.surface.nodesOf[v]);
+        body.selfOcclusion.emplace_back(carried * glm::vec3(instance.selfOcclusion[v]) /
+                                            std::cbrt(glm::determinant(carried)),
+                                        instance.selfOcclusion[v].w);
     }
-    for (const auto& part : actor.body.parts)
-        body.parts.push_back({render::placed(part, actor.pose, worldFromModel), 1, body.albedo});
+    for (const auto& part : instance.body.parts)
+        body.parts.push_back({render::placed(part, instance.pose, worldFromModel), 1, body.albedo});
     return body;
 }
 
 } // namespace
 
-struct ClosingHand::Actors {
-    Actor hand = loadHand("hand_right");
-    Actor fish = loadAnimal("clownfish", kFishParts);
+struct ClosingHand::ModelInstances {
+    ModelInstance hand = loadHand("hand_right");
+    ModelInstance fish = loadAnimal("clownfish", kFishParts);
     hands::HandRig rig;
 };
 
-ClosingHand::ClosingHand() : actors_(std::make_shared<Actors>()) {
+ClosingHand::ClosingHand() : instances_(std::make_shared<ModelInstances>()) {
     auto rig = hands::HandRig::load(content() / "models" / "hand_skeleton.json");
-    if (!rig) throw std::runtime_error(rig.error().sentence());
-    actors_->rig = std::move(*rig);
+    if (!rig) throw std::runtime_error(rig.error().message());
+    instances_->rig = std::move(*rig);
 }
 
 OcclusionScene ClosingHand::at(float curl) const {
-    Actor hand = actors_->hand;
+    ModelInstance hand = instances_->hand;
     hands::HandShape shape;
     shape.curl.fill(0.45f);
     // Where it lies when a hand has closed on it.
-    const glm::vec3 fishAt = hands::graspCentre(actors_->rig.pose(hands::Side::Right, shape, {}).joints);
+    const glm::vec3 fishAt = hands::graspCentre(instances_->rig.pose(hands::Side::Right, shape, {}).joints);
     shape.curl.fill(curl);
-    const hands::HandPose pose = actors_->rig.pose(hands::Side::Right, shape, {});
+    const hands::HandPose pose = instances_->rig.pose(hands::Side::Right, shape, {});
     placeJoints(pose, hand);
     // Across the palm, where fingers close around it.
     const glm::mat4 held =
         glm::rotate(glm::translate(glm::mat4(1), fishAt), glm::radians(80.0f), glm::vec3(0, 1, 0));
-    return {"hand on fish", {place(actors_->fish, held), place(hand, glm::mat4(1))}, {0, 1}};
+    return {"hand on fish", {place(instances_->fish, held), place(hand, glm::mat4(1))}, {0, 1}};
 }
 
 OcclusionScene handOnFish(float curl) { return ClosingHand().at(curl); }
@@ -125,8 +129,8 @@ OcclusionScene handBySelf(float curl) {
 }
 
 OcclusionScene sharkAboveShoal() {
-    const Actor shark = loadAnimal("shark", kSharkParts);
-    const Actor fish = loadAnimal("sardine", kFishParts);
+    const ModelInstance shark = loadAnimal("shark", kSharkParts);
+    const ModelInstance fish = loadAnimal("sardine", kFishParts);
     OcclusionScene scene{"shark above a shoal", {place(shark, glm::mat4(1))}, {}};
     for (int i = 0; i < 8; ++i) {
         const auto k = static_cast<float>(i);
@@ -141,7 +145,7 @@ OcclusionScene sharkAboveShoal() {
 
 ImageRgbF reefLight(int64_t number) {
     auto video = media::VideoSource::open(content() / "video" / "reef.mp4");
-    if (!video) throw std::runtime_error(video.error().sentence());
+    if (!video) throw std::runtime_error(video.error().message());
     video->seek(number);
     ImageRgb8 frame(video->info().width, video->info().height);
     while (video->position() <= number)

@@ -1,8 +1,8 @@
-// Bodies near each other, as the game has them, and the light of its own surround.
+// Bodies near each other, as the game has them, and the light of its own environment.
 #pragma once
 
 #include "engine/core/Image.h"
-#include "engine/occlusion/Shade.h"
+#include "engine/occlusion/EllipsoidOcclusion.h"
 #include "engine/render/BodyOccluders.h"
 #include "engine/scene/Surface.h"
 
@@ -16,8 +16,8 @@ struct SceneBody {
     scene::Surface surface; // in the world
     glm::vec3 albedo{0};
     std::vector<occlusion::Occluder> parts;
-    bool onItself = false;        // they take its own light too
-    std::vector<glm::vec4> folds; // occlusion::findFolds(), by position, world
+    bool onItself = false;                // they take its own light too
+    std::vector<glm::vec4> selfOcclusion; // occlusion::traceSelfOcclusion(), by position, world
 };
 
 struct OcclusionScene {
@@ -33,8 +33,8 @@ class ClosingHand {
     OcclusionScene at(float curl) const; // 0 an open hand to 1 a fist
 
   private:
-    struct Actors;
-    std::shared_ptr<Actors> actors_;
+    struct ModelInstances;
+    std::shared_ptr<ModelInstances> instances_;
 };
 
 OcclusionScene handOnFish(float curl);

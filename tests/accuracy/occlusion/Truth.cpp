@@ -76,7 +76,7 @@ std::vector<SurfacePoint> scatter(const OcclusionScene& scene, size_t body, int 
                    static_cast<float>(v) * of[corner[2]];
         };
         points.push_back(
-            {body, mix(s.positions), glm::normalize(mix(s.normals)), mix(scene.bodies[body].folds)});
+            {body, mix(s.positions), glm::normalize(mix(s.normals)), mix(scene.bodies[body].selfOcclusion)});
     }
     return points;
 }

@@ -11,7 +11,7 @@ namespace shoal {
 struct SurfacePoint {
     size_t body = 0;
     glm::vec3 position{0}, normal{0, 1, 0};
-    glm::vec4 fold{0};
+    glm::vec4 selfOcclusion{0};
 };
 
 // Spread evenly over the surface of one body.

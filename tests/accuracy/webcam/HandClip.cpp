@@ -108,23 +108,23 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     if (!context) return context.error();
     clip.context_ = std::move(*context);
     const Path models = dataRoot() / "content/models";
-    auto cast = app::Cast::load({}, models / "hand_left.glb", models / "hand_right.glb", "",
-                                render::Reflectance::Coded, render::Detail::Full);
+    auto cast = app::CreatureModels::load({}, models / "hand_left.glb", models / "hand_right.glb", "",
+                                          render::Reflectance::Coded, render::Detail::Full);
     if (!cast) return cast.error();
-    clip.cast_ = std::move(*cast);
+    clip.creatureModels_ = std::move(*cast);
     auto pass = render::ObjectPass::make();
     if (!pass) return pass.error();
     clip.pass_ = std::move(*pass);
     const ImageRgb8 light = room();
     light::EnvironmentLight made;
-    light::LightMaker({256, clip.cast_->leastRoughness()})
+    light::LightMaker({256, clip.creatureModels_->minRoughness()})
         .make(
             {light.pixels.data(), light.width, light.height, static_cast<ptrdiff_t>(light.width) * 3, false},
             made);
     light::PackedLight packed;
     light::packLight(made, light::MirrorMaps::Mirrors, packed);
-    clip.surround_.emplace();
-    clip.surround_->uploadLight(packed);
+    clip.environment_.emplace();
+    clip.environment_->uploadLight(packed);
     clip.target_.emplace(size.width, size.height, 4);
     clip.size_ = size;
     for (size_t i = 0; i < clip.behind_.size(); ++i)
@@ -144,12 +144,12 @@ ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) 
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass_->begin();
-    cast_->show(snapshot, *pass_);
+    creatureModels_->show(snapshot, *pass_);
     pass_->upload(glm::mat3(1));
     const render::View view{.verticalFov = verticalFov_,
                             .aspect = static_cast<float>(size_.width) / static_cast<float>(size_.height),
                             .heightPixels = size_.height};
-    if (Status drawn = pass_->draw(render::ObjectPass::Part::Opaque, *surround_, view, glm::mat3(1),
+    if (Status drawn = pass_->draw(render::ObjectPass::Part::Opaque, *environment_, view, glm::mat3(1),
                                    {.exposure_ev = 0.8f}, {}, render::Glossy::Prefiltered);
         !drawn)
         return {};

@@ -3,7 +3,7 @@
 
 #include "engine/gl/Target.h"
 #include "engine/platform/Headless.h"
-#include "game/app/Cast.h"
+#include "game/views/CreatureModels.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 
@@ -40,9 +40,9 @@ class HandClip {
   private:
     HandClip() = default;
     std::optional<platform::Headless> context_; // first: it dies last
-    std::optional<app::Cast> cast_;
+    std::optional<app::CreatureModels> creatureModels_;
     std::optional<render::ObjectPass> pass_;
-    std::optional<render::SurroundGpu> surround_;
+    std::optional<render::EnvironmentGpu> environment_;
     std::optional<gl::Target> target_;
     std::array<cv::Mat, kBehindNames.size()> behind_;
     cv::Size size_;

@@ -2,9 +2,10 @@
 // gesture. Prints a table.
 #include "HandClip.h"
 #include "engine/sim/Recording.h"
-#include "game/TickInput.h"
-#include "input/hands/webcam/WebcamEye.h"
-#include "input/hands/webcam/WebcamHands.h"
+#include "game/rules/TickInput.h"
+#include "input/hands/webcam/HandDetector.h"
+#include "input/hands/webcam/WebcamTracker.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -90,9 +91,9 @@ double quantile(std::vector<double> values, double q) {
 
 TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
     auto clip = HandClip::make({480, 270}, kWebcamFov);
-    if (!clip) GTEST_SKIP() << clip.error().sentence();
+    if (!clip) GTEST_SKIP() << clip.error().message();
     constexpr size_t kBehinds = test::kBehindNames.size();
-    std::vector<WebcamEye> eyes(kBehinds, WebcamEye(rig()));
+    std::vector<HandDetector> eyes(kBehinds, HandDetector(rig()));
     std::array<Errors, kBehinds> all;
     const char* pictures = std::getenv("SHOAL_WEBCAM_PICTURES"); // a folder: to look at them
     double time_s = 0;
@@ -111,9 +112,9 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
                 cv::imwrite(std::string(pictures) + "/" + std::to_string(behind) + "_" +
                                 std::to_string(number) + ".png",
                             picture);
-            WebcamEye& eye = eyes[behind];
+            HandDetector& eye = eyes[behind];
             Errors& errors = all[behind];
-            const HandFrame frame = eye.look(picture, time_s);
+            const HandFrame frame = eye.detect(picture, time_s);
             if (!moment.settled) continue;
             ASSERT_TRUE(eye.calibrated()) << test::kBehindNames[behind];
             for (size_t side = 0; side < 2; ++side) {
@@ -156,9 +157,9 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
         }
         EXPECT_LE(errors.missed, errors.shown / 50) << test::kBehindNames[behind];
         EXPECT_LE(errors.wrongSide, errors.shown / 50) << test::kBehindNames[behind];
-        // The circle's middle is not the joint called palm: the ball of the thumb pulls it 10 mm towards the
-        // wrist. A pixel, of which 320 span 1.16 m per metre of distance, is 1.8 mm at 0.5 m; the outline is
-        // known to two, and the hand moves 0.1 m/s while it is looked at.
+        // The circle's middle is not the joint called palm: the sphere of the thumb pulls it 10 mm towards
+        // the wrist. A pixel, of which 320 span 1.16 m per metre of distance, is 1.8 mm at 0.5 m; the outline
+        // is known to two, and the hand moves 0.1 m/s while it is looked at.
         EXPECT_LT(quantile(errors.across_mm, 0.95), 10 + 2 * 1.8 + 3) << test::kBehindNames[behind];
         // A radius of 25 pixels known to one is a distance known to 4 %, 20 mm; smoothed over 0.1 s while it
         // changes at 0.12 m/s, 12 mm more; a hand tilted by 0.15 seems 1 % smaller, 6 mm.
@@ -172,37 +173,43 @@ class WebcamClip : public testing::Test {
     // One each: tests run side by side.
     Path folder_ = Path(testing::TempDir()) / (std::string("shoal_webcam_") +
                                                testing::UnitTest::GetInstance()->current_test_info()->name());
-    Path clipFile() const { return folder_ / "hands.avi"; }
-    size_t frames_ = 0;
+    static Path clipFile() { return tests::cacheFolder() / "webcam_hands.avi"; }
+    const size_t frames_ = session().size();
 
     void SetUp() override {
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
+        if (std::filesystem::exists(clipFile())) return;
+        std::filesystem::create_directories(clipFile().parent_path());
         auto clip = HandClip::make({480, 270}, kWebcamFov);
-        if (!clip) GTEST_SKIP() << clip.error().sentence();
-        cv::VideoWriter writer(clipFile().string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_Hz,
+        if (!clip) GTEST_SKIP() << clip.error().message();
+        const Status written = writeWhole(clipFile(), [&](const Path& file) { return write(*clip, file); });
+        if (!written) GTEST_SKIP() << written.error().message();
+    }
+    static Status write(HandClip& clip, const Path& file) {
+        cv::VideoWriter writer(file.string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_Hz,
                                {480, 270});
-        if (!writer.isOpened()) GTEST_SKIP() << "needs a codec to write clips with";
+        if (!writer.isOpened()) return Error{"", "needs a codec to write clips with"};
         for (const Moment& moment : session()) {
             std::array<std::optional<HandPose>, 2> poses;
             for (size_t side = 0; side < 2; ++side)
                 if (moment.hands[side])
                     poses[side] =
                         test::shownHand(rig(), side == 0 ? Side::Left : Side::Right, *moment.hands[side]);
-            writer.write(clip->picture(clip->hands(poses), test::Behind::Room));
-            ++frames_;
+            writer.write(clip.picture(clip.hands(poses), test::Behind::Room));
         }
+        return Done{};
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 };
 
 TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
-    WebcamHands hands({clipFile().string(), 0, false}, rig());
+    const auto hands = makeWebcamTracker({clipFile().string(), 0, false}, rig());
     HandFrame frame;
     size_t frames = 0, rights = 0, lefts = 0, fists = 0, pinches = 0;
     std::vector<std::string> asked;
     int64_t last_us = -1;
-    while (hands.stream().wait(std::chrono::seconds(20)) && hands.stream().take(frame)) {
+    while (hands->stream().wait(std::chrono::seconds(20)) && hands->stream().take(frame)) {
         ++frames;
         EXPECT_GT(frame.time_us, last_us);
         last_us = frame.time_us;
@@ -211,7 +218,7 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
         fists += frame.hands[1].grip > 0.5f;
         pinches += frame.hands[1].pinch > 0.5f;
         EXPECT_FALSE(frame.hands[1].grip > 0.5f && frame.hands[1].pinch > 0.5f);
-        const std::string asks = hands.stream().state().asks;
+        const std::string asks = hands->stream().state().instruction;
         if (!asks.empty() && (asked.empty() || asked.back() != asks)) asked.push_back(asks);
     }
     EXPECT_EQ(frames, frames_);
@@ -221,7 +228,7 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
     EXPECT_NEAR(static_cast<double>(fists), 60, 8);
     EXPECT_NEAR(static_cast<double>(pinches), 60, 8);
     EXPECT_GE(asked.size(), 2u);
-    EXPECT_FALSE(hands.stream().state().present) << "a clip that is over shows no hands";
+    EXPECT_FALSE(hands->stream().state().present) << "a clip that is over shows no hands";
 }
 
 TEST_F(WebcamClip, PlaysTheGame) {
@@ -229,13 +236,13 @@ TEST_F(WebcamClip, PlaysTheGame) {
     char at[16];
     std::snprintf(at, sizeof at, "%.2f", static_cast<double>(frames_) / kRate_Hz);
     const std::string command =
-        std::string("env -u DISPLAY -u WAYLAND_DISPLAY timeout 250 '") + SHOAL_PROGRAM +
+        std::string("env -u DISPLAY -u WAYLAND_DISPLAY timeout 250 '") + tests::program() +
         "' play --headless --size 64x36 --backdrop-only --hands webcam:" + clipFile().string() + " --at " +
         at + " --record " + replay.string() + " 2>" + (folder_ / "err.txt").string();
     ASSERT_EQ(std::system(command.c_str()), 0);
     EXPECT_NE(readText(folder_ / "err.txt").value().find("Hands: Webcam"), std::string::npos);
     const auto recording = sim::readRecording(replay);
-    ASSERT_TRUE(recording) << recording.error().sentence();
+    ASSERT_TRUE(recording) << recording.error().message();
     size_t fromWebcam = 0, closed = 0;
     for (size_t tick = 0; tick < recording->ticks(); ++tick) {
         const auto input = game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
@@ -249,24 +256,24 @@ TEST_F(WebcamClip, PlaysTheGame) {
 TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
     const Path file = Path(testing::TempDir()) / "shoal_no_clip.avi";
     ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));
-    WebcamHands hands({file.string(), 0, false}, rig());
-    EXPECT_FALSE(hands.stream().wait(std::chrono::seconds(20)));
-    EXPECT_FALSE(hands.stream().state().present);
+    const auto hands = makeWebcamTracker({file.string(), 0, false}, rig());
+    EXPECT_FALSE(hands->stream().wait(std::chrono::seconds(20)));
+    EXPECT_FALSE(hands->stream().state().present);
     std::filesystem::remove(file);
 }
 
 TEST(WebcamEye, OddPicturesAreSurvived) {
-    WebcamEye eye(rig());
+    HandDetector eye(rig());
     double t = 0;
     for (const cv::Size size :
          {cv::Size(1, 1), cv::Size(2000, 3), cv::Size(3, 2000), cv::Size(320, 180), cv::Size(640, 480)})
         for (int value : {0, 255, 128})
             for (int i = 0; i < 30; ++i) {
-                const HandFrame frame = eye.look(cv::Mat(size, CV_8UC3, cv::Scalar::all(value)), t += 0.03);
+                const HandFrame frame = eye.detect(cv::Mat(size, CV_8UC3, cv::Scalar::all(value)), t += 0.03);
                 EXPECT_FALSE(frame.hands[0].tracked && !plausible(frame.hands[0]));
             }
-    EXPECT_FALSE(eye.look(cv::Mat(), t).hands[0].tracked);
-    EXPECT_FALSE(eye.look(cv::Mat(9, 9, CV_8UC1, cv::Scalar(0)), t).hands[0].tracked);
+    EXPECT_FALSE(eye.detect(cv::Mat(), t).hands[0].tracked);
+    EXPECT_FALSE(eye.detect(cv::Mat(9, 9, CV_8UC1, cv::Scalar(0)), t).hands[0].tracked);
 }
 
 } // namespace

@@ -141,7 +141,7 @@ ImageRgbF glowOf(const ImageRgbF& in) {
     return out;
 }
 
-// Glow, noise and tone, then the sharpening.
+// Glare, noise and tone, then the sharpening.
 void develop(ImageRgb8& frame, Layer layer, uint32_t seed) {
     const ImageRgbF behind = signalOf(frame), glow = glowOf(behind);
     Random random(seed, 11);

@@ -32,7 +32,7 @@ struct Scene {
 constexpr Scene kScenes[] = {{120, 0}, {560, 0}, {860, 20}, {1060, 0}, {1260, -20}};
 
 struct Stages {
-    std::vector<app::Stage> ways; // as kWays
+    std::vector<app::SceneRenderer> ways; // as kWays, and the background alone
 };
 
 // So that frame `shown` of the film is the one that is looked at.
@@ -63,21 +63,21 @@ double timeOf(int k) { return (k + 0.5) / kFps; }
 glm::ivec2 worthALook(const Coverage& coverage) {
     constexpr int kWide = 72, kHigh = 60;
     glm::ivec2 best(0);
-    float most = -1;
+    float maximum = -1;
     for (int top = 0; top + kHigh <= coverage.height; top += 8)
         for (int left = 0; left + kWide <= coverage.width; left += 8) {
             float covered = 0;
             for (int y = top; y < top + kHigh; y += 2)
                 for (int x = left; x < left + kWide; x += 2) covered += *coverage.at(x, y);
             const float share = covered / (kWide * kHigh / 4);
-            if (share * (1 - share) <= most) continue;
-            most = share * (1 - share);
+            if (share * (1 - share) <= maximum) continue;
+            maximum = share * (1 - share);
             best = {left + kWide / 2, top + kHigh / 2};
         }
     return best;
 }
 
-Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, const Path& folder,
+Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& stages, const Path& folder,
                     Report& report) {
     auto frames = readFilm(scene.frame);
     if (!frames) return frames.error();
@@ -91,22 +91,22 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
     // second take begins a frame later, so that the encoder comes to other decisions.
     std::vector<ImageRgb8> again = *frames;
     const gl::Target fine(kFine * kPicture.x, kFine * kPicture.y, 4);
-    app::Run run = runTo(plan, static_cast<double>(scene.frame - kShown) / kFps);
+    app::GameSession run = runTo(plan, static_cast<double>(scene.frame - kShown) / kFps);
     game::Snapshot moment;
     Coverage coverage;
     for (int k = 0; k < kTaken; ++k) {
         if (k) runOn(run, 1.0 / kFps);
         empty->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
-        stages.ways[0].set(run.shown, *empty, false);
+        stages.ways[0].set(run.shown, *empty, {});
         // Wider, so that nothing is cut off where the picture ends.
         const render::View wide = render::widened(view, 1.05f);
-        if (Status s = drawObjectsAlone(stages.ways[0], *empty, wide, fine); !s) return s;
+        if (Status s = drawObjectsAlone(stages.ways[0], wide, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
         const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
         filmInto(takes, objects, wide, empty->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
         if (k != kShown) continue;
-        if (Status s = drawObjectsAlone(stages.ways[0], *empty, view, fine); !s) return s;
+        if (Status s = drawObjectsAlone(stages.ways[0], view, fine); !s) return s;
         coverage = coverageOf(fine.read());
         moment = run.shown;
     }
@@ -122,8 +122,8 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         auto filmed = openVideo(file, plan);
         if (!filmed) return filmed.error();
         filmed->update(timeOf(second ? kShown - 1 : kShown), true);
-        stages.ways[0].set(moment, *filmed, true);
-        if (Status s = drawPicture(stages.ways[0], *filmed, view, target); !s) return s;
+        stages.ways.back().set(moment, *filmed, {});
+        if (Status s = drawPicture(stages.ways.back(), view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         if (!second) truth = shown;
         report.add(scene.frame, second ? kFilmedAgain : kFilmed, shown, distance(shown, truth, coverage),
@@ -133,8 +133,8 @@ Status measureScene(const Scene& scene, const app::Plan& plan, Stages& stages, c
         // A fresh frame for each: one of them paints it.
         empty->update(timeOf(0), true);
         empty->update(timeOf(kShown), true);
-        stages.ways[way].set(moment, *empty, false);
-        if (Status s = drawPicture(stages.ways[way], *empty, view, target); !s) return s;
+        stages.ways[way].set(moment, *empty, {});
+        if (Status s = drawPicture(stages.ways[way], view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
     }
@@ -150,25 +150,24 @@ double processor_ms() {
 
 // All ways in turn, frame by frame of the same dive, so that whatever else runs slows each alike; each round
 // begins with another, because the decoder works on after a frame has come.
-Status measureCost(const app::Plan& plan, Stages& stages, int rounds, Report& report) {
-    auto surround = openVideo(dataRoot() / "content/video/reef.mp4", plan);
-    if (!surround) return surround.error();
+Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, Report& report) {
+    auto environment = openVideo(dataRoot() / "content/video/reef.mp4", plan);
+    if (!environment) return environment.error();
     const gl::Target target(kPicture.x, kPicture.y, 1);
-    app::Run run = runTo(plan, 10);
+    app::GameSession run = runTo(plan, 10);
     using Clock = std::chrono::steady_clock;
     constexpr size_t kDrawn = std::size(kWays) + 1; // the last: the backdrop alone
     for (int round = 0; round < rounds; ++round) {
         runOn(run, 1.0 / 48); // the film has a new frame every other time
-        surround->update(run.shown.time_s, true);
+        environment->update(run.shown.time_s, true);
         for (size_t turn = 0; turn < kDrawn; ++turn) {
             const size_t way = (turn + static_cast<size_t>(round)) % kDrawn;
             const bool backdropOnly = way == std::size(kWays);
-            app::Stage& stage = stages.ways[backdropOnly ? 0 : way];
+            app::SceneRenderer& sceneRenderer = stages.ways[way];
             const Clock::time_point began = Clock::now();
             const double processorBegan_ms = processor_ms();
-            stage.set(run.shown, *surround, backdropOnly);
-            if (Status s = drawPicture(stage, *surround, viewOf(run.shown, 0, kPicture.y), target); !s)
-                return s;
+            sceneRenderer.set(run.shown, *environment, {});
+            if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0, kPicture.y), target); !s) return s;
             glFinish();
             const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
             if (round >= 5)
@@ -185,13 +184,16 @@ Status run(const Path& folder, bool quick) {
     gl::spreadRasterThreads();
     app::PlayOptions options;
     options.headless = true;
-    auto plan = app::makePlan(options);
+    auto plan = app::makeSessionConfig(options);
     if (!plan) return plan.error();
     Stages stages;
-    for (const Way& way : kWays) {
-        auto stage = makeStage(*plan, way.compose);
-        if (!stage) return stage.error();
-        stages.ways.push_back(std::move(*stage));
+    std::vector<render::Composition> compositions;
+    for (const Way& way : kWays) compositions.push_back(way.composition);
+    compositions.push_back(render::Composition::BackgroundOnly);
+    for (const render::Composition composition : compositions) {
+        auto sceneRenderer = makeSceneRenderer(*plan, composition);
+        if (!sceneRenderer) return sceneRenderer.error();
+        stages.ways.push_back(std::move(*sceneRenderer));
     }
     Report report;
     for (const Scene& scene : kScenes) {
@@ -213,6 +215,6 @@ int main(int argc, char** argv) {
         return 2;
     }
     const shoal::Status done = shoal::bench::run(argv[1], argc > 2 && std::string(argv[2]) == "--quick");
-    if (!done) std::fprintf(stderr, "bench_compose: %s\n", done.error().sentence().c_str());
+    if (!done) std::fprintf(stderr, "bench_compose: %s\n", done.error().message().c_str());
     return done ? 0 : 1;
 }

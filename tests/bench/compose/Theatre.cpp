@@ -8,44 +8,42 @@ namespace shoal::bench {
 
 using namespace app;
 
-Run runTo(const Plan& plan, double time_s) {
-    Run run(plan);
-    while (run.shown.time_s < time_s) runOn(run, 1.0 / 60);
-    return run;
+GameSession runTo(const SessionConfig& plan, double time_s) {
+    GameSession session(plan);
+    while (session.shown.time_s < time_s) runOn(session, 1.0 / 60);
+    return session;
 }
 
-void runOn(Run& run, double seconds) {
-    if (auto* mouse = std::get_if<MouseSource>(&run.source))
-        mouse->frame(nullptr, nullptr, run.shown, static_cast<float>(seconds), glm::radians(kFov_deg),
+void runOn(GameSession& session, double seconds) {
+    if (auto* mouse = std::get_if<MouseSource>(&session.source))
+        mouse->frame(nullptr, nullptr, session.shown, static_cast<float>(seconds), glm::radians(kFov_deg),
                      static_cast<float>(kPicture.x) / static_cast<float>(kPicture.y));
-    run.advance(seconds, false);
+    session.advance(seconds, false);
 }
 
-Result<Stage> makeStage(const Plan& plan, Compose compose) {
+Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Composition composition) {
     std::vector<Path> models;
     for (const game::Species& species : plan.species)
         models.push_back(dataRoot() / "content" / species.model);
     const Path folder = dataRoot() / "content/models";
     const bool software = gl::rendersInSoftware();
     const auto detail = software ? render::Detail::Lean : render::Detail::Full;
-    auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
-                           render::Reflectance::Coded, detail);
+    auto cast = CreatureModels::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
+                                     render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
-    return Stage::make(std::move(*cast), {.detail = detail,
-                                          .snow = false,
-                                          .compose = compose,
-                                          .layerSamples = layerSamplesFor(compose, software)});
+    return SceneRenderer::make(std::move(*cast),
+                               {.detail = detail, .snow = false, .compositor = {.composition = composition}});
 }
 
-Result<Surround> openVideo(const Path& file, const Plan& plan) {
-    SurroundSetup setup;
+Result<Environment> openVideo(const Path& file, const SessionConfig& plan) {
+    EnvironmentSetup setup;
     setup.options.video = file.string();
     setup.options.layout = "mono";
-    setup.leastRoughness = 0.25f;
+    setup.minRoughness = 0.25f;
     setup.immersed = Immersed::Yes;
     setup.eyeHeight_m = -plan.dive.floor_m;
-    setup.filmLook = true;
-    return Surround::open(setup);
+    setup.cameraResponse = true;
+    return Environment::open(setup);
 }
 
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels) {
@@ -58,33 +56,16 @@ render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPix
     return view;
 }
 
-Status drawPicture(Stage& stage, const Surround& surround, const render::View& view,
-                   const gl::Target& target) {
-    const Stage::Eye eye{surround,
-                         0,
-                         view,
-                         {},
-                         surround.water(),
-                         render::Glossy::Prefiltered,
-                         {target.width(), target.height()}};
-    if (Status s = stage.drawLayer(eye); !s) return s;
-    target.bind();
-    if (Status s = stage.drawBackdrop(eye); !s) return s;
-    return stage.drawObjects(eye);
+Status drawPicture(SceneRenderer& sceneRenderer, const render::View& view, const gl::Target& target) {
+    const SceneRenderer::Eye eye{0, view, target};
+    return sceneRenderer.draw({&eye, 1});
 }
 
-Status drawObjectsAlone(Stage& stage, const Surround& surround, const render::View& view,
-                        const gl::Target& target) {
+Status drawObjectsAlone(SceneRenderer& sceneRenderer, const render::View& view, const gl::Target& target) {
     target.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
-    return stage.drawObjects({surround,
-                              0,
-                              view,
-                              {},
-                              surround.water(),
-                              render::Glossy::Prefiltered,
-                              {target.width(), target.height()}});
+    return sceneRenderer.drawObjectsAlone({0, view, target});
 }
 
 } // namespace shoal::bench

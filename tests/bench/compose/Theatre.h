@@ -1,11 +1,11 @@
-// The dive as the game draws it, at moments of our choice.
+// The dive as the game draws it, at chosen moments.
 #pragma once
 
 #include "engine/gl/Target.h"
-#include "game/app/Plan.h"
-#include "game/app/Run.h"
-#include "game/app/Stage.h"
-#include "game/app/Surround.h"
+#include "game/session/GameSession.h"
+#include "game/session/SessionConfig.h"
+#include "game/views/Environment.h"
+#include "game/views/SceneRenderer.h"
 
 #include <optional>
 
@@ -14,32 +14,31 @@ namespace shoal::bench {
 constexpr glm::ivec2 kPicture(1280, 720);
 constexpr float kFov_deg = 65; // vertical, as in the game
 
-// One way of compositing with what it needs.
+// The compositions that are compared.
 struct Way {
-    app::Compose compose;
+    render::Composition composition;
     const char* name;
 };
-inline constexpr Way kWays[] = {{app::Compose::Plain, "plain"},
-                                {app::Compose::Resolution, "resolution"},
-                                {app::Compose::Texels, "texels"},
-                                {app::Compose::Camera, "camera"}};
+inline constexpr Way kWays[] = {{render::Composition::Plain, "plain"},
+                                {render::Composition::MatchedResolution, "resolution"},
+                                {render::Composition::VideoTexels, "texels"},
+                                {render::Composition::CameraResponse, "camera"}};
 
 // The simulation up to a time of the dive; nobody plays.
-app::Run runTo(const app::Plan& plan, double time_s);
-void runOn(app::Run& run, double seconds);
+app::GameSession runTo(const app::SessionConfig& plan, double time_s);
+void runOn(app::GameSession& session, double seconds);
 
-Result<app::Stage> makeStage(const app::Plan& plan, app::Compose compose);
-Result<app::Surround> openVideo(const Path& file, const app::Plan& plan);
+Result<app::SceneRenderer> makeSceneRenderer(const app::SessionConfig& plan, render::Composition composition);
+Result<app::Environment> openVideo(const Path& file, const app::SessionConfig& plan);
 
 // yaw: to the right.
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels);
 
 // The whole picture, as Play draws it. target: of any size in the picture's proportions.
-Status drawPicture(app::Stage& stage, const app::Surround& surround, const render::View& view,
-                   const gl::Target& target);
+Status drawPicture(app::SceneRenderer& sceneRenderer, const render::View& view, const gl::Target& target);
 
-// The objects alone, premultiplied by coverage. For a stage that composes plainly.
-Status drawObjectsAlone(app::Stage& stage, const app::Surround& surround, const render::View& view,
+// The objects alone, premultiplied by coverage.
+Status drawObjectsAlone(app::SceneRenderer& sceneRenderer, const render::View& view,
                         const gl::Target& target);
 
 } // namespace shoal::bench

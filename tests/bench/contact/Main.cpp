@@ -1,7 +1,7 @@
 // Processor time of a tick of forty fish, user's share alone: without hands, with two hands that swing and
 // close among them, and with all forty piled into two fists again every half second.
-#include "game/Playback.h"
-#include "game/World.h"
+#include "game/playthrough/Playback.h"
+#include "game/rules/Dive.h"
 #include "input/hands/MouseHands.h"
 
 #include <sys/resource.h>
@@ -29,7 +29,7 @@ void measure(const char* name, Case what, const DiveFiles& files, const hands::H
     dive.schools = {dive.schools.at(0)};
     dive.schools[0].count = 40;
     dive.duration_s = 1e6f;
-    World world(files.species, dive, 3);
+    Dive world(files.species, dive, 3);
     std::vector<TickInput> inputs(kCycle);
     for (int i = 0; i < kCycle; ++i)
         for (int h = 0; h < 2; ++h) {
@@ -47,7 +47,7 @@ void measure(const char* name, Case what, const DiveFiles& files, const hands::H
     const double begun = user_s();
     for (int tick = 0; tick < kTicks; ++tick) {
         if (what == Case::Piled && tick % 60 == 0)
-            for (Fish& f : world.fish) {
+            for (Fish& f : world.state().fish) {
                 f.position = {random.between(-0.04f, 0.04f), -0.1f + random.between(-0.04f, 0.04f),
                               -0.6f + random.between(-0.04f, 0.04f)};
                 f.push = f.velocity = glm::vec3(0);
@@ -55,7 +55,7 @@ void measure(const char* name, Case what, const DiveFiles& files, const hands::H
             }
         events.clear();
         world.step(inputs[tick % kCycle], events);
-        contacts += world.contacts.size();
+        contacts += world.state().contacts.size();
     }
     std::printf("%-10s %7.2f us a tick, %6.1f contacts\n", name, (user_s() - begun) / kTicks * 1e6,
                 static_cast<double>(contacts) / kTicks);
@@ -67,7 +67,7 @@ int main() {
     const auto files = loadDiveFiles("reef");
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     if (!files || !rig) {
-        std::fprintf(stderr, "%s\n", (files ? rig.error() : files.error()).sentence().c_str());
+        std::fprintf(stderr, "%s\n", (files ? rig.error() : files.error()).message().c_str());
         return 1;
     }
     measure("no hands", Case::NoHands, *files, *rig);

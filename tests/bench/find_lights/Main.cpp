@@ -3,10 +3,11 @@
 #include "engine/light/MakeLight.h"
 #include "engine/math/Colour.h"
 #include "engine/media/VideoPlayer.h"
+#include "tests/TestPaths.h"
 #include "tests/bench/find_lights/Turned.h"
-#include "tests/bench/light/Surrounds.h"
+#include "tests/bench/light/Environments.h"
 #include "tests/unit/light/Angles.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -83,9 +84,10 @@ void madeTable() {
         glm::dvec2 uv;
         double radius_deg, within, without;
     };
-    std::printf("| made surround | off, degrees | radius, degrees | share of the light, %% | as a video: off "
-                "| radius "
-                "| share |\n|---|--:|--:|--:|--:|--:|--:|\n");
+    std::printf(
+        "| made environment | off, degrees | radius, degrees | share of the light, %% | as a video: off "
+        "| radius "
+        "| share |\n|---|--:|--:|--:|--:|--:|--:|\n");
     Eye eye;
     for (const Made& made : {Made{"sun of four texels, zenith", {0.5, 0}, 0.4, 1e4, 1},
                              {"sun of four texels, beside the pole", {0.3, 0.015}, 0.4, 1e4, 1},
@@ -121,14 +123,14 @@ void clippedTable(const Path& shared) {
                 "|\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
     Eye eye;
     for (const auto& source : bench::hdrSources(shared)) {
-        const auto surround = source.load();
-        if (!surround) continue;
-        const FoundLights truth = eye.look(surround->radianceLin);
+        const auto environment = source.load();
+        if (!environment) continue;
+        const FoundLights truth = eye.look(environment->radianceLin);
         if (truth.count == 0) continue;
-        std::printf("| %s | %.1f |", surround->name.c_str(),
+        std::printf("| %s | %.1f |", environment->name.c_str(),
                     100 * static_cast<double>(truth.lights[0].share));
         for (const double key : {0.1, 0.2})
-            sayNearest(eye.look(viewOf(filmed(surround->radianceLin, key), false)),
+            sayNearest(eye.look(viewOf(filmed(environment->radianceLin, key), false)),
                        truth.lights[0].direction);
         std::printf("\n");
     }
@@ -140,13 +142,13 @@ void truthTable() {
                 "| radius | share |\n|---|--:|--:|--:|--:|--:|\n");
     Eye eye;
     for (const auto& source : bench::filmedSources()) {
-        const auto surround = source.load();
-        if (!surround) continue;
-        const FoundLights truth = eye.look(surround->radianceLin);
+        const auto environment = source.load();
+        if (!environment) continue;
+        const FoundLights truth = eye.look(environment->radianceLin);
         if (truth.count == 0) continue;
-        std::printf("| %s | %.1f | %.1f |", surround->name.c_str(), degreesOf(truth.lights[0].radius),
+        std::printf("| %s | %.1f | %.1f |", environment->name.c_str(), degreesOf(truth.lights[0].radius),
                     100 * static_cast<double>(truth.lights[0].share));
-        sayNearest(eye.look(surround->view()), truth.lights[0].direction);
+        sayNearest(eye.look(environment->view()), truth.lights[0].direction);
         std::printf("\n");
     }
 }
@@ -190,7 +192,7 @@ bool filmTable() {
         const double began_us = userTime_us();
         finder.find(eye.radiance, found);
         times_us.push_back(userTime_us() - began_us);
-        const CastingLight& now = steady.follow(found, static_cast<float>(1 / fps));
+        const ShadowLight& now = steady.follow(found, static_cast<float>(1 / fps));
         Jumps& here = jumps[i < open ? 0 : 1];
         ++here.frames;
         if (i > 0) {
@@ -219,25 +221,24 @@ bool filmTable() {
     return true;
 }
 
-// The least that two of the chart's real surrounds differ.
+// The least that two of the chart's real environments differ.
 void cuts(const Path& shared) {
     Eye eye;
     std::vector<FoundLights> all;
-    for (const auto& source : bench::surroundSources(shared, false)) {
-        const auto surround = source.load();
-        if (surround && surround->coded()) all.push_back(eye.look(surround->view()));
+    for (const auto& source : bench::environmentSources(shared, false)) {
+        const auto environment = source.load();
+        if (environment && environment->coded()) all.push_back(eye.look(environment->view()));
     }
-    double least = 1;
+    double minimum = 1;
     for (size_t i = 0; i < all.size(); ++i)
         for (size_t k = 0; k < i; ++k)
-            least = std::min(least, static_cast<double>(sceneDistance(all[i], all[k])));
-    std::printf("\nThe two most alike of %zu videos and photos differ by %.2f.\n", all.size(), least);
+            minimum = std::min(minimum, static_cast<double>(sceneDistance(all[i], all[k])));
+    std::printf("\nThe two most alike of %zu videos and photos differ by %.2f.\n", all.size(), minimum);
 }
 
 } // namespace
 
 int main() {
-    const char* set = std::getenv("SHOAL_SHARED");
     const Path shared = set ? Path(set) : Path();
     madeTable();
     clippedTable(shared);

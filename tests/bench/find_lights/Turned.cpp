@@ -5,7 +5,7 @@
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "tests/unit/light/Angles.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -89,7 +89,7 @@ double quantile(std::vector<double> values, double part) {
 
 } // namespace
 
-void turnedTable(const std::vector<SurroundSource>& pictures, int count) {
+void turnedTable(const std::vector<EnvironmentSource>& pictures, int count) {
     std::printf(
         "\n| turned and exposed at random, %d times each | truth moves, degrees | off: median, degrees "
         "| 90th percentile | most | above 2, %% | lost, %% | radius found (true) | share found (true) "
@@ -99,7 +99,7 @@ void turnedTable(const std::vector<SurroundSource>& pictures, int count) {
     light::RadiancePyramid radiance;
     light::LightFinder finder;
     light::FoundLights truth, found;
-    for (const SurroundSource& source : pictures) {
+    for (const EnvironmentSource& source : pictures) {
         const auto picture = source.load();
         if (!picture) continue;
         pyramid.make(picture->radianceLin, 512, radiance);

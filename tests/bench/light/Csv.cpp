@@ -4,7 +4,7 @@
 
 namespace shoal::bench {
 
-using light::rivals::Role;
+using light::baselines::Role;
 
 namespace {
 
@@ -32,26 +32,26 @@ std::string methodsCsv(const Chart& chart, const std::vector<Measured>& methods,
     return out;
 }
 
-std::string surroundCsv(const Chart& chart) {
+std::string environmentCsv(const Chart& chart) {
     std::string out = "surround,point_sun,kind,roughness,method,rms,worst\n";
-    for (size_t s = 0; s < chart.surrounds.size(); ++s)
+    for (size_t s = 0; s < chart.environments.size(); ++s)
         for (const bool glossy : {false, true})
             for (const Measured& each : glossy ? chart.glossy : chart.diffuse)
                 for (size_t k = 0; k < each.errors[s].size(); ++k)
-                    out += text("\"%s\",%d,%s,%s,\"%s\",%.6g,%.6g\n", chart.surrounds[s].name.c_str(),
-                                chart.surrounds[s].pointSun, glossy ? "glossy" : "diffuse",
+                    out += text("\"%s\",%d,%s,%s,\"%s\",%.6g,%.6g\n", chart.environments[s].name.c_str(),
+                                chart.environments[s].pointSun, glossy ? "glossy" : "diffuse",
                                 glossy ? text("%.1f", static_cast<double>(kRoughnesses[k])).c_str() : "",
                                 each.label.name.c_str(), each.errors[s][k].rms, each.errors[s][k].worst);
     return out;
 }
 
-std::string plainCsv(const std::vector<Measured>& methods, const std::vector<std::string>& surrounds) {
+std::string plainCsv(const std::vector<Measured>& methods, const std::vector<std::string>& environments) {
     std::string out = "method,role,us,surround,lobe,rms,worst\n";
     for (const Measured& each : methods)
         for (size_t s = 0; s < each.errors.size(); ++s)
             for (size_t k = 0; k < each.errors[s].size(); ++k)
                 out += text("\"%s\",%s,%.1f,\"%s\",%s,%.6g,%.6g\n", each.label.name.c_str(), roleOf(each),
-                            each.cost.update_us, surrounds[s].c_str(), k ? "glossy 0.5" : "diffuse",
+                            each.cost.update_us, environments[s].c_str(), k ? "glossy 0.5" : "diffuse",
                             each.errors[s][k].rms, each.errors[s][k].worst);
     return out;
 }
@@ -60,13 +60,13 @@ std::string plainCsv(const std::vector<Measured>& methods, const std::vector<std
 
 Status writeCsv(const Chart& chart, const Path& folder) {
     std::vector<std::string> names;
-    for (const SurroundFact& each : chart.surrounds) names.push_back(each.name);
+    for (const EnvironmentFact& each : chart.environments) names.push_back(each.name);
     const std::pair<const char*, std::string> files[] = {
         {"diffuse.csv", methodsCsv(chart, chart.diffuse, 1, 0)},
         {"glossy.csv", methodsCsv(chart, chart.glossy, kGlossyLobes, kGlossyPixels)},
         {"pyramids.csv", plainCsv(chart.pyramids, names)},
-        {"tonemaps.csv", plainCsv(chart.toneMaps, chart.toneMapSurrounds)},
-        {"surrounds.csv", surroundCsv(chart)},
+        {"tonemaps.csv", plainCsv(chart.toneMaps, chart.toneMapEnvironments)},
+        {"surrounds.csv", environmentCsv(chart)},
     };
     for (const auto& [name, content] : files)
         if (auto written = writeFileWhole(folder / name, content); !written) return written;

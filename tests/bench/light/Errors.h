@@ -10,31 +10,31 @@
 
 namespace shoal::bench {
 
-// Over the directions of one surround, relative to the truth.
-struct SurroundError {
+// Over the directions of one environment, relative to the truth.
+struct EnvironmentError {
     double rms = 0;   // root of sum |got - want|^2 over sum |want|^2
     double worst = 0; // largest |got - want| / |want|; where it is darker than a tenth of the root mean
                       // square, relative to that
 };
 
-inline SurroundError errorOf(const std::vector<glm::dvec3>& got, const std::vector<glm::dvec3>& want) {
+inline EnvironmentError errorOf(const std::vector<glm::dvec3>& got, const std::vector<glm::dvec3>& want) {
     double off = 0, whole = 0;
     for (size_t i = 0; i < got.size(); ++i) {
         off += glm::dot(got[i] - want[i], got[i] - want[i]);
         whole += glm::dot(want[i], want[i]);
     }
-    const double least = 0.1 * std::sqrt(whole / static_cast<double>(want.size()));
-    SurroundError error{std::sqrt(off / whole), 0};
+    const double minimum = 0.1 * std::sqrt(whole / static_cast<double>(want.size()));
+    EnvironmentError error{std::sqrt(off / whole), 0};
     for (size_t i = 0; i < got.size(); ++i)
         error.worst =
-            std::max(error.worst, glm::length(got[i] - want[i]) / std::max(glm::length(want[i]), least));
+            std::max(error.worst, glm::length(got[i] - want[i]) / std::max(glm::length(want[i]), minimum));
     return error;
 }
 
-// Several surrounds or lobes, each weighing the same however bright it is.
+// Several environments or lobes, each weighing the same however bright it is.
 class Pool {
   public:
-    void add(const SurroundError& error) {
+    void add(const EnvironmentError& error) {
         squares_ += error.rms * error.rms;
         worst_ = std::max(worst_, error.worst);
         ++count_;

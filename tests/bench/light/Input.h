@@ -1,17 +1,18 @@
-// A surround as methods get it.
+// An environment as methods get it.
 #pragma once
 
-#include "engine/light/rivals/Method.h"
-#include "tests/bench/light/Surrounds.h"
+#include "tests/baselines/light/Method.h"
+#include "tests/bench/light/Environments.h"
 
 namespace shoal::bench {
 
-inline light::rivals::Input inputOf(const Surround& surround, const light::RadiancePyramid& pyramid) {
-    light::rivals::Input input{&pyramid, {}, nullptr};
-    if (surround.coded())
-        input.coded = surround.view();
+inline light::baselines::Input inputOf(const Environment& environment,
+                                       const light::RadiancePyramid& pyramid) {
+    light::baselines::Input input{&pyramid, {}, nullptr};
+    if (environment.coded())
+        input.coded = environment.view();
     else
-        input.radianceLin = &surround.radianceLin;
+        input.radianceLin = &environment.radianceLin;
     return input;
 }
 

@@ -1,5 +1,6 @@
 // bench_chart FOLDER [--quick]: measures, writes tables and what the picture is drawn from. tests/bench/chart
 // builds it, starts it and draws.
+#include "tests/TestPaths.h"
 #include "tests/bench/light/Picture.h"
 #include "tests/bench/light/Tables.h"
 
@@ -22,7 +23,7 @@ int main(int argc, char** argv) {
                                                .quick = quick});
     for (const auto write : {bench::writeMarkdown, bench::writeCsv, bench::writePicture})
         if (const Status written = write(chart, folder); !written) {
-            std::fprintf(stderr, "chart: %s\n", written.error().sentence().c_str());
+            std::fprintf(stderr, "chart: %s\n", written.error().message().c_str());
             return 1;
         }
 }

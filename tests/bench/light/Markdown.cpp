@@ -4,7 +4,7 @@
 
 namespace shoal::bench {
 
-using light::rivals::Role;
+using light::baselines::Role;
 
 namespace {
 
@@ -81,7 +81,7 @@ std::string pyramidTable(const Chart& chart) {
     for (const Measured& each : chart.pyramids) {
         Pool pool;
         for (const auto& errors : each.errors)
-            for (const SurroundError& error : errors) pool.add(error);
+            for (const EnvironmentError& error : errors) pool.add(error);
         out += text("| %s | %.0f | %.1f | %s | %s |\n", nameOf(each).c_str(), each.cost.update_us,
                     each.cost.update_us / chart.read_us, percent(pool.rms()).c_str(),
                     percent(pool.worst()).c_str());
@@ -93,7 +93,7 @@ std::string toneMapTable(const Chart& chart) {
     std::string out =
                     "| operator | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
                 rule = "|---|--:|--:|--:|--:|";
-    for (const std::string& name : chart.toneMapSurrounds) {
+    for (const std::string& name : chart.toneMapEnvironments) {
         out += " " + name.substr(name.find(' ') + 1) + " |";
         rule += "--:|";
     }
@@ -113,9 +113,9 @@ std::string toneMapTable(const Chart& chart) {
     return out;
 }
 
-std::string surroundList(const Chart& chart) {
+std::string environmentList(const Chart& chart) {
     std::string out;
-    for (const SurroundFact& each : chart.surrounds)
+    for (const EnvironmentFact& each : chart.environments)
         out += "- " + each.name + (each.coded ? ", 8 bits" : ", linear") +
                (each.pointSun ? ", **point sun**" : "") + "\n";
     return out;
@@ -133,9 +133,9 @@ the lookups of engine/light/Lookup.h where there are any. All of Shoal's light f
 (diffuse, and glossy from roughness %.2f up) takes %.0f us: %.1f reads.
 
 Error: against the integral over every texel at full resolution in double precision, relative root mean square over
-directions spread evenly and the six axes; surrounds and roughnesses weigh the same however bright they are. "Worst
-direction": the largest relative difference in any one direction of any surround, where it is darker than a tenth of the
-root mean square relative to that. A surround has a point sun where a ten-thousandth of the sphere gives more than a
+directions spread evenly and the six axes; environments and roughnesses weigh the same however bright they are. "Worst
+direction": the largest relative difference in any one direction of any environment, where it is darker than a tenth of the
+root mean square relative to that. An environment has a point sun where a ten-thousandth of the sphere gives more than a
 twentieth of the light.
 
 )",
@@ -145,18 +145,18 @@ twentieth of the light.
     md += text(R"(
 ## Glossy
 
-"both" is one update and %.0f shaded pixels. Errors are those of surrounds without point suns, but for the last two
+"both" is one update and %.0f shaded pixels. Errors are those of environments without point suns, but for the last two
 columns of figures.
 
 )",
                kGlossyPixels);
     md += glossyTable(chart) +
-          "\n![With point suns](suns.png)\n\nError in %, by roughness, surrounds without point suns:\n\n" +
+          "\n![With point suns](suns.png)\n\nError in %, by roughness, environments without point suns:\n\n" +
           roughnessTable(chart);
     md += R"(
 ## The radiance pyramid
 
-Of the 8-bit surrounds: the diffuse light integrated over the pyramid's level of 128x64, against the truth.
+Of the 8-bit environments: the diffuse light integrated over the pyramid's level of 128x64, against the truth.
 
 )";
     md += pyramidTable(chart);
@@ -168,7 +168,7 @@ expanded. Light against that of the original, each after the one factor that bri
 exposed is not the operator's to know. For each picture diffuse and glossy 0.5.
 
 )";
-    md += toneMapTable(chart) + "\n## Surrounds\n\n" + surroundList(chart);
+    md += toneMapTable(chart) + "\n## Surrounds\n\n" + environmentList(chart);
     return writeFileWhole(folder / "chart.md", md);
 }
 

@@ -1,43 +1,43 @@
 #include "tests/bench/light/Measure.h"
 
 #include "engine/light/Pyramid.h"
-#include "engine/light/rivals/Levels.h"
+#include "tests/baselines/light/Levels.h"
 #include "tests/bench/light/Input.h"
 
 #include <cstdio>
 
 namespace shoal::bench {
 
-using namespace light::rivals;
+using namespace light::baselines;
 
 namespace {
 
-light::RadiancePyramid pyramidOf(const Surround& surround) {
+light::RadiancePyramid pyramidOf(const Environment& environment) {
     light::RadiancePyramid pyramid;
     light::PyramidMaker maker;
-    if (surround.coded())
-        maker.make(surround.view(), surround.baseWidth(), pyramid);
+    if (environment.coded())
+        maker.make(environment.view(), environment.baseWidth(), pyramid);
     else
-        maker.make(surround.radianceLin, surround.baseWidth(), pyramid);
+        maker.make(environment.radianceLin, environment.baseWidth(), pyramid);
     return pyramid;
 }
 
-SurroundError errorOfLobe(const std::vector<glm::vec3>& got, const Truth& truth, size_t lobe) {
+EnvironmentError errorOfLobe(const std::vector<glm::vec3>& got, const Truth& truth, size_t lobe) {
     return errorOf(std::vector<glm::dvec3>(got.begin(), got.end()), column(truth, lobe));
 }
 
 // The diffuse light that a pyramid's level of 128 texels gives, all of it integrated.
-SurroundError pyramidError(const PyramidMethod& method, const Surround& surround,
-                           std::span<const glm::dvec3> dirs, const Truth& truth) {
+EnvironmentError pyramidError(const PyramidMethod& method, const Environment& environment,
+                              std::span<const glm::dvec3> dirs, const Truth& truth) {
     light::RadiancePyramid pyramid;
-    method.make(surround.view(), pyramid);
+    method.make(environment.view(), pyramid);
     const light::Lobe lobe[] = {light::diffuseLobe()};
     return errorOf(column(integrals(levelOfWidth(pyramid, 128), dirs, lobe), 0), column(truth, 0));
 }
 
 } // namespace
 
-Chart measure(const Plan& plan) {
+Chart measure(const SessionConfig& plan) {
     Chart chart;
     auto diffuse = diffuseMethods();
     auto glossy = glossyMethods();
@@ -50,19 +50,20 @@ Chart measure(const Plan& plan) {
     const auto dirs = chartDirections(plan.spread);
     const std::vector<glm::vec3> floatDirs(dirs.begin(), dirs.end());
     std::vector<glm::vec3> out(dirs.size());
-    for (const SurroundSource& source : surroundSources(plan.shared, plan.quick)) {
-        const auto surround = source.load();
-        if (!surround) {
+    for (const EnvironmentSource& source : environmentSources(plan.shared, plan.quick)) {
+        const auto environment = source.load();
+        if (!environment) {
             std::fprintf(stderr, "chart: left out, not at hand: %s\n", source.name.c_str());
             continue;
         }
-        std::fprintf(stderr, "chart: %s, %dx%d: truth", source.name.c_str(), surround->radianceLin.width,
-                     surround->radianceLin.height);
-        chart.surrounds.push_back({source.name, surround->coded(), hasPointSun(surround->radianceLin)});
-        const Truth truth = truthOf(surround->radianceLin, dirs, plan.cache);
+        std::fprintf(stderr, "chart: %s, %dx%d: truth", source.name.c_str(), environment->radianceLin.width,
+                     environment->radianceLin.height);
+        chart.environments.push_back(
+            {source.name, environment->coded(), hasPointSun(environment->radianceLin)});
+        const Truth truth = truthOf(environment->radianceLin, dirs, plan.cache);
         std::fprintf(stderr, ", methods");
-        const auto pyramid = pyramidOf(*surround);
-        const Input input = inputOf(*surround, pyramid);
+        const auto pyramid = pyramidOf(*environment);
+        const Input input = inputOf(*environment, pyramid);
         for (size_t i = 0; i < diffuse.size(); ++i) {
             diffuse[i].update(input);
             diffuse[i].shade(floatDirs, out);
@@ -78,8 +79,9 @@ Chart measure(const Plan& plan) {
         }
         for (size_t i = 0; i < pyramids.size(); ++i) {
             chart.pyramids[i].errors.emplace_back();
-            if (surround->coded())
-                chart.pyramids[i].errors.back().push_back(pyramidError(pyramids[i], *surround, dirs, truth));
+            if (environment->coded())
+                chart.pyramids[i].errors.back().push_back(
+                    pyramidError(pyramids[i], *environment, dirs, truth));
         }
         std::fprintf(stderr, ".\n");
     }

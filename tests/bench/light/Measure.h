@@ -1,10 +1,10 @@
-// Every method over every surround.
+// Every method over every environment.
 #pragma once
 
 #include "engine/core/Image.h"
-#include "engine/light/rivals/Rivals.h"
+#include "tests/baselines/light/Baselines.h"
+#include "tests/bench/light/Environments.h"
 #include "tests/bench/light/Errors.h"
-#include "tests/bench/light/Surrounds.h"
 #include "tests/bench/light/Truth.h"
 
 #include <string>
@@ -19,12 +19,12 @@ struct Cost {
 };
 
 struct Measured {
-    light::rivals::Label label;
+    light::baselines::Label label;
     Cost cost;
-    std::vector<std::vector<SurroundError>> errors; // [surround][lobe]; a diffuse method has one lobe
+    std::vector<std::vector<EnvironmentError>> errors; // [environment][lobe]; a diffuse method has one lobe
 };
 
-struct SurroundFact {
+struct EnvironmentFact {
     std::string name;
     bool coded = false, pointSun = false;
 };
@@ -36,31 +36,31 @@ struct Chart {
     double wideRead_us = 0; // for the widest registers that the processor has
     double reef_us = 0;     // all light of a frame for the game's own surfaces
     double pyramid_us = 0;  // what those are charged with that read it
-    std::vector<SurroundFact> surrounds;
+    std::vector<EnvironmentFact> environments;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
-    std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded surrounds count
-    // Two lobes: diffuse, roughness 0.5; over toneMapSurrounds: hdrSources(), the first toneMapsClipped of
+    std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded environments count
+    // Two lobes: diffuse, roughness 0.5; over toneMapEnvironments: hdrSources(), the first toneMapsClipped of
     // them, then filmedSources().
     std::vector<Measured> toneMaps;
     size_t toneMapsClipped = 0;
-    std::vector<std::string> toneMapSurrounds;
+    std::vector<std::string> toneMapEnvironments;
 };
 
-struct Plan {
+struct SessionConfig {
     Path shared, cache;
     int spread = 64; // directions besides the six axes
     bool quick = false;
 };
 
 // The costs of all methods in the chart, which has their labels in the same order.
-void timeMethods(Chart& chart, std::vector<light::rivals::DiffuseMethod>& diffuse,
-                 std::vector<light::rivals::GlossyMethod>& glossy,
-                 std::vector<light::rivals::PyramidMethod>& pyramids, bool quick);
+void timeMethods(Chart& chart, std::vector<light::baselines::DiffuseMethod>& diffuse,
+                 std::vector<light::baselines::GlossyMethod>& glossy,
+                 std::vector<light::baselines::PyramidMethod>& pyramids, bool quick);
 
-// Fills toneMaps and toneMapSurrounds.
-void measureToneMaps(Chart& chart, const Plan& plan, std::span<const glm::dvec3> dirs);
+// Fills toneMaps and toneMapEnvironments.
+void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs);
 
 // All of it. Speaks of its progress on standard error.
-Chart measure(const Plan& plan);
+Chart measure(const SessionConfig& plan);
 
 } // namespace shoal::bench

@@ -7,7 +7,7 @@
 
 namespace shoal::bench {
 
-using namespace light::rivals;
+using namespace light::baselines;
 
 namespace {
 
@@ -46,7 +46,7 @@ ImageRgbF quartered(const ImageRgbF& image) {
 
 // After the one factor that brings it nearest: how bright the frame was exposed is not the operator's to
 // know.
-SurroundError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
+EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
     double both = 0, own = 0;
     for (size_t i = 0; i < got.size(); ++i)
         both += glm::dot(got[i], want[i]), own += glm::dot(got[i], got[i]);
@@ -56,14 +56,14 @@ SurroundError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<g
 
 } // namespace
 
-void measureToneMaps(Chart& chart, const Plan& plan, std::span<const glm::dvec3> dirs) {
+void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs) {
     const auto methods = inverseToneMapMethods();
     for (const auto& each : methods) chart.toneMaps.push_back({each.label, {}, {}});
     const light::Lobe lobes[] = {light::diffuseLobe(), light::glossyLobe(0.5)};
     // lit: the light that the frame was filmed in, of 256 or 512 texels around.
     const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit) {
         std::fprintf(stderr, "chart: inverse tone mapping, %s\n", name.c_str());
-        chart.toneMapSurrounds.push_back(name);
+        chart.toneMapEnvironments.push_back(name);
         const Truth truth = integrals(lit, dirs, lobes);
         ImageRgbF expanded;
         for (size_t i = 0; i < methods.size(); ++i) {
@@ -74,15 +74,15 @@ void measureToneMaps(Chart& chart, const Plan& plan, std::span<const glm::dvec3>
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
         }
     };
-    for (const SurroundSource& source : hdrSources(plan.shared)) {
-        if (plan.quick && chart.toneMapSurrounds.size() == 2) break;
-        const auto surround = source.load();
-        if (!surround) continue;
-        const Exposed exposed = expose(surround->radianceLin);
+    for (const EnvironmentSource& source : hdrSources(plan.shared)) {
+        if (plan.quick && chart.toneMapEnvironments.size() == 2) break;
+        const auto environment = source.load();
+        if (!environment) continue;
+        const Exposed exposed = expose(environment->radianceLin);
         measure(source.name, exposed.frame, quartered(exposed.radianceLin));
     }
-    chart.toneMapsClipped = chart.toneMapSurrounds.size();
-    for (const SurroundSource& source : filmedSources())
+    chart.toneMapsClipped = chart.toneMapEnvironments.size();
+    for (const EnvironmentSource& source : filmedSources())
         if (const auto filmed = source.load()) {
             measure(source.name, filmed->frame, filmed->radianceLin);
             if (plan.quick) break;

@@ -12,7 +12,7 @@
 
 namespace shoal::bench {
 
-using light::rivals::Role;
+using light::baselines::Role;
 
 namespace {
 
@@ -24,10 +24,12 @@ struct Point {
 
 // A logarithmic axis.
 struct Axis {
-    double least = 0, most = 0, pixels = 0;
+    double minimum = 0, maximum = 0, pixels = 0;
 
-    double toPixel(double value) const { return pixels * std::log(value / least) / std::log(most / least); }
-    double fromPixel(double pixel) const { return least * std::pow(most / least, pixel / pixels); }
+    double toPixel(double value) const {
+        return pixels * std::log(value / minimum) / std::log(maximum / minimum);
+    }
+    double fromPixel(double pixel) const { return minimum * std::pow(maximum / minimum, pixel / pixels); }
 };
 
 struct Box {
@@ -41,8 +43,8 @@ struct Box {
 };
 
 Axis axisAround(const std::vector<double>& values, double pixels, double margin) {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return {*least / margin, *most * margin, pixels};
+    const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
+    return {*minimum / margin, *maximum * margin, pixels};
 }
 
 // Number of a colour and a shape in chart.gp, the same in both panels.
@@ -80,7 +82,7 @@ void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
     for (Point& point : points) {
         const glm::dvec2 half(0.5 * kLetter * static_cast<double>(point.method->label.brief.size()),
                               kLine / 2);
-        double least = 1e30;
+        double minimum = 1e30;
         for (const double reach : {5.0, 14.0, 24.0, 36.0, 50.0})
             for (int step = 0; step < 16; ++step) {
                 const double turn = step * glm::radians(22.5);
@@ -95,7 +97,7 @@ void placeNames(std::vector<Point>& points, const std::vector<Box>& lines) {
                 const glm::dvec2 low = box.centre - half, high = box.centre + half;
                 if (low.x < 2 || low.y < 2 || high.x > kPanelWidth - 2 || high.y > kPanelHeight - 2)
                     cost += 1e6;
-                if (cost < least) least = cost, point.name = box.centre;
+                if (cost < minimum) minimum = cost, point.name = box.centre;
             }
         taken.push_back({point.name, half});
     }
@@ -108,8 +110,8 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
     const Axis x = axisAround(costs, kPanelWidth, margin), y = axisAround(errors, kPanelHeight, margin);
     for (Point& each : points) each.at = {x.toPixel(each.cost_us), y.toPixel(each.error_percent)};
     auto front = frontOf(points);
-    front.insert(front.begin(), {front[0].x, y.most});
-    front.emplace_back(x.most, front.back().y);
+    front.insert(front.begin(), {front[0].x, y.maximum});
+    front.emplace_back(x.maximum, front.back().y);
     std::vector<Box> lines; // a step goes right first, then down
     for (size_t i = 1; i < front.size(); ++i) {
         const glm::dvec2 from(x.toPixel(front[i - 1].x), y.toPixel(front[i - 1].y));
@@ -125,8 +127,8 @@ std::string panel(const char* name, std::vector<Point> points, double margin) {
             families.push_back(each.method->label.family);
 
     std::string out, names, styles;
-    out += text("%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.least, name, x.most, name,
-                y.least, name, y.most);
+    out += text("%s_left = %g; %s_right = %g; %s_low = %g; %s_high = %g\n", name, x.minimum, name, x.maximum,
+                name, y.minimum, name, y.maximum);
     const auto block = [&](const std::string& title, auto&& include) {
         out += text("$%s_%s << END\n", name, title.c_str());
         for (const Point& each : points)

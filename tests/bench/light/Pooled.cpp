@@ -4,8 +4,8 @@ namespace shoal::bench {
 
 Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes) {
     Pool pool;
-    for (size_t s = 0; s < chart.surrounds.size(); ++s) {
-        const bool sun = chart.surrounds[s].pointSun;
+    for (size_t s = 0; s < chart.environments.size(); ++s) {
+        const bool sun = chart.environments[s].pointSun;
         if ((suns == Suns::Without && sun) || (suns == Suns::Only && !sun)) continue;
         for (size_t k = firstLobe; k < firstLobe + lobes; ++k) pool.add(method.errors[s][k]);
     }

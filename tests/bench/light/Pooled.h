@@ -8,7 +8,7 @@ namespace shoal::bench {
 constexpr size_t kGlossyLobes = std::size(kRoughnesses);
 constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of a glossy method's cost
 
-// Which of the surrounds.
+// Which of the environments.
 enum class Suns { With, Without, Only };
 Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
 

@@ -11,12 +11,12 @@
 
 namespace shoal::bench {
 
-using namespace light::rivals;
+using namespace light::baselines;
 
 namespace {
 
-// As the pixels of a ball come, row by row; those who go by looking up find neighbours in the cache.
-std::vector<glm::vec3> ballNormals() {
+// As the pixels of a sphere come, row by row; those who go by looking up find neighbours in the cache.
+std::vector<glm::vec3> sphereNormals() {
     constexpr int kSize = 80;
     std::vector<glm::vec3> normals;
     for (int y = 0; y < kSize; ++y)
@@ -50,8 +50,8 @@ SHOAL_VECTORISE void readBytesWide(const ImageRgb8& frame, volatile uint64_t& ke
 
 void timeMethods(Chart& chart, std::vector<DiffuseMethod>& diffuse, std::vector<GlossyMethod>& glossy,
                  std::vector<PyramidMethod>& pyramids, bool quick) {
-    const Surround timed{"timed", timedFrame(), {}};
-    const auto normals = ballNormals();
+    const Environment timed{"timed", timedFrame(), {}};
+    const auto normals = sphereNormals();
     std::vector<glm::vec3> out(normals.size());
     light::PyramidMaker maker;
     light::RadiancePyramid pyramid, made;

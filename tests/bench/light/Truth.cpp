@@ -1,7 +1,7 @@
 #include "tests/bench/light/Truth.h"
 
 #include "engine/core/Hash.h"
-#include "engine/light/Reference.h"
+#include "tests/baselines/light/Reference.h"
 
 #include <atomic>
 #include <cmath>
@@ -76,7 +76,7 @@ Truth truthOf(const ImageRgbF& radianceLin, std::span<const glm::dvec3> dirs, co
     std::string bytes;
     for (const auto& row : truth) bytes.append(reinterpret_cast<const char*>(row.data()), rowBytes);
     if (const auto written = writeFileWhole(file, bytes); !written)
-        std::fprintf(stderr, "chart: %s\n", written.error().sentence().c_str());
+        std::fprintf(stderr, "chart: %s\n", written.error().message().c_str());
     return truth;
 }
 

@@ -1,9 +1,9 @@
-// The truth of a surround, kept on disk because it takes seconds.
+// The truth of an environment, kept on disk because it takes seconds.
 #pragma once
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
-#include "engine/light/Reference.h"
+#include "tests/baselines/light/Reference.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,7 +1,7 @@
 // What is kept at vertices: one number, or a row of them.
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/rivals/AmbientOcclusion.h"
-#include "engine/occlusion/rivals/Transfer.h"
+#include "tests/baselines/occlusion/AmbientOcclusion.h"
+#include "tests/baselines/occlusion/Transfer.h"
 #include "tests/bench/occlusion/Method.h"
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace shoal::bench {
 
-using namespace occlusion::rivals;
+using namespace occlusion::baselines;
 
 namespace {
 
@@ -97,7 +97,7 @@ OcclusionMethod bakedOcclusion(bool ownBodyAtRest) {
             ownBodyAtRest ? OcclusionMethod::Moves::Free : OcclusionMethod::Moves::Rebuilt};
 }
 
-// Baked at rest, each bone has the surround's harmonics in its own frame: once for each frame and bone.
+// Baked at rest, each bone has the environment's harmonics in its own frame: once for each frame and bone.
 OcclusionMethod transfer(int bands, bool ownBodyAtRest) {
     struct State {
         const Scene* scene = nullptr;

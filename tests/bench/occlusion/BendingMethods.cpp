@@ -1,8 +1,8 @@
 // Bodies that bend, in layered fragment buffers of their own: asked at rest through their skin, or as they
 // were when they were last seen.
-#include "engine/occlusion/Bodies.h"
-#include "engine/occlusion/Rebuilt.h"
-#include "engine/occlusion/ThroughSkin.h"
+#include "tests/baselines/occlusion/PlacedBodies.h"
+#include "tests/baselines/occlusion/RebuiltOllfb.h"
+#include "tests/baselines/occlusion/ThroughSkin.h"
 #include "tests/bench/occlusion/RayMethod.h"
 
 #include <algorithm>
@@ -15,11 +15,10 @@ namespace shoal::bench {
 
 namespace {
 
-using occlusion::Ball;
-using occlusion::Ollfb;
+using occlusion::TracedOllfb;
 
-constexpr Ollfb::Options kOptions{.views = 150, .resolution = 64};
-constexpr float kMostBend_px = 4;   // of a view, before a body is seen anew
+constexpr TracedOllfb::Options kOptions{.views = 150, .resolution = 64};
+constexpr float kMaxBend_px = 4;    // of a view, before a body is seen anew
 constexpr float kPixel = 1 / 64.0f; // of the body's extent
 
 // The frame of its rest pose, carried by the bone that moves most of it, so that what is left is its bending.
@@ -37,7 +36,7 @@ std::vector<glm::vec3> carried(const glm::mat4& by, std::span<const glm::vec3> p
 
 template <class T> T orAbort(Result<T> made, const Body& body) {
     if (!made) {
-        std::fprintf(stderr, "occlusion: %s: %s\n", body.name.c_str(), made.error().sentence().c_str());
+        std::fprintf(stderr, "occlusion: %s: %s\n", body.name.c_str(), made.error().message().c_str());
         std::abort();
     }
     return std::move(*made);
@@ -48,21 +47,21 @@ template <class Method> struct Bending {
     struct One {
         Method method;
         glm::mat4 bodyFromWorld{1};
-        Ball ballWorld;
+        Sphere sphereWorld;
     };
     std::deque<One> bodies;
 
-    // ownOrigin: in the frame of the receiver's body, which rays meet from so many of its ball's radii on:
+    // ownOrigin: in the frame of the receiver's body, which rays meet from so many of its sphere's radii on:
     // what gives the least error.
     bool occluded(const Receiver& at, const glm::vec3& direction, const glm::vec3& ownOrigin,
                   float start) const {
         for (size_t b = 0; b < bodies.size(); ++b) {
             const One& body = bodies[b];
-            if (!occlusion::meets(body.ballWorld, at.position, direction, 0, INFINITY)) continue;
+            if (!occlusion::meets(body.sphereWorld, at.position, direction, 0, INFINITY)) continue;
             const glm::vec3 turned = glm::mat3(body.bodyFromWorld) * direction;
             const bool own = b == at.body;
             if (body.method.trace(own ? ownOrigin : glm::vec3(body.bodyFromWorld * glm::vec4(at.position, 1)),
-                                  turned, own ? start * body.ballWorld.radius : 0))
+                                  turned, own ? start * body.sphereWorld.radius : 0))
                 return true;
         }
         return false;
@@ -70,17 +69,17 @@ template <class Method> struct Bending {
 };
 
 struct Skins : Bending<occlusion::ThroughSkin> {
-    std::map<std::string, Ollfb> rest;         // by kind, shared
+    std::map<std::string, TracedOllfb> rest;   // by kind, shared
     std::vector<std::vector<glm::vec3>> posed; // [body], its frame
 
     explicit Skins(const Scene& scene) {
         for (const Body& body : scene.bodies) {
             if (!rest.contains(body.name))
-                rest.emplace(body.name, orAbort(Ollfb::make(body.rest.view(), kOptions), body));
+                rest.emplace(body.name, orAbort(TracedOllfb::make(body.rest.view(), kOptions), body));
             const glm::mat4 bodyFromWorld = glm::inverse(worldFromBody(body));
             bodies.push_back({{rest.at(body.name), body.rest.positions},
                               bodyFromWorld,
-                              occlusion::boundingBall(body.posed.view())});
+                              occlusion::boundingSphere(body.posed.view())});
             posed.push_back(carried(bodyFromWorld, body.posed.positions));
         }
     }
@@ -110,16 +109,16 @@ struct Seen : Bending<occlusion::RebuiltOllfb> {
             Mesh posed = body.posed;
             posed.positions = carried(bodyFromWorld, body.posed.positions);
             for (glm::vec3& normal : posed.normals) normal = glm::mat3(bodyFromWorld) * normal;
-            const Ball ball = occlusion::boundingBall(body.posed.view());
-            const float most = kMostBend_px * kPixel * 2 * ball.radius;
+            const Sphere sphere = occlusion::boundingSphere(body.posed.view());
+            const float maximum = kMaxBend_px * kPixel * 2 * sphere.radius;
             const float bend = occlusion::bend_m(posed.positions, body.rest.positions);
-            const float back = bend > 0 ? std::min(1.0f, 0.999f * most / bend) : 0;
+            const float back = bend > 0 ? std::min(1.0f, 0.999f * maximum / bend) : 0;
             Mesh was = posed;
             for (size_t v = 0; v < was.positions.size(); ++v) {
                 was.positions[v] = glm::mix(posed.positions[v], body.rest.positions[v], back);
                 was.normals[v] = glm::normalize(glm::mix(posed.normals[v], body.rest.normals[v], back));
             }
-            bodies.push_back({occlusion::RebuiltOllfb(kOptions, most), bodyFromWorld, ball});
+            bodies.push_back({occlusion::RebuiltOllfb(kOptions, maximum), bodyFromWorld, sphere});
             before.push_back(std::move(was));
             now.push_back(std::move(posed));
         }
@@ -150,7 +149,7 @@ template <class Bodies> OcclusionMethod bending(OcclusionLabel label, int direct
     label.brief += " " + std::to_string(directions);
     const auto kept = std::make_shared<std::optional<Bodies>>();
     auto method = rayMethod<Bodies*>(
-        std::move(label), occlusion::rivals::evenDirections(directions), OcclusionMethod::Moves::Bending,
+        std::move(label), occlusion::baselines::evenDirections(directions), OcclusionMethod::Moves::Bending,
         [=](const Scene&, const Rays&) {
             (*kept)->bend();
             return &**kept;

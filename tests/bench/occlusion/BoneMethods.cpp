@@ -1,10 +1,10 @@
 // What rides on bones, or is read from the picture.
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/rivals/AmbientOcclusion.h"
-#include "engine/occlusion/rivals/BallOcclusion.h"
-#include "engine/occlusion/rivals/BoneBalls.h"
-#include "engine/occlusion/rivals/BoneDistance.h"
-#include "engine/occlusion/rivals/ScreenSpace.h"
+#include "tests/baselines/occlusion/AmbientOcclusion.h"
+#include "tests/baselines/occlusion/BallOcclusion.h"
+#include "tests/baselines/occlusion/BoneBalls.h"
+#include "tests/baselines/occlusion/BoneDistance.h"
+#include "tests/baselines/occlusion/ScreenSpace.h"
 #include "tests/bench/occlusion/RayMethod.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,10 +13,10 @@
 
 namespace shoal::bench {
 
-using namespace occlusion::rivals;
+using namespace occlusion::baselines;
 
 // Its own body's ellipsoids would swallow a surface that they stand for: only the others cast.
-OcclusionMethod balls() {
+OcclusionMethod spheres() {
     struct State {
         std::vector<std::vector<Ellipsoid>> bodies;
         const ImageRgbF* map = nullptr;
@@ -45,8 +45,8 @@ OcclusionMethod balls() {
                     for (size_t b = 0; b < state->bodies.size(); ++b) {
                         if (b == at[i].body) continue;
                         for (const Ellipsoid& each : state->bodies[b]) {
-                            const SeenBall ball = seenFrom(at[i].position, each);
-                            free *= 1 - ballOcclusion(at[i].normal, ball.to, ball.radius);
+                            const SeenSphere sphere = seenFrom(at[i].position, each);
+                            free *= 1 - sphereOcclusion(at[i].normal, sphere.to, sphere.radius);
                         }
                     }
                     out[i] = free * light::lookUp(*state->map, at[i].normal);

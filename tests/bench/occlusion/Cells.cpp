@@ -10,7 +10,7 @@ namespace shoal::bench {
 namespace {
 
 constexpr int kBase = 96, kFine = 768; // cells along the square's side: the widest, the narrowest
-constexpr float kShare = 1e-3f;        // of a surround's whole light: a cell with more is cut in four
+constexpr float kShare = 1e-3f;        // of an environment's whole light: a cell with more is cut in four
 
 float signOf(float x) { return x < 0 ? -1.0f : 1.0f; }
 
@@ -64,24 +64,24 @@ size_t Cells::cellTowards(const glm::vec3& direction) const {
     return byPlace[static_cast<size_t>(at.y * kFine + at.x)];
 }
 
-Cells cellsOf(std::span<const Fine> surrounds) {
+Cells cellsOf(std::span<const Fine> environments) {
     Cells out;
-    out.surrounds = surrounds.size();
+    out.environments = environments.size();
     out.byPlace.resize(static_cast<size_t>(kFine) * kFine);
     std::vector<float> whole;
-    for (const Fine& fine : surrounds) {
+    for (const Fine& fine : environments) {
         glm::dvec3 sum(0);
         for (const glm::vec3& power : fine) sum += power;
         whole.push_back(static_cast<float>(sum.x + sum.y + sum.z));
     }
-    std::vector<glm::vec3> power(surrounds.size());
+    std::vector<glm::vec3> power(environments.size());
     const auto visit = [&](auto&& self, glm::ivec2 low, int side) -> void {
         bool bright = false;
-        for (size_t s = 0; s < surrounds.size(); ++s) {
+        for (size_t s = 0; s < environments.size(); ++s) {
             glm::dvec3 sum(0);
             for (int y = low.y; y < low.y + side; ++y)
                 for (int x = low.x; x < low.x + side; ++x)
-                    sum += surrounds[s][static_cast<size_t>(y * kFine + x)];
+                    sum += environments[s][static_cast<size_t>(y * kFine + x)];
             power[s] = sum;
             bright = bright || power[s].x + power[s].y + power[s].z > kShare * whole[s];
         }

@@ -1,5 +1,6 @@
-// The sphere of directions cut into cells, finer where any of the surrounds is bright; what each surround
-// sends through each cell is exact, so that one ray a cell tells the light of all surrounds at once.
+// The sphere of directions cut into cells, finer where any of the environments is bright; what each
+// environment sends through each cell is exact, so that one ray a cell tells the light of all environments at
+// once.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -20,22 +21,24 @@ struct Cell {
 
 struct Cells {
     std::vector<Cell> cells;
-    size_t surrounds = 0;
-    std::vector<glm::vec3> power; // [cell][surround]: integral of radiance over the cell
+    size_t environments = 0;
+    std::vector<glm::vec3> power; // [cell][environment]: integral of radiance over the cell
 
     std::vector<uint32_t> byPlace; // of the square at its finest, row by row: the cell there
     size_t cellTowards(const glm::vec3& direction) const;
 
-    std::span<const glm::vec3> of(size_t cell) const { return {power.data() + cell * surrounds, surrounds}; }
+    std::span<const glm::vec3> of(size_t cell) const {
+        return {power.data() + cell * environments, environments};
+    }
 };
 
 glm::vec3 directionOfSquare(const glm::vec2& at); // [0, 1]^2; Meyer et al. 2010, octahedral map
 glm::vec2 squareOfDirection(const glm::vec3& direction);
 
-// Radiance summed on a fine square; one a surround.
+// Radiance summed on a fine square; one an environment.
 using Fine = std::vector<glm::vec3>;
 Fine fineOf(const ImageRgbF& radianceLin);
 
-Cells cellsOf(std::span<const Fine> surrounds);
+Cells cellsOf(std::span<const Fine> environments);
 
 } // namespace shoal::bench

@@ -1,9 +1,10 @@
 // What the game draws: bodies as ellipsoids on their joints, which hide the ends of a few axes.
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/Folds.h"
+#include "engine/occlusion/TraceSelfOcclusion.h"
 #include "tests/bench/occlusion/EllipsoidParts.h"
 #include "tests/bench/occlusion/Method.h"
 
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <algorithm>
 #include <memory>
 
@@ -11,28 +12,29 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr int kRays = 6; // at each of three points in a triangle, as the game folds
+constexpr int kRays = 6; // at each of three points in a triangle, as the game self-occlusion
 
 struct State {
     const Scene* scene = nullptr;
     const ImageRgbF* map = nullptr;
     occlusion::SmoothLight smooth;
     std::vector<std::vector<occlusion::Occluder>> others, own; // [body]: what takes its light
-    std::vector<std::vector<glm::vec4>> folds;                 // [body][vertex]: world; empty without
+    std::vector<std::vector<glm::vec4>> selfOcclusion;         // [body][vertex]: world; empty without
     size_t parts = 0;
 };
 
-std::vector<glm::vec4> foldsOf(const Mesh& mesh) {
+std::vector<glm::vec4> selfOcclusionOf(const Mesh& mesh) {
     std::vector<uint32_t> indices;
     for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    return occlusion::findFolds({mesh.positions, mesh.normals, indices}, {}, kRays);
+    return occlusion::traceSelfOcclusion({mesh.positions, mesh.normals, indices}, {}, kRays);
 }
 
 // As the skin turns each vertex, without its scale.
-glm::vec4 turned(const glm::mat3& by, const glm::vec4& fold) {
-    const glm::vec3 to = by * glm::vec3(fold);
+glm::vec4 turned(const glm::mat3& by, const glm::vec4& selfOcclusion) {
+    const glm::vec3 to = by * glm::vec3(selfOcclusion);
     const float length = glm::length(to);
-    return {length > 0 ? to * (glm::length(glm::vec3(fold)) / length) : glm::vec3(0), fold.w};
+    return {length > 0 ? to * (glm::length(glm::vec3(selfOcclusion)) / length) : glm::vec3(0),
+            selfOcclusion.w};
 }
 
 void build(State& state, const Scene& scene, Casting casting) {
@@ -47,9 +49,10 @@ void build(State& state, const Scene& scene, Casting casting) {
             if (onItself) state.own[b].push_back(posed(part, body));
         }
         if (casting == Casting::Others) continue;
-        auto folds = onItself ? body.foldsBesideOwn : foldsOf(body.rest);
-        for (size_t v = 0; v < folds.size(); ++v) folds[v] = turned(body.turned[v], folds[v]);
-        state.folds.push_back(std::move(folds));
+        auto selfOcclusion = onItself ? body.selfOcclusionBesideOwn : selfOcclusionOf(body.rest);
+        for (size_t v = 0; v < selfOcclusion.size(); ++v)
+            selfOcclusion[v] = turned(body.turned[v], selfOcclusion[v]);
+        state.selfOcclusion.push_back(std::move(selfOcclusion));
     }
 }
 
@@ -68,7 +71,7 @@ OcclusionMethod ellipsoids(Casting casting) {
             [=](const Scene& scene, const Rays&) { build(*state, scene, casting); },
             [=] {
                 size_t bytes = state->parts * sizeof(occlusion::BodyPart);
-                for (const auto& each : state->folds) bytes += each.size() * sizeof(glm::vec4);
+                for (const auto& each : state->selfOcclusion) bytes += each.size() * sizeof(glm::vec4);
                 return bytes;
             },
             [=](const Lit& lit) {
@@ -81,12 +84,12 @@ OcclusionMethod ellipsoids(Casting casting) {
                 for (size_t i = 0; i < at.size(); ++i) {
                     const size_t body = at[i].body;
                     const glm::uvec3 corner = state->scene->bodies[body].posed.triangles[at[i].triangle];
-                    occlusion::Fold fold{glm::vec4(0), state->scene->bodies[body].sentBack};
-                    for (int k = 0; k < 3 && !state->folds.empty(); ++k)
-                        fold.hidden += at[i].weights[k] * state->folds[body][corner[k]];
+                    occlusion::SelfOcclusion selfOcclusion{glm::vec4(0), state->scene->bodies[body].sentBack};
+                    for (int k = 0; k < 3 && !state->selfOcclusion.empty(); ++k)
+                        selfOcclusion.hidden += at[i].weights[k] * state->selfOcclusion[body][corner[k]];
                     const glm::vec3 open = light::lookUp(*state->map, at[i].normal);
-                    const auto taken = occlusion::take(at[i].position, at[i].normal, state->own[body], fold,
-                                                       state->others[body], state->smooth);
+                    const auto taken = occlusion::occlude(at[i].position, at[i].normal, state->own[body],
+                                                          selfOcclusion, state->others[body], state->smooth);
                     out[i] = glm::max(open - taken.radiance, 0.0f);
                 }
             },

@@ -2,10 +2,10 @@
 
 #include "engine/light/Lookup.h"
 #include "engine/math/Brdf.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
-#include "engine/occlusion/Shade.h"
-#include "engine/occlusion/rivals/AmbientOcclusion.h"
+#include "tests/baselines/occlusion/AmbientOcclusion.h"
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/bench/light/Timing.h"
 #include "tests/bench/occlusion/EllipsoidParts.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
@@ -66,18 +66,18 @@ struct Method {
 } // namespace
 
 void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std::span<const Receiver> all,
-                   std::span<const LitSurround> surrounds) {
+                   std::span<const LitEnvironment> environments) {
     std::vector<Receiver> receivers; // those whose mirror direction leaves the surface
     for (const Receiver& each : all)
         if (glm::dot(each.mirrored, each.normal) > 0.05f) receivers.push_back(each);
 
     const LayeredBodies<occlusion::OllfbThesis> thesis(scene, {.cells = 5, .resolution = 64});
-    const LayeredBodies<occlusion::Ollfb> cured(scene, {.views = 150, .resolution = 64});
+    const LayeredBodies<occlusion::TracedOllfb> cured(scene, {.views = 150, .resolution = 64});
     const auto casting = castingOnOthers(scene);
     std::vector<std::vector<float>> baked;
     for (const Body& body : scene.bodies) {
         const Rays own({&body.rest});
-        baked.push_back(occlusion::rivals::bakeAmbientOcclusion(
+        baked.push_back(occlusion::baselines::bakeAmbientOcclusion(
             body.rest.view(),
             [&](const glm::vec3& o, const glm::vec3& d) { return own.occluded(o, d, scene.nearest); }, 32,
             scene.nearest));
@@ -99,8 +99,8 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
         return std::clamp(std::pow(nv + ao, std::exp2(-16 * kGlossyRoughness - 1)) - 1 + ao, 0.0f, 1.0f);
     };
     const auto fromEllipsoids = [&](size_t i) {
-        return occlusion::openLobe(receivers[i].position, receivers[i].mirrored, kGlossyRoughness,
-                                   casting[receivers[i].body]);
+        return occlusion::lobeVisibility(receivers[i].position, receivers[i].mirrored, kGlossyRoughness,
+                                         casting[receivers[i].body]);
     };
     const std::vector<Method> methods = {
         {"off", [](size_t, const Lit&) { return glm::vec3(1); }},
@@ -125,9 +125,9 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
     std::vector<double> squares(methods.size());
     double noise = 0;
     int count = 0;
-    for (const LitSurround& surround : surrounds) {
-        if (surround.lit.pointSun) continue;
-        const Lit& lit = surround.lit;
+    for (const LitEnvironment& environment : environments) {
+        if (environment.lit.pointSun) continue;
+        const Lit& lit = environment.lit;
         std::vector<glm::vec3> open(receivers.size()), want(receivers.size()), half(receivers.size());
         onAllCores(receivers.size(), [&](size_t i) {
             open[i] = light::lookUpGlossy(lit.light, receivers[i].mirrored, kGlossyRoughness);
@@ -162,9 +162,9 @@ void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays, std
         chart.methods[m].receiver_ns.push_back(
             1e3 / static_cast<double>(receivers.size()) * shortest_us(10, [&] {
                 for (size_t i = 0; i < receivers.size(); ++i)
-                    out[i] =
-                        light::lookUpGlossy(surrounds[0].lit.light, receivers[i].mirrored, kGlossyRoughness) *
-                        methods[m].share(i, surrounds[0].lit);
+                    out[i] = light::lookUpGlossy(environments[0].lit.light, receivers[i].mirrored,
+                                                 kGlossyRoughness) *
+                             methods[m].share(i, environments[0].lit);
             }));
     }
 }

@@ -1,7 +1,7 @@
 // Glossy light under occlusion.
 #pragma once
 
-#include "tests/bench/occlusion/Surround.h"
+#include "tests/bench/occlusion/Environment.h"
 
 namespace shoal::bench {
 
@@ -9,17 +9,17 @@ constexpr float kGlossyRoughness = 0.25f; // of the smoothest surface in the gam
 
 struct GlossyMeasured {
     std::string name;
-    std::vector<double> errors;      // [scene]: relative RMS, surrounds without point suns weighing the same
+    std::vector<double> errors; // [scene]: relative RMS, environments without point suns weighing the same
     std::vector<double> receiver_ns; // [scene]
 };
 
 struct GlossyChart {
-    std::vector<double> noise; // [scene]: of the truth, the largest of any surround
+    std::vector<double> noise; // [scene]: of the truth, the largest of any environment
     std::vector<GlossyMeasured> methods;
 };
 
 // Adds a scene to the chart.
 void measureGlossy(GlossyChart& chart, const Scene& scene, const Rays& rays,
-                   std::span<const Receiver> receivers, std::span<const LitSurround> surrounds);
+                   std::span<const Receiver> receivers, std::span<const LitEnvironment> environments);
 
 } // namespace shoal::bench

@@ -1,6 +1,6 @@
 // Rays through layered fragment buffers, one for each body.
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
 #include "tests/bench/occlusion/RayMethod.h"
 
@@ -11,7 +11,7 @@ namespace {
 template <class Buffers>
 OcclusionMethod layers(OcclusionLabel label, int directions, const typename Buffers::Options& options) {
     return rayMethod<LayeredBodies<Buffers>>(
-        std::move(label), occlusion::rivals::evenDirections(directions), OcclusionMethod::Moves::Rigid,
+        std::move(label), occlusion::baselines::evenDirections(directions), OcclusionMethod::Moves::Rigid,
         [=](const Scene& scene, const Rays&) { return LayeredBodies<Buffers>(scene, options); },
         [](const LayeredBodies<Buffers>& bodies, const Receiver& at, const glm::vec3& direction, size_t) {
             return bodies.occluded(at.position, direction, at.body) ? 0.0f : 1.0f;
@@ -30,7 +30,7 @@ OcclusionMethod thesisLayers(int directions) {
 }
 
 OcclusionMethod curedLayers(int directions) {
-    return layers<occlusion::Ollfb>(
+    return layers<occlusion::TracedOllfb>(
         {"layered fragment buffers cured, 150 views of 64, " + std::to_string(directions) + " directions",
          "cured " + std::to_string(directions), "layered fragments, cured", "engine/occlusion"},
         directions, {.views = 150, .resolution = 64});

@@ -1,9 +1,9 @@
 #include "tests/bench/occlusion/LayerQuality.h"
 
 #include "engine/core/Random.h"
-#include "engine/occlusion/Mirror.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/Mirror.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 #include "tests/bench/light/Timing.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr int kBounces[] = {1, 2, 8};
 
 // Detail down to a tenth of a radian, so that a wrong direction shows.
-double surroundAt(const glm::vec3& d) {
+double environmentAt(const glm::vec3& d) {
     return 1 + 0.5 * std::sin(9 * static_cast<double>(d.x) + 3 * static_cast<double>(d.y)) *
                    std::sin(8 * static_cast<double>(d.y) - 5 * static_cast<double>(d.z));
 }
@@ -35,7 +35,7 @@ struct Asked {
 
 Asked ask(const Scene& scene, const Rays& rays, int count) {
     Asked asked;
-    asked.nearest = 0.01f * occlusion::boundingBall(scene.bodies[0].posed.view()).radius;
+    asked.nearest = 0.01f * occlusion::boundingSphere(scene.bodies[0].posed.view()).radius;
     Random random(3);
     for (const Receiver& at : spreadReceivers(scene, count)) {
         if (glm::dot(at.mirrored, at.normal) <= 0) continue;
@@ -48,9 +48,10 @@ Asked ask(const Scene& scene, const Rays& rays, int count) {
         Question question{at.position, at.mirrored};
         question.hits = rays.occluded(question.origin, question.direction, asked.nearest);
         for (int k = 0; k < 3; ++k)
-            question.seen[k] = surroundAt(occlusion::followMirrors(rays, question.origin, question.direction,
-                                                                   asked.nearest, kBounces[k])
-                                              .direction);
+            question.seen[k] =
+                environmentAt(occlusion::followMirrors(rays, question.origin, question.direction,
+                                                       asked.nearest, kBounces[k])
+                                  .direction);
         asked.questions.push_back(question);
     }
     return asked;
@@ -68,7 +69,7 @@ LayerQuality measured(const Scene& scene, const Asked& asked, const char* name, 
     for (const Question& each : asked.questions) {
         out.gaps += bodies.trace(each.origin, each.direction, asked.nearest).has_value() != each.hits;
         for (int k = 0; k < 3; ++k) {
-            const double seen = surroundAt(
+            const double seen = environmentAt(
                 occlusion::followMirrors(bodies, each.origin, each.direction, asked.nearest, kBounces[k])
                     .direction);
             off[k] += (seen - each.seen[k]) * (seen - each.seen[k]);
@@ -101,8 +102,8 @@ std::vector<LayerQuality> measureLayers(std::span<const Scene> scenes, bool quic
                                                                {.cells = cells, .resolution = resolution}));
         for (const int resolution : {32, 64})
             for (const int views : {54, 150, 486})
-                all.push_back(measured<occlusion::Ollfb>(scene, asked, "cured", views,
-                                                         {.views = views, .resolution = resolution}));
+                all.push_back(measured<occlusion::TracedOllfb>(scene, asked, "cured", views,
+                                                               {.views = views, .resolution = resolution}));
     }
     return all;
 }

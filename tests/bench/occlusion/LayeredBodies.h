@@ -1,8 +1,8 @@
 // Each body of a scene in layered fragment buffers of its own, as it is posed.
 #pragma once
 
-#include "engine/occlusion/CheckMesh.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "engine/occlusion/BodyMesh.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/bench/occlusion/Scene.h"
 
 #include <cmath>
@@ -24,18 +24,18 @@ template <class Buffers> class LayeredBodies {
             auto made = Buffers::make(body.posed.view(), options);
             if (!made) {
                 std::fprintf(stderr, "occlusion: %s: %s\n", body.name.c_str(),
-                             made.error().sentence().c_str());
+                             made.error().message().c_str());
                 std::abort();
             }
-            const occlusion::Ball ball = occlusion::boundingBall(body.posed.view());
-            bodies_.push_back({std::move(*made), ball});
+            const Sphere sphere = occlusion::boundingSphere(body.posed.view());
+            bodies_.push_back({std::move(*made), sphere});
         }
     }
 
     // own: the body that the ray begins on; what touches it may be nearer than its buffers could tell.
     bool occluded(const glm::vec3& origin, const glm::vec3& direction, size_t own) const {
         for (size_t b = 0; b < bodies_.size(); ++b)
-            if (meets(bodies_[b].ball, origin, direction) &&
+            if (meets(bodies_[b].sphere, origin, direction) &&
                 bodies_[b].buffers.trace(origin, direction, b == own ? nearestOf(bodies_[b]) : 0))
                 return true;
         return false;
@@ -43,7 +43,7 @@ template <class Buffers> class LayeredBodies {
     std::optional<occlusion::Hit> trace(glm::vec3 origin, glm::vec3 direction, float nearest) const {
         std::optional<occlusion::Hit> first;
         for (const One& body : bodies_) {
-            if (!meets(body.ball, origin, direction)) continue;
+            if (!meets(body.sphere, origin, direction)) continue;
             const auto hit = body.buffers.trace(origin, direction, std::max(nearest, nearestOf(body)));
             if (hit && (!first || hit->distance < first->distance)) first = hit;
         }
@@ -58,16 +58,16 @@ template <class Buffers> class LayeredBodies {
   private:
     struct One {
         Buffers buffers;
-        occlusion::Ball ball;
+        Sphere sphere;
     };
-    float nearestOf(const One& body) const { return nearest_ * body.ball.radius; }
-    static bool meets(const occlusion::Ball& ball, const glm::vec3& origin, const glm::vec3& direction) {
-        const glm::vec3 to = ball.centre - origin;
-        const float along = glm::dot(to, direction), square = ball.radius * ball.radius;
+    float nearestOf(const One& body) const { return nearest_ * body.sphere.radius; }
+    static bool meets(const Sphere& sphere, const glm::vec3& origin, const glm::vec3& direction) {
+        const glm::vec3 to = sphere.centre - origin;
+        const float along = glm::dot(to, direction), square = sphere.radius * sphere.radius;
         const float outside = glm::dot(to, to) - square;
         return outside <= 0 || (along > 0 && outside <= along * along);
     }
-    float nearest_ = 0; // of a ball's radius
+    float nearest_ = 0; // of a sphere's radius
     std::vector<One> bodies_;
 };
 

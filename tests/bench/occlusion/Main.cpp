@@ -1,5 +1,6 @@
 // bench_occlusion FOLDER [--quick]: measures, writes tables and what the picture is drawn from.
 // tests/bench/occlusion_chart builds it, starts it and draws.
+#include "tests/TestPaths.h"
 #include "tests/bench/occlusion/Report.h"
 #include "tests/bench/occlusion/Sheet.h"
 
@@ -16,7 +17,7 @@ int main(int argc, char** argv) {
     }
     const bool quick = option == "--quick";
     const auto complain = [](const Error& error) {
-        std::fprintf(stderr, "occlusion: %s\n", error.sentence().c_str());
+        std::fprintf(stderr, "occlusion: %s\n", error.message().c_str());
         return 1;
     };
     const Path folder = argv[1];

@@ -1,7 +1,7 @@
 #include "tests/bench/occlusion/Measure.h"
 
 #include "tests/bench/light/Timing.h"
-#include "tests/bench/occlusion/Surround.h"
+#include "tests/bench/occlusion/Environment.h"
 
 #include <cmath>
 #include <cstdio>
@@ -13,9 +13,9 @@ namespace {
 constexpr float kEnclosed =
     0.005f; // less of the hemisphere than this is free: a mouth's inside, which nobody sees
 
-SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, size_t surround,
+SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, size_t environment,
                    std::span<const glm::vec3> unshaded) {
-    const auto& want = truth.diffuse[surround];
+    const auto& want = truth.diffuse[environment];
     double off[2] = {0, 0}, whole[2] = {0, 0};
     for (size_t i = 0; i < got.size(); ++i) {
         if (got[i].x <= kUnknown.x || truth.open[i] < kEnclosed) continue;
@@ -34,11 +34,11 @@ SceneError errorOf(std::span<const glm::vec3> got, const OccludedLight& truth, s
 
 OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& shared, bool quick) {
     OcclusionChart chart;
-    std::fprintf(stderr, "occlusion: light of the surrounds\n");
-    const auto surrounds = litSurrounds(shared, quick);
+    std::fprintf(stderr, "occlusion: light of the environments\n");
+    const auto environments = litEnvironments(shared, quick);
     std::vector<Fine> fine;
-    for (const LitSurround& each : surrounds) {
-        chart.surrounds.push_back(each.lit.name);
+    for (const LitEnvironment& each : environments) {
+        chart.environments.push_back(each.lit.name);
         chart.pointSun.push_back(each.lit.pointSun);
         fine.push_back(each.fine);
     }
@@ -67,8 +67,8 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
             chart.methods[m].bytes.push_back(methods[m].bytes());
             chart.methods[m].errors.emplace_back();
             if (methods[m].foresee) methods[m].foresee(receivers);
-            for (size_t s = 0; s < surrounds.size(); ++s) {
-                methods[m].relight(surrounds[s].lit);
+            for (size_t s = 0; s < environments.size(); ++s) {
+                methods[m].relight(environments[s].lit);
                 methods[m].shade(receivers, out);
                 if (m == 0) unshaded.push_back(out);
                 chart.methods[m].errors.back().push_back(errorOf(out, truth, s, unshaded[s]));
@@ -86,7 +86,7 @@ OcclusionChart measureOcclusion(std::span<const Scene> scenes, const Path& share
         }
         std::fprintf(stderr, "occlusion: %s: glossy\n", scene.name.c_str());
         measureGlossy(chart.glossy, scene, rays, std::span(receivers).first(quick ? 50 : receivers.size()),
-                      surrounds);
+                      environments);
     }
     return chart;
 }

@@ -1,4 +1,4 @@
-// Every method over every scene and surround.
+// Every method over every scene and environment.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -8,7 +8,7 @@
 
 namespace shoal::bench {
 
-// Relative root mean square of one scene in one surround; NaN where there is none.
+// Relative root mean square of one scene in one environment; NaN where there is none.
 struct SceneError {
     double all = 0;    // over all receivers
     double shaded = 0; // over those of whose light a tenth or more is taken
@@ -17,17 +17,17 @@ struct SceneError {
 struct OcclusionMeasured {
     OcclusionLabel label;
     OcclusionMethod::Moves moves = OcclusionMethod::Moves::Free;
-    std::vector<std::vector<SceneError>> errors; // [scene][surround]
+    std::vector<std::vector<SceneError>> errors; // [scene][environment]
     std::vector<double> receiver_ns;             // [scene]
     std::vector<double> body_us;                 // [scene]: to build what it keeps, a body
     std::vector<size_t> bytes;                   // [scene]
 };
 
 struct OcclusionChart {
-    std::vector<std::string> scenes, surrounds;
-    std::vector<bool> pointSun;             // [surround]
-    std::vector<std::vector<double>> noise; // [scene][surround]: of the truth
-    std::vector<double> shadedShare;        // [scene]: of receivers, in the first surround
+    std::vector<std::string> scenes, environments;
+    std::vector<bool> pointSun;             // [environment]
+    std::vector<std::vector<double>> noise; // [scene][environment]: of the truth
+    std::vector<double> shadedShare;        // [scene]: of receivers, in the first environment
     std::vector<double> open;               // [scene]: mean free share of the hemisphere
     std::vector<OcclusionMeasured> methods; // the first ignores occlusion
     GlossyChart glossy;

@@ -1,7 +1,7 @@
 // Triangles of one body, owned.
 #pragma once
 
-#include "engine/occlusion/Visibility.h"
+#include "tests/baselines/occlusion/Visibility.h"
 
 #include <functional>
 #include <vector>

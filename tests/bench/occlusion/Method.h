@@ -11,14 +11,14 @@
 
 namespace shoal::bench {
 
-enum class Part { Rival, Thesis, Game, Off, Exact };
+enum class Part { Baseline, Thesis, Game, Off, Exact };
 
 struct OcclusionLabel {
     std::string name, brief, family, source;
-    Part part = Part::Rival;
+    Part part = Part::Baseline;
 };
 
-// A surround as methods get it.
+// An environment as methods get it.
 struct Lit {
     std::string name;
     bool pointSun = false;
@@ -34,7 +34,7 @@ struct OcclusionMethod {
     // Once for each scene, and where `moves` is Rebuilt again whenever something in it moves.
     std::function<void(const Scene&, const Rays&)> build;
     std::function<size_t()> bytes;           // for the whole scene, after build
-    std::function<void(const Lit&)> relight; // once for each frame of a surround
+    std::function<void(const Lit&)> relight; // once for each frame of an environment
     std::function<void(std::span<const Receiver>, std::span<glm::vec3>)> shade;
     enum class Moves {
         Free,    // follows bones and bodies for nothing
@@ -42,8 +42,8 @@ struct OcclusionMethod {
         Bending, // follows whole bodies; and their bending by building again
         Rebuilt, // true for the scene as it was built
     } moves = Moves::Free;
-    // Where set: works out beforehand what does not depend on the surround, for these receivers in the calls
-    // of shade() that follow; none: forgets it. For the errors alone, never while time is taken.
+    // Where set: works out beforehand what does not depend on the environment, for these receivers in the
+    // calls of shade() that follow; none: forgets it. For the errors alone, never while time is taken.
     std::function<void(std::span<const Receiver>)> foresee = {};
     // Where set: before build(), once for each scene: makes what is kept of bodies however they move.
     std::function<void(const Scene&)> load = {};
@@ -60,11 +60,11 @@ OcclusionMethod transfer(int bands, bool ownBodyAtRest);
 OcclusionMethod coherentShadowMaps(int directions, int size);
 OcclusionMethod layeredDepth(int directions, int size);
 OcclusionMethod exactRays(int directions);
-OcclusionMethod balls();
+OcclusionMethod spheres();
 OcclusionMethod screenSpace(int samples);
 OcclusionMethod boneDistances(int cones, int cells);
-// What takes light: others' ellipsoids; each body's folds at rest too; and of what bends sharply its own
-// ellipsoids.
+// What takes light: others' ellipsoids; each body's self-occlusion at rest too; and of what bends sharply its
+// own ellipsoids.
 enum class Casting { Others, OthersAndFolds, All };
 OcclusionMethod ellipsoids(Casting casting);
 OcclusionMethod thesisLayers(int directions);

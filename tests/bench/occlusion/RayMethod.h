@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/rivals/Directions.h"
+#include "tests/baselines/occlusion/Directions.h"
 #include "tests/bench/occlusion/Method.h"
 
 #include <memory>
@@ -20,7 +20,7 @@ OcclusionMethod rayMethod(OcclusionLabel label, std::vector<glm::vec3> direction
                           OcclusionMethod::Moves moves, Make make, Free free, Bytes bytes) {
     struct State {
         std::optional<Structure> structure;
-        occlusion::rivals::DirectedLight light;
+        occlusion::baselines::DirectedLight light;
         const ImageRgbF* map = nullptr;
         std::vector<float> known; // [receiver][direction]
     };
@@ -32,14 +32,14 @@ OcclusionMethod rayMethod(OcclusionLabel label, std::vector<glm::vec3> direction
             },
             [=] { return bytes(*state->structure); },
             [=](const Lit& lit) {
-                state->light = occlusion::rivals::directedLight(directedFrom(lit), directions);
+                state->light = occlusion::baselines::directedLight(directedFrom(lit), directions);
                 state->map = &lit.light.diffuse;
             },
             [=](std::span<const Receiver> at, std::span<glm::vec3> out) {
                 const size_t count = state->light.directions.size();
                 for (size_t i = 0; i < at.size(); ++i)
                     out[i] = light::lookUp(*state->map, at[i].normal) *
-                             occlusion::rivals::shareSeen(state->light, at[i].normal, [&](size_t k) {
+                             occlusion::baselines::shareSeen(state->light, at[i].normal, [&](size_t k) {
                                  return state->known.empty()
                                             ? free(*state->structure, at[i], state->light.directions[k], k)
                                             : state->known[i * count + k];

@@ -1,12 +1,12 @@
 // What asks from which directions a point is seen.
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/rivals/CoherentShadowMaps.h"
-#include "engine/occlusion/rivals/LayeredDepth.h"
+#include "tests/baselines/occlusion/CoherentShadowMaps.h"
+#include "tests/baselines/occlusion/LayeredDepth.h"
 #include "tests/bench/occlusion/RayMethod.h"
 
 namespace shoal::bench {
 
-using namespace occlusion::rivals;
+using namespace occlusion::baselines;
 
 namespace {
 

@@ -11,8 +11,8 @@ double pooledError(const OcclusionChart& chart, const OcclusionMeasured& method,
                    double SceneError::*part) {
     double squares = 0;
     int count = 0;
-    for (size_t s = 0; s < chart.surrounds.size(); ++s) {
-        const bool fits = which == Under::Reef   ? chart.surrounds[s] == "video: reef"
+    for (size_t s = 0; s < chart.environments.size(); ++s) {
+        const bool fits = which == Under::Reef   ? chart.environments[s] == "video: reef"
                           : which == Under::Suns ? chart.pointSun[s]
                                                  : !chart.pointSun[s];
         const double error = method.errors[scene][s].*part;
@@ -61,10 +61,10 @@ std::string sceneTable(const OcclusionChart& chart, size_t scene) {
 }
 
 double worstNoise(const OcclusionChart& chart, size_t scene, bool suns) {
-    double most = 0;
-    for (size_t s = 0; s < chart.surrounds.size(); ++s)
-        if (chart.pointSun[s] == suns) most = std::max(most, chart.noise[scene][s]);
-    return most;
+    double maximum = 0;
+    for (size_t s = 0; s < chart.environments.size(); ++s)
+        if (chart.pointSun[s] == suns) maximum = std::max(maximum, chart.noise[scene][s]);
+    return maximum;
 }
 
 std::string layerTable(const std::vector<LayerQuality>& layers) {
@@ -72,7 +72,7 @@ std::string layerTable(const std::vector<LayerQuality>& layers) {
 ## Layered fragment buffers by themselves
 
 Rays from the body's surface to where it mirrors the eye. "Gaps": rays that hit where they should not, or the reverse.
-"Picture": what the body as a mirror shows of a surround with detail down to a tenth of a radian, relative root mean
+"Picture": what the body as a mirror shows of an environment with detail down to a tenth of a radian, relative root mean
 square, the truth being followed for as many bounces.
 
 | body | method | views | pixels | kB | gaps, % | picture with 1 bounce, % | 2 | 8 | ns a ray | ms to build |
@@ -115,7 +115,7 @@ bool isJudged(const std::string& scene) { return scene.starts_with("hand") || sc
 // Cheapest first, those at most `limit` wrong in both judged scenes.
 std::string answer(const OcclusionChart& chart, Under which, double limit) {
     const OcclusionMeasured* best = nullptr;
-    double least = 1e30;
+    double minimum = 1e30;
     for (const OcclusionMeasured& each : chart.methods) {
         double cost = 0, worst = 0;
         for (size_t k = 0; k < chart.scenes.size(); ++k)
@@ -124,11 +124,11 @@ std::string answer(const OcclusionChart& chart, Under which, double limit) {
                 worst = std::max(worst, pooledError(chart, each, k, which));
             }
         const bool kept = each.label.part != Part::Exact && each.moves != OcclusionMethod::Moves::Rebuilt;
-        if (!kept || worst > limit || cost >= least || each.label.part == Part::Off) continue;
-        least = cost;
+        if (!kept || worst > limit || cost >= minimum || each.label.part == Part::Off) continue;
+        minimum = cost;
         best = &each;
     }
-    return best ? text("%s (%.0f ns)", best->label.name.c_str(), least) : "none";
+    return best ? text("%s (%.0f ns)", best->label.name.c_str(), minimum) : "none";
 }
 
 } // namespace
@@ -142,8 +142,8 @@ Status writeOcclusionMarkdown(const OcclusionChart& chart, const std::vector<Lay
 ![Off, methods, truth](occlusion_sheet.jpg)
 
 Error of diffuse light: relative root mean square over points spread by area over the bodies (half of them on each of the
-two kinds where there are two), against rays through every cell of the surround; surrounds weigh the same however bright
-they are. "Shaded points": only those of whose light a tenth or more is taken, surrounds without point suns. Time: one core,
+two kinds where there are two), against rays through every cell of the environment; environments weigh the same however bright
+they are. "Shaded points": only those of whose light a tenth or more is taken, environments without point suns. Time: one core,
 warm, the shortest of many runs, a receiver's unoccluded light included. "Moves": free, the method follows bending bodies
 as they are; bodies, it follows bodies but not their bending; bending, it follows that too, a body being built again
 whenever it bends or has bent so far (with the error of the moment before, the scene's bodies having come from their rest
@@ -174,10 +174,10 @@ Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder) {
     std::string out =
         "scene,surround,point_sun,method,rms,rms_shaded,truth_noise,receiver_ns,bytes,body_us\n";
     for (size_t k = 0; k < chart.scenes.size(); ++k)
-        for (size_t s = 0; s < chart.surrounds.size(); ++s)
+        for (size_t s = 0; s < chart.environments.size(); ++s)
             for (const OcclusionMeasured& each : chart.methods)
                 out += text("\"%s\",\"%s\",%d,\"%s\",%.6g,%.6g,%.3g,%.1f,%zu,%.1f\n", chart.scenes[k].c_str(),
-                            chart.surrounds[s].c_str(), static_cast<int>(chart.pointSun[s]),
+                            chart.environments[s].c_str(), static_cast<int>(chart.pointSun[s]),
                             each.label.name.c_str(), each.errors[k][s].all, each.errors[k][s].shaded,
                             chart.noise[k][s], each.receiver_ns[k], each.bytes[k], each.body_us[k]);
     return writeFileWhole(folder / "occlusion.csv", out);

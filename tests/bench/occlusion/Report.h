@@ -12,7 +12,7 @@ Status writeOcclusionMarkdown(const OcclusionChart& chart, const std::vector<Lay
 Status writeOcclusionCsv(const OcclusionChart& chart, const Path& folder);     // occlusion.csv: everything
 Status writeOcclusionPicture(const OcclusionChart& chart, const Path& folder); // occlusion.data.gp
 
-// Root mean square over the surrounds, each weighing the same.
+// Root mean square over the environments, each weighing the same.
 enum class Under { Reef, NoSuns, Suns };
 double pooledError(const OcclusionChart& chart, const OcclusionMeasured& method, size_t scene, Under which,
                    double SceneError::*part = &SceneError::all);

@@ -20,10 +20,10 @@ struct Body {
     std::vector<glm::mat4> worldFromRest;   // per bone; may scale
     std::vector<glm::mat3> turned;          // per vertex: as the skin turns it from rest; may scale
     std::vector<occlusion::BodyPart> parts; // of what bends sharply, as the game keeps them: at rest, by bone
-    std::vector<glm::vec4> foldsBesideOwn;  // likewise, per vertex
-    int group = 0;                          // half of the receivers lie on each group's bodies
-    glm::vec3 albedoLin{0.7f};              // how pictures show it
-    glm::vec3 sentBack{0};                  // of the light that falls on it, what others get: 0, a black body
+    std::vector<glm::vec4> selfOcclusionBesideOwn; // likewise, per vertex
+    int group = 0;                                 // half of the receivers lie on each group's bodies
+    glm::vec3 albedoLin{0.7f};                     // how pictures show it
+    glm::vec3 sentBack{0}; // of the light that falls on it, what others get: 0, a black body
 };
 
 struct Camera {

@@ -2,7 +2,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/physics/Finger.h"
-#include "engine/render/BakedShade.h"
+#include "engine/render/BakedOcclusion.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"
 #include "tests/bench/occlusion/Shapes.h"
@@ -21,64 +21,66 @@ using glm::vec3;
 Path models() { return dataRoot() / "content" / "models"; }
 
 // The model's skin in this pose; bounds: of its rest pose along z, fins and all.
-struct Actor {
+struct ModelInstance {
     scene::Model model;
     scene::Pose pose;
     float length_m = 1;
 };
 
-Result<Actor> loadActor(const std::string& name) {
+Result<ModelInstance> loadInstance(const std::string& name) {
     auto model = scene::loadModel(models() / (name + ".glb"));
     if (!model) return model.error();
-    Actor actor{std::move(*model), {}, 1};
-    scene::restPose(actor.model, actor.pose);
-    const scene::Bounds bounds = scene::posedBounds(actor.model, actor.pose);
-    actor.length_m = bounds.high.z - bounds.low.z;
-    return actor;
+    ModelInstance instance{std::move(*model), {}, 1};
+    scene::restPose(instance.model, instance.pose);
+    const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
+    instance.length_m = bounds.high.z - bounds.low.z;
+    return instance;
 }
 
 // As the game keeps it beside the model.
-Result<render::BakedShade> shadeFor(Actor& actor, const std::string& name) {
-    const Path file = render::shadeBeside(models() / (name + ".glb"));
-    auto shade = render::readShade(file);
-    if (shade && !render::wearShade(*shade, actor.model))
-        return Error{file.string(), "is another model's; content/make/models/make_shade bakes it anew"};
+Result<render::BakedOcclusion> shadeFor(ModelInstance& instance, const std::string& name) {
+    const Path file = render::bakedOcclusionBeside(models() / (name + ".glb"));
+    auto shade = render::readBakedOcclusion(file);
+    if (shade && !render::applyBakedOcclusion(*shade, instance.model))
+        return Error{file.string(), "is another model's; content/make/models/make_occlusion bakes it anew"};
     return shade;
 }
 
 // As linear blend skinning draws it. fins: whether thin ones that let some light through count as solid, or
 // not at all.
-Body bodyOf(const std::string& name, const Actor& actor, const mat4& worldFromModel, bool fins) {
+Body bodyOf(const std::string& name, const ModelInstance& instance, const mat4& worldFromModel, bool fins) {
     Body body{.name = name};
     const float size = glm::length(vec3(worldFromModel[0]));
-    for (const int index : actor.model.order) {
-        const scene::Node& node = actor.model.nodes[static_cast<size_t>(index)];
+    for (const int index : instance.model.order) {
+        const scene::Node& node = instance.model.nodes[static_cast<size_t>(index)];
         if (node.mesh < 0 || node.skin < 0) continue;
         std::vector<mat4> bones;
-        scene::skinMatrices(actor.model, node.skin, actor.pose, bones);
+        scene::skinMatrices(instance.model, node.skin, instance.pose, bones);
         for (mat4& bone : bones) bone = worldFromModel * bone;
-        for (const scene::Primitive& part : actor.model.meshes[static_cast<size_t>(node.mesh)].primitives) {
-            const auto blended =
-                part.material >= 0 && actor.model.materials[static_cast<size_t>(part.material)].alphaMode !=
-                                          scene::AlphaMode::Opaque;
+        for (const scene::Primitive& part :
+             instance.model.meshes[static_cast<size_t>(node.mesh)].primitives) {
+            const auto blended = part.material >= 0 &&
+                                 instance.model.materials[static_cast<size_t>(part.material)].alphaMode !=
+                                     scene::AlphaMode::Opaque;
             if (blended && !fins) continue;
             const auto base = static_cast<uint32_t>(body.posed.positions.size());
             for (size_t i = 0; i < part.positions.size(); ++i) {
                 mat4 moved(0);
-                int most = 0;
+                int maximum = 0;
                 for (int k = 0; k < 4; ++k) {
                     moved += part.weights[i][k] * bones[part.joints[i][k]];
-                    if (part.weights[i][k] > part.weights[i][most]) most = k;
+                    if (part.weights[i][k] > part.weights[i][maximum]) maximum = k;
                 }
                 body.posed.positions.emplace_back(moved * glm::vec4(part.positions[i], 1));
                 body.posed.normals.push_back(glm::normalize(glm::mat3(moved) * part.normals[i]));
                 body.rest.positions.push_back(size * part.positions[i]);
                 body.rest.normals.push_back(part.normals[i]);
-                body.boneOf.push_back(part.joints[i][most]);
+                body.boneOf.push_back(part.joints[i][maximum]);
                 body.turned.push_back(glm::mat3(moved));
             }
-            body.foldsBesideOwn.insert(body.foldsBesideOwn.end(), part.foldsBesideOwn.begin(),
-                                       part.foldsBesideOwn.end());
+            body.selfOcclusionBesideOwn.insert(body.selfOcclusionBesideOwn.end(),
+                                               part.selfOcclusionBesideOwn.begin(),
+                                               part.selfOcclusionBesideOwn.end());
             for (size_t i = 0; i < part.indices.size(); i += 3)
                 body.posed.triangles.emplace_back(base + part.indices[i], base + part.indices[i + 1],
                                                   base + part.indices[i + 2]);
@@ -111,7 +113,7 @@ Scene single(const std::string& name, Body body, const vec3& eye, float fovY, bo
 }
 
 Result<Scene> fishScene() {
-    auto fish = loadActor("snapper");
+    auto fish = loadInstance("snapper");
     if (!fish) return fish.error();
     scene::animate(fish->model, fish->model.findAnimation("dart"), 0.2f, fish->pose);
     scene::updateGlobals(fish->model, fish->pose);
@@ -122,7 +124,7 @@ Result<Scene> fishScene() {
     return scene;
 }
 
-void placeJoints(const hands::HandPose& pose, Actor& hand) {
+void placeJoints(const hands::HandPose& pose, ModelInstance& hand) {
     for (size_t j = 0; j < hands::kJointNames.size(); ++j) {
         const int node = hand.model.findNode(std::string(hands::kJointNames[j]));
         hand.pose.modelFromNode[static_cast<size_t>(node)] =
@@ -132,7 +134,7 @@ void placeJoints(const hands::HandPose& pose, Actor& hand) {
 
 // A fist around a clownfish that lies across the palm, as the game closes it: bone by bone until they touch.
 Result<Scene> handScene() {
-    auto fish = loadActor("clownfish"), hand = loadActor("hand_right");
+    auto fish = loadInstance("clownfish"), hand = loadInstance("hand_right");
     if (!fish) return fish.error();
     if (!hand) return hand.error();
     const auto rig = hands::HandRig::load(models() / "hand_skeleton.json");
@@ -145,9 +147,9 @@ Result<Scene> handScene() {
     const vec3 hollow = palm.position + palm.orientation * vec3(0, -0.008f - kRadius, -0.030f);
     const vec3 along = palm.orientation * glm::normalize(vec3(-1, 0, -0.25f));
     for (int finger = 0; finger < hands::kFingerCount; ++finger) {
-        const int first = finger == 0 ? 2 : 1 + 5 * finger;
+        const int first = hands::kFingerJoints[static_cast<size_t>(finger)].metacarpal;
         physics::Finger given;
-        given.count = finger == 0 ? 4 : 5;
+        given.count = hands::kFingerJoints[static_cast<size_t>(finger)].count();
         for (int i = 0; i < given.count; ++i) {
             given.joints[static_cast<size_t>(i)] = held.joints[static_cast<size_t>(first + i)].position;
             given.radii[static_cast<size_t>(i)] = i ? held.joints[static_cast<size_t>(first + i)].radius : 0;
@@ -183,7 +185,7 @@ Result<Scene> handScene() {
 }
 
 Result<Scene> sharkScene() {
-    auto shark = loadActor("shark"), fish = loadActor("sardine");
+    auto shark = loadInstance("shark"), fish = loadInstance("sardine");
     if (!shark) return shark.error();
     if (!fish) return fish.error();
     scene::animate(shark->model, shark->model.findAnimation("cruise"), 0.3f, shark->pose);

@@ -3,11 +3,11 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/media/Pictures.h"
-#include "engine/occlusion/Mirror.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/Mirror.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
+#include "tests/bench/occlusion/Environment.h"
 #include "tests/bench/occlusion/LayeredBodies.h"
-#include "tests/bench/occlusion/Surround.h"
 #include "tests/bench/occlusion/Truth.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -82,7 +82,7 @@ std::vector<Colours> columnsOf(const Scene& scene, const Rays& rays, const Lit& 
                                const std::vector<Sample>& samples) {
     if (scene.mirror) {
         const LayeredBodies<occlusion::OllfbThesis> thesis(scene, {.cells = 5, .resolution = 64});
-        const LayeredBodies<occlusion::Ollfb> cured(scene, {.views = 150, .resolution = 64});
+        const LayeredBodies<occlusion::TracedOllfb> cured(scene, {.views = 150, .resolution = 64});
         const Colours off = mirrored(scene, rays, lit, samples, 0);
         return {off, mirrored(scene, thesis, lit, samples, 1), mirrored(scene, cured, lit, samples, 8), off,
                 mirrored(scene, rays, lit, samples, 8)};

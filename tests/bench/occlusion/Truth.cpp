@@ -46,7 +46,7 @@ Path follow(const Scene& scene, const Rays& rays, const Cells& cells, glm::vec3 
         const Receiver there = receiverAt(scene, touch->mesh, touch->triangle, u);
         const glm::vec3 normal = glm::dot(there.normal, direction) > 0 ? -there.normal : there.normal;
         origin = origin + touch->distance * direction;
-        // Onto the unit ball that touches the surface: cosine-weighted.
+        // Onto the unit sphere that touches the surface: cosine-weighted.
         const float z = random.between(-1, 1), turn = random.between(0, 2 * std::numbers::pi_v<float>),
                     r = std::sqrt(1 - z * z);
         direction = glm::normalize(normal * 1.0001f + glm::vec3(r * std::cos(turn), r * std::sin(turn), z));
@@ -57,9 +57,9 @@ Path follow(const Scene& scene, const Rays& rays, const Cells& cells, glm::vec3 
 
 OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<const Receiver> receivers,
                             const Cells& cells) {
-    using Sums = std::vector<glm::dvec3>; // by surround
+    using Sums = std::vector<glm::dvec3>; // by environment
     std::vector<Sums> halves[2];
-    for (auto& half : halves) half.assign(receivers.size(), Sums(cells.surrounds, glm::dvec3(0)));
+    for (auto& half : halves) half.assign(receivers.size(), Sums(cells.environments, glm::dvec3(0)));
     OccludedLight light;
     light.open.resize(receivers.size());
     const bool bounces =
@@ -98,7 +98,7 @@ OccludedLight occludedLight(const Scene& scene, const Rays& rays, std::span<cons
         }
         light.open[r] = static_cast<float>(free / whole);
     });
-    for (size_t s = 0; s < cells.surrounds; ++s) {
+    for (size_t s = 0; s < cells.environments; ++s) {
         std::vector<glm::dvec3> mean;
         double apart = 0, all = 0;
         for (size_t r = 0; r < receivers.size(); ++r) {

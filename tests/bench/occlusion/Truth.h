@@ -8,8 +8,8 @@ namespace shoal::bench {
 
 struct OccludedLight {
     std::vector<std::vector<glm::dvec3>>
-        diffuse;               // [surround][receiver]: radiance leaving a white matte surface
-    std::vector<double> noise; // [surround]: standard error of it, relative root mean square
+        diffuse;               // [environment][receiver]: radiance leaving a white matte surface
+    std::vector<double> noise; // [environment]: standard error of it, relative root mean square
     std::vector<float> open;   // [receiver]: share of the cosine-weighted hemisphere that is free
 };
 

@@ -26,7 +26,7 @@ ImageRgb8 twice(const ImageRgb8& picture) {
 bool measure(const Path& folder, const std::string& name, const ImageRgb8& photo,
              const std::optional<glm::dvec2>& light) {
     const auto began = std::chrono::steady_clock::now();
-    const auto grown = panorama::grow(photo, {});
+    const auto grown = panorama::panoramaFromPhoto(photo, {});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     if (!grown) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), grown.error().reason.c_str());
@@ -38,10 +38,10 @@ bool measure(const Path& folder, const std::string& name, const ImageRgb8& photo
                     glm::distance(*light, grown->lightInPhoto) / photo.width * bench::kSceneFov_deg);
     else
         std::printf("-\t");
-    std::printf("%.2f\t%.2f\n", grown->joint * 255, grown->ownGradient * 255);
+    std::printf("%.2f\t%.2f\n", grown->wrapStep * 255, grown->usualStep * 255);
     std::fflush(stdout);
     const Status written = media::writePng(folder / (name + ".png"), grown->latLong);
-    if (!written) std::fprintf(stderr, "%s\n", written.error().sentence().c_str());
+    if (!written) std::fprintf(stderr, "%s\n", written.error().message().c_str());
     return written.ok();
 }
 
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
     }
     for (int k = 2; k < argc; ++k) {
         const auto photo = media::readPicture(argv[k]);
-        if (!photo) std::fprintf(stderr, "%s\n", photo.error().sentence().c_str());
+        if (!photo) std::fprintf(stderr, "%s\n", photo.error().message().c_str());
         good &= photo && measure(folder, Path(argv[k]).stem().string(), *photo, std::nullopt);
     }
     return good ? 0 : 1;

@@ -3,8 +3,10 @@
 #include "engine/occlusion/gpu/OllfbGpu.h"
 #include "engine/occlusion/gpu/Storage.h"
 #include "engine/occlusion/gpu/ThesisGpu.h"
-#include "engine/occlusion/gpu/TracePass.h"
 #include "engine/platform/Headless.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
+#include "tests/gl/occlusion/TracePass.h"
 #include "tests/unit/occlusion/Bodies.h"
 
 #include <gmock/gmock.h>
@@ -19,9 +21,9 @@ class LayersGL : public testing::Test {
   protected:
     void SetUp() override {
         auto context = platform::Headless::open();
-        if (!context) GTEST_SKIP() << context.error().sentence();
+        if (!context) GTEST_SKIP() << context.error().message();
         context_ = std::move(*context);
-        if (Status can = canKeepLayers(); !can) GTEST_SKIP() << can.error().sentence();
+        if (Status can = canKeepLayers(); !can) GTEST_SKIP() << can.error().message();
     }
     std::optional<platform::Headless> context_;
 };
@@ -29,10 +31,10 @@ class LayersGL : public testing::Test {
 std::vector<RayGpu> someRays(const Body& body, int count) {
     Random random(9);
     std::vector<RayGpu> rays;
-    const Ball ball = boundingBall(body.mesh());
+    const Sphere sphere = boundingSphere(body.mesh());
     for (int i = 0; i < count; ++i) {
-        const Ray ray = i % 2 ? chord(random, ball) : reflection(random, body);
-        rays.push_back({ray.origin, 0.01f * ball.radius, ray.direction});
+        const Ray ray = i % 2 ? chord(random, sphere) : reflection(random, body);
+        rays.push_back({ray.origin, 0.01f * sphere.radius, ray.direction});
     }
     return rays;
 }
@@ -63,7 +65,7 @@ TEST_F(LayersGL, CardAndProcessorSeeTheSameLayers) {
             const auto cpu = OllfbThesis::make(body.mesh(), options);
             const auto gpu = ThesisGpu::see(body.mesh(), options);
             ASSERT_TRUE(cpu);
-            ASSERT_TRUE(gpu) << gpu.error().sentence();
+            ASSERT_TRUE(gpu) << gpu.error().message();
             const auto starts = gpu->readStarts();
             const auto layers = gpu->readLayers();
             ASSERT_EQ(starts.size(), cpu->starts().size());
@@ -100,10 +102,10 @@ TEST_F(LayersGL, CardAndProcessorSeeTheSameLayers) {
 
 TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
     auto pass = TracePass::make();
-    ASSERT_TRUE(pass) << pass.error().sentence();
+    ASSERT_TRUE(pass) << pass.error().message();
     for (const Body& body : {torus(1, 0.4f, 48, 24), bunny()}) {
         const std::vector<RayGpu> rays = someRays(body, 6000);
-        const float radius = boundingBall(body.mesh()).radius;
+        const float radius = boundingSphere(body.mesh()).radius;
         const OllfbThesis::Options options{.cells = 3, .resolution = 64};
         const auto thesis = OllfbThesis::make(body.mesh(), options);
         const auto thesisGpu = ThesisGpu::see(body.mesh(), options);
@@ -111,10 +113,10 @@ TEST_F(LayersGL, CardAnswersRaysAsTheProcessorDoes) {
         const auto steps = pass->trace(*thesisGpu, rays);
         ASSERT_TRUE(steps);
         const Difference a = compare(*thesis, rays, *steps, 0.01f * radius);
-        const auto cured = Ollfb::make(body.mesh(), {.views = 54});
+        const auto cured = TracedOllfb::make(body.mesh(), {.views = 54});
         ASSERT_TRUE(cured);
         const auto curedGpu = OllfbGpu::upload(*cured);
-        ASSERT_TRUE(curedGpu) << curedGpu.error().sentence();
+        ASSERT_TRUE(curedGpu) << curedGpu.error().message();
         const auto planes = pass->trace(*curedGpu, rays);
         ASSERT_TRUE(planes);
         const Difference b = compare(*cured, rays, *planes, 1e-3f * radius);
@@ -144,7 +146,7 @@ TEST_F(LayersGL, SheetsAreMetFromBothSides) {
     body.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
     body.triangles = {{0, 1, 2}};
     addNormals(body);
-    const auto cured = Ollfb::make(body.mesh());
+    const auto cured = TracedOllfb::make(body.mesh());
     const auto gpu = OllfbGpu::upload(*cured);
     ASSERT_TRUE(gpu);
     const std::vector<RayGpu> rays = {
@@ -161,7 +163,7 @@ TEST_F(LayersGL, SheetsAreMetFromBothSides) {
 
 TEST_F(LayersGL, BrokenOrHugeBodiesAreRefused) {
     Body body = torus(1, 0.4f, 12, 6);
-    EXPECT_FALSE(ThesisGpu::see(body.mesh(), {.mostBytes = 1000}));
+    EXPECT_FALSE(ThesisGpu::see(body.mesh(), {.maxBytes = 1000}));
     EXPECT_FALSE(ThesisGpu::see(body.mesh(), {.cells = 99}));
     body.positions[3].x = NAN;
     const auto refused = ThesisGpu::see(body.mesh(), {});
@@ -169,7 +171,7 @@ TEST_F(LayersGL, BrokenOrHugeBodiesAreRefused) {
     EXPECT_THAT(refused.error().reason, testing::HasSubstr("position 3"));
     const Body nothing;
     const auto empty = ThesisGpu::see(nothing.mesh(), {.cells = 3});
-    ASSERT_TRUE(empty) << empty.error().sentence();
+    ASSERT_TRUE(empty) << empty.error().message();
 }
 
 // Mesa lowers its version for this context; elsewhere the variable does nothing and the test is skipped.
@@ -178,13 +180,13 @@ TEST(OldGL, SaysThatLayersNeedNewer) {
     {
         auto context = platform::Headless::open();
         unsetenv("MESA_GL_VERSION_OVERRIDE");
-        if (!context) GTEST_SKIP() << context.error().sentence();
+        if (!context) GTEST_SKIP() << context.error().message();
         if (epoxy_gl_version() != 33) GTEST_SKIP() << "this driver cannot be made old";
         const Body body = torus(1, 0.4f, 12, 6);
         const auto thesis = ThesisGpu::see(body.mesh(), {});
         ASSERT_FALSE(thesis);
-        EXPECT_EQ(thesis.error().sentence(), "layers need OpenGL 4.3; this is 3.3");
-        EXPECT_FALSE(OllfbGpu::upload(*Ollfb::make(body.mesh(), {.views = 6})));
+        EXPECT_EQ(thesis.error().message(), "layers need OpenGL 4.3; this is 3.3");
+        EXPECT_FALSE(OllfbGpu::upload(*TracedOllfb::make(body.mesh(), {.views = 6})));
         EXPECT_FALSE(TracePass::make());
     }
 }

@@ -21,7 +21,7 @@ class HeadsetGL : public test::WithFakeRuntime {
         WithFakeRuntime::SetUp();
         if (IsSkipped()) return;
         auto window = platform::Window::open({"test", 64, 64, false, false});
-        ASSERT_TRUE(window) << window.error().sentence();
+        ASSERT_TRUE(window) << window.error().message();
         window_ = std::move(*window);
     }
     void TearDown() override {
@@ -31,16 +31,16 @@ class HeadsetGL : public test::WithFakeRuntime {
 
     static Headset open() {
         auto headset = Headset::open({96, 60});
-        if (!headset) throw std::runtime_error(headset.error().sentence());
+        if (!headset) throw std::runtime_error(headset.error().message());
         return *std::move(headset);
     }
     // One turn of a game's loop that shows nothing.
     static Frame emptyFrame(Headset& headset) {
         const Status polled = headset.poll();
-        EXPECT_TRUE(polled) << polled.error().sentence();
+        EXPECT_TRUE(polled) << polled.error().message();
         if (!headset.duty().frames) return {};
         const auto frame = headset.waitFrame();
-        EXPECT_TRUE(frame) << frame.error().sentence();
+        EXPECT_TRUE(frame) << frame.error().message();
         EXPECT_TRUE(headset.begin());
         EXPECT_TRUE(headset.end({}));
         return *frame;
@@ -148,7 +148,7 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     ASSERT_TRUE(headset.begin());
     for (const Picture picture : {Picture::LeftEye, Picture::RightEye, Picture::Panel}) {
         const auto framebuffer = headset.acquire(picture);
-        ASSERT_TRUE(framebuffer) << framebuffer.error().sentence();
+        ASSERT_TRUE(framebuffer) << framebuffer.error().message();
         glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
         glClearColor(100 / 255.0f, 50 / 255.0f, static_cast<float>(picture) / 255.0f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
@@ -255,7 +255,7 @@ TEST_F(HeadsetGL, ChoosesPicturesThatAreKnownToBeCoded) {
     fake.formats = {GL_RGBA16F};
     auto none = Headset::open({96, 60});
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().sentence().find("GL_SRGB8_ALPHA8"), std::string::npos);
+    EXPECT_NE(none.error().message().find("GL_SRGB8_ALPHA8"), std::string::npos);
     fake.formats = {GL_RGBA8};
     EXPECT_TRUE(Headset::open({96, 60}));
 }
@@ -263,7 +263,7 @@ TEST_F(HeadsetGL, ChoosesPicturesThatAreKnownToBeCoded) {
 TEST(ActiveRuntime, IsNamed) {
     setenv("XR_RUNTIME_JSON", FAKE_RUNTIME_JSON, 1);
     const auto name = activeRuntime();
-    ASSERT_TRUE(name) << name.error().sentence();
+    ASSERT_TRUE(name) << name.error().message();
     EXPECT_EQ(*name, "Fake runtime");
 }
 
@@ -271,8 +271,8 @@ TEST(ActiveRuntime, OrSaidToBeMissing) {
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
     const auto name = activeRuntime();
     ASSERT_FALSE(name);
-    EXPECT_NE(name.error().sentence().find("no headset runtime is active"), std::string::npos)
-        << name.error().sentence();
+    EXPECT_NE(name.error().message().find("no headset runtime is active"), std::string::npos)
+        << name.error().message();
 }
 
 } // namespace

@@ -27,19 +27,19 @@ TEST(RealRuntime, TakesEmptyFramesAndLetsGo) {
     if (!runtimeIsNamed())
         GTEST_SKIP() << "no OpenXR runtime: neither XR_RUNTIME_JSON nor an active_runtime.json names one";
     auto window = platform::Window::open({"Shoal's test", 320, 240, false, false});
-    if (!window) GTEST_SKIP() << window.error().sentence();
+    if (!window) GTEST_SKIP() << window.error().message();
     auto headset = Headset::open({96, 60});
-    if (!headset) GTEST_SKIP() << headset.error().sentence(); // a runtime, and no headset plugged in
+    if (!headset) GTEST_SKIP() << headset.error().message(); // a runtime, and no headset plugged in
     for (int i = 0; i < 300; ++i) {
         const Status polled = headset->poll();
-        ASSERT_TRUE(polled) << polled.error().sentence();
+        ASSERT_TRUE(polled) << polled.error().message();
         if (!headset->duty().frames) continue;
         const auto frame = headset->waitFrame();
-        ASSERT_TRUE(frame) << frame.error().sentence();
+        ASSERT_TRUE(frame) << frame.error().message();
         const Status begun = headset->begin();
-        ASSERT_TRUE(begun) << begun.error().sentence();
+        ASSERT_TRUE(begun) << begun.error().message();
         const Status ended = headset->end({});
-        ASSERT_TRUE(ended) << ended.error().sentence();
+        ASSERT_TRUE(ended) << ended.error().message();
     }
 }
 

@@ -1,9 +1,9 @@
 // What the player of a headset sees is what the renderer draws from there, pixel by pixel.
 #include "engine/core/Log.h"
 #include "engine/platform/Window.h"
-#include "game/app/Plan.h"
-#include "game/app/Stage.h"
-#include "game/app/XrPlay.h"
+#include "game/app/HeadsetDisplay.h"
+#include "game/session/SessionConfig.h"
+#include "game/views/SceneRenderer.h"
 #include "tests/gl/xr/Fixture.h"
 
 #include <glm/geometric.hpp>
@@ -16,35 +16,35 @@ namespace {
 class XrPicture : public test::WithFakeRuntime {
   protected:
     std::optional<platform::Window> window_;
-    std::optional<Plan> plan_;
-    std::optional<Surround> surround_;
-    std::optional<Stage> stage_;
-    std::optional<app::Run> run_;
+    std::optional<SessionConfig> plan_;
+    std::optional<Environment> environment_;
+    std::optional<SceneRenderer> sceneRenderer_;
+    std::optional<app::GameSession> run_;
 
     void SetUp() override {
         WithFakeRuntime::SetUp();
         if (IsSkipped()) return;
         auto window = platform::Window::open({"test", 64, 64, false, false});
-        ASSERT_TRUE(window) << window.error().sentence();
+        ASSERT_TRUE(window) << window.error().message();
         window_ = std::move(*window);
-        auto plan = makePlan({.xr = true});
-        ASSERT_TRUE(plan) << plan.error().sentence();
+        auto plan = makeSessionConfig({.xr = true});
+        ASSERT_TRUE(plan) << plan.error().message();
         plan_ = std::move(*plan);
         std::vector<Path> models;
         for (const game::Species& species : plan_->species)
             models.push_back(dataRoot() / "content" / species.model);
         const Path folder = dataRoot() / "content" / "models";
-        auto cast = Cast::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
-                               reflectanceIn({}), render::Detail::Lean);
-        ASSERT_TRUE(cast) << cast.error().sentence();
-        auto surround = Surround::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
-                                        .bothEyes = true,
-                                        .leastRoughness = cast->leastRoughness()});
-        ASSERT_TRUE(surround) << surround.error().sentence();
-        surround_ = std::move(*surround);
-        auto stage = Stage::make(std::move(*cast), {.detail = render::Detail::Lean});
-        ASSERT_TRUE(stage) << stage.error().sentence();
-        stage_ = std::move(*stage);
+        auto cast = CreatureModels::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
+                                         reflectanceIn({}), render::Detail::Lean);
+        ASSERT_TRUE(cast) << cast.error().message();
+        auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
+                                              .bothEyes = true,
+                                              .minRoughness = cast->minRoughness()});
+        ASSERT_TRUE(environment) << environment.error().message();
+        environment_ = std::move(*environment);
+        auto sceneRenderer = SceneRenderer::make(std::move(*cast), {.detail = render::Detail::Lean});
+        ASSERT_TRUE(sceneRenderer) << sceneRenderer.error().message();
+        sceneRenderer_ = std::move(*sceneRenderer);
         run_.emplace(*plan_);
         // The eyes, canted, askew and apart, in LOCAL; the dive is centred there, so that only this is known:
         // what each eye's pose is to the other's.
@@ -53,41 +53,34 @@ class XrPicture : public test::WithFakeRuntime {
     }
     void TearDown() override {
         run_.reset();
-        stage_.reset();
-        surround_.reset();
+        sceneRenderer_.reset();
+        environment_.reset();
         window_.reset();
         WithFakeRuntime::TearDown();
     }
 
     Status draw(int eye, const render::View& view, const gl::Target& canvas) {
-        const Stage::Eye seen{.surround = *surround_,
-                              .eye = eye,
-                              .view = view,
-                              .exposure = {surround_->naturalTone(), plan_->dive.exposure_ev},
-                              .water = surround_->water(),
-                              .size = {canvas.width(), canvas.height()}};
-        if (Status s = stage_->drawLayer(seen); !s) return s;
-        canvas.bind();
-        if (Status s = stage_->drawBackdrop(seen); !s) return s;
-        return stage_->drawObjects(seen);
+        const SceneRenderer::Eye seen{eye, view, canvas};
+        return sceneRenderer_->draw({&seen, 1});
     }
     // Frames until nothing is dark any more, then one in which the scene stands as it is.
-    void show(XrPlay& headset, float scale) {
-        const XrPlay::Painter painter{
-            .scene = [&](int eye, const render::View& view,
-                         const gl::Target& canvas) { return draw(eye, view, canvas); },
-            .marks = [](const render::View&, glm::ivec2) {},
-            .panel = [](const render::View&, glm::ivec2) {}};
+    void show(HeadsetDisplay& headset, float scale) {
+        const Painter painter{.scene = [&](std::span<const SceneRenderer::Eye> eyes,
+                                           const auto&) { return sceneRenderer_->draw(eyes); },
+                              .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}};
+        bool drew = false;
         for (int i = 0; i < 80; ++i) {
-            const Status waited = headset.wait();
-            ASSERT_TRUE(waited) << waited.error().sentence();
-            headset.feed(*run_, plan_->rig);
-            run_->advance(headset.elapsed_s(), false);
-            stage_->set(run_->shown, *surround_, false);
-            const Status drawn = headset.draw(painter, scale, {64, 64});
-            ASSERT_TRUE(drawn) << drawn.error().sentence();
+            const Status waited = headset.begin();
+            ASSERT_TRUE(waited) << waited.error().message();
+            headset.feed(*run_);
+            run_->advance(*headset.elapsed_s(), false);
+            sceneRenderer_->set(run_->shown, *environment_,
+                                {environment_->naturalTone(), plan_->dive.exposure_ev});
+            const Result<bool> drawn = headset.draw(painter, run_->shown, scale);
+            ASSERT_TRUE(drawn) << drawn.error().message();
+            drew = *drawn;
         }
-        ASSERT_TRUE(headset.drew());
+        ASSERT_TRUE(drew);
     }
     // The ordinary way, from where OpenXR says that the eye is, in the frame that the dive was centred in.
     std::vector<uint8_t> ordinary(int eye, glm::vec3 originLocal, glm::ivec2 size, int samples) {
@@ -114,8 +107,8 @@ class XrPicture : public test::WithFakeRuntime {
 
 TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
     for (const int samples : {1, 4}) {
-        auto headset = XrPlay::open(samples);
-        ASSERT_TRUE(headset) << headset.error().sentence();
+        auto headset = HeadsetDisplay::open(*window_, plan_->rig, samples);
+        ASSERT_TRUE(headset) << headset.error().message();
         for (const float scale : {1.0f, 0.6f}) {
             show(*headset, scale);
             ASSERT_TRUE(fake.last.eyes);
@@ -135,8 +128,8 @@ TEST_F(XrPicture, EqualsTheOrdinaryRenderersFromTheSameEyes) {
 }
 
 TEST_F(XrPicture, MovesWithTheHead) {
-    auto headset = XrPlay::open(1);
-    ASSERT_TRUE(headset) << headset.error().sentence();
+    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
+    ASSERT_TRUE(headset) << headset.error().message();
     show(*headset, 1);
     // Leans, turns and tilts the head.
     const glm::quat turn = glm::normalize(glm::quat(0.9f, 0.2f, -0.35f, 0.15f));
@@ -155,8 +148,8 @@ TEST_F(XrPicture, MovesWithTheHead) {
 }
 
 TEST_F(XrPicture, HiddenPixelsAreNotDrawnAndTheOthersAreTheSame) {
-    auto headset = XrPlay::open(1);
-    ASSERT_TRUE(headset) << headset.error().sentence();
+    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
+    ASSERT_TRUE(headset) << headset.error().message();
     show(*headset, 1);
     // The left half of the left eye's image plane, in two triangles far beyond the picture's edges.
     fake.masks[0] = {{{-9, -9}, {0, -9}, {0, 9}, {-9, 9}}, {0, 1, 2, 0, 2, 3}};
@@ -179,8 +172,8 @@ TEST_F(XrPicture, HiddenPixelsAreNotDrawnAndTheOthersAreTheSame) {
 }
 
 TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {
-    auto headset = XrPlay::open(1);
-    ASSERT_TRUE(headset) << headset.error().sentence();
+    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
+    ASSERT_TRUE(headset) << headset.error().message();
     show(*headset, 1);
     // 200 x 240 cropped to a square of 200, on a window of 64: the rows from 20 to 220.
     const auto& rgba = (*fake.last.eyes)[0].picture.rgba;

@@ -1,9 +1,9 @@
 // `shoal --xr` from its start to its exit status, in a headset that does what the test says.
 #include "engine/core/Log.h"
 #include "engine/xr/Headset.h"
-#include "game/Playback.h"
-#include "game/TickInput.h"
-#include "game/app/Commands.h"
+#include "game/app/Play.h"
+#include "game/playthrough/Playback.h"
+#include "game/rules/TickInput.h"
 #include "input/hands/MouseHands.h"
 #include "tests/gl/xr/Fixture.h"
 
@@ -47,18 +47,18 @@ class XrProgram : public test::WithFakeRuntime {
         PlayOptions o;
         o.xr = true;
         o.mute = true;
-        o.quality = "fixed";
+        o.quality = QualityControl::Fixed;
         o.look.size = {160, 90};
         o.look.samples = 1;
-        o.surround.photo = ""; // the dive's own video
+        o.environment.photo = ""; // the dive's own video
         return o;
     }
     // A script that does nothing wrong must not run for ever.
-    Outcome run(const PlayOptions& o, uint64_t mostFrames = 2000) {
+    Outcome run(const PlayOptions& o, uint64_t maxFrames = 2000) {
         const auto scripted = fake.onWait;
-        fake.onWait = [scripted, mostFrames](FakeRuntime& f) {
+        fake.onWait = [scripted, maxFrames](FakeRuntime& f) {
             if (scripted) scripted(f);
-            if (f.framesWaited == mostFrames) leave(f);
+            if (f.framesWaited == maxFrames) leave(f);
         };
         testing::internal::CaptureStderr();
         Outcome outcome;
@@ -76,7 +76,7 @@ class XrProgram : public test::WithFakeRuntime {
         f.say(XR_SESSION_STATE_SYNCHRONIZED);
         f.say(XR_SESSION_STATE_STOPPING);
     }
-    static void expectOneSentence(const Outcome& outcome, const std::string& about) {
+    static void expectOneMessage(const Outcome& outcome, const std::string& about) {
         EXPECT_EQ(outcome.status, 1);
         EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
         EXPECT_NE(outcome.said.find(about), std::string::npos) << outcome.said;
@@ -127,7 +127,7 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     EXPECT_GT(fake.framesWithEyes, 170u);
     EXPECT_EQ(fake.framesEnded, fake.framesWaited);
     const auto recording = sim::readRecording(o.record);
-    ASSERT_TRUE(recording) << recording.error().sentence();
+    ASSERT_TRUE(recording) << recording.error().message();
     // From the first frame's time to the last one's, when it was told to leave.
     EXPECT_EQ(recording->ticks(), 180u * 120 / 72);
     EXPECT_FALSE(fake.running);
@@ -195,7 +195,7 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     const auto files = game::loadDiveFiles("reef");
     ASSERT_TRUE(files);
     const Status same = game::replay(*recording, *files);
-    EXPECT_TRUE(same) << same.error().sentence();
+    EXPECT_TRUE(same) << same.error().message();
 }
 
 // The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
@@ -299,27 +299,27 @@ TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {
 // What a player may meet before anything is seen.
 TEST_F(XrProgram, WithoutAHeadsetItSaysWhatToDo) {
     fake.present = false;
-    expectOneSentence(run(options()), "plug it in");
+    expectOneMessage(run(options()), "plug it in");
 }
 TEST_F(XrProgram, WithoutARuntimeItSaysWhatToDo) {
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-    expectOneSentence(run(options()), "XR_RUNTIME_JSON");
+    expectOneMessage(run(options()), "XR_RUNTIME_JSON");
 }
 TEST_F(XrProgram, WithoutOpenGlItSaysSo) {
     fake.extensions = {XR_EXT_HAND_TRACKING_EXTENSION_NAME};
-    expectOneSentence(run(options()), "OpenGL");
+    expectOneMessage(run(options()), "OpenGL");
     // With an instance the loader lets go of the runtime, and of the extensions that it has noted.
     EXPECT_TRUE(xr::activeRuntime());
 }
 TEST_F(XrProgram, ADriverTooOldIsNamed) {
-    fake.leastOpenGl = XR_MAKE_VERSION(9, 1, 0);
-    expectOneSentence(run(options()), "9.1");
+    fake.minOpenGl = XR_MAKE_VERSION(9, 1, 0);
+    expectOneMessage(run(options()), "9.1");
 }
 TEST_F(XrProgram, OpenXrHandsNeedAHeadset) {
     PlayOptions o = options();
     o.xr = false;
     o.hands.source = "openxr";
-    expectOneSentence(run(o), "--xr");
+    expectOneMessage(run(o), "--xr");
 }
 
 // What may happen in the middle of a dive.
@@ -327,19 +327,19 @@ TEST_F(XrProgram, AHeadsetPulledOutEndsTheGameWithASentence) {
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 60) f.say(XR_SESSION_STATE_LOSS_PENDING);
     };
-    expectOneSentence(run(options()), "headset was lost");
+    expectOneMessage(run(options()), "headset was lost");
 }
 TEST_F(XrProgram, ARuntimeThatGoesEndsTheGameWithASentence) {
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 60) f.sayInstanceLoss();
     };
-    expectOneSentence(run(options()), "going away");
+    expectOneMessage(run(options()), "going away");
 }
 TEST_F(XrProgram, ARuntimeThatHasCrashedEndsTheGameWithASentence) {
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 60) f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST;
     };
-    expectOneSentence(run(options()), "xrEndFrame says XR_ERROR_INSTANCE_LOST");
+    expectOneMessage(run(options()), "xrEndFrame says XR_ERROR_INSTANCE_LOST");
 }
 TEST_F(XrProgram, FramesThatTheRuntimeDiscardsDoNotMatter) {
     fake.shouldRender = false; // runs, and nobody looks
@@ -364,7 +364,7 @@ TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
         fake.onWait = [](FakeRuntime& f) {
             if (!f.pulses.empty() && f.state == XR_SESSION_STATE_FOCUSED) f.say(XR_SESSION_STATE_VISIBLE);
         };
-    expectOneSentence(run(o, haptic ? 4000 : 60), name + " says XR_ERROR_RUNTIME_FAILURE");
+    expectOneMessage(run(o, haptic ? 4000 : 60), name + " says XR_ERROR_RUNTIME_FAILURE");
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -3,6 +3,7 @@
 // draws.
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
+#include "tests/TestPaths.h"
 #include "tests/gl/xr/VirtualDisplay.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace shoal {
 namespace {
 
 namespace fs = std::filesystem;
-const Path kSource = SHOAL_SOURCE_DIR, kScratch = SHOAL_SCRATCH, kPrefix = kScratch / "prefix";
+const Path kSource = tests::sourceFolder(), kScratch = SHOAL_SCRATCH, kPrefix = kScratch / "prefix";
 
 std::string quoted(const Path& path) { return "'" + path.string() + "'"; }
 
@@ -90,7 +91,7 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
                       video = quoted(kSource / "content/video/reef.mp4");
     ASSERT_TRUE(run(quoted(kScratch / "example/ogre_light") + " " + model + " " + video + " 5 60 75 2 " +
                     quoted(ogre)));
-    ASSERT_TRUE(run(quoted(SHOAL_PROGRAM) + " view " + model + " --occlusion off --video " + video +
+    ASSERT_TRUE(run(quoted(Path(tests::program())) + " view " + model + " --occlusion off --video " + video +
                     " --at 5 --orbit 60,75,2 --size 768x768 --out " + quoted(shoal)));
     const auto theirs = media::readPicture(ogre), ours = media::readPicture(shoal);
     ASSERT_TRUE(theirs && ours);

@@ -1,6 +1,7 @@
 // Every malformed glTF file among the reference data yields a value or an Error in one sentence. Each lies
 // beside the Khronos validator's verdict, FILE.report.json; how many of those with errors are refused is
 // printed.
+#include "tests/TestPaths.h"
 #include "tests/robustness/gltf/Sound.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,7 @@
 namespace shoal::scene {
 namespace {
 
-Path malformedFolder() {
-    const char* set = std::getenv("SHOAL_SHARED");
-    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR).parent_path() / "shared") / "data/malformed";
-}
+Path malformedFolder() { return tests::sharedDataFolder() / "malformed"; }
 
 std::vector<Path> malformedFiles() {
     std::vector<Path> files;

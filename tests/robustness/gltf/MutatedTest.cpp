@@ -4,22 +4,23 @@
 
 #include "engine/core/Log.h"
 #include "engine/core/Random.h"
+#include "tests/TestPaths.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 namespace shoal::scene {
 namespace {
 
 std::vector<Path> smallModels() {
-    const char* set = std::getenv("SHOAL_SHARED");
-    const Path shared = set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR).parent_path() / "shared";
+    const Path shared = tests::sharedDataFolder();
     std::vector<Path> files;
-    for (const Path& folder : {shared / "data/gltf", Path(SHOAL_SOURCE_DIR) / "content/models"}) {
+    for (const Path& folder : {shared / "gltf", tests::sourceFolder() / "content/models"}) {
         std::error_code code;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, code))
             if (const auto extension = entry.path().extension(); extension == ".glb" || extension == ".gltf")

@@ -1,5 +1,6 @@
 // The whole program inside a live video that behaves as networks do.
 #include "engine/core/Files.h"
+#include "tests/TestPaths.h"
 #include "tests/unit/live_server/HttpServer.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ class LiveProgram : public testing::Test {
     }
 
     void start(std::vector<std::string> words) {
-        words.insert(words.begin(), SHOAL_PROGRAM);
+        words.insert(words.begin(), tests::program());
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);
@@ -77,7 +78,8 @@ class LiveProgram : public testing::Test {
         posix_spawn_file_actions_addopen(&files, 1, (folder_ / "stdout.txt").c_str(),
                                          O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_addopen(&files, 2, err().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        ASSERT_EQ(posix_spawn(&child_, SHOAL_PROGRAM, &files, nullptr, arguments.data(), environ), 0);
+        ASSERT_EQ(posix_spawn(&child_, tests::program().c_str(), &files, nullptr, arguments.data(), environ),
+                  0);
         posix_spawn_file_actions_destroy(&files);
     }
     int finish() {
@@ -111,7 +113,7 @@ int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128})
 }
 
 TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
-    const std::string script = std::string(SHOAL_SOURCE_DIR) + "/tests/robustness/live/stream.toml";
+    const std::string script = tests::sourceFolder().string() + "/tests/robustness/live/stream.toml";
     const std::vector<std::string> play = {
         "play", "--headless", "--size",           "64x36",   "--fps",
         "30",   "--hands",    "script:" + script, "--stats", stats().string()};

@@ -1,6 +1,7 @@
 // The program as a person meets it: bad input gets one sentence on standard error and a non-zero exit, never
 // a crash, and nothing half written; scripts and replays end with the status that they promise.
 #include "engine/core/Files.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,7 +39,7 @@ class Program : public testing::Test {
     Outcome run(const std::string& arguments) const {
         const Path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
         const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME=" + folder_.string() +
-                                    " timeout 120 '" + SHOAL_PROGRAM + "' " + arguments + " >" +
+                                    " timeout 120 '" + tests::program() + "' " + arguments + " >" +
                                     out.string() + " 2>" + err.string() + " </dev/null";
         const int status = std::system(command.c_str());
         const auto text = [](const Path& file) {
@@ -54,18 +56,28 @@ class Program : public testing::Test {
 
     static long lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-    void expectOneSentence(const Outcome& outcome, const std::string& about, int status = 1) const {
+    void expectOneMessage(const Outcome& outcome, const std::string& about, int status = 1) const {
         EXPECT_EQ(outcome.status, status) << outcome.err;
         EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(about), std::string::npos) << outcome.err;
     }
 };
 
+// A grey ramp without end, in the plainest of formats.
+std::string pnm(int width, int height, const char* kind = "P5") {
+    std::string bytes =
+        std::string(kind) + " " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+    const int channels = kind[1] == '6' ? 3 : 1;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width * channels; ++x) bytes += static_cast<char>((x / channels + y) % 200 + 20);
+    return bytes;
+}
+
 // They would take a tenth of a second and an eighth of the memory (engine/media/Codecs.h).
 TEST_F(Program, StartsWithoutTheLibrariesOfPicturesAndCameras) {
     const Path list = folder_ / "libraries.txt";
     const std::string command =
-        std::string("LD_TRACE_LOADED_OBJECTS=1 '") + SHOAL_PROGRAM + "' >" + list.string();
+        std::string("LD_TRACE_LOADED_OBJECTS=1 '") + tests::program() + "' >" + list.string();
     ASSERT_EQ(std::system(command.c_str()), 0);
     const auto libraries = readText(list);
     ASSERT_TRUE(libraries);
@@ -82,51 +94,106 @@ TEST_F(Program, HelpNamesUnits) {
 }
 
 TEST_F(Program, WrongWordsOnTheCommandLine) {
-    expectOneSentence(run("play --nonsense"), "--nonsense", 2);
-    expectOneSentence(run("play --size 12"), "--size", 2);
-    expectOneSentence(run("play --fov 500"), "--fov", 2);
-    expectOneSentence(run("play --xr --headless"), "--xr", 2);
-    expectOneSentence(run("play --xr --stereo sbs"), "--xr", 2);
-    expectOneSentence(run("play --headless --hands openxr"), "--xr");
-    expectOneSentence(run("play --skin scales"), "--skin", 2);
+    expectOneMessage(run("play --nonsense"), "--nonsense", 2);
+    expectOneMessage(run("play --size 12"), "--size", 2);
+    expectOneMessage(run("play --fov 500"), "--fov", 2);
+    expectOneMessage(run("play --xr --headless"), "--xr", 2);
+    expectOneMessage(run("play --xr --stereo sbs"), "--xr", 2);
+    expectOneMessage(run("play --headless --hands openxr"), "--xr");
+    expectOneMessage(run("play --skin scales"), "--skin", 2);
+    expectOneMessage(run("play --occlusion ollfb"), "--occlusion", 2); // of one body at rest: view has it
+    expectOneMessage(run("view model.glb --diffuse none"), "--diffuse", 2);
+    expectOneMessage(run("light photo.jpg -o out --method none"), "--method", 2);
 }
 
-TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneSentence(run("play"), "--headless"); }
+// Each choice changes the picture, and its older name means the same.
+TEST_F(Program, WaysOfLightingCanBeChosen) {
+    const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
+    const Path model = tests::sourceFolder() / "content/models/angelfish.glb";
+    const auto draw = [&](const std::string& options) {
+        const Path out = folder_ / "out.png";
+        const Outcome outcome = run("view " + model.string() + " --photo " + photo.string() +
+                                    " --size 64x64 --out " + out.string() + " " + options);
+        EXPECT_EQ(outcome.status, 0) << options << outcome.err;
+        const auto bytes = readText(out);
+        return bytes ? *bytes : std::string();
+    };
+    const std::string ours = draw("");
+    EXPECT_EQ(draw("--occlusion on --diffuse default --glossy ggx"), ours);
+    EXPECT_EQ(draw("--occlusion ellipsoids"), ours);
+    EXPECT_NE(draw("--occlusion off"), ours);
+    EXPECT_NE(draw("--diffuse thesis"), ours);
+    EXPECT_NE(draw("--glossy phong36"), ours);
+}
 
-TEST_F(Program, SurroundsThatAreNone) {
+// Below OpenGL 4.3 one sentence says so. Where the driver cannot be made old, there is a picture.
+TEST_F(Program, LayersNeedANewerOpenGl) {
+    const Path photo = write("photo.ppm", pnm(256, 128, "P6")), out = folder_ / "out.png";
+    const Path model = tests::sourceFolder() / "content/models/angelfish.glb";
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
+    const Outcome old = run("view " + model.string() + " --photo " + photo.string() +
+                            " --size 32x32 --occlusion ollfb-thesis --out " + out.string());
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    if (old.status == 0) GTEST_SKIP() << "this driver cannot be made old";
+    expectOneMessage(old, "OpenGL 4.3");
+    EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(Program, LightByTheThesisHasTheSameFiles) {
+    const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
+    const auto make = [&](const std::string& method) {
+        const Path out = folder_ / method;
+        EXPECT_EQ(run("light " + photo.string() + " -o " + out.string() + " --method " + method).status, 0);
+        std::map<std::string, std::string> files;
+        for (const auto& each : fs::directory_iterator(out))
+            files[each.path().filename().string()] = readText(each.path()).value();
+        return files;
+    };
+    const auto ours = make("default"), thesis = make("thesis");
+    ASSERT_GT(ours.size(), 3u);
+    ASSERT_EQ(ours.size(), thesis.size());
+    for (const auto& [name, bytes] : ours) {
+        ASSERT_TRUE(thesis.contains(name)) << name;
+        EXPECT_EQ(thesis.at(name).size(), bytes.size()) << name;
+    }
+    EXPECT_EQ(ours.at("sh.json"), thesis.at("sh.json"));
+    EXPECT_NE(ours.at("diffuse.pfm"), thesis.at("diffuse.pfm"));
+    EXPECT_NE(ours.at("glossy_1.00.pfm"), thesis.at("glossy_1.00.pfm"));
+}
+
+TEST_F(Program, HeadlessIsAcceptedByEveryCommand) {
+    for (const char* command : {"play", "view", "light", "panorama", "check", "devices"})
+        EXPECT_NE(run(std::string(command) + " --help").out.find("--headless"), std::string::npos) << command;
+    EXPECT_EQ(run("check --headless " + (dataRoot() / "content/species.toml").string()).status, 0);
+    expectOneMessage(run("view --headless model.glb"), "--out", 2);
+}
+
+TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
+
+TEST_F(Program, EnvironmentsThatAreNone) {
     const Path empty = write("empty.mp4", ""), text = write("text.mp4", "not a video"),
                photo = write("cut.jpg", "\xff\xd8\xff");
     const std::string play = "play --headless --at 0.1 --size 64x36 ";
-    expectOneSentence(run(play + "--video /nowhere/there.mp4"), "there.mp4");
-    expectOneSentence(run(play + "--video " + empty.string()), "empty.mp4");
-    expectOneSentence(run(play + "--video " + text.string()), "text.mp4");
-    expectOneSentence(run(play + "--photo " + photo.string()), "cut.jpg");
-    expectOneSentence(run(play + "--env " + photo.string()), "cut.jpg");
-    expectOneSentence(run(play + "--video " + folder_.string()), folder_.string());
-}
-
-// A grey ramp without end, in the plainest of formats.
-std::string pnm(int width, int height, const char* kind = "P5") {
-    std::string bytes =
-        std::string(kind) + " " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
-    const int channels = kind[1] == '6' ? 3 : 1;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width * channels; ++x) bytes += static_cast<char>((x / channels + y) % 200 + 20);
-    return bytes;
+    expectOneMessage(run(play + "--video /nowhere/there.mp4"), "there.mp4");
+    expectOneMessage(run(play + "--video " + empty.string()), "empty.mp4");
+    expectOneMessage(run(play + "--video " + text.string()), "text.mp4");
+    expectOneMessage(run(play + "--photo " + photo.string()), "cut.jpg");
+    expectOneMessage(run(play + "--env " + photo.string()), "cut.jpg");
+    expectOneMessage(run(play + "--video " + folder_.string()), folder_.string());
 }
 
 TEST_F(Program, PanoramasThatCannotBe) {
     const Path photo = write("photo.pgm", pnm(64, 48)), out = folder_ / "out.png";
     const std::string to = " -o " + out.string();
-    expectOneSentence(run("panorama " + photo.string()), "--out", 2);
-    expectOneSentence(run("panorama " + photo.string() + to + " --fov 9"), "--fov", 2);
-    expectOneSentence(run("panorama " + photo.string() + to + " --fov 151"), "--fov", 2);
-    expectOneSentence(run("panorama " + photo.string() + " -o " + (folder_ / "out.gif").string()), "out.gif");
-    expectOneSentence(run("panorama " + photo.string() + " -o " + (folder_ / "out.hdr").string()), "out.hdr");
-    expectOneSentence(run("panorama /nowhere/there.jpg" + to), "there.jpg");
-    expectOneSentence(run("panorama " + folder_.string() + to), folder_.string());
-    expectOneSentence(run("panorama " + write("cut.jpg", "\xff\xd8\xff").string() + to), "cut.jpg");
-    expectOneSentence(run("panorama " + write("huge.pgm", "P5 20000 20000 255\n").string() + to), "huge.pgm");
+    expectOneMessage(run("panorama " + photo.string()), "--out", 2);
+    expectOneMessage(run("panorama " + photo.string() + to + " --fov 9"), "--fov", 2);
+    expectOneMessage(run("panorama " + photo.string() + to + " --fov 151"), "--fov", 2);
+    expectOneMessage(run("panorama " + photo.string() + " -o " + (folder_ / "out.gif").string()), "out.gif");
+    expectOneMessage(run("panorama " + photo.string() + " -o " + (folder_ / "out.hdr").string()), "out.hdr");
+    expectOneMessage(run("panorama /nowhere/there.jpg" + to), "there.jpg");
+    expectOneMessage(run("panorama " + folder_.string() + to), folder_.string());
+    expectOneMessage(run("panorama " + write("cut.jpg", "\xff\xd8\xff").string() + to), "cut.jpg");
+    expectOneMessage(run("panorama " + write("huge.pgm", "P5 20000 20000 255\n").string() + to), "huge.pgm");
     // Two lines: that it begins, and why it ends.
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 64}, {300, 16}}) {
         const Outcome tiny = run("panorama " + write("tiny.pgm", pnm(width, height)).string() + to);
@@ -141,7 +208,7 @@ TEST_F(Program, PanoramasThatCannotBe) {
               6); // nothing half written
 }
 
-TEST_F(Program, PhotosOfAnyKindBecomeSurrounds) {
+TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
     const std::string photo = write("photo.ppm", pnm(64, 48, "P6")).string();
     for (const char* name : {"out.png", "out.JPG"}) {
         const std::string out = (folder_ / name).string();
@@ -151,10 +218,10 @@ TEST_F(Program, PhotosOfAnyKindBecomeSurrounds) {
         const Outcome checked = run("check " + out);
         EXPECT_NE(checked.out.find("lat-long mono"), std::string::npos) << checked.out << checked.err;
     }
-    // Once it is a surround it stays as it is, unless somebody says that it is a photo all the same.
+    // Once it is an environment it stays as it is, unless somebody says that it is a photo all the same.
     const std::string full = (folder_ / "out.png").string(), again = (folder_ / "again.png").string();
     EXPECT_NE(run("panorama " + full + " -o " + again).out.find("kept as it is"), std::string::npos);
-    // What is no surround by its shape is grown for play and view too.
+    // What is no environment by its shape is grown for play and view too.
     const Outcome played = run("play --headless --at 0.1 --size 64x36 --photo " + photo + " --screenshot " +
                                (folder_ / "shot.png").string());
     EXPECT_EQ(played.status, 0) << played.err;
@@ -163,32 +230,30 @@ TEST_F(Program, PhotosOfAnyKindBecomeSurrounds) {
 
 TEST_F(Program, HandsAndDivesThatAreNone) {
     const std::string play = "play --headless --at 0.1 --size 64x36 ";
-    expectOneSentence(run(play + "--hands script:/nowhere/s.toml"), "s.toml");
-    expectOneSentence(run(play + "--hands replay:" + write("r.replay", "SHOALREC").string()), "r.replay");
-    expectOneSentence(run(play + "--hands feet"), "feet");
-    expectOneSentence(run(play + "--dive ../../etc/passwd"), "passwd");
-    expectOneSentence(run(play + "--dive none"), "none");
+    expectOneMessage(run(play + "--hands script:/nowhere/s.toml"), "s.toml");
+    expectOneMessage(run(play + "--hands replay:" + write("r.replay", "SHOALREC").string()), "r.replay");
+    expectOneMessage(run(play + "--hands feet"), "feet");
+    expectOneMessage(run(play + "--dive ../../etc/passwd"), "passwd");
+    expectOneMessage(run(play + "--dive none"), "none");
 }
 
 TEST_F(Program, AModelThatIsNoneLeavesNoPicture) {
     const Path out = folder_ / "out.png";
-    expectOneSentence(run("view " + write("m.glb", "glTF").string() + " --out " + out.string()), "m.glb");
+    expectOneMessage(run("view " + write("m.glb", "glTF").string() + " --out " + out.string()), "m.glb");
     EXPECT_FALSE(fs::exists(out));
 }
 
 TEST_F(Program, CheckTellsGoodFromBad) {
-    const std::string content = std::string(SHOAL_SOURCE_DIR) + "/content/";
+    const std::string content = tests::sourceFolder().string() + "/content/";
     const Outcome good = run("check " + content + "dives/reef.toml " + content + "species.toml " + content +
                              "models/shark.glb");
     EXPECT_EQ(good.status, 0) << good.err;
     EXPECT_EQ(lines(good.out), 3);
-    expectOneSentence(run("check " + content + "dives/reef.toml " + write("x.png", "PNG").string()), "x.png");
+    expectOneMessage(run("check " + content + "dives/reef.toml " + write("x.png", "PNG").string()), "x.png");
 }
 
 TEST_F(Program, EveryMalformedFileGetsOneLine) {
-    const char* set = std::getenv("SHOAL_SHARED");
-    const Path malformed =
-        (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared") / "data" / "malformed";
+    const Path malformed = tests::sharedDataFolder() / "malformed";
     if (!fs::exists(malformed)) GTEST_SKIP() << "needs the reference data: " << malformed;
     std::string files;
     long count = 0;
@@ -206,7 +271,7 @@ TEST_F(Program, EveryMalformedFileGetsOneLine) {
 }
 
 TEST_F(Program, AScriptsReplayGivesTheSameHashAtAnyRate) {
-    const std::string script = std::string(SHOAL_SOURCE_DIR) + "/tests/playthrough/first_catch.toml";
+    const std::string script = tests::sourceFolder().string() + "/tests/playthrough/first_catch.toml";
     const Path replay = folder_ / "catch.replay";
     const auto hashOf = [](const Path& stats) {
         const auto text = readText(stats);

@@ -1,10 +1,11 @@
 // The program with a tracking service that behaves as services do: a hand over the device closes on a fish;
 // the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time is that
 // of the frames' stamps, so nothing waits for a clock.
-#include "game/Playback.h"
+#include "game/playthrough/Playback.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "input/hands/leap/LeapTracks.h"
+#include "tests/TestPaths.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
@@ -77,7 +78,7 @@ class TrackedHands : public testing::Test {
                                               testing::UnitTest::GetInstance()->current_test_info()->name());
         fs::remove_all(folder_);
         fs::create_directories(folder_ / "content" / "dives");
-        const Path source = SHOAL_SOURCE_DIR;
+        const Path source = tests::sourceFolder();
         fs::create_directory_symlink(source / "shaders", folder_ / "shaders");
         for (const auto& entry : fs::directory_iterator(source / "content"))
             if (entry.path().filename() != "dives")
@@ -98,7 +99,7 @@ class TrackedHands : public testing::Test {
         const auto files = game::loadDiveFiles("ring", folder_ / "content");
         EXPECT_TRUE(files);
         uint64_t best = 1;
-        float least = 10;
+        float minimum = 10;
         for (uint64_t seed = 1; seed <= 100; ++seed) {
             game::Dive dive(files->species, files->dive, seed);
             std::vector<game::Event> events;
@@ -107,18 +108,18 @@ class TrackedHands : public testing::Test {
                 dive.step({}, events);
             dive.snapshot(now);
             for (const game::CreatureView& creature : now.creatures)
-                if (const float distance = glm::distance(creature.position, at); distance < least)
-                    least = distance, best = seed;
+                if (const float distance = glm::distance(creature.position, at); distance < minimum)
+                    minimum = distance, best = seed;
         }
-        EXPECT_LT(least, 0.04f);
+        EXPECT_LT(minimum, 0.04f);
         return best;
     }
 
     int run(const std::string& arguments) const {
-        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY SHOAL_DATA=" + folder_.string() +
-                                    " XDG_DATA_HOME=" + folder_.string() + " timeout 120 '" + SHOAL_PROGRAM +
-                                    "' " + arguments + " >" + (folder_ / "out.txt").string() + " 2>" +
-                                    (folder_ / "err.txt").string() + " </dev/null";
+        const std::string command =
+            "env -u DISPLAY -u WAYLAND_DISPLAY SHOAL_DATA=" + folder_.string() +
+            " XDG_DATA_HOME=" + folder_.string() + " timeout 120 '" + tests::program() + "' " + arguments +
+            " >" + (folder_ / "out.txt").string() + " 2>" + (folder_ / "err.txt").string() + " </dev/null";
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
@@ -141,21 +142,21 @@ class TrackedHands : public testing::Test {
     Story story() const {
         Story out;
         const auto recording = sim::readRecording(replayFile());
-        EXPECT_TRUE(recording) << recording.error().sentence();
+        EXPECT_TRUE(recording) << recording.error().message();
         const auto files = game::loadDiveFiles("ring", folder_ / "content");
-        EXPECT_TRUE(files) << files.error().sentence();
+        EXPECT_TRUE(files) << files.error().message();
         const Status same =
             game::replay(*recording, *files, [&](const game::Snapshot& now, const auto& events) {
                 out.events.insert(out.events.end(), events.begin(), events.end());
                 out.caught = now.caught;
                 out.handTicks += now.hands[1].visible && now.hands[1].joints[0].position.z < -0.3f;
             });
-        EXPECT_TRUE(same) << same.error().sentence();
+        EXPECT_TRUE(same) << same.error().message();
         return out;
     }
     static bool grabbed(const Story& story) {
         for (const game::Event& event : story.events)
-            if (event.kind == game::Event::Kind::Grab && event.hand == 1) return true;
+            if (const auto* grab = game::as<game::events::Grab>(event); grab && grab->hand == 1) return true;
         return false;
     }
 

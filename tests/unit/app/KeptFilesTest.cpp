@@ -1,8 +1,9 @@
 // Settings and scores survive between games, and a damaged file is neither believed nor overwritten.
 #include "engine/core/Files.h"
-#include "game/app/Scores.h"
-#include "game/app/Settings.h"
-#include "game/app/Statistics.h"
+#include "game/session/Scores.h"
+#include "game/session/Statistics.h"
+#include "game/settings/PlayOptions.h"
+#include "game/settings/SettingsFile.h"
 
 #include <gtest/gtest.h>
 
@@ -20,33 +21,71 @@ class KeptFiles : public testing::Test {
         ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    static PlayOptions load() {
+        PlayOptions options;
+        loadSettings(options.settings());
+        return options;
+    }
 };
 
 TEST_F(KeptFiles, SettingsComeBack) {
-    EXPECT_EQ(loadSettings().volume, Settings().volume);
-    ASSERT_TRUE(saveSettings({.volume = 0.25f,
-                              .hapticStrength = 0.5f,
-                              .headphones = true,
-                              .captions = false,
-                              .snow = false,
-                              .skin = "glove"}));
-    const Settings settings = loadSettings();
+    EXPECT_EQ(load().volume, PlayOptions().volume);
+    PlayOptions set{.skin = Skin::Glove,
+                    .stereo = StereoOutput::SideBySide,
+                    .eyeDistance_mm = 61,
+                    .vsync = false,
+                    .compose = render::Composition::VideoTexels,
+                    .headphones = true,
+                    .volume = 0.25f,
+                    .hapticStrength = 0.5f,
+                    .captions = false,
+                    .snow = false};
+    set.hands.leapHost = "tracker";
+    set.hands.leapPort = 7000;
+    ASSERT_TRUE(saveSettings(set.settings()));
+    const PlayOptions settings = load();
     EXPECT_EQ(settings.volume, 0.25f);
     EXPECT_EQ(settings.hapticStrength, 0.5f);
     EXPECT_TRUE(settings.headphones);
     EXPECT_FALSE(settings.captions);
     EXPECT_FALSE(settings.snow);
-    EXPECT_EQ(settings.skin, "glove");
+    EXPECT_FALSE(settings.vsync);
+    EXPECT_EQ(settings.skin, Skin::Glove);
+    EXPECT_EQ(settings.stereo, StereoOutput::SideBySide);
+    EXPECT_EQ(settings.compose, render::Composition::VideoTexels);
+    EXPECT_EQ(settings.eyeDistance_mm, 61);
+    EXPECT_EQ(settings.hands.leapHost, "tracker");
+    EXPECT_EQ(settings.hands.leapPort, 7000);
+}
+
+// What a command is given for one run only must not stay.
+TEST_F(KeptFiles, SettingsOfOneRunAreNotKept) {
+    PlayOptions set{.seed = 7, .record = "a.replay", .headless = true, .timedemo = true};
+    set.environment.video = "mine.mp4";
+    set.look.size = {64, 36};
+    ASSERT_TRUE(saveSettings(set.settings()));
+    const PlayOptions settings = load();
+    EXPECT_EQ(settings.seed, PlayOptions().seed);
+    EXPECT_EQ(settings.record, "");
+    EXPECT_FALSE(settings.headless);
+    EXPECT_FALSE(settings.timedemo);
+    EXPECT_EQ(settings.environment.video, "");
+    EXPECT_EQ(settings.look.size, PlayOptions().look.size);
 }
 
 TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json",
-                               R"({"volume": 17, "captions": "yes", "haptics": null, "skin": "scales"})"));
-    EXPECT_EQ(loadSettings().volume, Settings().volume);
-    EXPECT_TRUE(loadSettings().captions);
-    EXPECT_EQ(loadSettings().skin, Settings().skin);
+                               R"({"volume": 17, "captions": "yes", "haptics": null, "skin": "scales",
+                                   "leap": "nowhere", "samples": 1e300, "fov": [65]})"));
+    EXPECT_EQ(load().volume, PlayOptions().volume);
+    EXPECT_TRUE(load().captions);
+    EXPECT_EQ(load().skin, PlayOptions().skin);
+    EXPECT_EQ(load().hands.leapHost, PlayOptions().hands.leapHost);
+    EXPECT_EQ(load().look.samples, 0);
+    EXPECT_EQ(load().fov_deg, PlayOptions().fov_deg);
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json", "{\"volume\": "));
-    EXPECT_EQ(loadSettings().volume, Settings().volume);
+    EXPECT_EQ(load().volume, PlayOptions().volume);
 }
 
 TEST_F(KeptFiles, ScoresAreKeptByDive) {

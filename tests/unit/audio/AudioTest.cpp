@@ -137,13 +137,13 @@ TEST(Audio, WaterLeavesTheCuesOfDirection) {
 }
 
 // What comes after a sound that lasts a tenth of a second, against the sound itself.
-double echo(float shelter) {
+double echo(float enclosure) {
     auto audio = Audio::open({.loopback = true});
     EXPECT_TRUE(audio);
     audio->add(tone(400, 0.1f));
-    const Shot shot{.position = {0, 0, -2}};
+    const OneShot shot{.position = {0, 0, -2}};
     std::vector<float> during(9600), after(48000);
-    audio->update({.shelter = shelter}, {}, {&shot, 1});
+    audio->update({.enclosure = enclosure}, {}, {&shot, 1});
     audio->render(during);
     audio->render(after);
     return loudness(after).both() / loudness(during).both();
@@ -166,7 +166,7 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
     std::vector<float> samples(2 * 800);
     float steepest = 0, before = 0, limit = 0;
     for (int frame = 0; frame < 120; ++frame) {
-        audio->update({.shelter = frame < 60 ? 0.0f : 1.0f}, {&emitter, 1}, {});
+        audio->update({.enclosure = frame < 60 ? 0.0f : 1.0f}, {&emitter, 1}, {});
         audio->render(samples);
         steepest = 0;
         for (size_t i = 0; i < samples.size(); i += 2) {
@@ -184,7 +184,7 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
 TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
     // A busy moment of the game: a bed, eight creatures within reach, a bite. Below full scale, tunnel or
     // not.
-    for (const float shelter : {0.0f, 1.0f}) {
+    for (const float enclosure : {0.0f, 1.0f}) {
         auto audio = Audio::open({.loopback = true});
         ASSERT_TRUE(audio);
         for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small"})
@@ -193,22 +193,22 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
         for (uint32_t i = 0; i < 2; ++i)
             emitters.push_back(
                 {.id = i, .clip = 1, .position = {i ? 0.4f : -0.4f, -0.2f, -0.5f}, .gain = 0.8f});
-        std::vector<Shot> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
+        std::vector<OneShot> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
         for (int i = 0; i < 3; ++i)
             shots.push_back(
                 {.clip = 3, .position = {0.5f * static_cast<float>(i - 1), 0, -0.8f}, .gain = 0.8f});
         std::vector<float> samples(2 * 48000);
-        audio->update({.shelter = shelter}, emitters, shots);
+        audio->update({.enclosure = enclosure}, emitters, shots);
         audio->render(samples);
-        float most = 0;
-        for (const float sample : samples) most = std::max(most, std::abs(sample));
-        EXPECT_LT(most, 1) << shelter;
-        EXPECT_GT(most, 0.1f);
+        float maximum = 0;
+        for (const float sample : samples) maximum = std::max(maximum, std::abs(sample));
+        EXPECT_LT(maximum, 1) << enclosure;
+        EXPECT_GT(maximum, 0.1f);
     }
 }
 
 TEST(Audio, VolumeScales) {
-    const Shot shot{.position = {0, 0, -1}};
+    const OneShot shot{.position = {0, 0, -1}};
     const double full = hear(tone(300, 1), shot).both();
     EXPECT_NEAR(hear(tone(300, 1), shot, false, 0.5f).both() / full, 0.5, 0.01); // linear gain
     EXPECT_EQ(hear(tone(300, 1), shot, false, 0).both(), 0);
@@ -252,7 +252,7 @@ TEST(Audio, AMovingShotPassesFromEarToEar) {
     auto audio = Audio::open({.loopback = true});
     ASSERT_TRUE(audio);
     audio->add(tone(400, 2));
-    const Shot shot{.position = {-2, 0, -0.5f}, .velocity = {4, 0, 0}};
+    const OneShot shot{.position = {-2, 0, -0.5f}, .velocity = {4, 0, 0}};
     audio->update({}, {}, {&shot, 1});
     std::vector<float> samples(2 * 800);
     Loudness first, last;
@@ -284,7 +284,7 @@ TEST(Audio, TwoAtOnceDoNotMix) {
         ASSERT_TRUE(other);
         other->add(tone(700, 1));
         one->add(tone(300, 1));
-        const Shot shot{.position = {0, 0, -1}};
+        const OneShot shot{.position = {0, 0, -1}};
         one->update({}, {}, {&shot, 1});
         EXPECT_EQ(other->sounding(), 0);
     }
@@ -297,10 +297,10 @@ TEST(Audio, TwoAtOnceDoNotMix) {
 TEST(Audio, OpensTheMachinesDevice) {
     // OpenAL's silent device (Heard.h sets it for these tests): the way of a real one.
     auto audio = Audio::open({});
-    ASSERT_TRUE(audio) << audio.error().sentence();
+    ASSERT_TRUE(audio) << audio.error().message();
     audio->add(tone(300, 1));
     const Emitter emitter{.id = 1, .position = {0, 0, -1}};
-    const Shot shot{.position = {1, 0, 0}};
+    const OneShot shot{.position = {1, 0, 0}};
     for (int i = 0; i < 3; ++i) audio->update({}, {&emitter, 1}, {&shot, 1});
     EXPECT_EQ(audio->sounding(), 4);
     ASSERT_TRUE(audio->reopen());
@@ -316,7 +316,7 @@ TEST(AudioDeathTest, WithoutADeviceThereIsAReason) {
     EXPECT_EXIT(
         {
             auto audio = Audio::open({});
-            std::fprintf(stderr, "%s", audio ? "opened" : audio.error().sentence().c_str());
+            std::fprintf(stderr, "%s", audio ? "opened" : audio.error().message().c_str());
             std::exit(audio ? 1 : 0);
         },
         testing::ExitedWithCode(0), "no sound device");

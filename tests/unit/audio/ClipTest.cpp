@@ -23,7 +23,7 @@ Result<Clip> read(const std::string& bytes) {
 TEST(Clip, ReadsWhatWasWritten) {
     const std::vector<int16_t> samples = {0, 1000, -1000, 32767, -32768, 5};
     auto clip = read(wavOf(2, 44100, samples));
-    ASSERT_TRUE(clip) << clip.error().sentence();
+    ASSERT_TRUE(clip) << clip.error().message();
     EXPECT_EQ(clip->rate_Hz, 44100);
     EXPECT_EQ(clip->channels, 2);
     EXPECT_EQ(clip->samples, samples);

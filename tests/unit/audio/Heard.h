@@ -39,11 +39,11 @@ inline Loudness loudness(std::span<const float> stereo) {
 }
 
 // Half a second of what is heard.
-inline std::vector<float> render(const Clip& clip, const Shot& shot, const Listener& listener,
+inline std::vector<float> render(const Clip& clip, const OneShot& shot, const Listener& listener,
                                  AudioOptions options) {
     options.loopback = true;
     auto audio = Audio::open(options);
-    EXPECT_TRUE(audio) << audio.error().sentence();
+    EXPECT_TRUE(audio) << audio.error().message();
     if (!audio) return {};
     EXPECT_EQ(audio->headphones(), options.headphones);
     audio->add(clip);
@@ -53,7 +53,7 @@ inline std::vector<float> render(const Clip& clip, const Shot& shot, const Liste
     return samples;
 }
 
-inline Loudness hear(const Clip& clip, const Shot& shot, bool headphones = false, float volume = 1) {
+inline Loudness hear(const Clip& clip, const OneShot& shot, bool headphones = false, float volume = 1) {
     return loudness(render(clip, shot, {}, {.headphones = headphones, .volume = volume}));
 }
 

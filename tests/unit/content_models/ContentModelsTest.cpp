@@ -1,7 +1,7 @@
 // The models that come with the game hold what the game asks of them by name.
+#include "engine/scene/BoundingSpheres.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Lod.h"
-#include "engine/scene/Reach.h"
 #include "engine/scene/Surface.h"
 #include "input/hands/HandRig.h"
 
@@ -34,7 +34,7 @@ struct AnimalCase {
     const char* name;
     float length_m;
     float ahead; // how much of it lies ahead of its origin
-    int mostTexels;
+    int maxTexels;
     std::vector<std::string> clips;
 };
 
@@ -75,8 +75,8 @@ TEST_P(Animals, AreFewAndLeanDraws) {
     EXPECT_LE(triangles(model), 6000u);
     EXPECT_LT(static_cast<double>(vertices), static_cast<double>(triangles(model)) / 1.5);
     for (const ImageRgba8& image : model.images) {
-        EXPECT_LE(image.width, animal.mostTexels);
-        EXPECT_LE(image.height, animal.mostTexels);
+        EXPECT_LE(image.width, animal.maxTexels);
+        EXPECT_LE(image.height, animal.maxTexels);
     }
 }
 
@@ -228,7 +228,7 @@ TEST_P(Hands, CanWearThreeComplexionsAndAGlove) {
     EXPECT_EQ(model.variants, (std::vector<std::string>{"light", "medium", "dark", "glove"}));
     for (const std::string& look : model.variants) {
         Model dressed = model;
-        ASSERT_TRUE(wear(dressed, look));
+        ASSERT_TRUE(applyVariant(dressed, look));
         const int material = dressed.meshes[0].primitives[0].material;
         ASSERT_GE(material, 0);
         EXPECT_EQ(dressed.materials[static_cast<size_t>(material)].name, look);
@@ -285,7 +285,7 @@ class HandPoses : public testing::TestWithParam<HandPoseCase> {};
 TEST_P(HandPoses, KeepTheFleshOnTheBones) {
     const Model model = load("hand_right");
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    ASSERT_TRUE(rig) << rig.error().sentence();
+    ASSERT_TRUE(rig) << rig.error().message();
     const hands::HandPose hand = rig->pose(hands::Side::Right, GetParam().shape, {});
     Pose pose;
     restPose(model, pose);
@@ -362,13 +362,14 @@ TEST(HandModels, AreMirrorImages) {
 INSTANTIATE_TEST_SUITE_P(Content, Hands, testing::Values("hand_left", "hand_right"),
                          [](const auto& spec) { return std::string(spec.param); });
 
-// However its fingers bend, a hand stays in the ball around it, and the ball is little larger than a hand.
+// However its fingers bend, a hand stays in the sphere around it, and the sphere is little larger than a
+// hand.
 TEST(Hands, StayWithinTheirReach) {
     const Model model = load("hand_left");
     Pose pose;
     restPose(model, pose);
     updateGlobals(model, pose);
-    const std::vector<NodeReach> reach = reachOf(model, pose);
+    const std::vector<NodeSphere> reach = boundingSpheresOf(model, pose);
     const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), {3, -1, 2}), glm::vec3(1.5f));
     for (const float bend : {0.0f, 0.4f, 0.8f, 1.2f}) {
         restPose(model, pose);
@@ -376,22 +377,22 @@ TEST(Hands, StayWithinTheirReach) {
             if (model.nodes[n].name.find("index") == 0 || model.nodes[n].name.find("thumb") == 0)
                 pose.local[n].rotation = pose.local[n].rotation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
         updateGlobals(model, pose);
-        std::vector<Ball> parts;
-        placeBalls(reach, pose, worldFromModel, parts);
-        const Ball ball = ballAround(parts);
-        EXPECT_LT(ball.radius, 1.5f * 0.2f);
+        std::vector<Sphere> parts;
+        placeSpheres(reach, pose, worldFromModel, parts);
+        const Sphere sphere = boundingSphereOf(parts);
+        EXPECT_LT(sphere.radius, 1.5f * 0.2f);
         float furthest = 0, outside = 0;
         for (const glm::vec3& p : posedSurface(model, pose).positions) {
             const glm::vec3 world(worldFromModel * glm::vec4(p, 1));
-            furthest = std::max(furthest, glm::distance(world, ball.centre));
+            furthest = std::max(furthest, glm::distance(world, sphere.centre));
             float nearest = INFINITY; // to a part
-            for (const Ball& part : parts)
+            for (const Sphere& part : parts)
                 nearest = std::min(nearest, glm::distance(world, part.centre) - part.radius);
             outside = std::max(outside, nearest);
         }
         EXPECT_LT(outside, 0.002f) << bend;
-        EXPECT_LT(furthest, ball.radius + 0.002f) << bend;
-        EXPECT_GT(furthest, 0.7f * ball.radius);
+        EXPECT_LT(furthest, sphere.radius + 0.002f) << bend;
+        EXPECT_GT(furthest, 0.7f * sphere.radius);
     }
 }
 

@@ -20,7 +20,7 @@ constexpr int kWidth = 2048, kHeight = 1024;
 
 TEST(ContentVideo, IsAMinuteOfMonoLatLongThatFits) {
     const auto info = inspectVideo(kVideo);
-    ASSERT_TRUE(info.ok()) << info.error().sentence();
+    ASSERT_TRUE(info.ok()) << info.error().message();
     EXPECT_EQ(info->width, kWidth);
     EXPECT_EQ(info->height, kHeight);
     EXPECT_DOUBLE_EQ(info->fps, 24);
@@ -34,14 +34,14 @@ TEST(ContentVideo, IsAMinuteOfMonoLatLongThatFits) {
 SphericalMetadata metadataOf(std::string bytes) {
     const auto size = bytes.size();
     std::istringstream stream(std::move(bytes));
-    return sphericalMetadataOf(stream, size);
+    return mp4Metadata(stream, size);
 }
 
 // The reader believes the second version before the first; with the second's boxes renamed to free space, the
 // first must serve.
-TEST(ContentVideo, SaysThatItIsASurroundInBothVersions) {
+TEST(ContentVideo, StatesItsProjectionInBothVersions) {
     const auto file = readFile(kVideo, 32u << 20);
-    ASSERT_TRUE(file.ok()) << file.error().sentence();
+    ASSERT_TRUE(file.ok()) << file.error().message();
     std::string bytes(file->begin(), file->end());
     const SphericalMetadata second = metadataOf(bytes);
     EXPECT_EQ(second.version, 2);
@@ -67,7 +67,7 @@ double meanDifference(const ImageRgb8& a, const ImageRgb8& b) {
 // they do on average.
 TEST(ContentVideo, JoinsItsEndToItsBeginning) {
     auto video = VideoSource::open(kVideo);
-    ASSERT_TRUE(video.ok()) << video.error().sentence();
+    ASSERT_TRUE(video.ok()) << video.error().message();
     ImageRgb8 first, before, now(kWidth, kHeight);
     double sum = 0;
     int pairs = 0;
@@ -113,7 +113,7 @@ TEST(ContentVideo, TruthBelongsToItsFrames) {
     ASSERT_TRUE(entries);
     EXPECT_EQ(entries->size(), 5u);
     auto video = VideoSource::open(kVideo);
-    ASSERT_TRUE(video.ok()) << video.error().sentence();
+    ASSERT_TRUE(video.ok()) << video.error().message();
     ImageRgb8 shown(kWidth, kHeight);
     const auto show = [&](int64_t frame) {
         bool sound = video->seek(frame);
@@ -124,7 +124,7 @@ TEST(ContentVideo, TruthBelongsToItsFrames) {
         const auto& entry = *node.as_table();
         const int64_t frame = entry["frame"].value_or(int64_t{-1});
         const auto truth = readHdr(kTruth / entry["file"].value_or(std::string()));
-        ASSERT_TRUE(truth.ok()) << truth.error().sentence();
+        ASSERT_TRUE(truth.ok()) << truth.error().message();
         EXPECT_EQ(truth->repaired, 0);
         const ImageRgbF& light = truth->radianceLin;
         ASSERT_EQ(light.width, kWidth / 4);

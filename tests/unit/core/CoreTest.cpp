@@ -1,7 +1,7 @@
-#include "engine/core/Crew.h"
 #include "engine/core/Files.h"
 #include "engine/core/Hash.h"
 #include "engine/core/Random.h"
+#include "engine/core/ThreadPool.h"
 
 #include <gtest/gtest.h>
 
@@ -13,43 +13,43 @@
 namespace shoal {
 namespace {
 
-TEST(Crew, DoesEachPartOnceWhoeverDoesIt) {
+TEST(ThreadPool, DoesEachPartOnceWhoeverDoesIt) {
     for (const int helpers : {0, 1, 3}) {
-        Crew crew(helpers);
+        ThreadPool threadPool(helpers);
         for (const int parts : {0, 1, 2, 1000}) {
             std::array<std::atomic<int>, 1000> done{};
-            crew.share(parts, [&](int k) { ++done[static_cast<size_t>(k)]; });
+            threadPool.parallelFor(parts, [&](int k) { ++done[static_cast<size_t>(k)]; });
             for (int k = 0; k < 1000; ++k)
                 ASSERT_EQ(done[static_cast<size_t>(k)], k < parts ? 1 : 0) << k << " of " << parts;
         }
     }
 }
 
-TEST(Crew, BeginsBeforeItIsFinished) {
-    Crew crew(1);
+TEST(ThreadPool, BeginsBeforeItIsFinished) {
+    ThreadPool threadPool(1);
     std::atomic<bool> began = false;
     auto part = [&](int) { began = true; };
-    crew.start(1, part);
+    threadPool.start(1, part);
     while (!began) {
     } // by the helper: this thread has not come to finish()
-    crew.finish();
+    threadPool.finish();
 }
 
-TEST(Crew, LeavesWhatIsNotFinished) {
+TEST(ThreadPool, LeavesWhatIsNotFinished) {
     std::atomic<int> done = 0;
     auto part = [&](int) { ++done; };
     {
-        Crew crew(1);
-        crew.start(1 << 30, part);
+        ThreadPool threadPool(1);
+        threadPool.start(1 << 30, part);
     }
     EXPECT_LT(done, 1 << 30);
 }
 
 // A part may only be done by a helper: two threads are in the task at once, or this never ends.
-TEST(Crew, WorksBesideTheCaller) {
-    Crew crew(1);
+TEST(ThreadPool, WorksBesideTheCaller) {
+    ThreadPool threadPool(1);
     std::atomic<int> within = 0;
-    crew.share(2, [&](int) {
+    threadPool.parallelFor(2, [&](int) {
         ++within;
         while (within < 2) {
         }

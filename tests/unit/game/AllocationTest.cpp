@@ -8,7 +8,7 @@ namespace shoal::game {
 namespace {
 
 TEST(Allocation, ATickTakesNoMemory) {
-    Dive dive(test::reef().species, test::reef().dive, 2);
+    Dive dive(test::cove().species, test::cove().dive, 2);
     Snapshot a, b, shown;
     std::vector<Event> events;
     events.reserve(1000);

@@ -1,8 +1,8 @@
 // How bodies bend and beat: against what is known of fish.
 #include "Fixture.h"
 
-#include "game/BodyWave.h"
-#include "game/Steering.h"
+#include "game/rules/BodyWave.h"
+#include "game/rules/Steering.h"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +13,19 @@
 namespace shoal::game {
 namespace {
 
+using test::cove;
 using test::handAt;
 using test::OneFish;
-using test::reef;
 
 DiveFile calm() {
-    DiveFile file = reef().dive;
+    DiveFile file = cove().dive;
     file.shark.species = -1;
     return file;
 }
 
 // A beat carries a body on by its stride, whatever its speed (Bainbridge 1958).
 TEST(Tail, BeatsOnceForEachStrideSwum) {
-    World world(reef().species, calm(), 6);
+    test::OpenDive world(cove().species, calm(), 6);
     std::vector<Event> events;
     std::vector<double> swum_m(world.fish.size(), 0);
     for (int i = 0; i < 30 * 120; ++i) {
@@ -34,7 +34,7 @@ TEST(Tail, BeatsOnceForEachStrideSwum) {
             swum_m[f] += static_cast<double>(world.fish[f].speed) * kDt;
     }
     for (size_t f = 0; f < world.fish.size(); ++f) {
-        const Species& kind = world.species[world.fish[f].species];
+        const Species& kind = world.species()[world.fish[f].species];
         const double strides = swum_m[f] / static_cast<double>(kind.stride * kind.length_m);
         // 3600 additions to a float of up to 200: each rounds by 2^-17 at most, 0.03 in all.
         EXPECT_NEAR(static_cast<double>(world.fish[f].shape.beats), strides, 0.05) << kind.name;
@@ -55,7 +55,7 @@ TEST(Tail, SwingsWiderTheFasterItSwimsUpToATenthOfTheLength) {
 }
 
 TEST(Tail, RestsWhileItsKindGlides) {
-    World world(reef().species, calm(), 3);
+    test::OpenDive world(cove().species, calm(), 3);
     std::vector<Event> events;
     std::vector<int> gliding(world.fish.size(), 0);
     for (int i = 0; i < 20 * 120; ++i) {
@@ -64,7 +64,7 @@ TEST(Tail, RestsWhileItsKindGlides) {
             gliding[f] += world.fish[f].coasting && world.fish[f].shape.amplitude < 0.02f;
     }
     for (size_t f = 0; f < world.fish.size(); ++f) {
-        const Species& kind = world.species[world.fish[f].species];
+        const Species& kind = world.species()[world.fish[f].species];
         if (kind.coasts)
             EXPECT_GT(gliding[f], 120) << kind.name;
         else
@@ -74,7 +74,7 @@ TEST(Tail, RestsWhileItsKindGlides) {
 
 // Headings have inertia, bodies lie along their curved ways, and lean into them.
 TEST(Turning, IsSmoothAndBendsAndBanksTheBodyInwards) {
-    World world(reef().species, calm(), 2);
+    test::OpenDive world(cove().species, calm(), 2);
     std::vector<Event> events;
     std::vector<glm::vec3> forward, turned;
     int inwards = 0, outwards = 0, leaning = 0, upright = 0;
@@ -85,7 +85,7 @@ TEST(Turning, IsSmoothAndBendsAndBanksTheBodyInwards) {
         world.step({}, events);
         for (size_t f = 0; f < world.fish.size(); ++f) {
             const Fish& fish = world.fish[f];
-            const Species& kind = world.species[fish.species];
+            const Species& kind = world.species()[fish.species];
             const glm::vec3 rate = (fish.forward - forward[f]) / kDt;
             ASSERT_LT(glm::length(rate), 1.01f * kind.turn_radps) << kind.name;
             // The limit of steer(), and 4 % for float headings: a difference of two of 1e-7 each over dt^2.
@@ -107,7 +107,7 @@ TEST(Turning, IsSmoothAndBendsAndBanksTheBodyInwards) {
 TEST(Facing, FishLookWhereTheyGo) {
     double off = 0, all = 0, sum = 0;
     for (uint64_t seed : {1, 2, 3}) {
-        World world(reef().species, reef().dive, seed); // shark and all
+        test::OpenDive world(cove().species, cove().dive, seed); // shark and all
         std::vector<Event> events;
         for (int i = 0; i < 60 * 120; ++i) {
             world.step({}, events);
@@ -128,13 +128,13 @@ TEST(Facing, FishLookWhereTheyGo) {
 
 TEST(Facing, NothingComesNearTheEyes) {
     for (uint64_t seed : {1, 2, 3, 4}) {
-        World world(reef().species, reef().dive, seed);
+        test::OpenDive world(cove().species, cove().dive, seed);
         std::vector<Event> events;
         float nearest = 10;
         for (int i = 0; i < 90 * 120; ++i) {
             world.step({}, events);
             for (const Fish& fish : world.fish) {
-                const float half = 0.5f * world.species[fish.species].length_m;
+                const float half = 0.5f * world.species()[fish.species].length_m;
                 const float along = std::clamp(-glm::dot(fish.position, fish.forward), -half, half);
                 nearest = std::min(nearest, glm::length(fish.position + fish.forward * along));
             }
@@ -152,7 +152,7 @@ TEST(Flight, BeginsWithACThenSpeedsAwayThenCalmsDown) {
         one.step(12);
         const glm::vec3 threat = one.fish().position + from;
         one.world.startle(0, threat, one.events);
-        const float dart = one.world.species[one.fish().species].dart_mps;
+        const float dart = one.world.species()[one.fish().species].dart_mps;
         float bend = 0, fastest = 0;
         int atFullSpeed = 0, turnedAway = 0;
         for (int i = 1; i <= 60; ++i) {
@@ -169,7 +169,7 @@ TEST(Flight, BeginsWithACThenSpeedsAwayThenCalmsDown) {
         EXPECT_LT(atFullSpeed, 30) << "at full speed within 0.25 s";
         EXPECT_GT(glm::distance(one.fish().position, threat), 0.5f);
         one.step(4 * 120);
-        EXPECT_EQ(one.fish().mind, Fish::Mind::Cruise);
+        EXPECT_EQ(one.fish().state, Fish::State::Cruise);
         EXPECT_LT(one.fish().speed, 1.5f * one.fish().cruise);
     }
 }
@@ -181,11 +181,11 @@ TEST(Held, CurlsAwayFromThePalmAndStrugglesInBouts) {
     one.step();
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(24); // it lies in the palm
     int bouts = 0, away = 0, ticks = 0;
     bool wild = one.fish().shape.amplitude > 0.08f;
-    for (; one.world.hands[1].holds == 0 && ticks < 200; ++ticks) {
+    for (; one.world.hands[1].grasp.holds == 0 && ticks < 200; ++ticks) {
         one.step();
         const BodyShape& shape = one.fish().shape;
         if (!wild && shape.amplitude > 0.08f) ++bouts;

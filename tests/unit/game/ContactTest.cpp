@@ -10,24 +10,23 @@
 namespace shoal::game {
 namespace {
 
-using Kind = Event::Kind;
 using test::count;
+using test::cove;
 using test::first;
 using test::handAt;
 using test::OneFish;
-using test::reef;
 
 constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
 
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Everything that must hold of every fish at every tick. Returns the fastest free one.
-float checkAll(const World& world, const char* where) {
+float checkAll(const test::OpenDive& world, const char* where) {
     float fastest = 0;
     for (const Fish& f : world.fish) {
         EXPECT_TRUE(finite(f.position) && finite(f.velocity) && finite(f.forward)) << where;
         EXPECT_NEAR(glm::length(f.worldFromBody), 1, 1e-3f) << where;
-        if (f.heldBy < 0 && f.mind != Fish::Mind::Mouth) fastest = std::max(fastest, glm::length(f.velocity));
+        if (f.heldBy < 0 && f.state != Fish::State::Mouth) fastest = std::max(fastest, glm::length(f.velocity));
     }
     EXPECT_LE(fastest, kMaxSpeed_mps + 1e-3f) << where;
     return fastest;
@@ -40,8 +39,9 @@ DiveFile crowd(int fish) {
 }
 
 // A generator of its own, so that tests do not depend on the game's.
-glm::vec3 somewhere(Random& random, float most) {
-    return {random.between(-most, most), random.between(-most, most), random.between(-most, most)};
+glm::vec3 somewhere(Random& random, float maximum) {
+    return {random.between(-maximum, maximum), random.between(-maximum, maximum),
+            random.between(-maximum, maximum)};
 }
 
 TEST(Contact, AHandThatJumpsThroughAFishBetweenTwoTicksPushesIt) {
@@ -56,7 +56,7 @@ TEST(Contact, AHandThatJumpsThroughAFishBetweenTwoTicksPushesIt) {
             one.events.clear();
             one.input.hands[1] = handAt(kPlace + way * (1 - offset), 1);
             one.step();
-            EXPECT_GE(count(one.events, Kind::Touch), 1) << speed << " m/s, offset " << offset;
+            EXPECT_GE(count<events::Touch>(one.events), 1) << speed << " m/s, offset " << offset;
             EXPECT_GT(glm::length(one.fish().push), 0.2f) << speed << " m/s, offset " << offset;
             checkAll(one.world, "jump");
         }
@@ -80,7 +80,7 @@ TEST(Contact, AHandAt20MetresASecondNeitherMissesNorFlingsAFish) {
                 one.step();
                 checkAll(one.world, "20 m/s");
             }
-            touched += count(one.events, Kind::Touch) > 0;
+            touched += count<events::Touch>(one.events) > 0;
             ++rounds;
             for (int i = 0; i < 60; ++i) {
                 one.step();
@@ -148,7 +148,7 @@ TEST(Contact, TwoPalmsHoldAFishBetweenThem) {
 }
 
 TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
-    World world(reef().species, crowd(40), 5);
+    test::OpenDive world(cove().species, crowd(40), 5);
     TickInput input;
     std::vector<Event> events;
     input.hands[1] = handAt(kPlace);
@@ -167,8 +167,8 @@ TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
         for (const Fish& f : world.fish) held += f.heldBy >= 0;
         ASSERT_LE(held, 1);
     }
-    EXPECT_EQ(count(events, Kind::Grab), 1);
-    EXPECT_EQ(world.caught, 1);
+    EXPECT_EQ(count<events::Grab>(events), 1);
+    EXPECT_EQ(world.score.caught, 1);
     // The others have left the fist.
     int inside = 0;
     for (const Fish& f : world.fish) inside += glm::distance(f.position, kPlace) < 0.06f;
@@ -193,7 +193,7 @@ TEST(Contact, AFistClosedOnAnEmptyPlaceCatchesNothingThatSwimsIn) {
                 one.step();
                 checkAll(one.world, "swims in");
             }
-            EXPECT_EQ(count(one.events, Kind::Grab), 0) << closed << " from side " << from;
+            EXPECT_EQ(count<events::Grab>(one.events), 0) << closed << " from side " << from;
         }
 }
 
@@ -211,7 +211,7 @@ TEST(Contact, AHandThatComesAt30HzPushesAsOneAt120Hz) {
             if (i % every == 0)
                 one.input.hands[1] = handAt(start + glm::vec3(0.6f * static_cast<float>(i) / 120, 0, 0), 1);
             one.fish().speed = 0;
-            one.fish().mind = Fish::Mind::Cruise;
+            one.fish().state = Fish::State::Cruise;
             one.fish().frightRest_s = 1; // pushed, not fleeing
             one.step();
             fastest = std::max(fastest, glm::length(one.fish().push));
@@ -263,7 +263,7 @@ TEST(Contact, NoAbsurdJointsReachTheFish) {
     EXPECT_FALSE(one.world.hands[1].visible) << "for so long without a sound pose it counts as untracked";
     one.step();
     EXPECT_TRUE(one.world.hands[1].visible) << "the first sound pose brings it back";
-    EXPECT_EQ(count(one.events, Kind::Touch), 0);
+    EXPECT_EQ(count<events::Touch>(one.events), 0);
 }
 
 TEST(Contact, BothHandsInTheSamePlaceShareNothingAndBreakNothing) {
@@ -276,10 +276,10 @@ TEST(Contact, BothHandsInTheSamePlaceShareNothingAndBreakNothing) {
         one.input.hands = {handAt(kPlace, closed, 0), handAt(kPlace, closed, 1)};
         one.step();
         checkAll(one.world, "same place");
-        EXPECT_FALSE(one.world.hands[0].holds == 0 && one.world.hands[1].holds == 0);
+        EXPECT_FALSE(one.world.hands[0].grasp.holds == 0 && one.world.hands[1].grasp.holds == 0);
     }
-    EXPECT_GE(count(one.events, Kind::Grab), 1);
-    EXPECT_EQ(one.world.caught, 1);
+    EXPECT_GE(count<events::Grab>(one.events), 1);
+    EXPECT_EQ(one.world.score.caught, 1);
 }
 
 // A hand that glides back to where tracking found it again goes through fish as if it were not there.
@@ -299,9 +299,9 @@ TEST(Contact, AHandThatIsNotSolidTouchesNothing) {
         EXPECT_EQ(gliding.fish().push, glm::vec3(0));
         EXPECT_EQ(gliding.fish().parting, glm::vec3(0));
     }
-    EXPECT_TRUE(gliding.events.empty()) << kEventNames[static_cast<size_t>(gliding.events[0].kind)];
+    EXPECT_TRUE(gliding.events.empty()) << rowOf(gliding.events[0]).name;
     EXPECT_EQ(gliding.fish().heldBy, -1);
-    EXPECT_EQ(gliding.fish().mind, Fish::Mind::Cruise);
+    EXPECT_EQ(gliding.fish().state, Fish::State::Cruise);
 }
 
 // It becomes solid in the middle of a fish: the fish is let out gently, and no speed comes of the glide.
@@ -319,19 +319,19 @@ TEST(Contact, AHandThatBecomesSolidInsideAFishLetsItOutGently) {
     for (int i = 0; i < 120; ++i) {
         one.fish().speed = 0;
         one.fish().frightRest_s = 1;
-        one.fish().mind = Fish::Mind::Cruise;
+        one.fish().state = Fish::State::Cruise;
         const glm::vec3 was = one.fish().position;
         one.step();
         // Its own speed and the parting; a fish at rest turns and starts at 3 m/s2 at most.
-        EXPECT_LE(glm::distance(was, one.fish().position) * 120, 1.1f * physics::kPartMost_mps + 0.1f) << i;
+        EXPECT_LE(glm::distance(was, one.fish().position) * 120, 1.1f * physics::kPartMax_mps + 0.1f) << i;
     }
-    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+    EXPECT_EQ(count<events::Grab>(one.events), 0);
 }
 
 TEST(Contact, ALooseGripLosesABigFishAndAFirmOneKeepsIt) {
     const auto heldFor = [](float closed) {
         OneFish one;
-        one.fish().species = findSpecies(one.world.species, "snapper");
+        one.fish().species = findSpecies(one.world.species(), "snapper");
         one.input.hands[1] = handAt(kPlace);
         one.step();
         one.rest();
@@ -354,19 +354,19 @@ TEST(Contact, ALooseGripLosesABigFishAndAFirmOneKeepsIt) {
 TEST(Contact, AFishIsTornFromAHandThatGoesTooFast) {
     const auto caughtAt = [](float speed) {
         OneFish one;
-        one.fish().species = findSpecies(one.world.species, "snapper");
+        one.fish().species = findSpecies(one.world.species(), "snapper");
         one.moveGrip(kPlace, 0, 0);
         one.rest();
         one.moveGrip(kPlace, 0, 1);
-        EXPECT_EQ(one.world.hands[1].holds, 0);
-        for (int i = 0; i < 40 && one.world.hands[1].holds == 0; ++i) {
+        EXPECT_EQ(one.world.hands[1].grasp.holds, 0);
+        for (int i = 0; i < 40 && one.world.hands[1].grasp.holds == 0; ++i) {
             const float eased = std::min(1.0f, static_cast<float>(i) / 20); // of the speed
             one.input.hands[1] =
                 handAt(kPlace + glm::vec3(0, 0.5f * eased * speed * static_cast<float>(i) / 120, 0), 1);
             one.step();
             checkAll(one.world, "torn");
         }
-        return one.world.hands[1].holds == 0;
+        return one.world.hands[1].grasp.holds == 0;
     };
     EXPECT_TRUE(caughtAt(0.5f));
     EXPECT_FALSE(caughtAt(10.0f));
@@ -379,14 +379,14 @@ TEST(Contact, ATremblingGripHasHysteresis) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 0.7f);
-    ASSERT_EQ(count(one.events, Kind::Grab), 1);
+    ASSERT_EQ(count<events::Grab>(one.events), 1);
     for (int i = 0; i < 100; ++i) {
         one.input.hands[1] = handAt(kPlace, 0.7f);
         for (hands::Joint& joint : one.input.hands[1].joints) joint.position += somewhere(random, 0.002f);
         one.step();
     }
-    EXPECT_EQ(count(one.events, Kind::Grab), 1);
-    EXPECT_EQ(count(one.events, Kind::Escape), 0);
+    EXPECT_EQ(count<events::Grab>(one.events), 1);
+    EXPECT_EQ(count<events::Escape>(one.events), 0);
 }
 
 TEST(Contact, FingersRestOnAHeldFishAndDoNotEnterIt) {
@@ -394,11 +394,11 @@ TEST(Contact, FingersRestOnAHeldFishAndDoNotEnterIt) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(40);
     Snapshot now;
-    one.world.fill(now);
-    const physics::Capsule flesh = one.world.body(one.fish());
+    one.world.snapshot(now);
+    const physics::Capsule flesh = capsuleOf(one.fish(), one.world.species()[one.fish().species]);
     const auto& shown = now.hands[1].joints;
     const auto& given = one.world.hands[1].joints;
     float deepestShown = 0, deepestGiven = 0;
@@ -428,13 +428,13 @@ TEST(Contact, NoFingerJumpsWhenAFistLosesItsFish) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(30);
-    auto before = one.world.hands[1].shown;
+    auto before = one.world.hands[1].fingers.shown;
     float farthest = 0, lifted = 0;
     for (int i = 0; i < 240; ++i) { // the catch, the letting go, and an empty fist
         one.step();
-        const auto& now = one.world.hands[1].shown;
+        const auto& now = one.world.hands[1].fingers.shown;
         for (int j = 0; j < hands::kJointCount; ++j) {
             farthest = std::max(farthest, glm::distance(now[j].position, before[j].position));
             lifted =
@@ -443,7 +443,7 @@ TEST(Contact, NoFingerJumpsWhenAFistLosesItsFish) {
         }
         before = now;
     }
-    EXPECT_EQ(one.world.caught, 1);
+    EXPECT_EQ(one.world.score.caught, 1);
     EXPECT_GT(lifted, 0.02f);
     EXPECT_LE(farthest, physics::kEase * lifted * 1.1f);
     for (int j = 0; j < hands::kJointCount; ++j)
@@ -476,14 +476,14 @@ TEST(Contact, AGentleStrokeIsFeltForAsLongAsItLasts) {
 // Ten minutes of two hands thrashing about among all fish: every speed bounded, and what the last minute has
 // of kinetic energy is what the second had. Then the hands leave, and the fish calm down to their cruising.
 TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {
-    DiveFile file = reef().dive;
+    DiveFile file = cove().dive;
     file.shark.species = -1;
     file.duration_s = 1e6f;
-    World world(reef().species, file, 3);
+    test::OpenDive world(cove().species, file, 3);
     const auto energy = [&] {
         double sum = 0;
         for (const Fish& f : world.fish) {
-            const Species& kind = world.species[f.species];
+            const Species& kind = world.species()[f.species];
             const double mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
             sum += 0.5 * mass * glm::dot(f.velocity, f.velocity);
         }
@@ -534,7 +534,7 @@ TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
         input.hands[1].solid = tick % 700 > 40;
         return input;
     };
-    Dive first(reef().species, reef().dive, 6), second(reef().species, reef().dive, 6);
+    Dive first(cove().species, cove().dive, 6), second(cove().species, cove().dive, 6);
     sim::Recording recording(headerFor(first));
     Snapshot now;
     std::vector<Event> events;
@@ -548,10 +548,10 @@ TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
         toBytes(input, bytes);
         recording.add(bytes, first.stateHash());
     }
-    EXPECT_GT(count(events, Kind::Touch), 50);
-    EXPECT_GT(count(events, Kind::Grab), 0);
-    const Status same = replay(recording, reef());
-    EXPECT_TRUE(same) << same.error().sentence();
+    EXPECT_GT(count<events::Touch>(events), 50);
+    EXPECT_GT(count<events::Grab>(events), 0);
+    const Status same = replay(recording, cove());
+    EXPECT_TRUE(same) << same.error().message();
 }
 
 } // namespace

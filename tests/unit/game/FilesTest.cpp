@@ -10,7 +10,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-class Files : public testing::Test {
+class GameFiles : public testing::Test {
   protected:
     void TearDown() override { std::filesystem::remove(file_); }
     const Path& write(const std::string& text) {
@@ -24,12 +24,12 @@ class Files : public testing::Test {
 
 const std::string kSpecies = "[[species]]\nname = \"perch\"\nmodel = \"models/perch.glb\"\nlength = 0.2\n";
 
-TEST_F(Files, SpeciesErrorsNameTheLine) {
+TEST_F(GameFiles, SpeciesErrorsNameTheLine) {
     ASSERT_TRUE(loadSpecies(write(kSpecies)));
     EXPECT_EQ(loadSpecies(file_)->at(0).name, "perch");
     const auto reason = [&](const std::string& text) {
         const auto read = loadSpecies(write(text));
-        return read ? std::string("accepted") : read.error().sentence();
+        return read ? std::string("accepted") : read.error().message();
     };
     EXPECT_THAT(reason(kSpecies + "colour = 3\n"),
                 AllOf(HasSubstr("line 5"), HasSubstr("unknown key \"colour\"")));
@@ -47,13 +47,13 @@ TEST_F(Files, SpeciesErrorsNameTheLine) {
     EXPECT_FALSE(loadSpecies("/nonexistent/species.toml"));
 }
 
-TEST_F(Files, DiveErrorsNameTheLine) {
-    const SpeciesTable& known = test::reef().species;
+TEST_F(GameFiles, DiveErrorsNameTheLine) {
+    const SpeciesTable& known = test::cove().species;
     const std::string good = "duration = 30\n[[school]]\nspecies = \"snapper\"\ncount = 3\n";
     ASSERT_TRUE(loadDive(write(good), known));
     const auto reason = [&](const std::string& text) {
         const auto read = loadDive(write(text), known);
-        return read ? std::string("accepted") : read.error().sentence();
+        return read ? std::string("accepted") : read.error().message();
     };
     EXPECT_THAT(reason(good + "radius = [2, 1]\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "radius = [0.1, 1]\n"), HasSubstr("line 5"));
@@ -79,12 +79,12 @@ TEST_F(Files, DiveErrorsNameTheLine) {
     EXPECT_THAT(reason("duration = 30\n"), HasSubstr("\"school\" is missing"));
 }
 
-TEST_F(Files, ScriptErrorsNameTheLine) {
+TEST_F(GameFiles, ScriptErrorsNameTheLine) {
     const std::string good = "seed = 4\n[[step]]\ndo = \"wait\"\nseconds = 1\n";
     ASSERT_TRUE(loadScript(write(good)));
     const auto reason = [&](const std::string& text) {
         const auto read = loadScript(write(text));
-        return read ? std::string("accepted") : read.error().sentence();
+        return read ? std::string("accepted") : read.error().message();
     };
     EXPECT_THAT(reason(good + "[[step]]\ndo = \"fly\"\n"),
                 AllOf(HasSubstr("line 6"), HasSubstr("reach, close")));
@@ -95,12 +95,12 @@ TEST_F(Files, ScriptErrorsNameTheLine) {
     EXPECT_THAT(reason(good + "hand = \"third\"\n"), HasSubstr("line 5"));
 }
 
-TEST_F(Files, AScriptThatFailsSaysWhy) {
+TEST_F(GameFiles, AScriptThatFailsSaysWhy) {
     const auto verdict = [&](const std::string& text) {
         const auto script = loadScript(write(text));
-        EXPECT_TRUE(script) << script.error().sentence();
-        const Played played = playScript(*script, test::rig(), test::reef());
-        return played.verdict ? std::string("met") : played.verdict.error().sentence();
+        EXPECT_TRUE(script) << script.error().message();
+        const Played played = playScript(*script, test::rig(), test::cove());
+        return played.verdict ? std::string("met") : played.verdict.error().message();
     };
     const std::string wait = "name = \"idle\"\n[[step]]\ndo = \"wait\"\nseconds = 1\n";
     EXPECT_EQ(verdict(wait), "met");

@@ -1,8 +1,10 @@
-// A dive on the shipped files, and hands to put into it.
+// The dive of the playthroughs, and hands to put into it.
 #pragma once
 
-#include "game/Playback.h"
-#include "game/World.h"
+#include "game/playthrough/Playback.h"
+#include "game/rules/Dive.h"
+#include "game/rules/Fright.h"
+#include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +13,10 @@
 
 namespace shoal::game::test {
 
-inline const DiveFiles& reef() {
+inline const DiveFiles& cove() {
     static const DiveFiles files = [] {
-        auto loaded = loadDiveFiles("reef");
-        if (!loaded) throw std::runtime_error(loaded.error().sentence());
+        auto loaded = loadDiveFiles((dataRoot() / "tests/playthrough/dive/cove.toml").string());
+        if (!loaded) throw std::runtime_error(loaded.error().message());
         return *loaded;
     }();
     return files;
@@ -23,7 +25,7 @@ inline const DiveFiles& reef() {
 inline const hands::HandRig& rig() {
     static const hands::HandRig loaded = [] {
         auto read = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-        if (!read) throw std::runtime_error(read.error().sentence());
+        if (!read) throw std::runtime_error(read.error().message());
         return *read;
     }();
     return loaded;
@@ -34,30 +36,49 @@ inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {
     return hands::reachingHand(rig(), side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
 }
 
-inline int count(const std::vector<Event>& events, Event::Kind kind) {
-    int n = 0;
-    for (const Event& event : events) n += event.kind == kind;
-    return n;
+template <class E> int count(const std::vector<Event>& events) {
+    return static_cast<int>(std::ranges::count_if(events, [](const Event& event) { return is<E>(event); }));
 }
 
-inline const Event* first(const std::vector<Event>& events, Event::Kind kind) {
+template <class E> const E* first(const std::vector<Event>& events) {
     for (const Event& event : events)
-        if (event.kind == kind) return &event;
+        if (is<E>(event)) return as<E>(event);
     return nullptr;
 }
 
-// A world with one resting fish 0.6 m ahead and no shark: rules can be watched one at a time.
+// Tick of the first event of that kind, 0 if there is none.
+template <class E> uint64_t tickOfFirst(const std::vector<Event>& events) {
+    for (const Event& event : events)
+        if (is<E>(event)) return event.tick;
+    return 0;
+}
+
+// A dive whose state tests look at and change.
+struct OpenDive : Dive {
+    using Dive::Dive;
+    std::vector<Fish>& fish = state().fish;
+    Shark& shark = state().shark;
+    Hands& hands = state().hands;
+    const Score& score = state().score;
+
+    void startle(int id, glm::vec3 from, std::vector<Event>& out) {
+        EventSink events(state().totalTicks, out);
+        game::startle(fish[id], id, from, state().random, events);
+    }
+};
+
+// A dive with one resting fish 0.6 m ahead and no shark: rules can be watched one at a time.
 struct OneFish {
-    World world;
+    OpenDive world;
     TickInput input;
     std::vector<Event> events;
 
-    explicit OneFish(bool withShark = false) : world(reef().species, lonely(withShark), 5) { rest(); }
+    explicit OneFish(bool withShark = false) : world(cove().species, lonely(withShark), 5) { rest(); }
 
     static DiveFile lonely(bool withShark) {
-        DiveFile file = reef().dive;
+        DiveFile file = cove().dive;
         const auto clownfish = std::ranges::find_if(
-            file.schools, [](const School& s) { return reef().species[s.species].name == "clownfish"; });
+            file.schools, [](const School& s) { return cove().species[s.species].name == "clownfish"; });
         file.schools = {*clownfish};
         file.schools[0].count = 1;
         if (!withShark) file.shark.species = -1;

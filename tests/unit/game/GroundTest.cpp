@@ -39,10 +39,10 @@ TEST(Ground, NeverJumps) {
 }
 
 TEST(Ground, TheSnapshotCarriesIt) {
-    DiveFile file = test::reef().dive;
+    DiveFile file = test::cove().dive;
     file.ground = {{0, 2, -1.3f}};
     file.videoLength_s = 10;
-    Dive dive(test::reef().species, file, 3);
+    Dive dive(test::cove().species, file, 3);
     Snapshot now;
     dive.snapshot(now);
     EXPECT_EQ(now.ground.presence, 1);

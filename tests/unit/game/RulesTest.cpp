@@ -10,11 +10,11 @@
 namespace shoal::game {
 namespace {
 
-using Kind = Event::Kind;
 using test::count;
 using test::first;
 using test::handAt;
 using test::OneFish;
+using test::tickOfFirst;
 
 constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
 
@@ -24,27 +24,27 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     one.step();
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    const Event* grab = first(one.events, Kind::Grab);
+    const events::Grab* grab = first<events::Grab>(one.events);
     ASSERT_NE(grab, nullptr);
     EXPECT_EQ(grab->hand, 1);
     EXPECT_EQ(grab->creature, 0);
     Snapshot now;
-    one.world.fill(now);
+    one.world.snapshot(now);
     EXPECT_EQ(now.hands[1].holds, 0);
     EXPECT_EQ(now.creatures[0].heldBy, 1);
     EXPECT_EQ(now.creatures[0].motion, Motion::Struggle);
 
-    const uint64_t grabbed = grab->tick;
-    while (one.world.totalTicks < grabbed + 119) one.step();
-    EXPECT_EQ(count(one.events, Kind::Catch), 0);
+    const uint64_t grabbed = tickOfFirst<events::Grab>(one.events);
+    while (one.world.state().totalTicks < grabbed + 119) one.step();
+    EXPECT_EQ(count<events::Catch>(one.events), 0);
     one.step();
-    EXPECT_EQ(count(one.events, Kind::Catch), 1) << "120 ticks after the grab";
-    EXPECT_EQ(one.world.caught, 1);
-    EXPECT_EQ(one.world.score, one.world.species[one.fish().species].points);
+    EXPECT_EQ(count<events::Catch>(one.events), 1) << "120 ticks after the grab";
+    EXPECT_EQ(one.world.score.caught, 1);
+    EXPECT_EQ(one.world.score.points, one.world.species()[one.fish().species].points);
     one.step(30);
-    EXPECT_EQ(count(one.events, Kind::Release), 1);
-    EXPECT_EQ(count(one.events, Kind::Escape) + count(one.events, Kind::Miss), 0);
-    EXPECT_EQ(one.world.hands[1].holds, -1);
+    EXPECT_EQ(count<events::Release>(one.events), 1);
+    EXPECT_EQ(count<events::Escape>(one.events) + count<events::Miss>(one.events), 0);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
 
     // It swims off, and for two seconds nobody catches it again.
     one.moveGrip(kPlace, 1, 0);
@@ -52,8 +52,8 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     one.rest();
     one.moveGrip(kPlace, 0, 1);
     one.step(kCloseWindow);
-    EXPECT_EQ(count(one.events, Kind::Grab), 1);
-    EXPECT_EQ(count(one.events, Kind::Miss), 1);
+    EXPECT_EQ(count<events::Grab>(one.events), 1);
+    EXPECT_EQ(count<events::Miss>(one.events), 1);
 }
 
 TEST(Catching, OpeningEarlyLetsItEscape) {
@@ -61,12 +61,12 @@ TEST(Catching, OpeningEarlyLetsItEscape) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(count(one.events, Kind::Grab), 1);
+    ASSERT_EQ(count<events::Grab>(one.events), 1);
     one.step(60);
     one.moveGrip(kPlace, 1, 0);
-    EXPECT_EQ(count(one.events, Kind::Escape), 1);
-    EXPECT_EQ(count(one.events, Kind::Catch), 0);
-    EXPECT_EQ(one.world.score, 0);
+    EXPECT_EQ(count<events::Escape>(one.events), 1);
+    EXPECT_EQ(count<events::Catch>(one.events), 0);
+    EXPECT_EQ(one.world.score.points, 0);
 }
 
 TEST(Catching, ClosingOnNothingIsOneMiss) {
@@ -75,8 +75,8 @@ TEST(Catching, ClosingOnNothingIsOneMiss) {
     one.moveGrip(elsewhere, 0, 0);
     one.moveGrip(elsewhere, 0, 1);
     one.step(120);
-    EXPECT_EQ(count(one.events, Kind::Miss), 1);
-    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+    EXPECT_EQ(count<events::Miss>(one.events), 1);
+    EXPECT_EQ(count<events::Grab>(one.events), 0);
 }
 
 TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
@@ -92,10 +92,10 @@ TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
             handAt(glm::mix(aside, kPlace - glm::vec3(0, 0, 0.05f), static_cast<float>(i) / 60), 1);
         one.step();
     }
-    EXPECT_EQ(count(one.events, Kind::Grab), 0);
-    EXPECT_GE(count(one.events, Kind::Touch), 1);
-    EXPECT_EQ(count(one.events, Kind::Startle), 1);
-    EXPECT_EQ(count(one.events, Kind::Miss), 0);
+    EXPECT_EQ(count<events::Grab>(one.events), 0);
+    EXPECT_GE(count<events::Touch>(one.events), 1);
+    EXPECT_EQ(count<events::Startle>(one.events), 1);
+    EXPECT_EQ(count<events::Miss>(one.events), 0);
 }
 
 TEST(Catching, GripNeedsToCrossWithHysteresis) {
@@ -103,14 +103,14 @@ TEST(Catching, GripNeedsToCrossWithHysteresis) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     // A trembling grip between the thresholds neither drops nor grabs anew.
     for (int i = 0; i < 40; ++i) {
         one.input.hands[1].grip = i % 2 ? kGripOpens + 0.02f : kGripCloses + 0.02f;
         one.step();
     }
-    EXPECT_EQ(count(one.events, Kind::Escape), 0);
-    EXPECT_EQ(count(one.events, Kind::Grab), 1);
+    EXPECT_EQ(count<events::Escape>(one.events), 0);
+    EXPECT_EQ(count<events::Grab>(one.events), 1);
 }
 
 TEST(Catching, EachHandHoldsItsOwn) {
@@ -118,15 +118,15 @@ TEST(Catching, EachHandHoldsItsOwn) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     // The left hand cannot take what the right one holds.
     for (int i = 0; i <= 15; ++i) {
         one.input.hands[0] = handAt(kPlace, static_cast<float>(i) / 15, 0);
         one.step();
     }
-    EXPECT_EQ(one.world.hands[0].holds, -1);
-    EXPECT_EQ(one.world.hands[1].holds, 0);
-    EXPECT_EQ(count(one.events, Kind::Grab), 1);
+    EXPECT_EQ(one.world.hands[0].grasp.holds, -1);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, 0);
+    EXPECT_EQ(count<events::Grab>(one.events), 1);
 }
 
 TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
@@ -134,13 +134,13 @@ TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.input.hands[1].tracked = false;
     one.step(20);
-    EXPECT_EQ(one.world.hands[1].holds, 0);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(60);
-    EXPECT_EQ(one.world.hands[1].holds, -1);
-    EXPECT_EQ(count(one.events, Kind::Escape), 1);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
+    EXPECT_EQ(count<events::Escape>(one.events), 1);
 }
 
 TEST(Touching, AFastHandThatJumpsThroughAFishBetweenTwoTicksTouchesIt) {
@@ -154,8 +154,8 @@ TEST(Touching, AFastHandThatJumpsThroughAFishBetweenTwoTicksTouchesIt) {
         one.events.clear();
         one.input.hands[1] = handAt(kPlace + half, 1);
         one.step();
-        EXPECT_GE(count(one.events, Kind::Touch), 1) << speed << " m/s";
-        EXPECT_EQ(count(one.events, Kind::Startle), 1) << speed << " m/s";
+        EXPECT_GE(count<events::Touch>(one.events), 1) << speed << " m/s";
+        EXPECT_EQ(count<events::Startle>(one.events), 1) << speed << " m/s";
     }
 }
 
@@ -186,17 +186,17 @@ TEST(Touching, AGentleTouchPushesAway) {
     one.input.hands[1] = handAt(left);
     one.step();
     one.rest();
-    for (int i = 0; i <= 120 && !first(one.events, Kind::Touch); ++i) { // 0.2 m/s
+    for (int i = 0; i <= 120 && !first<events::Touch>(one.events); ++i) { // 0.2 m/s
         one.input.hands[1] = handAt(left + glm::vec3(0.2f * static_cast<float>(i) / 120, 0, 0));
         one.rest();
         one.step();
     }
-    const Event* touch = first(one.events, Kind::Touch);
+    const events::Touch* touch = first<events::Touch>(one.events);
     ASSERT_NE(touch, nullptr);
-    EXPECT_LT(touch->strength, 0.25f);
-    EXPECT_GE(touch->finger, 0);
-    EXPECT_LE(touch->finger, haptics::kPalm);
-    EXPECT_EQ(count(one.events, Kind::Startle), 0);
+    EXPECT_LT(touch->closing_mps, 0.25f);
+    EXPECT_GE(touch->part, 0);
+    EXPECT_LE(touch->part, hands::kPalmPart);
+    EXPECT_EQ(count<events::Startle>(one.events), 0);
     EXPECT_GT(one.fish().push.x, 0.03f) << "away from the hand";
     EXPECT_LT(glm::length(one.fish().push), 0.3f) << "gently";
 }
@@ -210,13 +210,13 @@ TEST(Fright, AFastHandFrightensOnceAndTheFishCalmsDown) {
         one.input.hands[1] = handAt(kPlace + glm::vec3(0.45f - 2.0f * static_cast<float>(i) / 120, 0, 0));
         one.step();
     }
-    EXPECT_EQ(count(one.events, Kind::Startle), 1);
-    EXPECT_EQ(one.fish().mind, Fish::Mind::Dart);
+    EXPECT_EQ(count<events::Startle>(one.events), 1);
+    EXPECT_EQ(one.fish().state, Fish::State::Dart);
     one.input.hands[1].tracked = false;
     one.step(480);
-    EXPECT_EQ(one.fish().mind, Fish::Mind::Cruise);
+    EXPECT_EQ(one.fish().state, Fish::State::Cruise);
     EXPECT_LT(one.fish().speed, 0.3f);
-    EXPECT_EQ(count(one.events, Kind::Startle), 1);
+    EXPECT_EQ(count<events::Startle>(one.events), 1);
 }
 
 TEST(Fright, ASlowHandDoesNotFrighten) {
@@ -227,7 +227,7 @@ TEST(Fright, ASlowHandDoesNotFrighten) {
             handAt(kPlace + glm::vec3(0.05f, -0.36f + 0.3f * static_cast<float>(i) / 90, 0.04f));
         one.step();
     }
-    EXPECT_EQ(count(one.events, Kind::Startle), 0);
+    EXPECT_EQ(count<events::Startle>(one.events), 0);
 }
 
 // Hands are given as the viewer has them: a head that leans takes them along.
@@ -239,7 +239,7 @@ TEST(Head, HandsGoWhereTheHeadGoes) {
     one.input.headWorld = {0.2f, -0.1f, 0.05f};
     one.step();
     Snapshot shown;
-    one.world.fill(shown);
+    one.world.snapshot(shown);
     EXPECT_EQ(shown.headWorld, one.input.headWorld);
     EXPECT_LT(glm::distance(shown.hands[1].joints[10].position, before + one.input.headWorld), 1e-6f);
 }
@@ -249,12 +249,12 @@ TEST(BadInput, IsNotBelieved) {
     OneFish one;
     one.input.hands[1] = handAt(kPlace + glm::vec3(0.3f, 0, 0));
     one.step(2);
-    const glm::vec3 good = one.world.hands[1].grasp;
+    const glm::vec3 good = one.world.hands[1].graspCentre;
     const auto bad = [&](auto spoil) {
         TickInput input = one.input;
         spoil(input);
         one.world.step(input, one.events);
-        EXPECT_EQ(one.world.hands[1].grasp, good);
+        EXPECT_EQ(one.world.hands[1].graspCentre, good);
         EXPECT_TRUE(one.world.hands[1].visible);
         EXPECT_TRUE(std::isfinite(one.fish().position.x));
         one.step();
@@ -278,25 +278,25 @@ TEST(BadInput, IsNotBelieved) {
 
 TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
     OneFish one;
-    const int ticks = static_cast<int>(one.world.file.duration_s * 120);
+    const int ticks = static_cast<int>(one.world.file().duration_s * 120);
     one.step(ticks - 1);
-    EXPECT_EQ(one.world.phase, Phase::Diving);
-    EXPECT_EQ(count(one.events, Kind::DiveStart), 1);
+    EXPECT_EQ(one.world.state().phase, Phase::Diving);
+    EXPECT_EQ(count<events::DiveStart>(one.events), 1);
     one.step(2);
-    EXPECT_EQ(one.world.phase, Phase::Results);
-    EXPECT_EQ(count(one.events, Kind::DiveOver), 1);
+    EXPECT_EQ(one.world.state().phase, Phase::Results);
+    EXPECT_EQ(count<events::DiveOver>(one.events), 1);
     // In the results nothing is caught.
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    EXPECT_EQ(count(one.events, Kind::Grab), 0);
+    EXPECT_EQ(count<events::Grab>(one.events), 0);
     one.input.restart = true;
     one.step(50); // held down: one restart
-    EXPECT_EQ(one.world.seed, 6u);
-    EXPECT_EQ(one.world.phase, Phase::Diving);
-    EXPECT_EQ(one.world.tick, 50u);
-    EXPECT_EQ(count(one.events, Kind::DiveStart), 2);
-    EXPECT_EQ(one.world.score, 0);
+    EXPECT_EQ(one.world.seed(), 6u);
+    EXPECT_EQ(one.world.state().phase, Phase::Diving);
+    EXPECT_EQ(one.world.state().tick, 50u);
+    EXPECT_EQ(count<events::DiveStart>(one.events), 2);
+    EXPECT_EQ(one.world.score.points, 0);
 }
 
 TEST(Course, PauseFreezes) {
@@ -304,24 +304,24 @@ TEST(Course, PauseFreezes) {
     one.step(10);
     one.input.pause = true;
     one.step();
-    const uint64_t frozen = one.world.hash();
+    const uint64_t frozen = one.world.stateHash();
     const glm::vec3 at = one.fish().position;
     one.step(500);
-    EXPECT_EQ(one.world.hash(), frozen);
+    EXPECT_EQ(one.world.stateHash(), frozen);
     EXPECT_EQ(one.fish().position, at);
     Snapshot now;
-    one.world.fill(now);
+    one.world.snapshot(now);
     EXPECT_TRUE(now.paused);
     one.input.pause = false;
     one.step();
-    EXPECT_EQ(one.world.tick, 11u);
+    EXPECT_EQ(one.world.state().tick, 11u);
 }
 
 // Puts the shark there, prowling, looking at a place.
-void placeShark(World& world, glm::vec3 at, glm::vec3 looking) {
+void placeShark(test::OpenDive& world, glm::vec3 at, glm::vec3 looking) {
     world.shark.position = at;
     world.shark.forward = glm::normalize(looking - at);
-    world.setMind(Shark::Mind::Prowl);
+    world.shark.set(Shark::State::Prowl);
     world.shark.visit_s = 10;
 }
 
@@ -332,31 +332,31 @@ TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
     placeShark(one.world, {0.3f, -0.1f, -3.6f}, kPlace);
     // It points at the open hand before anything is in it.
     int threatened = 0;
-    while (one.world.shark.mind != Shark::Mind::Threaten || one.world.shark.aimed_s < 1.1f) {
+    while (one.world.shark.state != Shark::State::Threaten || one.world.shark.aimed_s < 1.1f) {
         one.step();
         one.rest();
         ASSERT_LT(++threatened, 400);
     }
-    const glm::vec3 toHand = one.world.hands[1].grasp - one.world.shark.position;
+    const glm::vec3 toHand = one.world.hands[1].graspCentre - one.world.shark.position;
     EXPECT_GT(glm::dot(one.world.shark.forward, glm::normalize(toHand)), 0.9f);
-    EXPECT_LT(one.world.shark.speed, 0.5f * one.world.species[one.world.shark.species].cruise_mps);
+    EXPECT_LT(one.world.shark.speed, 0.5f * one.world.species()[one.world.shark.species].cruise_mps);
     EXPECT_GT(one.world.shark.shape.finsDown, 0.5f) << "fins lowered";
     EXPECT_GT(one.world.shark.shape.bendUp, 0.3f) << "back arched";
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(115);
-    const Event* steal = first(one.events, Kind::SharkSteal);
+    const events::SharkSteal* steal = first<events::SharkSteal>(one.events);
     ASSERT_NE(steal, nullptr);
     EXPECT_EQ(steal->hand, 1);
-    EXPECT_EQ(one.world.lost, 1);
-    EXPECT_EQ(one.world.caught, 0);
-    EXPECT_EQ(one.world.hands[1].holds, -1);
-    EXPECT_EQ(one.world.shark.mind, Shark::Mind::Leave);
+    EXPECT_EQ(one.world.score.lost, 1);
+    EXPECT_EQ(one.world.score.caught, 0);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
+    EXPECT_EQ(one.world.shark.state, Shark::State::Leave);
     one.input.hands[1].tracked = false;
     one.step(1800);
     EXPECT_EQ(one.world.shark.mouth, -1);
-    EXPECT_EQ(one.fish().mind, Fish::Mind::Cruise) << "it got away and came back";
-    EXPECT_EQ(count(one.events, Kind::SharkSteal), 1);
+    EXPECT_EQ(one.fish().state, Fish::State::Cruise) << "it got away and came back";
+    EXPECT_EQ(count<events::SharkSteal>(one.events), 1);
 }
 
 // Whoever holds one fish after the other before a shark: it points at the hand for a second before each
@@ -374,14 +374,14 @@ TEST(SharkRules, NeverStrikesUnannounced) {
                 one.fish().uncatchable_s = 0;
             }
             one.input.hands[1] = handAt(kPlace, cycle < 144 ? 1.0f : 0.0f);
-            const bool before = one.world.shark.mind == Shark::Mind::Strike;
+            const bool before = one.world.shark.state == Shark::State::Strike;
             one.step();
-            const glm::vec3 to = one.world.hands[1].grasp - one.world.shark.position;
-            if (!before && one.world.shark.mind == Shark::Mind::Strike) {
+            const glm::vec3 to = one.world.hands[1].graspCentre - one.world.shark.position;
+            if (!before && one.world.shark.state == Shark::State::Strike) {
                 ++strikes;
                 EXPECT_GE(aimed, 120) << "ticks, at tick " << i;
             }
-            const bool points = one.world.shark.mind == Shark::Mind::Threaten &&
+            const bool points = one.world.shark.state == Shark::State::Threaten &&
                                 glm::dot(one.world.shark.forward, glm::normalize(to)) > 0.9f;
             aimed = points ? aimed + 1 : 0;
         }
@@ -394,27 +394,28 @@ TEST(SharkRules, ABumpDropsWhatTheHandHolds) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(one.world.hands[1].holds, 0);
+    ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     // Its flank comes upon the hand while it is after nothing.
     one.world.shark.position = kPlace + glm::vec3(0.25f, 0, -0.1f);
     one.world.shark.forward = {0, 0, -1};
-    one.world.setMind(Shark::Mind::Leave);
+    one.world.shark.set(Shark::State::Leave);
     one.step();
-    EXPECT_EQ(count(one.events, Kind::SharkBump), 1);
-    EXPECT_EQ(count(one.events, Kind::Escape), 1);
-    EXPECT_EQ(one.world.hands[1].holds, -1);
+    EXPECT_EQ(count<events::SharkBump>(one.events), 1);
+    EXPECT_EQ(count<events::Escape>(one.events), 1);
+    EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
     one.step(60);
-    EXPECT_EQ(count(one.events, Kind::SharkBump), 1) << "one bump, not one a tick";
+    EXPECT_EQ(count<events::SharkBump>(one.events), 1) << "one bump, not one a tick";
 }
 
 TEST(SharkRules, VisitsAreAnnounced) {
     OneFish one(true);
     one.step(90 * 120);
-    EXPECT_EQ(count(one.events, Kind::SharkNear), static_cast<int>(one.world.file.shark.visits_s.size()));
-    const Event* near = first(one.events, Kind::SharkNear);
+    EXPECT_EQ(count<events::SharkNear>(one.events), static_cast<int>(one.world.file().shark.visits_s.size()));
+    const events::SharkNear* near = first<events::SharkNear>(one.events);
     ASSERT_NE(near, nullptr);
     EXPECT_EQ(near->creature, 1);
-    EXPECT_NEAR(static_cast<float>(near->tick) / 120, one.world.file.shark.visits_s[0], 0.02f);
+    EXPECT_NEAR(static_cast<float>(tickOfFirst<events::SharkNear>(one.events)) / 120,
+                one.world.file().shark.visits_s[0], 0.02f);
 }
 
 } // namespace

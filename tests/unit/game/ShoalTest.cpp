@@ -10,7 +10,7 @@
 namespace shoal::game {
 namespace {
 
-using test::reef;
+using test::cove;
 
 // Of one school at one moment. Lengths in body lengths.
 struct Order {
@@ -20,14 +20,14 @@ struct Order {
     float farthest = 0;     // from the school's middle
 };
 
-Order orderOf(const World& world, int school) {
+Order orderOf(const test::OpenDive& world, int school) {
     Order order;
     glm::vec3 heading(0), middle(0);
     int count = 0;
     float length_m = 1;
     for (const Fish& a : world.fish) {
         if (a.school != school) continue;
-        length_m = world.species[a.species].length_m;
+        length_m = world.species()[a.species].length_m;
         heading += a.forward;
         middle += a.position;
         ++count;
@@ -48,12 +48,12 @@ Order orderOf(const World& world, int school) {
 }
 
 DiveFile calm() { // nothing to fear
-    DiveFile file = reef().dive;
+    DiveFile file = cove().dive;
     file.shark.species = -1;
     return file;
 }
 
-void run(World& world, float seconds, const TickInput& input = {}) {
+void run(test::OpenDive& world, float seconds, const TickInput& input = {}) {
     std::vector<Event> events;
     for (int i = 0; i < static_cast<int>(seconds * 120); ++i) world.step(input, events);
 }
@@ -61,9 +61,9 @@ void run(World& world, float seconds, const TickInput& input = {}) {
 class Companions : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
-    World world(reef().species, calm(), GetParam());
+    test::OpenDive world(cove().species, calm(), GetParam());
     run(world, 20);
-    const auto& schools = world.file.schools;
+    const auto& schools = world.file().schools;
     std::vector<double> polarisation(schools.size(), 0), nearest(schools.size(), 0);
     int samples = 0, shoals = 0;
     for (; samples < 200; ++samples) {
@@ -72,14 +72,14 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
             const Order order = orderOf(world, static_cast<int>(s));
             polarisation[s] += order.polarisation;
             nearest[s] += order.meanNearest;
-            if (world.species[schools[s].species].company != Company::Shoal) continue;
+            if (world.species()[schools[s].species].company != Company::Shoal) continue;
             EXPECT_GT(order.nearest, 0.5f);
             // One that turns as a whole is out of order for a moment, but together.
             EXPECT_LT(order.farthest, 6);
         }
     }
     for (size_t s = 0; s < schools.size(); ++s) {
-        const Species& kind = world.species[schools[s].species];
+        const Species& kind = world.species()[schools[s].species];
         const double order = polarisation[s] / samples, apart = nearest[s] / samples;
         std::printf("seed %d, %s: polarisation %.3f, nearest neighbour %.2f body lengths\n",
                     static_cast<int>(GetParam()), kind.name.c_str(), order, apart);
@@ -98,14 +98,14 @@ TEST_P(Companions, ShoalsAlignAndStayTogetherAndApart) {
 }
 
 TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
-    World world(reef().species, calm(), GetParam());
+    test::OpenDive world(cove().species, calm(), GetParam());
     run(world, 20);
     int near = 0, all = 0;
     for (int i = 0; i < 100; ++i) {
         run(world, 0.2f);
         for (size_t a = 0; a < world.fish.size(); ++a) {
             const Fish& fish = world.fish[a];
-            const Species& kind = world.species[fish.species];
+            const Species& kind = world.species()[fish.species];
             if (kind.company != Company::Pair || fish.leader == static_cast<int>(a)) continue;
             const Fish& partner = world.fish[static_cast<size_t>(fish.leader)];
             EXPECT_EQ(partner.species, fish.species);
@@ -120,13 +120,13 @@ TEST_P(Companions, PairsKeepTogetherTwoByTwo) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Companions, testing::Values(1, 2, 3));
 
 TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
-    World world(reef().species, calm(), 4);
+    test::OpenDive world(cove().species, calm(), 4);
     run(world, 5);
     std::vector<Event> events;
     int school = 0;
     for (size_t i = 0; i < world.fish.size(); ++i) {
         const Fish& fish = world.fish[i];
-        if (world.species[fish.species].company != Company::Shoal) continue;
+        if (world.species()[fish.species].company != Company::Shoal) continue;
         school = fish.school;
         // From its own side each: they burst apart.
         const glm::vec3 from(i % 3 ? 0.2f : -0.2f, 0, i % 2 ? 0.2f : -0.2f);
@@ -143,16 +143,16 @@ TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
     EXPECT_GT(orderOf(world, school).polarisation, 0.8f);
 }
 
-// As full as a reef may get: the shipped seven kinds, two shoals and a ray, and more of the rest: forty fish.
-TEST(Reef, OfSevenKindsAndFortyFishKeepsApart) {
-    const SpeciesTable& species = reef().species;
-    DiveFile file = reef().dive;
+// As full as a dive may get: seven kinds, two shoals and a ray, and more of the rest: forty fish.
+TEST(Shoal, OfSevenKindsAndFortyFishKeepsApart) {
+    const SpeciesTable& species = cove().species;
+    DiveFile file = cove().dive;
     int missing = 40;
     for (const School& school : file.schools) missing -= school.count;
     for (size_t s = 0; missing > 0; s = (s + 1) % file.schools.size())
         if (species[file.schools[s].species].length_m < 0.5f) ++file.schools[s].count, --missing;
     EXPECT_EQ(file.schools.size(), 7u);
-    World world(species, file, 8);
+    test::OpenDive world(species, file, 8);
     EXPECT_EQ(world.fish.size(), 40u);
     float nearest = 1;
     int touching = 0, pairs = 0;

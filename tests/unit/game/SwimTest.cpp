@@ -10,12 +10,12 @@
 namespace shoal::game {
 namespace {
 
-using test::reef;
+using test::cove;
 
 struct Statistics {
     float nearestPair = 10; // of gaps between fish bodies, m
     int touching = 0, pairs = 0;
-    float leastUpright = 1, leastFacing = 1, fastest = 0;
+    float minUpright = 1, minFacing = 1, fastest = 0;
     int samples = 0, outOfBand = 0, facingAway = 0;
     float lowest = 10, highest = -10;
     double inReach = 0; // mean number of fish 0.4 to 1.2 m away within 45 degrees of ahead
@@ -23,9 +23,9 @@ struct Statistics {
     float largestStep = 0;
 };
 
-Statistics swimFor(uint64_t seed, int seconds) {
-    Dive dive(reef().species, reef().dive, seed);
-    const World layout(reef().species, reef().dive, seed);
+Statistics swimFor(const DiveFiles& files, uint64_t seed, int seconds) {
+    Dive dive(files.species, files.dive, seed);
+    const Dive layout(files.species, files.dive, seed);
     Snapshot now, before;
     std::vector<Event> events;
     Statistics s;
@@ -42,10 +42,10 @@ Statistics swimFor(uint64_t seed, int seconds) {
         ++frames;
         for (size_t i = 0; i < now.creatures.size(); ++i) {
             const CreatureView& c = now.creatures[i];
-            const Species& kind = reef().species[c.species];
+            const Species& kind = files.species[c.species];
             const float speed = glm::length(c.velocity);
             const glm::vec3 forward = c.worldFromBody * glm::vec3(0, 0, 1);
-            s.leastUpright = std::min(s.leastUpright, (c.worldFromBody * glm::vec3(0, 1, 0)).y);
+            s.minUpright = std::min(s.minUpright, (c.worldFromBody * glm::vec3(0, 1, 0)).y);
             if (kind.shark) {
                 s.sharkFastest = std::max(s.sharkFastest, speed);
                 s.sharkNearest = std::min(s.sharkNearest, glm::length(c.position));
@@ -56,10 +56,10 @@ Statistics swimFor(uint64_t seed, int seconds) {
             s.fastest = std::max(s.fastest, speed);
             if (speed > 0.05f) {
                 const float facing = glm::dot(forward, c.velocity) / speed;
-                s.leastFacing = std::min(s.leastFacing, facing);
+                s.minFacing = std::min(s.minFacing, facing);
                 s.facingAway += facing < 0.8f;
             }
-            const School& school = reef().dive.schools[layout.fish[i].school];
+            const School& school = files.dive.schools[layout.state().fish[i].school];
             const float radius = std::sqrt(c.position.x * c.position.x + c.position.z * c.position.z);
             ++s.samples;
             s.outOfBand += radius < school.radiusLow_m - 0.3f || radius > school.radiusHigh_m + 0.3f ||
@@ -71,7 +71,7 @@ Statistics swimFor(uint64_t seed, int seconds) {
             s.inReach += distance > 0.4f && distance < 1.2f && c.position.z < -0.7f * distance;
             for (size_t j = 0; j < i; ++j) {
                 const CreatureView& d = now.creatures[j];
-                const Species& other = reef().species[d.species];
+                const Species& other = files.species[d.species];
                 const glm::vec3 a = forward * kind.bodyHalf_m;
                 const glm::vec3 b = d.worldFromBody * glm::vec3(0, 0, other.bodyHalf_m);
                 const float gap = physics::separation({c.position - a, c.position + a, kind.bodyRadius_m},
@@ -89,13 +89,13 @@ Statistics swimFor(uint64_t seed, int seconds) {
 class Swimming : public testing::TestWithParam<uint64_t> {};
 
 TEST_P(Swimming, KeepsApartUprightFacingAndInBounds) {
-    const Statistics s = swimFor(GetParam(), 90);
+    const Statistics s = swimFor(cove(), GetParam(), 90);
     std::printf("seed %llu: nearest gap %.3f m, touching %.4f %%, upright %.2f, facing %.2f (away %.3f %%), "
                 "fastest %.2f, "
                 "out of band %.2f %%, heights %.2f..%.2f, in reach %.1f, shark %.2f / nose %.2f m, %.2f m/s, "
                 "step %.4f m\n",
                 static_cast<unsigned long long>(GetParam()), s.nearestPair, 100.0 * s.touching / s.pairs,
-                s.leastUpright, s.leastFacing, 100.0 * s.facingAway / s.samples, s.fastest,
+                s.minUpright, s.minFacing, 100.0 * s.facingAway / s.samples, s.fastest,
                 100.0 * s.outOfBand / s.samples, s.lowest, s.highest, s.inReach, s.sharkNearest,
                 s.sharkNoseNearest, s.sharkFastest, s.largestStep);
     // Bodies are capsules thinner than the fish; a brush now and then may happen, living inside each other
@@ -103,12 +103,12 @@ TEST_P(Swimming, KeepsApartUprightFacingAndInBounds) {
     EXPECT_LT(s.touching, s.pairs / 10000);
     EXPECT_GT(s.nearestPair, -0.03f);
     // Pitch at most asin 0.6 and a lean of tangent 0.7: cos 37 degrees * cos 35 degrees = 0.65.
-    EXPECT_GT(s.leastUpright, 0.6f);
+    EXPECT_GT(s.minUpright, 0.6f);
     EXPECT_LT(s.facingAway, s.samples / 200);
     EXPECT_LE(s.fastest, kMaxSpeed_mps + 1e-4f);
     // Three visits of the shark drive them off for a while.
     EXPECT_LT(s.outOfBand, s.samples / 12);
-    EXPECT_GT(s.lowest, reef().dive.floor_m);
+    EXPECT_GT(s.lowest, cove().dive.floor_m);
     EXPECT_LT(s.highest, 1.3f);
     EXPECT_GT(s.inReach, 1.0) << "there should nearly always be something to catch ahead";
     EXPECT_GT(s.sharkNoseNearest, 0.5f);
@@ -119,18 +119,30 @@ TEST_P(Swimming, KeepsApartUprightFacingAndInBounds) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Swimming, testing::Values(1, 2, 3, 99));
 
-TEST(Dive, HasWhatTheReefPromises) {
-    EXPECT_EQ(reef().dive.duration_s, 90);
-    EXPECT_EQ(reef().dive.video, "video/reef.mp4");
+// The shipped dive may gain species and schools; whatever it has must be worth a dive and swim well.
+TEST(Reef, IsADiveInWhichFishSwimWell) {
+    const auto reef = loadDiveFiles("reef");
+    ASSERT_TRUE(reef) << reef.error().message();
+    EXPECT_EQ(reef->dive.duration_s, 90);
+    EXPECT_EQ(reef->dive.video, "video/reef.mp4");
     int fish = 0;
     std::set<int> kinds;
-    for (const School& school : reef().dive.schools) {
+    for (const School& school : reef->dive.schools) {
         fish += school.count;
         kinds.insert(school.species);
     }
     EXPECT_GE(fish, 24);
     EXPECT_GE(kinds.size(), 3u);
-    EXPECT_GE(reef().dive.shark.species, 0);
+    EXPECT_GE(reef->dive.shark.species, 0);
+    const Statistics s = swimFor(*reef, 1, 90);
+    EXPECT_LT(s.touching, s.pairs / 5000);
+    EXPECT_GT(s.minUpright, 0.6f);
+    EXPECT_LE(s.fastest, kMaxSpeed_mps + 1e-4f);
+    EXPECT_GT(s.lowest, reef->dive.floor_m);
+    EXPECT_LT(s.highest, 1.3f);
+    EXPECT_GT(s.inReach, 1.0) << "there should nearly always be something to catch ahead";
+    EXPECT_GT(s.sharkNoseNearest, 0.5f);
+    EXPECT_LT(s.largestStep, 3.2f / 120) << "nobody jumps";
 }
 
 } // namespace

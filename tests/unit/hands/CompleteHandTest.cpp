@@ -23,18 +23,15 @@ PartialHand partial(const HandPose& pose, Sent sent, float size = 1) {
     hand.palm = at(0);
     hand.normal = pose.joints[0].orientation * glm::vec3(0, -1, 0);
     hand.direction = pose.joints[0].orientation * glm::vec3(0, 0, -1);
-    if (sent == Sent::Everything) hand.wrist = at(1);
+    if (sent == Sent::Everything) hand.joints[kWristJoint] = at(1);
     for (int f = 0; f < kFingerCount; ++f) {
-        PartialFinger& finger = hand.fingers[f];
         const int foot = f == 0 ? 2 : 1 + 5 * f, tip = f == 0 ? 5 : foot + 4;
         if (sent == Sent::LooseTips) hand.looseTips[hand.looseTipCount++] = at(tip);
         if (sent == Sent::LooseTips || sent == Sent::Nothing) continue;
-        finger.tip = at(tip);
+        hand.joints[tip] = at(tip);
         if (sent == Sent::Tips) continue;
-        finger.distal = at(tip - 1);
-        finger.proximal = at(foot + 1);
-        if (f == 0 || sent == Sent::Everything) finger.metacarpal = at(foot);
-        if (f != 0) finger.intermediate = at(foot + 2);
+        for (int joint = foot + 1; joint < tip; ++joint) hand.joints[joint] = at(joint);
+        if (f == 0 || sent == Sent::Everything) hand.joints[foot] = at(foot);
     }
     return hand;
 }
@@ -82,7 +79,8 @@ TEST(CompleteHand, FromTipsAloneFingersBendAndKeepTheirBones) {
                                 size * rig().boneLength(i), 1e-5f)
                         << kJointNames[i];
                 }
-                for (int tip : {5, 10, 15, 20, 25}) // the curl is found to 2^-14 of a bend of 235 degrees
+                for (const auto& [metacarpal, proximal, tip] :
+                     kFingerJoints) // the curl is found to 2^-14 of a bend of 235 degrees
                     EXPECT_NEAR(glm::distance(made.joints[tip].position, truth.joints[tip].position * size),
                                 0, 2e-4f)
                         << kJointNames[tip] << " curl " << curl << " size " << size;
@@ -92,10 +90,10 @@ TEST(CompleteHand, FromTipsAloneFingersBendAndKeepTheirBones) {
 TEST(CompleteHand, ATipBeyondReachIsPointedAt) {
     const HandCompleter completer(rig());
     PartialHand hand = partial(posed(Side::Right, 0), Sent::Tips);
-    hand.fingers[1].tip = *hand.fingers[1].tip + glm::vec3(0, 0, -0.3f);
+    hand.joints[10] = *hand.joints[10] + glm::vec3(0, 0, -0.3f);
     const HandPose made = completer.complete(hand, Side::Right);
     EXPECT_TRUE(plausible(made));
-    const glm::vec3 towards = glm::normalize(*hand.fingers[1].tip - made.joints[7].position);
+    const glm::vec3 towards = glm::normalize(*hand.joints[10] - made.joints[7].position);
     EXPECT_NEAR(glm::dot(glm::normalize(made.joints[10].position - made.joints[7].position), towards), 1,
                 1e-4f);
 }
@@ -111,7 +109,7 @@ TEST(CompleteHand, LooseTipsFindTheirFingersAndTheHandItsSide) {
         std::swap(hand.looseTips[0], hand.looseTips[3]);
         std::swap(hand.looseTips[1], hand.looseTips[4]);
         const HandPose made = completer.complete(hand, side);
-        for (int tip : {5, 10, 15, 20, 25})
+        for (const auto& [metacarpal, proximal, tip] : kFingerJoints)
             EXPECT_NEAR(glm::distance(made.joints[tip].position, truth.joints[tip].position), 0, 2e-3f);
     }
 }

@@ -19,7 +19,7 @@ constexpr float kTol = 2e-6f;
 
 HandRig rig() {
     auto loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    EXPECT_TRUE(loaded) << loaded.error().sentence();
+    EXPECT_TRUE(loaded) << loaded.error().message();
     return *std::move(loaded);
 }
 
@@ -94,7 +94,7 @@ TEST(HandRig, AFistBendsTowardsThePalmAndGripsAll) {
     }
     // What the fist encloses is nearer to every fingertip than when open.
     const HandPose open = hand.pose(Side::Right, shape(0), {});
-    for (int tip : {5, 10, 15, 20, 25})
+    for (const auto& [metacarpal, proximal, tip] : kFingerJoints)
         EXPECT_LT(glm::distance(fist.joints[tip].position, graspCentre(fist.joints)),
                   glm::distance(open.joints[tip].position, graspCentre(open.joints)));
 }
@@ -112,7 +112,7 @@ TEST(HandRig, RefusesWhatIsNoSkeleton) {
     renamed.replace(renamed.find("\"wrist\""), 7, "\"waist\"");
     const auto read = load(renamed);
     ASSERT_FALSE(read);
-    EXPECT_THAT(read.error().sentence(), HasSubstr("wrist"));
+    EXPECT_THAT(read.error().message(), HasSubstr("wrist"));
     std::string far = good;
     far.replace(far.find("-0.060]"), 7, "-6e30 ]");
     EXPECT_FALSE(load(far));

@@ -1,7 +1,7 @@
 // What each constant of HandTuning.h promises.
-#include "input/hands/Continuity.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
+#include "input/hands/HandSourceSelector.h"
 
 #include <gtest/gtest.h>
 
@@ -168,7 +168,7 @@ TEST(Tuning, AbsurdJointsAreALoss) {
 // ---- kBridge_s
 
 TEST(Tuning, ALossIsBridgedForSoLongAndTheGripKept) {
-    Continuity hand;
+    PoseBlend hand;
     HandPose fist = handAt({0, 0, -0.5f}, 1);
     for (int i = 0; i < 60; ++i) hand.step(fist, 1, 0, kTick_s);
     ASSERT_TRUE(hand.pose().solid);
@@ -186,12 +186,12 @@ TEST(Tuning, ALossIsBridgedForSoLongAndTheGripKept) {
     EXPECT_FALSE(hand.pose().tracked);
 }
 
-// ---- kGlide_mps, kGlideLeast_s, kGlideMost_s, kNear_m
+// ---- kGlide_mps, kGlideMin_s, kGlideMax_s, kNear_m
 
 TEST(Tuning, AHandThatComesBackElsewhereGlidesThereAndIsNotSolid) {
     constexpr float kTears_mps = 6; // what tears a fish out of a hand; see the game's rules
     for (float distance : {0.15f, 0.6f, 1.5f}) {
-        Continuity hand;
+        PoseBlend hand;
         const HandPose a = handAt({-0.7f, 0, -0.5f}, 1), b = handAt({-0.7f + distance, 0, -0.5f}, 1);
         for (int i = 0; i < 60; ++i) hand.step(a, 1, 0, kTick_s);
         for (int i = 0; i < 12; ++i) hand.step(a, 1, 0.1f, kTick_s); // lost for a moment
@@ -209,22 +209,22 @@ TEST(Tuning, AHandThatComesBackElsewhereGlidesThereAndIsNotSolid) {
             glided_s += kTick_s;
         } while (hand.gliding());
         EXPECT_EQ(before, b.joints[0].position);
-        EXPECT_NEAR(glided_s, std::clamp(distance / kGlide_mps, kGlideLeast_s, kGlideMost_s), 2 * kTick_s);
+        EXPECT_NEAR(glided_s, std::clamp(distance / kGlide_mps, kGlideMin_s, kGlideMax_s), 2 * kTick_s);
     }
 }
 
 TEST(Tuning, AFlickerInPlaceStaysSolid) {
-    Continuity hand;
+    PoseBlend hand;
     const HandPose a = handAt({0, 0, -0.5f}), near = handAt({0.9f * kNear_m, 0, -0.5f}),
                    far = handAt({1.1f * kNear_m, 0, -0.5f});
     for (int i = 0; i < 60; ++i) hand.step(a, 1, 0, kTick_s);
-    Continuity other = hand;
+    PoseBlend other = hand;
     EXPECT_TRUE(hand.step(near, 2, 0, kTick_s).solid);
     EXPECT_FALSE(other.step(far, 2, 0, kTick_s).solid);
 }
 
 TEST(Tuning, AGlideInterruptedByAnotherGoesOnFromWhereItIs) {
-    Continuity hand;
+    PoseBlend hand;
     const HandPose a = handAt({-0.4f, 0, -0.5f}), b = handAt({0.4f, 0, -0.5f}), c = handAt({0, 0.4f, -0.5f});
     for (int i = 0; i < 60; ++i) hand.step(a, 1, 0, kTick_s);
     for (int i = 0; i < 20; ++i) hand.step(b, 2, 0, kTick_s);
@@ -236,7 +236,7 @@ TEST(Tuning, AGlideInterruptedByAnotherGoesOnFromWhereItIs) {
 // ---- kAppear_s
 
 TEST(Tuning, AHandOutOfNothingIsNotSolidAtFirst) {
-    Continuity hand;
+    PoseBlend hand;
     EXPECT_FALSE(hand.step({}, 0, 0, kTick_s).tracked);
     float shown_s = 0;
     const HandPose there = handAt({0, 0, -0.5f});
@@ -248,7 +248,7 @@ TEST(Tuning, AHandOutOfNothingIsNotSolidAtFirst) {
     EXPECT_NEAR(shown_s, kAppear_s, 2 * kTick_s);
 }
 
-// ---- kGripCloses, kGripOpens, kPinchCloses, kPinchOpens, kPinchToFist, kClosedLeast, kOpenMost
+// ---- kGripCloses, kGripOpens, kPinchCloses, kPinchOpens, kPinchToFist, kClosedMin, kOpenMax
 
 Gesture after(std::initializer_list<std::pair<float, float>> gripsAndPinches, HandPose* last = nullptr) {
     GestureLatch latch;
@@ -256,9 +256,9 @@ Gesture after(std::initializer_list<std::pair<float, float>> gripsAndPinches, Ha
     for (const auto& [grip, pinch] : gripsAndPinches) {
         HandPose hand = strengths(grip, pinch);
         gesture = latch.step(hand.grip, hand.pinch, 1); // long enough to be there
-        EXPECT_FALSE(hand.grip > kOpenMost && hand.grip < kClosedLeast);
-        EXPECT_FALSE(hand.pinch > kOpenMost && hand.pinch < kClosedLeast);
-        EXPECT_FALSE(hand.grip >= kClosedLeast && hand.pinch >= kClosedLeast) << "both at once";
+        EXPECT_FALSE(hand.grip > kOpenMax && hand.grip < kClosedMin);
+        EXPECT_FALSE(hand.pinch > kOpenMax && hand.pinch < kClosedMin);
+        EXPECT_FALSE(hand.grip >= kClosedMin && hand.pinch >= kClosedMin) << "both at once";
         if (last) *last = hand;
     }
     return gesture;
@@ -269,8 +269,8 @@ TEST(Tuning, GripHasHysteresis) {
     EXPECT_EQ(after({{between, 0}}), Gesture::Open);
     EXPECT_EQ(after({{kGripCloses + 0.01f, 0}, {between, 0}, {kGripOpens + 0.01f, 0}}), Gesture::Fist);
     EXPECT_EQ(after({{1, 0}, {kGripOpens - 0.01f, 0}, {between, 0}}), Gesture::Open);
-    EXPECT_LE(kOpenMost, kGripOpens);
-    EXPECT_GE(kClosedLeast, kGripCloses);
+    EXPECT_LE(kOpenMax, kGripOpens);
+    EXPECT_GE(kClosedMin, kGripCloses);
 }
 
 TEST(Tuning, PinchHasHysteresis) {
@@ -283,9 +283,9 @@ TEST(Tuning, PinchHasHysteresis) {
 TEST(Tuning, APinchIsNotAlsoAFist) {
     HandPose last;
     EXPECT_EQ(after({{0.1f, 1}, {kPinchToFist - 0.01f, 1}}, &last), Gesture::Pinch);
-    EXPECT_LE(last.grip, kOpenMost);
+    EXPECT_LE(last.grip, kOpenMax);
     EXPECT_EQ(after({{0.1f, 1}, {kPinchToFist + 0.01f, 1}}, &last), Gesture::Fist);
-    EXPECT_LE(last.pinch, kOpenMost) << "and a fist, whose thumb lies on the index, is no pinch";
+    EXPECT_LE(last.pinch, kOpenMax) << "and a fist, whose thumb lies on the index, is no pinch";
     EXPECT_EQ(after({{1, 1}}), Gesture::Fist);
 }
 

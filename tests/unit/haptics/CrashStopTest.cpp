@@ -184,7 +184,7 @@ TEST(CrashStop, AThreadThatDiesWhileItWritesDoesNotWaitForItself) {
 
 TEST(CrashStop, GuardsAreBoundedAndReused) {
     const Outcome outcome = after([](int first) {
-        std::array<int, crash::kMostGuarded> more{};
+        std::array<int, crash::kMaxGuarded> more{};
         for (int& each : more) each = crash::guard("/dev/null", kStop);
         if (more.back() != -1 || more[0] == -1) raise(SIGKILL); // one too many, for the first has one
         crash::unguard(more[0]);

@@ -2,8 +2,7 @@
 #include "FakeBus.h"
 
 #include "engine/core/Random.h"
-#include "input/haptics/Glove.h"
-#include "input/haptics/Rack.h"
+#include "input/haptics/HapticDevices.h"
 #include "input/haptics/SimpleHaptic.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +113,7 @@ TEST(SimpleHaptic, PicksTheBestOfItsList) {
     ASSERT_TRUE(all);
     EXPECT_EQ(all->slow.ordinal, 4);
     EXPECT_EQ(all->quick.ordinal, 5);
-    EXPECT_FALSE(all->strikes());
+    EXPECT_FALSE(all->oneShot());
     auto buzzOnly = penWith(listOf({0x1004, 0x1003, 0x2001}, 0)); // one is the maker's own
     ASSERT_TRUE(buzzOnly);
     EXPECT_EQ(buzzOnly->slow.ordinal, 3);
@@ -122,7 +121,7 @@ TEST(SimpleHaptic, PicksTheBestOfItsList) {
     auto strokes = penWith(listOf({0x1006, 0x1007, 0x1003}, 0)); // press, release, click
     ASSERT_TRUE(strokes);
     EXPECT_EQ(strokes->slow.ordinal, 5);
-    EXPECT_TRUE(strokes->strikes());
+    EXPECT_TRUE(strokes->oneShot());
     EXPECT_FALSE(penWith(listOf({0x1001, 0x1002, 0x2001}, 0))); // nothing, stop, the maker's own
     EXPECT_FALSE(penWith({}));                                  // does not answer
     EXPECT_FALSE(penWith({0x11}));                              // answers nothing
@@ -149,31 +148,31 @@ struct Plugged {
 
 TEST(SimpleHaptic, WhatSoundsForATimeIsRenewedBeforeItEnds) {
     Plugged pen(listOf({0x1003, 0x1005, 0x1004}, 200));
-    Rack rack(pen.fake.bus());
-    EXPECT_NEAR(rack.step(frameOf(1, 40), 0), 0.1, 1e-6);
-    rack.step(frameOf(1, 40), 0.1);
+    HapticDevices hapticDevices(pen.fake.bus());
+    EXPECT_NEAR(hapticDevices.step(frameOf(1, 40), 0), 0.1, 1e-6);
+    hapticDevices.step(frameOf(1, 40), 0.1);
     EXPECT_EQ(pen.fake.written["pen"].size(), 2u);
-    EXPECT_EQ(rack.list().at(0).name, "A pen on USB");
+    EXPECT_EQ(hapticDevices.list().at(0).name, "A pen on USB");
 }
 
 TEST(SimpleHaptic, WhatCanOnlyBeStruckIsStruckWhenATouchBegins) {
     Plugged pen(listOf({0x1003, 0x1006, 0x1007}, 10));
-    Rack rack(pen.fake.bus());
+    HapticDevices hapticDevices(pen.fake.bus());
     const auto& written = pen.fake.written["pen"];
     double now_s = 0;
-    const auto feel = [&](float amplitude) { rack.step(frameOf(amplitude, 160), now_s += 0.03); };
+    const auto feel = [&](float amplitude) { hapticDevices.step(frameOf(amplitude, 160), now_s += 0.03); };
     for (const float amplitude : {0.8f, 0.6f, 0.4f, 0.2f, 0.0f, 0.0f}) feel(amplitude); // a touch fades away
     EXPECT_EQ(written.size(), 1u);
     for (const float amplitude : {0.3f, 0.25f, 0.7f, 0.5f}) feel(amplitude); // two more
     EXPECT_EQ(written.size(), 3u);
-    EXPECT_TRUE(rack.still());
+    EXPECT_TRUE(hapticDevices.allStopped());
 }
 
 TEST(SimpleHaptic, OneWithoutWaveformsIsComplainedAbout) {
     Plugged pen({});
-    Rack rack(pen.fake.bus());
-    rack.step({}, 0);
-    ASSERT_EQ(rack.takeComplaints().size(), 1u);
+    HapticDevices hapticDevices(pen.fake.bus());
+    hapticDevices.step({}, 0);
+    ASSERT_EQ(hapticDevices.takeWarnings().size(), 1u);
     EXPECT_EQ(pen.fake.opened(), 0u);
 }
 

@@ -1,8 +1,7 @@
 // The glove's firmware, as far as it is plain arithmetic, and the game's side of the same report.
 #include "FakeBus.h"
 
-#include "input/haptics/Glove.h"
-#include "input/haptics/Rack.h"
+#include "input/haptics/HapticDevices.h"
 #include "input/haptics/glove/GloveCore.h"
 
 #include <gtest/gtest.h>
@@ -30,14 +29,15 @@ TEST(Glove, UnderstandsWhatTheGameSends) {
     frame.actuators[0] = {1, 40};
     frame.actuators[7] = {0.5f, 250};
     frame.body = {0.25f, 60};
-    Report report = encodeGlove(frame);
-    sealGlove(report, 9);
+    const ReportLayout layout = readReportDescriptor(glove::kReportDescriptor);
+    const Driver driver = makeGlove({0, false, layout, {}}).value();
+    const Report report = driver.sealed(frame, 9);
     ASSERT_EQ(report.bytes[0], 0); // hidapi's word for a report without a number; it is not sent
     glove::State state;
     ASSERT_TRUE(glove::receive(state, report.bytes.data() + 1, report.size - 1, 5));
     EXPECT_EQ(state.sequence, 9);
     for (int i = 0; i < glove::kActuators; ++i) {
-        const int expected = i == 0 ? 255 : i == 7 ? 128 : i % 6 == kPalm ? 64 : 0;
+        const int expected = i == 0 ? 255 : i == 7 ? 128 : i % 6 == hands::kPalmPart ? 64 : 0;
         EXPECT_EQ(state.amplitude[i], expected) << i;
     }
     EXPECT_EQ(state.frequency[0], 20);
@@ -54,9 +54,9 @@ TEST(Glove, IsRecognisedByItsDescriptorWhoeverBuiltIt) {
     fake.plugged.push_back({{"g", 0xABCD, 0x1234, Transport::Usb, ""},
                             {std::begin(glove::kReportDescriptor), std::end(glove::kReportDescriptor)},
                             {}});
-    Rack rack(fake.bus());
-    rack.step({}, 0);
-    EXPECT_EQ(rack.list().at(0).name, "fingertip glove on USB");
+    HapticDevices hapticDevices(fake.bus());
+    hapticDevices.step({}, 0);
+    EXPECT_EQ(hapticDevices.list().at(0).name, "fingertip glove on USB");
 }
 
 TEST(Glove, StopsAfterATenthOfASecondOfSilence) {
@@ -79,11 +79,11 @@ TEST(Glove, TheGameSpeaksOftenEnoughForTheWatchdog) {
     fake.plugged.push_back({{"g", 1, 2, Transport::Usb, ""},
                             {std::begin(glove::kReportDescriptor), std::end(glove::kReportDescriptor)},
                             {}});
-    Rack rack(fake.bus());
+    HapticDevices hapticDevices(fake.bus());
     glove::State state;
     size_t had = 0;
     for (uint32_t ms = 0; ms < 2000; ms += 10) { // a frame that never changes
-        rack.step(frameOf(0.5f, 100, 4), ms * 1e-3);
+        hapticDevices.step(frameOf(0.5f, 100, 4), ms * 1e-3);
         for (; had < fake.written["g"].size(); ++had)
             ASSERT_TRUE(glove::receive(state, fake.written["g"][had].data() + 1, glove::kReportBytes, ms));
         glove::watch(state, ms);
@@ -112,18 +112,18 @@ TEST(Glove, OldReportsAndForeignOnesAreIgnored) {
 TEST(Glove, AnActuatorSwingsAsOftenAndAsFarAsTold) {
     glove::State state;
     ASSERT_TRUE(hear(state, 1, 200, 0)); // finger 4, 100 Hz
-    int starts = 0, most = 0, before = 0;
+    int starts = 0, maximum = 0, before = 0;
     double sum = 0;
     for (uint32_t i = 0; i < glove::kSampleRate_Hz; ++i) {
         const int now = glove::nextSample(state, 4);
         starts += before < 100 && now >= 100;
-        most = std::max(most, now);
+        maximum = std::max(maximum, now);
         sum += now;
         before = now;
         ASSERT_EQ(glove::nextSample(state, 3), 0);
     }
     EXPECT_NEAR(starts, 100, 1); // steps of 65536 / 10000 are cut to whole ones: below 1 %
-    EXPECT_EQ(most, 200);
+    EXPECT_EQ(maximum, 200);
     EXPECT_NEAR(sum / glove::kSampleRate_Hz, 100, 1); // sin^2 is half on average
     for (int i = 0; i < 64; ++i)
         EXPECT_NEAR(glove::kWave[i], 255 * std::pow(std::sin(std::numbers::pi * i / 64), 2), 0.51) << i;

@@ -3,7 +3,7 @@
 //   send_pulse COUNT         as many devices: a strong pulse left, a quick one right, silence
 //   send_pulse COUNT SIGNAL  the first pulse alone, and then the program dies by that signal
 //   send_pulse 0             says why the device is not let in
-#include "input/haptics/Rack.h"
+#include "input/haptics/HapticDevices.h"
 
 #include <hidapi/hidapi.h>
 
@@ -25,31 +25,32 @@ HapticFrame frameOf(size_t actuator, float frequency_Hz) {
     return frame;
 }
 
-bool found(Rack& rack, size_t count) {
-    for (const std::string& complaint : rack.takeComplaints())
-        std::fprintf(stderr, "%s\n", complaint.c_str());
-    if (rack.ready() != count) std::fprintf(stderr, "%zu devices instead of %zu\n", rack.ready(), count);
-    return rack.ready() == count;
+bool found(HapticDevices& hapticDevices, size_t count) {
+    for (const std::string& warning : hapticDevices.takeWarnings())
+        std::fprintf(stderr, "%s\n", warning.c_str());
+    if (hapticDevices.ready() != count)
+        std::fprintf(stderr, "%zu devices instead of %zu\n", hapticDevices.ready(), count);
+    return hapticDevices.ready() == count;
 }
 
 bool pulses(size_t count) {
-    Rack rack(hidapiBus());
-    rack.step(frameOf(0, 40), 0);
-    if (!found(rack, count)) return false;
-    rack.step(frameOf(0, 40), 0.03); // what was greeted at 0 waited
-    rack.step(frameOf(7, 250), 0.07);
-    rack.step({}, 0.11);
-    return found(rack, count);
+    HapticDevices hapticDevices(hidapiBus());
+    hapticDevices.step(frameOf(0, 40), 0);
+    if (!found(hapticDevices, count)) return false;
+    hapticDevices.step(frameOf(0, 40), 0.03); // what was greeted at 0 waited
+    hapticDevices.step(frameOf(7, 250), 0.07);
+    hapticDevices.step({}, 0.11);
+    return found(hapticDevices, count);
 }
 
 bool dies(size_t count, int signal) {
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
-        Rack rack(hidapiBus());
-        rack.step(frameOf(0, 40), 0);
-        rack.step(frameOf(0, 40), 0.03);
-        if (!found(rack, count)) _exit(1);
+        HapticDevices hapticDevices(hidapiBus());
+        hapticDevices.step(frameOf(0, 40), 0);
+        hapticDevices.step(frameOf(0, 40), 0.03);
+        if (!found(hapticDevices, count)) _exit(1);
         if (signal == SIGABRT) std::abort();
         raise(signal);
         _exit(1);

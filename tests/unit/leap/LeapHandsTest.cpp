@@ -1,6 +1,7 @@
 // The client against a real WebSocket server on a loopback port. Nothing here sleeps: the tests wait for
 // frames and messages to come.
-#include "input/hands/leap/LeapHands.h"
+#include "input/hands/Mount.h"
+#include "input/hands/leap/LeapTracker.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
@@ -23,15 +24,17 @@ const HandRig& rig() {
     return loaded;
 }
 
-LeapHands connectTo(const Server& server, bool onHeadset = false) {
-    return LeapHands({"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset}, rig());
+using Tracker = std::unique_ptr<HandTracker>;
+
+Tracker connectTo(const Server& server, bool onHeadset = false) {
+    return makeLeapTracker({"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset}, rig());
 }
 
 // The next frame; fails the test where none comes.
-HandFrame next(LeapHands& hands) {
+HandFrame next(const Tracker& hands) {
     HandFrame frame;
-    EXPECT_TRUE(hands.stream().wait(std::chrono::seconds(10)));
-    EXPECT_TRUE(hands.stream().take(frame));
+    EXPECT_TRUE(hands->stream().wait(std::chrono::seconds(10)));
+    EXPECT_TRUE(hands->stream().take(frame));
     return frame;
 }
 
@@ -43,7 +46,7 @@ std::string frameAt(int64_t time_us, int64_t id = 1) {
 
 TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     ASSERT_TRUE(server.waitForHeard(2));
     server.say(frameAt(1)); // whatever else was sent would have come by then
     next(hands);
@@ -55,7 +58,7 @@ TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
 TEST(LeapHands, GoesThroughNoProxy) {
     setenv("http_proxy", "http://127.0.0.1:9", 1);
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     server.say(frameAt(5));
     EXPECT_EQ(next(hands).time_us, 5);
     unsetenv("http_proxy");
@@ -63,7 +66,7 @@ TEST(LeapHands, GoesThroughNoProxy) {
 
 TEST(LeapHands, OnAHeadsetItSaysSo) {
     Server server;
-    LeapHands hands = connectTo(server, true);
+    const Tracker hands = connectTo(server, true);
     ASSERT_TRUE(server.waitForHeard(3));
     server.say(frameAt(1));
     next(hands);
@@ -75,7 +78,7 @@ TEST(LeapHands, OnAHeadsetItSaysSo) {
 TEST(LeapHands, GoesDownToTheVersionThatTheServiceSpeaks) {
     for (int newest : {5, 3, 1}) {
         Server server(0, newest);
-        LeapHands hands = connectTo(server);
+        const Tracker hands = connectTo(server);
         server.say(frameAt(7));
         EXPECT_EQ(next(hands).time_us, 7);
         std::vector<std::string> expected;
@@ -87,7 +90,7 @@ TEST(LeapHands, GoesDownToTheVersionThatTheServiceSpeaks) {
 TEST(LeapHands, EveryVersionGivesAWholeHandWhereItIs) {
     for (int version = 1; version <= 6; ++version) {
         Server server(0, version);
-        LeapHands hands = connectTo(server);
+        const Tracker hands = connectTo(server);
         const auto made = test::closingHand(rig(), 1, 0).front();
         server.say(test::madeFrame(version, 1, 1000, {made}));
         const HandFrame frame = next(hands);
@@ -112,36 +115,35 @@ TEST(LeapHands, DeviceEventsAndTheServicesAbsenceAreSaid) {
     {
         Server server;
         port = static_cast<uint16_t>(server.port());
-        LeapHands hands = connectTo(server);
+        const Tracker hands = connectTo(server);
         server.say("{\"event\":{\"type\":\"deviceEvent\",\"state\":{\"attached\":true,\"id\":\"L1\","
                    "\"streaming\":true,\"type\":\"peripheral\"}}}");
         server.say(frameAt(1));
         next(hands);
-        EXPECT_TRUE(hands.stream().state().present);
-        EXPECT_THAT(hands.stream().state().words, testing::HasSubstr("peripheral attached"));
-        EXPECT_THAT(hands.stream().state().words, testing::HasSubstr("protocol 6"));
+        EXPECT_TRUE(hands->stream().state().present);
+        EXPECT_THAT(hands->stream().state().description, testing::HasSubstr("peripheral attached"));
+        EXPECT_THAT(hands->stream().state().description, testing::HasSubstr("protocol 6"));
         server.say("{\"event\":{\"type\":\"deviceEvent\",\"state\":{\"attached\":false,\"id\":\"L1\","
                    "\"streaming\":false,\"type\":\"peripheral\"}}}");
         server.say(frameAt(2));
         next(hands);
-        EXPECT_FALSE(hands.stream().state().present) << "no device, no hands";
+        EXPECT_FALSE(hands->stream().state().present) << "no device, no hands";
     }
-    const LeapHands nobody({"127.0.0.1", port, false}, rig());
-    EXPECT_FALSE(const_cast<LeapHands&>(nobody).stream().state().present);
+    EXPECT_FALSE(makeLeapTracker({"127.0.0.1", port, false}, rig())->stream().state().present);
 }
 
 TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
     int port = 0;
-    std::optional<LeapHands> hands;
+    Tracker hands;
     int64_t time_us = 0;
     std::vector<int64_t> identities;
     for (int life = 0; life < 3; ++life) {
         Server server(port);
         port = server.port();
-        if (!hands) hands.emplace(connectTo(server));
+        if (!hands) hands = connectTo(server);
         for (int i = 0; i < 50; ++i) server.say(frameAt(time_us + i));
         for (int i = 0; i < 50; ++i) {
-            const HandFrame frame = next(*hands);
+            const HandFrame frame = next(hands);
             EXPECT_EQ(frame.time_us, time_us + i);
             if (i == 0) identities.push_back(frame.identity[1]);
         }
@@ -153,7 +155,7 @@ TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
 
 TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     for (int round = 0; round < 4; ++round) {
         server.say(frameAt(round));
         EXPECT_EQ(next(hands).time_us, round);
@@ -167,7 +169,7 @@ TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
 
 TEST(LeapHands, RubbishIsPassedOver) {
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     const auto rubbish = [&](std::string text) { server.say(std::move(text)); };
     rubbish("");
     rubbish("{");
@@ -186,7 +188,7 @@ TEST(LeapHands, RubbishIsPassedOver) {
 
 TEST(LeapHands, AbsurdHandsAreNotHands) {
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     for (const char* palm :
          {"[1e300,0,0]", "[null,0,0]", "[\"1\",0,0]", "[0,0]", "[1e9,0,0]", "[[],[],[]]"}) {
         server.say(std::string("{\"timestamp\":1,\"hands\":[{\"id\":1,\"type\":\"right\",\"palmPosition\":") +
@@ -204,7 +206,7 @@ TEST(LeapHands, AbsurdHandsAreNotHands) {
 
 TEST(LeapHands, HugeRatesDoNotFillMemory) {
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     const std::string empty = "{\"timestamp\":1,\"hands\":[],\"pointables\":[]}";
     for (int i = 0; i < 3000; ++i) server.say(empty);
     server.say(frameAt(99));
@@ -226,7 +228,7 @@ TEST_P(Recorded, ArrivesWholeOverTheSocket) {
     const auto messages = test::readRecordingMessages(file);
     ASSERT_GT(messages.size(), 100u);
     Server server;
-    LeapHands hands = connectTo(server);
+    const Tracker hands = connectTo(server);
     server.say(messages);
     int64_t last_us = 0;
     int seen = 0;

@@ -1,7 +1,7 @@
 // The filter on real hands: how much less they tremble, and how much later they come. Prints a table.
 #include "tests/unit/leap_service/Recordings.h"
-#include "input/hands/Continuity.h"
 #include "input/hands/HandFilter.h"
+#include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandTuning.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "input/hands/leap/LeapTracks.h"
@@ -133,8 +133,8 @@ void print(const char* name, const Row& row) {
 
 struct Case {
     const char* name;
-    double mostLatency_ms; // one and a half frames, half of a long one, or what a still hand costs
-    double mostShare;      // of the jitter that may be left
+    double maxLatency_ms; // one and a half frames, half of a long one, or what a still hand costs
+    double maxShare;      // of the jitter that may be left
 };
 
 class Recording : public testing::TestWithParam<Case> {};
@@ -146,8 +146,8 @@ TEST_P(Recording, TremblesLessAndComesLittleLater) {
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
     const Row row = measure(play(test::readRecordingMessages(file)));
     print(GetParam().name, row);
-    EXPECT_LT(row.latency_ms, GetParam().mostLatency_ms);
-    EXPECT_LT(row.filtered_mm, GetParam().mostShare * row.raw_mm);
+    EXPECT_LT(row.latency_ms, GetParam().maxLatency_ms);
+    EXPECT_LT(row.filtered_mm, GetParam().maxShare * row.raw_mm);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Recording,
@@ -199,7 +199,7 @@ TEST(MadeRecording, ShortLossesOfARealKindAreBridgedAndTheFistKept) {
     }
     LeapTracks tracks(rig(), kDeskMount);
     HandFilter filter;
-    Continuity hand;
+    PoseBlend hand;
     float notSeen_s = 0;
     int fistBegan = -1;
     for (int i = 0; i < 280; ++i) {

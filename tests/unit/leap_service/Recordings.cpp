@@ -1,4 +1,5 @@
 #include "tests/unit/leap_service/Recordings.h"
+#include "tests/TestPaths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -39,9 +40,8 @@ json unpacked(const json& schema, const json& row) {
 } // namespace
 
 Path sharedRecording(const std::string& name) {
-    const char* set = std::getenv("SHOAL_SHARED");
-    const Path shared = set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR) / ".." / "shared";
-    return shared / "data" / "hands" / "leap" / (name + ".json");
+    const Path shared = tests::sharedDataFolder();
+    return shared / "hands" / "leap" / (name + ".json");
 }
 
 std::vector<std::string> readRecordingMessages(const Path& file) {

@@ -3,17 +3,17 @@
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "tests/unit/light/Angles.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <gtest/gtest.h>
 
 namespace shoal::light {
 namespace {
 
-FoundLights lightsIn(const ImageRgbF& surround) {
+FoundLights lightsIn(const ImageRgbF& environment) {
     PyramidMaker pyramid;
     RadiancePyramid radiance;
-    pyramid.make(surround, 512, radiance);
+    pyramid.make(environment, 512, radiance);
     LightFinder finder;
     FoundLights found;
     finder.find(radiance, found);
@@ -138,7 +138,7 @@ TEST(FindLights, CapsAreFoundWithTheirSizeAndStrength) {
         }
 }
 
-TEST(FindLights, TwoLampsAreTwoLightsTheStrongerFirst) {
+TEST(FindLights, TwoDominantLightsAreTwoLightsTheStrongerFirst) {
     const glm::dvec3 strong(0, 0.6, -0.8), weak(0, 0.6, 0.8);
     const FoundLights found = lightsIn(paint(512, 256, [&](const glm::dvec3& d) {
         return glm::dvec3(glm::dot(d, strong) > 0.98 ? 9.0 : glm::dot(d, weak) > 0.98 ? 6.0 : 0.2);

@@ -2,7 +2,7 @@
 #include "engine/light/LightOverTime.h"
 #include "engine/light/Pyramid.h"
 #include "tests/unit/light/Angles.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <gtest/gtest.h>
 
@@ -18,15 +18,16 @@ struct Watcher {
     FoundLights found;
     LightOverTime steady;
 
-    const CastingLight& see(const ImageRgbF& surround, float dt_s = kFrame_s) {
-        pyramid.make(surround, 512, radiance);
+    const ShadowLight& see(const ImageRgbF& environment, float dt_s = kFrame_s) {
+        pyramid.make(environment, 512, radiance);
         finder.find(radiance, found);
         return steady.follow(found, dt_s);
     }
 };
 
 // Soft-edged, so that it can stand between texels.
-ImageRgbF lampAt(const glm::dvec3& towards, double radius_deg = 6, double radiance = 10, double rest = 0.5) {
+ImageRgbF dominantAt(const glm::dvec3& towards, double radius_deg = 6, double radiance = 10,
+                     double rest = 0.5) {
     const double edge = std::cos(glm::radians(radius_deg)), soft = 0.3 * (1 - edge);
     return paint(256, 128, [&](const glm::dvec3& d) {
         return glm::dvec3(rest + radiance * std::clamp((glm::dot(d, towards) - edge) / soft, 0.0, 1.0));
@@ -46,7 +47,7 @@ TEST(LightOverTime, ASlowLightMovesWithoutAJumpAndIsNotFarBehind) {
         glm::dvec3 before(0);
         for (int frame = 0; frame < 48; ++frame) {
             const glm::dvec3 truth = towards(way.azimuth + frame * way.along, way.elevation + frame * way.up);
-            const CastingLight& now = watcher.see(lampAt(truth));
+            const ShadowLight& now = watcher.see(dominantAt(truth));
             if (frame > 0) {
                 EXPECT_LT(degreesBetween(now.light.direction, before), 1) << "frame " << frame;
             }
@@ -71,7 +72,7 @@ TEST(LightOverTime, AShakyLightIsCalm) {
             return static_cast<double>((seed = seed * 1664525u + 1013904223u) >> 8) * 0x1p-24;
         };
         found.lights[0] = {towards(100 + 4 * dice(), 60 + 4 * dice()), 0.1f, glm::vec3(1), 0.4f};
-        const CastingLight& now = steady.follow(found, kFrame_s);
+        const ShadowLight& now = steady.follow(found, kFrame_s);
         if (frame > 0) {
             EXPECT_LT(degreesBetween(now.light.direction, before), 1);
         }
@@ -81,43 +82,43 @@ TEST(LightOverTime, AShakyLightIsCalm) {
 
 TEST(LightOverTime, ACutIsFollowedAtOnce) {
     Watcher watcher;
-    for (int frame = 0; frame < 10; ++frame) watcher.see(lampAt(towards(50, 40)));
+    for (int frame = 0; frame < 10; ++frame) watcher.see(dominantAt(towards(50, 40)));
     const glm::dvec3 there = towards(200, 10);
-    const CastingLight& now = watcher.see(lampAt(there, 20, 3, 0.1));
+    const ShadowLight& now = watcher.see(dominantAt(there, 20, 3, 0.1));
     EXPECT_LT(degreesBetween(now.light.direction, there), 0.5);
     EXPECT_EQ(now.presence, 1);
     EXPECT_EQ(watcher.see(uniform(256, glm::dvec3(0.01))).presence, 0) << "to the dark";
     EXPECT_EQ(watcher.see(uniform(256, glm::dvec3(0.01))).presence, 0);
-    EXPECT_EQ(watcher.see(lampAt(there)).presence, 1) << "and back";
+    EXPECT_EQ(watcher.see(dominantAt(there)).presence, 1) << "and back";
 }
 
-// One lamp goes down as another comes up: never is there a shadow of anything in between.
+// One dominant light goes down as another comes up: never is there a shadow of anything in between.
 TEST(LightOverTime, OneLightFadesBeforeAnotherTakesOver) {
     Watcher watcher;
     const glm::dvec3 first = towards(90, 50), second = towards(250, 30);
-    float least = 1;
+    float minimum = 1;
     bool over = false;
     for (int frame = 0; frame < 120; ++frame) {
         const double share = std::clamp((frame - 20) / 40.0, 0.0, 1.0);
-        const ImageRgbF a = lampAt(first, 6, 10 * (1 - share)), b = lampAt(second, 6, 10 * share, 0);
+        const ImageRgbF a = dominantAt(first, 6, 10 * (1 - share)), b = dominantAt(second, 6, 10 * share, 0);
         ImageRgbF both = a;
         for (size_t i = 0; i < both.pixels.size(); ++i) both.pixels[i] += b.pixels[i];
-        const CastingLight& now = watcher.see(both);
+        const ShadowLight& now = watcher.see(both);
         const double toFirst = degreesBetween(now.light.direction, first),
                      toSecond = degreesBetween(now.light.direction, second);
         EXPECT_LT(std::min(toFirst, toSecond), 2) << "frame " << frame;
         over |= toSecond < toFirst;
         EXPECT_TRUE(!over || toSecond < 2) << "and not back";
-        least = std::min(least, now.presence);
+        minimum = std::min(minimum, now.presence);
     }
     EXPECT_TRUE(over);
-    EXPECT_LT(least, 0.03f);
-    EXPECT_GT(watcher.see(lampAt(second)).presence, 0.95f);
+    EXPECT_LT(minimum, 0.03f);
+    EXPECT_GT(watcher.see(dominantAt(second)).presence, 0.95f);
 }
 
 TEST(LightOverTime, ALightThatGoesOutFadesOverFrames) {
     Watcher watcher;
-    float before = watcher.see(lampAt(towards(90, 50), 3, 2)).presence;
+    float before = watcher.see(dominantAt(towards(90, 50), 3, 2)).presence;
     for (int frame = 0; frame < 48; ++frame) {
         const float now = watcher.see(uniform(256, glm::dvec3(0.5))).presence;
         EXPECT_LT(before - now, 0.2f);

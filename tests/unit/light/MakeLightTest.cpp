@@ -2,7 +2,7 @@
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/PhongRings.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -12,15 +12,15 @@
 namespace shoal::light {
 namespace {
 
-EnvironmentLight lightOf(const ImageRgbF& surround, LightQuality quality = LightQuality::Video) {
+EnvironmentLight lightOf(const ImageRgbF& environment, LightQuality quality = LightQuality::Video) {
     EnvironmentLight light;
     LightMaker maker({1024, 0.1f, quality});
-    maker.makeFromHdr(surround, light);
+    maker.makeFromHdr(environment, light);
     return light;
 }
 
 // Kernels are scaled to sum to 1 in double; floats of up to 3 through two transforms of nine stages each
-// round at 2e-7 a stage.
+// round at 2e-7 a renderer.
 TEST(MakeLight, WhiteFurnaceIsExact) {
     const glm::dvec3 white(0.25, 1, 3);
     for (const LightQuality quality : {LightQuality::Video, LightQuality::Still}) {
@@ -36,9 +36,9 @@ TEST(MakeLight, WhiteFurnaceIsExact) {
 
 TEST(GlossyPlans, RunFromTheMirrorToTheMatteSurface) {
     for (const int base : {256, 512, 4096})
-        for (const float least : {0.0f, 0.1f, 0.27f, 0.5f, 1.0f})
+        for (const float minimum : {0.0f, 0.1f, 0.27f, 0.5f, 1.0f})
             for (const LightQuality quality : {LightQuality::Video, LightQuality::Still}) {
-                const auto plans = glossyPlans(base, least, quality);
+                const auto plans = glossyPlans(base, minimum, quality);
                 EXPECT_EQ(plans.front().width, base);
                 EXPECT_FALSE(plans.front().filtered);
                 EXPECT_EQ(plans.back().roughness, 1.0f);
@@ -53,8 +53,8 @@ TEST(GlossyPlans, RunFromTheMirrorToTheMatteSurface) {
                     }
                     EXPECT_GE(plans[k].filtered, plans[k - 1].filtered);
                 }
-                EXPECT_LE(smoothest, std::max(least, 0.1f) * 1.0001f);       // made for all surfaces,
-                EXPECT_GT(smoothest, std::max(least, 0.1f) / 1.2f) << least; // and for no others
+                EXPECT_LE(smoothest, std::max(minimum, 0.1f) * 1.0001f);         // made for all surfaces,
+                EXPECT_GT(smoothest, std::max(minimum, 0.1f) / 1.2f) << minimum; // and for no others
             }
 }
 
@@ -66,9 +66,9 @@ TEST(GlossyPlans, LodOfALevelsRoughnessIsTheLevel) {
     EXPECT_EQ(lodFromRoughness(light.glossy, 0.0f), 0.0f);
 }
 
-// The video's value v everywhere: a white matte ball drawn with the display's curve shows v. 1/255 is one
+// The video's value v everywhere: a white matte sphere drawn with the display's curve shows v. 1/255 is one
 // step.
-TEST(MakeLight, UniformVideoDrawsAMatteBallInItsOwnColour) {
+TEST(MakeLight, UniformVideoDrawsAMatteSphereInItsOwnColour) {
     LightMaker maker;
     EnvironmentLight light;
     for (const int value : {0, 1, 40, 128, 200, 255}) {
@@ -119,11 +119,11 @@ TEST(MakeLight, OneBrightTexelGivesACosine) {
 }
 
 // The sums are the same, rounded elsewhere.
-TEST(MakeLight, TurningTheSurroundTurnsTheLight) {
-    const ImageRgbF surround = noise(512, 256);
-    const EnvironmentLight still = lightOf(surround);
+TEST(MakeLight, TurningTheEnvironmentTurnsTheLight) {
+    const ImageRgbF environment = noise(512, 256);
+    const EnvironmentLight still = lightOf(environment);
     for (const int columns : {16, 48, 256}) { // whole texels of every map
-        const EnvironmentLight moved = lightOf(turned(surround, columns));
+        const EnvironmentLight moved = lightOf(turned(environment, columns));
         EXPECT_LT(largestDifference(turned(still.diffuse, columns / 8), moved.diffuse), 2e-6);
         for (size_t k = 1; k < still.glossy.size(); ++k)
             EXPECT_LT(largestDifference(turned(still.glossy[k].radianceLin,
@@ -142,8 +142,8 @@ ImageRgbF upsideDown(const ImageRgbF& image) {
 
 // One kernel serves both hemispheres.
 TEST(MakeLight, TheSouthIsLitAsTheNorthIs) {
-    const ImageRgbF surround = noise(512, 256);
-    const EnvironmentLight upright = lightOf(surround), turnedOver = lightOf(upsideDown(surround));
+    const ImageRgbF environment = noise(512, 256);
+    const EnvironmentLight upright = lightOf(environment), turnedOver = lightOf(upsideDown(environment));
     EXPECT_LT(largestDifference(upsideDown(upright.diffuse), turnedOver.diffuse), 2e-6);
     for (size_t k = 1; k < upright.glossy.size(); ++k)
         EXPECT_LT(

@@ -1,6 +1,6 @@
 #include "engine/light/Pyramid.h"
 #include "engine/light/InverseToneMap.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// The light follows the surround: nothing jumps as a sun creeps on, nothing changes as everything turns.
+// The light follows the environment: nothing jumps as a sun creeps on, nothing changes as everything turns.
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
-#include "tests/unit/light/Surrounds.h"
+#include "tests/unit/light/Environments.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,9 +12,9 @@
 namespace shoal::light {
 namespace {
 
-EnvironmentLight lightOf(const ImageRgbF& surround, LightMaker& maker) {
+EnvironmentLight lightOf(const ImageRgbF& environment, LightMaker& maker) {
     EnvironmentLight light;
-    maker.makeFromHdr(surround, light);
+    maker.makeFromHdr(environment, light);
     return light;
 }
 
@@ -42,8 +42,8 @@ ImageRgbF skyWithSun(double column, double row) {
 
 TEST(Stability, EqualFramesGiveEqualLight) {
     LightMaker maker;
-    const ImageRgbF surround = noise(512, 256);
-    const EnvironmentLight first = lightOf(surround, maker), second = lightOf(surround, maker);
+    const ImageRgbF environment = noise(512, 256);
+    const EnvironmentLight first = lightOf(environment, maker), second = lightOf(environment, maker);
     EXPECT_EQ(first.diffuse.pixels, second.diffuse.pixels);
     for (size_t k = 0; k < first.glossy.size(); ++k)
         EXPECT_EQ(first.glossy[k].radianceLin.pixels, second.glossy[k].radianceLin.pixels);
@@ -85,7 +85,7 @@ TEST(Stability, ACreepingSunMovesTheLightWithoutAStep) {
         }
 }
 
-// Soft caps of many sizes and colours: a surround that can be painted turned by any angle.
+// Soft caps of many sizes and colours: an environment that can be painted turned by any angle.
 ImageRgbF caps(const glm::dmat3& turn) {
     struct Cap {
         glm::dvec3 axis, colour;
@@ -109,7 +109,7 @@ ImageRgbF caps(const glm::dmat3& turn) {
 }
 
 // Yaw by no whole number of texels, pitch over the pole: the light turns along.
-TEST(Stability, TurningTheSurroundByAnyAngleTurnsTheLight) {
+TEST(Stability, TurningTheEnvironmentByAnyAngleTurnsTheLight) {
     LightMaker maker({1024, 0.2f});
     const EnvironmentLight still = lightOf(caps(glm::dmat3(1)), maker);
     const glm::dmat4 one(1);

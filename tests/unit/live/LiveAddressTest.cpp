@@ -35,7 +35,7 @@ TEST(LiveAddress, StreamsByTheirSchemesAlone) {
     const auto refused = liveAddress("rtmp://user:secret@host/a");
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().reason.find("rtsp, http, https, tcp, udp"), std::string::npos);
-    EXPECT_EQ(refused.error().sentence().find("secret"), std::string::npos);
+    EXPECT_EQ(refused.error().message().find("secret"), std::string::npos);
     EXPECT_FALSE(liveAddress("http://" + std::string(5000, 'a')));
 }
 
@@ -69,7 +69,7 @@ TEST(Camera, OneThatIsNotThereSaysSo) {
     if (std::filesystem::exists("/dev/video98")) GTEST_SKIP() << "a machine with 99 cameras";
     const auto player = LivePlayer::open(feedFrom(CameraAddress{98}));
     ASSERT_FALSE(player);
-    EXPECT_EQ(player.error().sentence(),
+    EXPECT_EQ(player.error().message(),
               "camera:98: is not there; `shoal devices` lists the cameras that are");
     for (const CameraListed& camera : listCameras()) EXPECT_NE(camera.index, 98);
 }

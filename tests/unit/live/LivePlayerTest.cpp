@@ -18,7 +18,7 @@ struct Played {
 
     LiveOptions options() {
         LiveOptions options;
-        options.retryFirst_s = options.retryMost_s = 0;
+        options.retryFirst_s = options.retryMax_s = 0;
         options.now_s = [this] { return now_s.load(); };
         return options;
     }
@@ -28,7 +28,7 @@ struct Played {
     void begin(LiveOptions with) {
         fake.send(0, now_s);
         auto opened = LivePlayer::open(fake.feed(), std::move(with));
-        ASSERT_TRUE(opened) << opened.error().sentence();
+        ASSERT_TRUE(opened) << opened.error().message();
         player.emplace(std::move(*opened));
     }
     int shown() { return numberOf(player->newest()->pixelsBgr); }
@@ -174,7 +174,7 @@ TEST(LivePlayer, OpeningFailsWithTheReason) {
     p.fake.refuse("cannot be reached");
     const auto refused = LivePlayer::open(p.fake.feed(), p.options());
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().sentence(), "fake:0: cannot be reached");
+    EXPECT_EQ(refused.error().message(), "fake:0: cannot be reached");
     LiveOptions impatient = p.options();
     impatient.firstPicture_s = 0;
     FakeFeed silent;

@@ -50,7 +50,7 @@ TEST(NoLookAhead, Rtsp) {
         if (server.accepted() == 0 && !server.accept()) return false;
         return next < kPictures / 2 && server.send(made->pieces[static_cast<size_t>(next++)]);
     });
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     eachIsSeenAtOnce(*player, next, 0,
                      [&](int i) { return server.send(made->pieces[static_cast<size_t>(i)]); });
 
@@ -77,7 +77,7 @@ void transportStream(const std::string& options, int held) {
             return server.accept() && server.send("HTTP/1.1 200 OK\r\nConnection: close\r\n\r\n");
         return next < kPictures / 2 && send(next++) && send(next++) && send(next++) && send(next++);
     });
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     eachIsSeenAtOnce(*player, next, held, send);
 }
 

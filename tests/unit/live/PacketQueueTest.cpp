@@ -43,14 +43,14 @@ TEST(PacketQueue, GoesOnWithTheNewestKeyPicture) {
 
 TEST(PacketQueue, FullItBeginsAnewWithAKeyPicture) {
     Queue queue;
-    const auto most = static_cast<int>(PacketQueue::kMostPackets);
-    for (int i = 0; i < most + 10; ++i) queue.add(i, i == 0);
+    const auto maximum = static_cast<int>(PacketQueue::kMaxPackets);
+    for (int i = 0; i < maximum + 10; ++i) queue.add(i, i == 0);
     EXPECT_EQ(queue.count(), 0u);
-    queue.add(most + 10, true);
-    queue.add(most + 11, false);
+    queue.add(maximum + 10, true);
+    queue.add(maximum + 11, false);
     const auto popped = queue.pop(queue.packet);
-    EXPECT_EQ(queue.packet->pts, most + 10);
-    EXPECT_EQ(popped.dropped, most + 10);
+    EXPECT_EQ(queue.packet->pts, maximum + 10);
+    EXPECT_EQ(popped.dropped, maximum + 10);
 }
 
 TEST(PacketQueue, BytesAreBounded) {
@@ -58,7 +58,7 @@ TEST(PacketQueue, BytesAreBounded) {
     constexpr int kLarge = 20 << 20;
     for (int i = 0; i < 50; ++i) {
         queue.add(i, i == 0, kLarge);
-        EXPECT_LE(queue.count() * kLarge, PacketQueue::kMostBytes);
+        EXPECT_LE(queue.count() * kLarge, PacketQueue::kMaxBytes);
     }
 }
 
@@ -89,9 +89,9 @@ TEST(PacketQueue, LeftOrInterruptedNobodyWaits) {
         while (queue.push(*packetOf(0, true), 0)) {
         }
     });
-    queue.leave();
+    queue.stop();
     writer.join();
-    EXPECT_FALSE(queue.rest(1e6));
+    EXPECT_FALSE(queue.sleep(1e6));
     Queue empty;
     std::thread reader([&] { EXPECT_FALSE(empty.pop(empty.packet).some); });
     empty.interrupt();

@@ -25,7 +25,7 @@ std::string jpegOf(int number, int width = 64, int height = 32) {
     return {bytes.begin(), bytes.end()};
 }
 
-LiveFeed feedOf(const std::string& address, const FeedPatience& patience = {}) {
+LiveFeed feedOf(const std::string& address, const FeedTimeouts& patience = {}) {
     const auto found = liveAddress(address);
     EXPECT_TRUE(found && *found) << address;
     return feedFrom(**found, patience);
@@ -34,7 +34,7 @@ LiveFeed feedOf(const std::string& address, const FeedPatience& patience = {}) {
 LiveOptions eager() {
     LiveOptions options;
     options.firstPicture_s = 60; // a busy machine; nothing here takes that long
-    options.retryFirst_s = options.retryMost_s = 0.01;
+    options.retryFirst_s = options.retryMax_s = 0.01;
     return options;
 }
 
@@ -48,7 +48,7 @@ void showBy(HttpServer& server, LivePlayer& player, int number, int width = 64, 
 }
 
 // Picture 0 is shown.
-Result<LivePlayer> openedBy(HttpServer& server, const FeedPatience& patience = {60, 60}) {
+Result<LivePlayer> openedBy(HttpServer& server, const FeedTimeouts& patience = {60, 60}) {
     return LivePlayer::open(feedOf(server.url(), patience), eager(), [&] {
         if (server.accepted() == 0 && (!server.accept() || !server.beginPictures())) return false;
         return server.sendPicture(jpegOf(0));
@@ -58,7 +58,7 @@ Result<LivePlayer> openedBy(HttpServer& server, const FeedPatience& patience = {
 TEST(Stream, PicturesOverHttp) {
     HttpServer server;
     auto player = openedBy(server);
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     for (int i = 1; i < 20; ++i) showBy(server, *player, i);
     EXPECT_EQ(player->notice(), "");
     EXPECT_GE(player->displayFrames(), 1);
@@ -68,7 +68,7 @@ TEST(Stream, PicturesOverHttp) {
 TEST(Stream, OneThatBreaksIsConnectedAnew) {
     HttpServer server;
     auto player = openedBy(server);
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     for (int round = 1; round <= 3; ++round) {
         round == 2 ? server.hangUp() : server.cut();
         while (player->state() != LiveState::Lost) player->newest();
@@ -87,7 +87,7 @@ TEST(Stream, OneThatBreaksIsConnectedAnew) {
 TEST(Stream, ASilentOneIsLeftAndConnectedAnew) {
     HttpServer server;
     auto player = openedBy(server, {60, 0.2});
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     const int shown = numberOf(player->newest()->pixelsBgr);
     ASSERT_TRUE(server.waitForLeave()) << "the connection stands, and nothing comes";
     while (player->state() != LiveState::Lost) player->newest();
@@ -102,7 +102,7 @@ TEST(Stream, ASilentOneIsLeftAndConnectedAnew) {
 TEST(Stream, ItsSizeMayChangeOnTheWay) {
     HttpServer server;
     auto player = openedBy(server);
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     showBy(server, *player, 3, 128, 64);
     EXPECT_EQ(player->newest()->pixelsBgr.width, 128);
     showBy(server, *player, 4, 35, 35); // odd: the converter's rows end where ours do
@@ -113,7 +113,7 @@ TEST(Stream, ItsSizeMayChangeOnTheWay) {
 TEST(Stream, TooLargeAPictureEndsIt) {
     HttpServer server;
     auto player = openedBy(server);
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     ASSERT_TRUE(server.sendPicture(jpegOf(3, 2 * kMaxVideoSide, 16)));
     while (player->state() != LiveState::Lost) player->newest();
     EXPECT_NE(player->notice().find("larger than the limit"), std::string::npos) << player->notice();
@@ -121,7 +121,7 @@ TEST(Stream, TooLargeAPictureEndsIt) {
 
 TEST(Stream, ItCanBeLeftWhileTheServerIsSilent) {
     HttpServer server;
-    const FeedPatience endless{1e6, 1e6};
+    const FeedTimeouts endless{1e6, 1e6};
     // Neither answered nor accepted, then accepted, then begun, then playing.
     EXPECT_FALSE(LivePlayer::open(feedOf(server.url(), endless), eager(), [] { return false; }));
     EXPECT_FALSE(LivePlayer::open(feedOf(server.url(), endless), eager(), [&] { return !server.accept(); }));
@@ -143,7 +143,7 @@ std::string refusalOf(const std::string& answer) {
         return true;
     });
     EXPECT_FALSE(player);
-    return player ? "" : player.error().sentence();
+    return player ? "" : player.error().message();
 }
 
 TEST(Stream, WhatIsNoStreamIsRefusedWithASentence) {
@@ -188,7 +188,7 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
         ++made;
     };
     auto player = LivePlayer::open(feedOf(server.url()), std::move(options));
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     while (made < 24) player->newest();
     EXPECT_GE(player->counts().losses, 1);
     { const auto done = std::move(*player); }
@@ -227,7 +227,7 @@ TEST(Pipe, WritersComeAndGo) {
         if (!writer) writer.emplace(pipe); // opening waits for the reader, who waits for pictures
         return writer->write(manyOf(0));
     });
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     EXPECT_EQ(numberOf(player->newest()->pixelsBgr), 0);
     for (int round = 1; round <= 2; ++round) {
         writer.reset();

@@ -95,9 +95,9 @@ void HttpServer::hangUp() {
     client_ = -1;
 }
 
-bool HttpServer::waitForLeave(int atMost_ms) {
+bool HttpServer::waitForLeave(int atMax_ms) {
     pollfd waiting{client_, POLLIN | POLLRDHUP, 0};
-    if (poll(&waiting, 1, atMost_ms) != 1) return false;
+    if (poll(&waiting, 1, atMax_ms) != 1) return false;
     char byte;
     return recv(client_, &byte, 1, MSG_PEEK) <= 0;
 }

@@ -28,9 +28,9 @@ class HttpServer {
     bool beginPictures(); // the head of a stream of JPEG pictures
     bool sendPicture(std::string_view jpeg);
 
-    void cut();                               // the connection, as a cable is cut
-    void hangUp();                            // in good order
-    bool waitForLeave(int atMost_ms = 20000); // of the client; false if it is still there then
+    void cut();                              // the connection, as a cable is cut
+    void hangUp();                           // in good order
+    bool waitForLeave(int atMax_ms = 20000); // of the client; false if it is still there then
 
   private:
     int listening_ = -1, client_ = -1;

@@ -55,11 +55,11 @@ std::optional<MadeStream> makeStream(const std::string& format, const std::strin
     AVStream* stream = avformat_new_stream(muxer, nullptr);
     avcodec_parameters_from_context(stream->codecpar, encoder.get());
     stream->time_base = encoder->time_base;
-    AVDictionary* wishes = nullptr;
-    av_dict_parse_string(&wishes, options.c_str(), "=", ":", 0);
+    AVDictionary* requests = nullptr;
+    av_dict_parse_string(&requests, options.c_str(), "=", ":", 0);
     MadeStream made;
-    bool good = avformat_write_header(muxer, &wishes) >= 0;
-    av_dict_free(&wishes);
+    bool good = avformat_write_header(muxer, &requests) >= 0;
+    av_dict_free(&requests);
     char text[2048]{};
     if (good && format == "rtp") av_sdp_create(&muxer, 1, text, sizeof text);
     made.description = text;

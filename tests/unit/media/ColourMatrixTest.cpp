@@ -46,7 +46,7 @@ TEST(ColourMatrix, FramesOfLargeVideosAreTakenForBt709) {
     picture(cv::Rect(0, 0, 640, 640)) = cv::Scalar::all(99);
     write(file, "I420", picture); // without loss
     auto player = VideoPlayer::open(file);
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     EXPECT_EQ(player->info().matrix, ColourMatrix::Bt709);
     const auto wanted = recoded(bgr, k601, k709);
     const ImageRgb8& frame = player->waitFor(0)->pixelsBgr;
@@ -66,7 +66,7 @@ TEST(ColourMatrix, ColoursThatAreCodedAsSuchStayAsTheyAre) {
     const Path file = folder / "colour.mkv";
     write(file, "FFV1", cv::Mat(640, 1286, CV_8UC3, cv::Scalar(220, 60, 61)));
     auto player = VideoPlayer::open(file);
-    ASSERT_TRUE(player) << player.error().sentence();
+    ASSERT_TRUE(player) << player.error().message();
     const ImageRgb8& frame = player->waitFor(0)->pixelsBgr;
     for (const auto& [x, y] : {std::array{0, 0}, {1285, 639}, {640, 320}}) {
         const uint8_t* pixel = frame.at(x, y);

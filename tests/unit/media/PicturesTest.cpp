@@ -2,8 +2,8 @@
 
 #include "engine/core/Random.h"
 #include "engine/media/Check.h"
-#include "engine/media/PanoramaPlacement.h"
 #include "engine/media/PictureHeader.h"
+#include "engine/media/SphericalMetadata.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -36,7 +36,7 @@ TEST(Pictures, PngRoundTripIsExactAndRedStaysRed) {
     const ImageRgb8 image = noise8(37, 19);
     ASSERT_TRUE(writePng(folder / "a.png", image));
     const auto read = readPicture(folder / "a.png");
-    ASSERT_TRUE(read) << read.error().sentence();
+    ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->width, 37);
     EXPECT_EQ(read->height, 19);
     EXPECT_EQ(read->pixels, image.pixels);
@@ -71,7 +71,7 @@ TEST(Pictures, ReadsEachKindByItsContent) {
         cv::imwrite(real.string(), bgr, {cv::IMWRITE_WEBP_QUALITY, 101}); // above 100: lossless
         std::filesystem::rename(real, disguised);
         const auto read = readPicture(disguised);
-        ASSERT_TRUE(read) << extension << ": " << read.error().sentence();
+        ASSERT_TRUE(read) << extension << ": " << read.error().message();
         EXPECT_EQ(read->pixels, image.pixels) << extension;
     }
 }
@@ -91,7 +91,7 @@ TEST(Pictures, JpegIsTurnedUprightByItsExif) {
     bytes.insert(2, exif);
     writeBytes(folder / "turned.jpg", bytes);
     const auto read = readPicture(folder / "turned.jpg");
-    ASSERT_TRUE(read) << read.error().sentence();
+    ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->width, 16);
     EXPECT_EQ(read->height, 32);
     EXPECT_LT(read->at(8, 4)[0], 30); // clockwise: the left half is now above
@@ -145,7 +145,7 @@ TEST(Pictures, WhatIsNoPictureIsRefusedByName) {
     for (const char* name : {"text.png", "empty.png", "pipe.png", "folder.png", "missing.png"}) {
         const auto read = readPicture(folder / name);
         ASSERT_FALSE(read) << name;
-        EXPECT_NE(read.error().sentence().find(name), std::string::npos);
+        EXPECT_NE(read.error().message().find(name), std::string::npos);
         EXPECT_FALSE(readHdr(folder / name));
         EXPECT_FALSE(checkPicture(folder / name));
     }
@@ -157,7 +157,7 @@ TEST(HdrPictures, PfmAndExrRoundTripsAreExact) {
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image)) << name;
         const auto read = readHdr(folder / name);
-        ASSERT_TRUE(read) << read.error().sentence();
+        ASSERT_TRUE(read) << read.error().message();
         EXPECT_EQ(read->repaired, 0);
         EXPECT_EQ(read->radianceLin.width, 33);
         EXPECT_EQ(read->radianceLin.height, 17);
@@ -170,7 +170,7 @@ TEST(HdrPictures, RadianceKeepsEachPixelWithinItsSharedExponent) {
     const ImageRgbF image = noiseF(33, 17);
     ASSERT_TRUE(writeHdr(folder / "a.hdr", image));
     const auto read = readHdr(folder / "a.hdr");
-    ASSERT_TRUE(read) << read.error().sentence();
+    ASSERT_TRUE(read) << read.error().message();
     for (int y = 0; y < 17; ++y)
         for (int x = 0; x < 33; ++x) {
             const float* wanted = image.at(x, y);
@@ -221,11 +221,11 @@ TEST(HdrPictures, PfmIsReadFromTheBottomInEitherByteOrderAndInGrey) {
     };
     writeBytes(folder / "big.pfm", "PF\n1 2\n2.0\n" + floats({1, 2, 3, 4, 5, 6}, true));
     const auto big = readHdr(folder / "big.pfm");
-    ASSERT_TRUE(big) << big.error().sentence();
+    ASSERT_TRUE(big) << big.error().message();
     EXPECT_EQ(big->radianceLin.pixels, (std::vector<float>{8, 10, 12, 2, 4, 6})); // doubled by the scale
     writeBytes(folder / "grey.pfm", "Pf\n1 2\n-1.0\n" + floats({1, 2}, false));
     const auto grey = readHdr(folder / "grey.pfm");
-    ASSERT_TRUE(grey) << grey.error().sentence();
+    ASSERT_TRUE(grey) << grey.error().message();
     EXPECT_EQ(grey->radianceLin.pixels, (std::vector<float>{2, 2, 2, 1, 1, 1}));
 }
 
@@ -237,7 +237,7 @@ TEST(HdrPictures, WhatIsNoLightIsReplacedAndCounted) {
     for (const char* name : {"a.pfm", "a.exr"}) {
         ASSERT_TRUE(writeHdr(folder / name, image));
         const auto read = readHdr(folder / name);
-        ASSERT_TRUE(read) << read.error().sentence();
+        ASSERT_TRUE(read) << read.error().message();
         EXPECT_EQ(read->repaired, 5) << name;
         EXPECT_EQ(read->radianceLin.pixels,
                   (std::vector<float>{1, 0, 0, 78944, 0, 78944, 78944, 0, 1, 2, 3, 4}))
@@ -279,7 +279,7 @@ TEST(HdrPictures, SharedLightHasTheStatedMaximum) {
         const Path file = sharedData(std::string("hdr/") + fact.name);
         if (file.empty()) GTEST_SKIP() << "no shared hdr/" << fact.name;
         const auto read = readHdr(file);
-        ASSERT_TRUE(read) << read.error().sentence();
+        ASSERT_TRUE(read) << read.error().message();
         EXPECT_EQ(read->radianceLin.width, 1024);
         EXPECT_EQ(read->repaired, 0);
         double largest = 0;

@@ -38,7 +38,7 @@ uint64_t hashOf(const ImageRgb8& picture) {
 TEST_P(SharedVideo, HasItsFacts) {
     const Facts& facts = GetParam();
     const auto info = inspectVideo(file);
-    ASSERT_TRUE(info) << info.error().sentence();
+    ASSERT_TRUE(info) << info.error().message();
     EXPECT_EQ(info->width, facts.width);
     EXPECT_EQ(info->height, facts.height);
     EXPECT_NEAR(info->fps, facts.fps, 0.005); // stated to two decimals
@@ -46,14 +46,14 @@ TEST_P(SharedVideo, HasItsFacts) {
     EXPECT_EQ(info->layout, facts.layout) << info->layoutSource;
     EXPECT_NEAR(static_cast<double>(info->frameCount), facts.frames, 0.01 * facts.frames);
     const auto check = checkVideo(file);
-    EXPECT_TRUE(check) << check.error().sentence();
+    EXPECT_TRUE(check) << check.error().message();
 }
 
 // Played in order, over the loop; then the same pictures by jumps in a fresh player.
 TEST_P(SharedVideo, PlaysAndSeeksAlike) {
     const Facts& facts = GetParam();
     auto opened = VideoPlayer::open(file);
-    ASSERT_TRUE(opened) << opened.error().sentence();
+    ASSERT_TRUE(opened) << opened.error().message();
     auto player = std::move(opened).value();
     const double fps = player.info().fps;
     const int played = facts.frames + 5;
@@ -96,7 +96,7 @@ TEST(SharedPhotos, HaveTheirFactsAndLayout) {
         const Path file = sharedData(std::string("photo/") + facts.name);
         if (file.empty()) GTEST_SKIP() << "no shared photo/" << facts.name;
         const auto picture = readPicture(file);
-        ASSERT_TRUE(picture) << picture.error().sentence();
+        ASSERT_TRUE(picture) << picture.error().message();
         EXPECT_EQ(picture->width, facts.width);
         EXPECT_EQ(picture->height, facts.height);
         EXPECT_EQ(layoutFromShape(picture->width, picture->height), facts.layout);

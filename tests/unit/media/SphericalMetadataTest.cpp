@@ -1,6 +1,7 @@
 #include "engine/media/SphericalMetadata.h"
 
-#include <gtest/gtest.h>
+#include "engine/media/Ffmpeg.h"
+#include "tests/unit/media/TestFiles.h"
 
 #include <bit>
 #include <cstdlib>
@@ -61,7 +62,7 @@ const std::string kV1TopBottom = "<GSpherical:Spherical>true</GSpherical:Spheric
 
 SphericalMetadata parsed(const std::string& bytes) {
     std::istringstream stream(bytes);
-    return sphericalMetadataOf(stream, bytes.size());
+    return mp4Metadata(stream, bytes.size());
 }
 
 TEST(SphericalMetadata, V2InTheSampleEntry) {
@@ -73,8 +74,6 @@ TEST(SphericalMetadata, V2InTheSampleEntry) {
     EXPECT_EQ(m.yaw_deg, 30);
     EXPECT_EQ(m.pitch_deg, -15.5f);
     EXPECT_EQ(m.roll_deg, 2);
-    EXPECT_EQ(m.frameWidth, 2048);
-    EXPECT_EQ(m.frameHeight, 1024);
 }
 
 TEST(SphericalMetadata, V2WithoutTheMandatoryHeaderIsStillUnderstood) {
@@ -86,7 +85,7 @@ TEST(SphericalMetadata, V2OtherProjections) {
     EXPECT_EQ(parsed(movie(sv3d(fullBox("mshp", be(0, 8))))).projection, Projection::Mesh);
 }
 
-TEST(SphericalMetadata, V2BoundsOfAHalfSurround) {
+TEST(SphericalMetadata, V2BoundsOfAHalfEnvironment) {
     const auto m = parsed(movie(sv3d(fullBox("equi", be(0, 8) + be(0x40000000, 4) + be(0x40000000, 4)))));
     EXPECT_EQ(m.missingLeft, 0.25f);
     EXPECT_EQ(m.missingRight, 0.25f);
@@ -138,27 +137,17 @@ TEST(SphericalMetadata, StereoBoxAloneAddsToV1) {
     EXPECT_EQ(m.layout, Layout::LeftRight);
 }
 
-TEST(SphericalMetadata, NoneIsNotPresentButKnowsTheSize) {
+TEST(SphericalMetadata, NoneIsNotPresent) {
     const auto m = parsed(movie(""));
     EXPECT_FALSE(m.present);
     EXPECT_EQ(m.projection, Projection::Unknown);
     EXPECT_EQ(m.layout, Layout::Auto);
-    EXPECT_EQ(m.frameWidth, 2048);
 }
 
 TEST(SphericalMetadata, AudioTracksAreIgnored) {
     std::string audio = movie(sv3d(kEquirect));
     audio.replace(audio.find("vide"), 4, "soun");
     EXPECT_FALSE(parsed(audio).present);
-}
-
-TEST(SphericalMetadata, EditListGivesTheLengthShown) {
-    const std::string header = fullBox("mvhd", be(0, 8) + be(600, 4) + be(0, 84));
-    // An empty edit (media time -1), then two that show 300 and 900 units of 1/600 s.
-    const std::string edits =
-        box("edts", fullBox("elst", be(3, 4) + be(50, 4) + be(~0u, 4) + be(0x10000, 4) + be(300, 4) +
-                                        be(0, 4) + be(0x10000, 4) + be(900, 4) + be(10, 4) + be(0x10000, 4)));
-    EXPECT_DOUBLE_EQ(parsed(movie("", edits, header)).shown_s, 2.0);
 }
 
 TEST(SphericalMetadata, LargeSizesAndSizesToTheEnd) {
@@ -182,8 +171,6 @@ TEST(SphericalMetadata, LyingSizesAreSurvived) {
             std::string bad = good;
             bad.replace(at, 4, be(lie, 4));
             const auto m = parsed(bad);
-            EXPECT_GE(m.frameWidth, 0);
-            EXPECT_LE(m.frameWidth, 65535);
             EXPECT_LE(std::abs(m.yaw_deg), 180);
         }
     for (size_t length = 0; length < good.size(); ++length) parsed(good.substr(0, length));
@@ -205,29 +192,63 @@ TEST(SphericalMetadata, DepthAndCountAreLimited) {
     EXPECT_FALSE(parsed(many + movie(sv3d(kEquirect))).present);
 }
 
-// --- WebM
-// ---------------------------------------------------------------------------------------------------
+// --- Matroska: libavformat reads it, as VideoSource does.
 
 std::string element(const std::string& id, const std::string& payload) {
     return id + be(uint64_t{0x10000000} | payload.size(), 4) + payload;
 }
 
-TEST(SphericalMetadata, WebmProjection) {
-    const std::string projection =
-        element("\x76\x70",
-                element("\x76\x71", be(1, 1)) + element("\x76\x73", be(std::bit_cast<uint32_t>(45.0f), 4)));
-    const std::string video = element("\xe0", element("\xb0", be(1920, 2)) + element("\xba", be(1080, 2)) +
-                                                  element("\x53\xb8", be(3, 1)) + projection);
-    const std::string tracks = element("\x16\x54\xae\x6b", element("\xae", video));
-    const std::string file = element("\x1a\x45\xdf\xa3", "") +
-                             std::string("\x18\x53\x80\x67\x01\xff\xff\xff\xff\xff\xff\xff") + tracks;
-    const auto m = parsed(file);
+SphericalMetadata matroska(const std::string& inVideo) {
+    const TempFolder folder;
+    const std::string video =
+        element("\xe0", element("\xb0", be(1920, 2)) + element("\xba", be(1080, 2)) + inVideo);
+    const std::string track = element("\xd7", be(1, 1)) + element("\x83", be(1, 1)) + // number, type video
+                              element("\x86", "V_VP8") + video;
+    const std::string cluster = element("\x1f\x43\xb6\x75", element("\xe7", be(0, 1)));
+    const std::string bytes = element("\x1a\x45\xdf\xa3", element("\x42\x82", "webm")) +
+                              std::string("\x18\x53\x80\x67\x01\xff\xff\xff\xff\xff\xff\xff") +
+                              element("\x16\x54\xae\x6b", element("\xae", track)) + cluster;
+    writeBytes(folder / "a.webm", bytes);
+    const Input input = openInput(folder / "a.webm");
+    EXPECT_TRUE(input && input->nb_streams == 1);
+    if (!input || input->nb_streams != 1) return {};
+    EXPECT_EQ(input->streams[0]->codecpar->width, 1920);
+    return matroskaMetadata(*input->streams[0],
+                            std::span(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()));
+}
+
+const auto projection = [](uint64_t type) {
+    return element("\x76\x70", std::string("\x76\x71\x81") + be(type, 1) +
+                                   element("\x76\x73", be(std::bit_cast<uint32_t>(45.0f), 4)));
+};
+
+TEST(SphericalMetadata, MatroskaProjection) {
+    const auto m = matroska(element("\x53\xb8", be(3, 1)) + projection(1));
     EXPECT_TRUE(m.present);
     EXPECT_EQ(m.projection, Projection::Equirect);
     EXPECT_EQ(m.layout, Layout::TopBottom);
     EXPECT_EQ(m.yaw_deg, 45);
-    EXPECT_EQ(m.frameWidth, 1920);
-    for (size_t length = 0; length < file.size(); ++length) parsed(file.substr(0, length));
+}
+
+TEST(SphericalMetadata, MatroskaStereoModes) {
+    const struct {
+        uint64_t mode;
+        Layout layout;
+    } kModes[] = {{0, Layout::Mono},
+                  {1, Layout::LeftRight},
+                  {2, Layout::TopBottom},
+                  {3, Layout::TopBottom},
+                  {11, Layout::LeftRight}};
+    for (const auto& [mode, layout] : kModes)
+        EXPECT_EQ(matroska(element("\x53\xb8", be(mode, 1)) + projection(1)).layout, layout) << mode;
+    EXPECT_EQ(matroska(projection(1)).layout, Layout::Auto);
+    EXPECT_EQ(matroska(element("\x53\xb8", be(3, 1))).layout, Layout::Auto) << "a flat stereo video";
+}
+
+TEST(SphericalMetadata, MatroskaMeshAndNone) {
+    EXPECT_EQ(matroska(projection(3)).projection, Projection::Mesh);
+    EXPECT_FALSE(matroska(projection(0)).present);
+    EXPECT_FALSE(matroska("").present);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Image.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/videoio.hpp>
@@ -32,9 +33,7 @@ class TempFolder {
 
 // Reference data, or an empty path.
 inline Path sharedData(const std::string& name) {
-    const char* set = std::getenv("SHOAL_SHARED");
-    const Path root = set && *set ? Path(set) : dataRoot().parent_path() / "shared";
-    const Path file = root / "data" / name;
+    const Path file = tests::sharedDataFolder() / name;
     return std::filesystem::exists(file) ? file : Path{};
 }
 

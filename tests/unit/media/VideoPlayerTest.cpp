@@ -15,7 +15,7 @@ constexpr double kFps = 30;
 
 VideoPlayer opened(const Path& file, VideoOptions options = {}) {
     auto player = VideoPlayer::open(file, std::move(options));
-    EXPECT_TRUE(player) << (player ? "" : player.error().sentence());
+    EXPECT_TRUE(player) << (player ? "" : player.error().message());
     return std::move(player).value();
 }
 
@@ -182,8 +182,8 @@ TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
     const int64_t index = last->index;
     EXPECT_NEAR(static_cast<double>(index), 19, 2); // all pictures take about the same room
     EXPECT_EQ(numberOf(last->pixelsBgr), index);
-    const std::string sentence = player.status();
-    EXPECT_NE(sentence.find("the last good frame stays"), std::string::npos) << sentence;
+    const std::string message = player.status();
+    EXPECT_NE(message.find("the last good frame stays"), std::string::npos) << message;
     EXPECT_EQ(player.status(), "");
     EXPECT_EQ(player.waitFor(2e6)->index, index);
     EXPECT_EQ(player.newest(3e6)->index, index);
@@ -242,6 +242,44 @@ TEST(VideoPlayer, AClipIsTurnedUpright) {
     EXPECT_TRUE(bright(matrix(0, -1, 1, 0), true, {16, 88}));
 }
 
+// FFmpeg's own writer gives each track one edit: version, flags, count, then duration, media time and rate.
+TEST(VideoPlayer, AnEditListGivesTheLengthShown) {
+    const TempFolder folder;
+    const Path file = folder / "edited.mp4";
+    {
+        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 30,
+                               {64, 32});
+        ASSERT_TRUE(writer.isOpened());
+        for (int i = 0; i < 30; ++i) writer.write(cv::Mat(32, 64, CV_8UC3, cv::Scalar::all(4 * i)));
+    }
+    EXPECT_EQ(inspectVideo(file)->frameCount, 30);
+    std::string bytes = readBytes(file);
+    const size_t at = bytes.find("elst") + 12;
+    ASSERT_LT(at, bytes.size());
+    const auto byte = [&](size_t i) { return static_cast<uint8_t>(bytes[at + i]); };
+    ASSERT_EQ(byte(2) << 8 | byte(3), 1000) << "thousandths of a second";
+    bytes[at + 2] = static_cast<char>(500 >> 8);
+    bytes[at + 3] = static_cast<char>(500 & 0xff);
+    writeBytes(file, bytes);
+    EXPECT_EQ(inspectVideo(file)->frameCount, 15);
+}
+
+// Told by its header alone, before a decoder sees it.
+TEST(VideoPlayer, RefusesWhatStatesAPictureTooLarge) {
+    const TempFolder folder;
+    const Path file = folder / "grey.avi";
+    writeGreyVideo(file, 1);
+    std::string bytes = readBytes(file);
+    const size_t format = bytes.find("strf");
+    ASSERT_NE(format, std::string::npos);
+    // BITMAPINFOHEADER behind name and size: its size, width, height; little endian.
+    bytes.replace(format + 12, 8, std::string("\x30\x75\0\0\x30\x75\0\0", 8));
+    writeBytes(file, bytes);
+    const auto player = VideoPlayer::open(file);
+    ASSERT_FALSE(player);
+    EXPECT_NE(player.error().reason.find("30000x30000"), std::string::npos) << player.error().reason;
+}
+
 TEST(VideoPlayer, EndsWhileBusy) {
     const TempFolder folder;
     const Path file = folder / "grey.avi";
@@ -264,7 +302,7 @@ TEST(VideoPlayer, RefusesWhatIsNoVideo) {
     for (const char* name : {"empty.mp4", "text.mp4", "head.mp4", "pipe.mp4", "folder.mp4", "missing.mp4"}) {
         const auto player = VideoPlayer::open(folder / name);
         ASSERT_FALSE(player) << name;
-        EXPECT_NE(player.error().sentence().find(name), std::string::npos);
+        EXPECT_NE(player.error().message().find(name), std::string::npos);
         EXPECT_FALSE(player.error().reason.empty());
     }
 }

@@ -2,8 +2,8 @@
 #include "Bodies.h"
 #include "engine/occlusion/Directions.h"
 #include "engine/occlusion/Octahedral.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +26,11 @@ constexpr float kSteepEnough = 0.4f;
 TEST(Analytic, SphereIsHitWhereItIs) {
     constexpr int kColumns = 192, kRows = 96;
     const Body body = sphere(1, kColumns, kRows);
-    const Ollfb cured = Ollfb::make(body.mesh(), {.views = 54}).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh(), {.views = 54}).value();
     const OllfbThesis thesis = OllfbThesis::make(body.mesh(), {.cells = 3}).value();
     Random random(1);
-    // Facets lie inside the ball by at most 1 - cos of half their angle across, 2 (pi / 192)^2 / 2, over the
-    // cosine.
+    // Facets lie inside the sphere by at most 1 - cos of half their angle across, 2 (pi / 192)^2 / 2, over
+    // the cosine.
     const double facet = std::pow(M_PI / kColumns, 2) / static_cast<double>(kSteepEnough);
     const double pixel = 2.0 / 63;
     int near = 0, all = 0;
@@ -61,7 +61,7 @@ TEST(Analytic, SphereIsHitWhereItIs) {
 TEST(Analytic, TorusIsHitWhereItIs) {
     const double large = 1, small = 0.4;
     const Body body = torus(1, 0.4f, 192, 96);
-    const Ollfb cured = Ollfb::make(body.mesh(), {.views = 150}).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh(), {.views = 150}).value();
     Random random(2);
     const double pixel = 2.8 / 63;
     int hits = 0, compared = 0;
@@ -112,7 +112,7 @@ TEST(Analytic, NearestDirectionsAreNearest) {
         const glm::vec3 d = anyDirection(random);
         float best = 0;
         for (const glm::vec3& axis : axes.axes()) best = std::max(best, std::abs(glm::dot(axis, d)));
-        const float chosen = std::abs(glm::dot(axes.axes()[static_cast<size_t>(axes.nearest(d))], d));
+        const float chosen = std::abs(glm::dot(axes.axes()[static_cast<size_t>(nearestAxis(axes, d))], d));
         EXPECT_LT(std::acos(chosen), std::acos(best) + 0.1f); // there and back half a cell's diagonal
     }
 }

@@ -11,7 +11,7 @@ namespace shoal::occlusion {
 
 inline scene::Model loadAnimal(const std::string& name) {
     auto model = scene::loadModel(dataRoot() / "content" / "models" / (name + ".glb"));
-    EXPECT_TRUE(model.ok()) << (model ? "" : model.error().sentence());
+    EXPECT_TRUE(model.ok()) << (model ? "" : model.error().message());
     return model ? std::move(*model) : scene::Model{};
 }
 

@@ -1,8 +1,8 @@
 // Fish that bend: seen anew, or asked at rest through their skin.
 #include "Animals.h"
 #include "Measure.h"
-#include "engine/occlusion/Rebuilt.h"
-#include "engine/occlusion/ThroughSkin.h"
+#include "tests/baselines/occlusion/RebuiltOllfb.h"
+#include "tests/baselines/occlusion/ThroughSkin.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ struct Fish {
     }
 };
 
-constexpr Ollfb::Options kFew{.views = 54, .sides = Sides::Outer};
+constexpr TracedOllfb::Options kFew{.views = 54, .sides = Sides::Outer};
 
 TEST(Bend, IsRebuiltOnlyBeyondItsThreshold) {
     Fish fish;
@@ -51,7 +51,7 @@ TEST(Bend, IsRebuiltOnlyBeyondItsThreshold) {
 TEST(Bend, GridTakesPosedPositionsBackToRest) {
     Fish fish;
     const Body bent = fish.bent();
-    const Ollfb rest = Ollfb::make(fish.rest.mesh(), kFew).value();
+    const TracedOllfb rest = TracedOllfb::make(fish.rest.mesh(), kFew).value();
     ThroughSkin skin(rest, fish.rest.positions);
     const float bend = bend_m(bent.positions, fish.rest.positions);
     for (size_t i = 0; i < bent.positions.size(); ++i)
@@ -73,9 +73,9 @@ TEST(Bend, GridTakesPosedPositionsBackToRest) {
 TEST(Bend, RebuiltIsExactAndThroughTheSkinIsNear) {
     Fish fish;
     const Body bent = fish.bent();
-    const float radius = boundingBall(bent.mesh()).radius;
+    const float radius = boundingSphere(bent.mesh()).radius;
     const auto questions = ask(bent, 3000, false);
-    const Ollfb rest = Ollfb::make(fish.rest.mesh(), kFew).value();
+    const TracedOllfb rest = TracedOllfb::make(fish.rest.mesh(), kFew).value();
     ThroughSkin skin(rest, fish.rest.positions);
     skin.bend(bent.positions);
     RebuiltOllfb rebuilt(kFew, 0);

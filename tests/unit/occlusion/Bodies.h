@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/core/Random.h"
-#include "engine/occlusion/CheckMesh.h"
-#include "engine/occlusion/Visibility.h"
+#include "engine/occlusion/BodyMesh.h"
+#include "tests/baselines/occlusion/Visibility.h"
 
 #include <cmath>
 #include <functional>
@@ -192,13 +192,13 @@ inline glm::vec3 anyDirection(Random& random) {
     return {r * std::cos(a), r * std::sin(a), z};
 }
 
-// From outside, through anywhere in the bounding ball.
-inline Ray chord(Random& random, const Ball& ball) {
+// From outside, through anywhere in the bounding sphere.
+inline Ray chord(Random& random, const Sphere& sphere) {
     glm::vec3 in;
     do in = glm::vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
     while (glm::dot(in, in) > 1);
     const glm::vec3 d = anyDirection(random);
-    return {ball.centre + ball.radius * (in - 3.0f * d), d};
+    return {sphere.centre + sphere.radius * (in - 3.0f * d), d};
 }
 
 // What a random eye's look becomes at a random place of the surface.

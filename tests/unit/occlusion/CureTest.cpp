@@ -1,8 +1,8 @@
 // What the cure is worth, against exact rays: gaps, depth, and the picture of a mirror that shows itself.
 #include "Animals.h"
 #include "Measure.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 struct Case {
     const char* name;
     std::function<Body()> body;
-    size_t mostBytes;
+    size_t maxBytes;
 };
 
 class Cure : public testing::TestWithParam<Case> {};
@@ -32,8 +32,8 @@ double show(const char* name, const Method& method, const std::vector<Question>&
 
 TEST_P(Cure, ClosesGapsAndSmoothsThePicture) {
     const Body body = GetParam().body();
-    const float radius = boundingBall(body.mesh()).radius;
-    const auto cured = Ollfb::make(body.mesh(), {.sides = Sides::Outer});
+    const float radius = boundingSphere(body.mesh()).radius;
+    const auto cured = TracedOllfb::make(body.mesh(), {.sides = Sides::Outer});
     const auto thesis = OllfbThesis::make(body.mesh());
     const auto larger = OllfbThesis::make(body.mesh(), {.cells = 9});
     ASSERT_TRUE(cured && thesis && larger);
@@ -60,7 +60,7 @@ TEST_P(Cure, ClosesGapsAndSmoothsThePicture) {
     EXPECT_LE(through.gaps(), measure(*larger, chords, radius).gaps() / 4);
     EXPECT_LE(back.gaps(), measure(*larger, reflections, radius).gaps() / 4);
     EXPECT_LE(is, was / 2);
-    EXPECT_LE(cured->bytes(), GetParam().mostBytes);
+    EXPECT_LE(cured->bytes(), GetParam().maxBytes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Cure,

@@ -1,8 +1,8 @@
 // Where layers seen from a finite number of sides may fail, one case each.
 #include "Measure.h"
 #include "Odd.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@
 namespace shoal::occlusion {
 namespace {
 
-// Rays that only just leave a ball's surface stay clear of it; those that dip under it are no concern of
+// Rays that only just leave a sphere's surface stay clear of it; those that dip under it are no concern of
 // anybody.
 TEST(Failure, RaysAlongASurface) {
     const Body body = sphere(1, 96, 48);
-    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();
     ASSERT_TRUE(cured.onlyOuter());
     Random random(1);
     int caught = 0;
@@ -28,7 +28,7 @@ TEST(Failure, RaysAlongASurface) {
     // Rays within six degrees of the surface; 1.1 % measured.
     EXPECT_LE(caught, kRays / 50);
     // And along a wall, a pixel above its plane.
-    const Ollfb wall = Ollfb::make(box({1, 1, 0.2f}).mesh()).value();
+    const TracedOllfb wall = TracedOllfb::make(box({1, 1, 0.2f}).mesh()).value();
     for (int i = 0; i < 200; ++i) {
         const float a = random.between(0, 2 * kPi);
         EXPECT_FALSE(wall.trace({0, 0, 0.2f + 2.0f / 64}, {std::cos(a), std::sin(a), 0}, 0.01f)) << a;
@@ -42,7 +42,7 @@ TEST(Failure, RaysThatDiveUnderTheSurfaceTheyBeganOn) {
     const auto height = [](const glm::vec3& p) {
         return std::hypot(std::hypot(p.x, p.z) - kLarge, p.y) - kSmall;
     };
-    const Ollfb cured = Ollfb::make(torus(kLarge, kSmall, 256, 128).mesh()).value();
+    const TracedOllfb cured = TracedOllfb::make(torus(kLarge, kSmall, 256, 128).mesh()).value();
     ASSERT_TRUE(cured.onlyOuter());
     const float pixel = 2 * (kLarge + kSmall) / 64;
     Random random(4);
@@ -72,7 +72,7 @@ TEST(Failure, RaysThatDiveUnderTheSurfaceTheyBeganOn) {
 // edge.
 TEST(Failure, ThinFinsSeenEdgeOn) {
     const Body body = box({1, 0.5f, 0.0002f});
-    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();
     Random random(2);
     int wrong = 0, all = 0;
     for (int i = 0; i < 4000; ++i) {
@@ -99,7 +99,7 @@ TEST(Failure, ThinFinsSeenEdgeOn) {
 
 TEST(Failure, OneTriangle) {
     const Body body = oneTriangle();
-    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();
     EXPECT_FALSE(cured.closed());
     for (const float side : {1.0f, -1.0f}) { // from both sides: it has no inside
         const auto hit = cured.trace({0, 0, 2 * side}, {0, 0, -side}, 0);
@@ -113,7 +113,7 @@ TEST(Failure, OneTriangle) {
     ASSERT_TRUE(thesis);
     EXPECT_TRUE(thesis->trace({0, 0, 2}, {0, 0, -1}, 0));
     const auto questions = ask(body, 3000, false);
-    const Errors errors = measure(*Ollfb::make(body.mesh(), {.sides = Sides::Both}), questions, 1.4f);
+    const Errors errors = measure(*TracedOllfb::make(body.mesh(), {.sides = Sides::Both}), questions, 1.4f);
     EXPECT_LE(errors.gaps(), 0.01);
 }
 
@@ -127,14 +127,14 @@ TEST(Failure, TwoHundredLayersInAPixel) {
         body.positions.insert(body.positions.end(), slab.positions.begin(), slab.positions.end());
         body.normals.insert(body.normals.end(), slab.normals.begin(), slab.normals.end());
     }
-    const auto cured = Ollfb::make(body.mesh(), {.views = 20, .resolution = 32});
-    ASSERT_TRUE(cured) << cured.error().sentence();
+    const auto cured = TracedOllfb::make(body.mesh(), {.views = 20, .resolution = 32});
+    ASSERT_TRUE(cured) << cured.error().message();
     const auto thesis = OllfbThesis::make(body.mesh(), {.cells = 3, .resolution = 32});
     ASSERT_TRUE(thesis);
-    uint32_t most = 0;
+    uint32_t maximum = 0;
     for (size_t i = 0; i + 1 < thesis->starts().size(); ++i)
-        most = std::max(most, thesis->starts()[i + 1] - thesis->starts()[i]);
-    EXPECT_GE(most, 200u);
+        maximum = std::max(maximum, thesis->starts()[i + 1] - thesis->starts()[i]);
+    EXPECT_GE(maximum, 200u);
     // Each gap lets a ray begin in it and meets it at the next slab's face.
     for (int i = 0; i < 99; ++i) {
         const float z = 0.02f * (static_cast<float>(i) + 0.5f) - 1;
@@ -146,10 +146,10 @@ TEST(Failure, TwoHundredLayersInAPixel) {
     }
     // Said, not taken: a hundredth of the memory.
     const auto refused =
-        Ollfb::make(body.mesh(), {.views = 20, .resolution = 32, .mostBytes = cured->bytes() / 100});
+        TracedOllfb::make(body.mesh(), {.views = 20, .resolution = 32, .maxBytes = cured->bytes() / 100});
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().reason, testing::HasSubstr("fewer"));
-    const auto refusedThesis = OllfbThesis::make(body.mesh(), {.mostBytes = 1000});
+    const auto refusedThesis = OllfbThesis::make(body.mesh(), {.maxBytes = 1000});
     ASSERT_FALSE(refusedThesis);
 }
 
@@ -158,7 +158,7 @@ TEST(Failure, AHoleInAMesh) {
     Body body = sphere(1, 48, 24);
     std::erase_if(body.triangles, [&](const glm::uvec3& t) { return body.positions[t.x].y > 0.9f; });
     EXPECT_FALSE(isClosed(body.mesh()));
-    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();
     EXPECT_FALSE(cured.onlyOuter());
     const auto in = cured.trace({0.02f, 3, 0.03f}, {0, -1, 0}, 0);
     ASSERT_TRUE(in);
@@ -186,7 +186,8 @@ TEST(Failure, ADegenerateTriangleChangesNothing) {
     more.positions.push_back(body.positions[0]); // three places on a line
     more.positions.push_back((body.positions[0] + body.positions[1]) / 2.0f);
     more.normals.resize(more.positions.size(), glm::vec3(0, 0, 1));
-    const auto a = Ollfb::make(body.mesh(), {.views = 20}), b = Ollfb::make(more.mesh(), {.views = 20});
+    const auto a = TracedOllfb::make(body.mesh(), {.views = 20}),
+               b = TracedOllfb::make(more.mesh(), {.views = 20});
     ASSERT_TRUE(a && b);
     EXPECT_TRUE(b->closed());
     ASSERT_EQ(a->layers().size(), b->layers().size());
@@ -207,16 +208,16 @@ TEST(Failure, ABodyOfNoVolume) {
     line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     const Body nothing;
     for (const Body* body : std::initializer_list<const Body*>{&point, &line, &nothing}) {
-        const auto cured = Ollfb::make(body->mesh());
-        ASSERT_TRUE(cured) << cured.error().sentence();
+        const auto cured = TracedOllfb::make(body->mesh());
+        ASSERT_TRUE(cured) << cured.error().message();
         EXPECT_FALSE(cured->trace({1, 2, 5}, {0, 0, -1}, 0));
         EXPECT_FALSE(cured->trace({1, 5, 0}, {0, -1, 0}, 0));
         const auto thesis = OllfbThesis::make(body->mesh());
-        ASSERT_TRUE(thesis) << thesis.error().sentence();
+        ASSERT_TRUE(thesis) << thesis.error().message();
         EXPECT_FALSE(thesis->trace({1, 2, 5}, {0, 0, -1}, 0));
     }
     // A sheet has no volume either, but two sides.
-    const Ollfb sheet = Ollfb::make(oneTriangle().mesh()).value();
+    const TracedOllfb sheet = TracedOllfb::make(oneTriangle().mesh()).value();
     EXPECT_TRUE(sheet.trace({0, 0, 1}, {0, 0, -1}, 0));
 }
 

@@ -1,9 +1,9 @@
 // What is built on rays: mirrors, shadows in diffuse light, many bodies.
 #include "Bodies.h"
-#include "engine/occlusion/Bodies.h"
-#include "engine/occlusion/DiffuseShadow.h"
-#include "engine/occlusion/Mirror.h"
-#include "engine/occlusion/Ollfb.h"
+#include "tests/baselines/occlusion/DiffuseShadow.h"
+#include "tests/baselines/occlusion/Mirror.h"
+#include "tests/baselines/occlusion/PlacedBodies.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 namespace shoal::occlusion {
 namespace {
 
-// A ball around the origin, exactly.
-struct ExactBall {
+// A sphere around the origin, exactly.
+struct ExactSphere {
     float radius = 1;
     std::optional<Hit> trace(const glm::vec3& o, const glm::vec3& d, float nearest) const {
         const float b = glm::dot(o, d), c = glm::dot(o, o) - radius * radius;
@@ -34,24 +34,24 @@ struct Corridor {
 
 TEST(Mirror, BouncesAsOftenAsAllowed) {
     const glm::vec3 direction = glm::normalize(glm::vec3(3, 4, 0));
-    for (const int most : {0, 1, 2, 8}) {
-        const Reflected end = followMirrors(Corridor{}, {0, 0.5f, 0}, direction, 1e-3f, most);
-        EXPECT_EQ(end.bounces, most);
+    for (const int maximum : {0, 1, 2, 8}) {
+        const Reflected end = followMirrors(Corridor{}, {0, 0.5f, 0}, direction, 1e-3f, maximum);
+        EXPECT_EQ(end.bounces, maximum);
         EXPECT_TRUE(end.caught);
         // Every bounce turns y; the way to the nth is n - 1/2 high, three quarters of that long.
-        EXPECT_NEAR(end.direction.y, most % 2 ? -0.8f : 0.8f, 1e-6f);
-        if (most) {
-            EXPECT_NEAR(end.origin.x, 0.75f * (static_cast<float>(most) - 0.5f), 1e-5f);
+        EXPECT_NEAR(end.direction.y, maximum % 2 ? -0.8f : 0.8f, 1e-6f);
+        if (maximum) {
+            EXPECT_NEAR(end.origin.x, 0.75f * (static_cast<float>(maximum) - 0.5f), 1e-5f);
         }
     }
-    const Reflected free = followMirrors(ExactBall{}, {0, 0, 3}, {0, 1, 0}, 0, 8);
+    const Reflected free = followMirrors(ExactSphere{}, {0, 0, 3}, {0, 1, 0}, 0, 8);
     EXPECT_EQ(free.bounces, 0);
     EXPECT_FALSE(free.caught);
 }
 
 TEST(Mirror, CuredLayersBounceAsTruthDoes) {
     const Body body = torus(1, 0.4f, 96, 48);
-    const Ollfb cured = Ollfb::make(body.mesh()).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh()).value();
     struct Exact {
         const Body& body;
         std::optional<Hit> trace(const glm::vec3& o, const glm::vec3& d, float nearest) const {
@@ -76,30 +76,30 @@ TEST(Mirror, CuredLayersBounceAsTruthDoes) {
     EXPECT_GE(same, all * 95 / 100);
 }
 
-TEST(DiffuseShadow, OfABallIsItsFormFactor) {
+TEST(DiffuseShadow, OfASphereIsItsFormFactor) {
     const ShadowRays rays(2048);
-    // Hidden by a ball straight above, of angular radius s: sin^2 s. (Howell, "A catalog of radiation heat
+    // Hidden by a sphere straight above, of angular radius s: sin^2 s. (Howell, "A catalog of radiation heat
     // transfer configuration factors", B-12.)
     for (const float height : {1.2f, 1.5f, 2.0f, 4.0f}) {
-        const float visible = rays.visibility(ExactBall{}, {0, -height, 0}, {0, 1, 0}, 0);
+        const float visible = rays.visibility(ExactSphere{}, {0, -height, 0}, {0, 1, 0}, 0);
         EXPECT_NEAR(visible, 1 - 1 / (height * height), 0.01f) << height;
     }
-    EXPECT_EQ(rays.visibility(ExactBall{}, {0, -2, 0}, {0, -1, 0}, 0), 1);
+    EXPECT_EQ(rays.visibility(ExactSphere{}, {0, -2, 0}, {0, -1, 0}, 0), 1);
     // Light only from straight above, in a narrow cone: gone.
-    const auto lamp = [](const glm::vec3& d) { return glm::vec3(d.y > 0.95f ? 1.0f : 0.0f); };
-    EXPECT_EQ(rays.gather(ExactBall{}, {0, -2, 0}, {0, 1, 0}, 0, lamp), glm::vec3(0));
-    EXPECT_NEAR(rays.gather(ExactBall{}, {5, -2, 0}, {0, 1, 0}, 0, lamp).x, 1 - 0.95f * 0.95f, 0.01f);
+    const auto dominant = [](const glm::vec3& d) { return glm::vec3(d.y > 0.95f ? 1.0f : 0.0f); };
+    EXPECT_EQ(rays.gather(ExactSphere{}, {0, -2, 0}, {0, 1, 0}, 0, dominant), glm::vec3(0));
+    EXPECT_NEAR(rays.gather(ExactSphere{}, {5, -2, 0}, {0, 1, 0}, 0, dominant).x, 1 - 0.95f * 0.95f, 0.01f);
 }
 
 TEST(DiffuseShadow, OfCuredLayersIsSmooth) {
     const Body body = sphere(1);
-    const Ollfb cured = Ollfb::make(body.mesh(), {.views = 54}).value();
+    const TracedOllfb cured = TracedOllfb::make(body.mesh(), {.views = 54}).value();
     const ShadowRays rays(1024);
     float before = -1;
     for (int i = 0; i <= 100; ++i) {
         const glm::vec3 place(-3 + 0.06f * static_cast<float>(i), -1.5f, 0);
         const float visible = rays.visibility(cured, place, {0, 1, 0}, 0);
-        EXPECT_NEAR(visible, rays.visibility(ExactBall{}, place, {0, 1, 0}, 0), 0.01f) << i;
+        EXPECT_NEAR(visible, rays.visibility(ExactSphere{}, place, {0, 1, 0}, 0), 0.01f) << i;
         // A step of 0.06 changes the form factor by at most 0.04; two rays of 512 more.
         if (before >= 0) {
             EXPECT_NEAR(visible, before, 0.04f + 0.005f) << i;
@@ -109,12 +109,12 @@ TEST(DiffuseShadow, OfCuredLayersIsSmooth) {
 }
 
 TEST(Bodies, AreMetInTheirOwnFramesNearestFirst) {
-    const ExactBall ball;
-    Bodies<ExactBall> bodies;
+    const ExactSphere sphere;
+    Bodies<ExactSphere> bodies;
     const auto put = [&](const glm::vec3& at, float scale) {
         glm::mat4 worldFromBody = glm::translate(glm::mat4(1), at);
         worldFromBody = glm::rotate(worldFromBody, 1.0f, glm::normalize(glm::vec3(1, 2, 3)));
-        bodies.placed.push_back(place(ball, {{0, 0, 0}, 1}, glm::scale(worldFromBody, glm::vec3(scale))));
+        bodies.placed.push_back(place(sphere, {{0, 0, 0}, 1}, glm::scale(worldFromBody, glm::vec3(scale))));
     };
     put({0, 0, -20}, 2);
     put({0, 0, -10}, 0.5f);
@@ -130,7 +130,7 @@ TEST(Bodies, AreMetInTheirOwnFramesNearestFirst) {
     EXPECT_FALSE(bodies.trace({0, 0, 0}, {0, 0, 1}, 0));
 }
 
-TEST(Bodies, WhoseBallsAreMissedAreNotAsked) {
+TEST(Bodies, WhoseSpheresAreMissedAreNotAsked) {
     struct Counting {
         mutable int asked = 0;
         std::optional<Hit> trace(const glm::vec3&, const glm::vec3&, float) const {

@@ -9,12 +9,12 @@ namespace shoal::occlusion {
 
 struct Errors {
     double missed = 0, invented = 0; // shares of all rays
-    double distance = 0;             // median of the error, in the ball's radius
+    double distance = 0;             // median of the error, in the sphere's radius
     double normal = 0;               // RMS angle, radians, where both hit within a tenth of the radius
     double gaps() const { return missed + invented; }
 };
 
-// Distances below which a ray does not see where it started, shares of the ball's radius.
+// Distances below which a ray does not see where it started, shares of the sphere's radius.
 inline constexpr float kNearest = 0.01f;
 
 struct Question {
@@ -34,15 +34,15 @@ inline bool buried(const Body& body, const glm::vec3& place, float nearest) {
 
 inline std::vector<Question> ask(const Body& body, int count, bool reflected) {
     Random random(reflected ? 5 : 6);
-    const Ball ball = boundingBall(body.mesh());
+    const Sphere sphere = boundingSphere(body.mesh());
     std::vector<Question> questions;
     while (std::ssize(questions) < count) {
-        const Ray ray = reflected ? reflection(random, body) : chord(random, ball);
+        const Ray ray = reflected ? reflection(random, body) : chord(random, sphere);
         const auto answer =
-            truth(body, ray.origin, ray.direction, static_cast<double>(kNearest * ball.radius));
+            truth(body, ray.origin, ray.direction, static_cast<double>(kNearest * sphere.radius));
         if (answer && answer->fromBehind) continue;
         // Above the surface, where three rays tell.
-        if (reflected && buried(body, ray.origin + 0.01f * ball.radius * ray.direction, 0)) continue;
+        if (reflected && buried(body, ray.origin + 0.01f * sphere.radius * ray.direction, 0)) continue;
         questions.push_back({ray, answer});
     }
     return questions;
@@ -78,8 +78,8 @@ Errors measure(const Method& method, const std::vector<Question>& questions, flo
     return errors;
 }
 
-// A surround with detail down to a tenth of a radian.
-inline glm::vec3 surround(const glm::vec3& d) {
+// An environment with detail down to a tenth of a radian.
+inline glm::vec3 environment(const glm::vec3& d) {
     return glm::vec3(0.5f) +
            0.25f *
                glm::vec3(std::sin(7 * d.x + 2 * d.y), std::sin(9 * d.y - d.z), std::sin(8 * d.z + 3 * d.x)) +
@@ -89,11 +89,11 @@ inline glm::vec3 surround(const glm::vec3& d) {
 // What the pixels of a picture of the body as a mirror ask: rays that leave it towards where the eye's look
 // turns.
 inline std::vector<Question> picture(const Body& body, int size) {
-    const Ball ball = boundingBall(body.mesh());
+    const Sphere sphere = boundingSphere(body.mesh());
     const glm::vec3 back = glm::normalize(glm::vec3(0.5f, 0.7f, 0.8f));
     const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back)),
                     up = glm::cross(back, right);
-    const glm::vec3 eye = ball.centre + 4 * ball.radius * back;
+    const glm::vec3 eye = sphere.centre + 4 * sphere.radius * back;
     std::vector<Question> questions;
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
@@ -105,7 +105,7 @@ inline std::vector<Question> picture(const Body& body, int size) {
             if (!seen) continue;
             const glm::vec3 at = eye + static_cast<float>(seen->distance) * look;
             const glm::vec3 out = glm::normalize(glm::reflect(look, seen->normal));
-            const auto answer = truth(body, at, out, static_cast<double>(kNearest * ball.radius));
+            const auto answer = truth(body, at, out, static_cast<double>(kNearest * sphere.radius));
             if (!answer || !answer->fromBehind) questions.push_back({{at, out}, answer});
         }
     return questions;
@@ -117,7 +117,7 @@ double pictureError(const Method& method, const std::vector<Question>& questions
     double sum = 0;
     for (const auto& [ray, answer] : questions) {
         const auto colour = [&](bool hits, const glm::vec3& normal) {
-            return surround(hits ? glm::reflect(ray.direction, normal) : ray.direction);
+            return environment(hits ? glm::reflect(ray.direction, normal) : ray.direction);
         };
         const auto hit = method.trace(ray.origin, ray.direction, kNearest * radius);
         const glm::vec3 off = colour(hit.has_value(), hit ? hit->normal : glm::vec3(0)) -

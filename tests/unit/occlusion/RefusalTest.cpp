@@ -1,7 +1,7 @@
 // What cannot be seen is refused with a reason, before memory is taken.
 #include "Odd.h"
-#include "engine/occlusion/Ollfb.h"
-#include "engine/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/OllfbThesis.h"
+#include "tests/baselines/occlusion/TracedOllfb.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 TEST(Refusal, OfBrokenMeshesSaysWhy) {
     const Body good = oneTriangle();
     const auto refused = [](const Body& body, const char* why) {
-        const auto cured = Ollfb::make(body.mesh());
+        const auto cured = TracedOllfb::make(body.mesh());
         const auto thesis = OllfbThesis::make(body.mesh());
         ASSERT_FALSE(cured);
         ASSERT_FALSE(thesis);
@@ -36,20 +36,20 @@ TEST(Refusal, OfBrokenMeshesSaysWhy) {
     body = good;
     body.normals.pop_back();
     refused(body, "normals");
-    EXPECT_FALSE(Ollfb::make(good.mesh(), {.views = 0}));
-    EXPECT_FALSE(Ollfb::make(good.mesh(), {.resolution = 100000}));
+    EXPECT_FALSE(TracedOllfb::make(good.mesh(), {.views = 0}));
+    EXPECT_FALSE(TracedOllfb::make(good.mesh(), {.resolution = 100000}));
     EXPECT_FALSE(OllfbThesis::make(good.mesh(), {.cells = 0}));
     // Normals of no length are taken from the triangle.
     body = good;
     body.normals.assign(3, glm::vec3(0));
-    const auto flat = Ollfb::make(body.mesh());
+    const auto flat = TracedOllfb::make(body.mesh());
     ASSERT_TRUE(flat);
     EXPECT_TRUE(flat->trace({0, 0, 1}, {0, 0, -1}, 0));
 }
 
 // Rays that are no rays end, and meet nothing.
 TEST(Refusal, OfOddRaysIsNoHit) {
-    const Ollfb cured = Ollfb::make(sphere(1, 24, 12).mesh(), {.views = 20}).value();
+    const TracedOllfb cured = TracedOllfb::make(sphere(1, 24, 12).mesh(), {.views = 20}).value();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const glm::vec3 origin : {glm::vec3(1e30f, 0, 0), glm::vec3(nan, 0, 0), glm::vec3(0, 0, -1e8f)})
         for (const glm::vec3 direction : {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0, 0)})

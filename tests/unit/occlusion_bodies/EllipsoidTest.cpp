@@ -1,5 +1,5 @@
 // What ellipsoids hide, where it can be said on paper.
-#include "engine/occlusion/Shade.h"
+#include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
@@ -12,12 +12,12 @@ namespace {
 
 const glm::vec3 kSlants[] = {{0, 1, 0}, {0.6f, 0.8f, 0}, {0.3f, -0.5f, 0.81f}, {-0.7f, 0.1f, -0.7f}};
 
-Occluder ballAt(const glm::vec3& centre, float radius) {
+Occluder sphereAt(const glm::vec3& centre, float radius) {
     return {{centre, glm::mat3(1), glm::vec3(radius)}, 1, {}};
 }
 
 float shareOf(const glm::vec3& normal, std::span<const Occluder> occluders) {
-    return momentsOf(hiddenBy({}, normal, occluders), normal).w;
+    return occlusionMoments(axisOcclusion({}, normal, occluders), normal).w;
 }
 
 // The furthest that a direction lies from the nearest end, and how evenly cosines add up.
@@ -36,15 +36,15 @@ TEST(Axes, AreSpreadEvenly) {
     }
 }
 
-// Straight ahead a ball takes sin^2 of its half angle. Few axes see it now larger, now smaller: within a
+// Straight ahead a sphere takes sin^2 of its half angle. Few axes see it now larger, now smaller: within a
 // twentieth of the hemisphere each, and less on the mean.
-TEST(Ellipsoid, OfABallAheadTakesTheSquareOfItsSine) {
+TEST(Ellipsoid, OfASphereAheadTakesTheSquareOfItsSine) {
     for (const float sine : {0.3f, 0.5f, 0.7f, 0.9f}) {
         float mean = 0;
         for (const glm::vec3& normal : kSlants) {
             const glm::vec3 n = glm::normalize(normal);
-            const Occluder ball = ballAt(n, sine);
-            const float share = shareOf(n, {&ball, 1});
+            const Occluder sphere = sphereAt(n, sine);
+            const float share = shareOf(n, {&sphere, 1});
             EXPECT_NEAR(share, sine * sine, 0.05f) << sine;
             mean += share / 4;
         }
@@ -67,34 +67,34 @@ TEST(Ellipsoid, IsAHalfSpaceFromItsSkinAndWithin) {
 }
 
 TEST(Ellipsoid, OfNoSizeFarAwayOrBehindTakesNothing) {
-    const Occluder none[] = {ballAt({0, 1, 0}, 1e-4f),
-                             ballAt({0, 300, 0}, 0.1f),
-                             ballAt({0, -2, 0}, 1),
+    const Occluder none[] = {sphereAt({0, 1, 0}, 1e-4f),
+                             sphereAt({0, 300, 0}, 0.1f),
+                             sphereAt({0, -2, 0}, 1),
                              {{{0, 1, 0}, glm::mat3(1), glm::vec3(0.5f)}, 0, {}}};
     for (const Occluder& each : none) EXPECT_LT(shareOf({0, 1, 0}, {&each, 1}), 1e-3f);
 }
 
 // Scene and surface turned together: the axes do not turn with them.
 TEST(Ellipsoid, TakesMuchTheSameWhicheverWayTheSceneIsTurned) {
-    float least = 1, most = 0;
+    float minimum = 1, maximum = 0;
     for (int i = 0; i < 40; ++i) {
         const auto k = static_cast<float>(i);
         const glm::mat3 turn = glm::mat3_cast(
             glm::normalize(glm::quat(std::sin(k), std::cos(2 * k), std::sin(3 * k), std::cos(5 * k))));
         const Occluder body = {{turn * glm::vec3(0.3f, 0.6f, -0.2f), turn, {0.15f, 0.4f, 0.6f}}, 1, {}};
         const float share = shareOf(turn * glm::vec3(0, 1, 0), {&body, 1});
-        least = std::min(least, share), most = std::max(most, share);
+        minimum = std::min(minimum, share), maximum = std::max(maximum, share);
     }
-    EXPECT_LT(most - least, 0.06f);
-    EXPECT_GT(least, 0.15f);
+    EXPECT_LT(maximum - minimum, 0.06f);
+    EXPECT_GT(minimum, 0.15f);
 }
 
 TEST(Take, OfNothingIsExactlyNothing) {
     SmoothLight light;
     light.ahead.fill({1, 2, 3});
     light.behind.fill({3, 2, 1});
-    light.lampRadiance = glm::vec3(50);
-    const Taken taken = take({}, {0, 1, 0}, {}, {}, {}, light);
+    light.dominantRadiance = glm::vec3(50);
+    const OcclusionResult taken = occlude({}, {0, 1, 0}, {}, {}, {}, light);
     EXPECT_EQ(taken.share, 0);
     EXPECT_EQ(taken.radiance, glm::vec3(0));
 }
@@ -105,24 +105,24 @@ TEST(Take, OfWhiteBodiesInEvenLightIsSmall) {
     light.ahead.fill(glm::vec3(1));
     light.behind.fill(glm::vec3(1));
     light.even[0] = glm::vec3(1);
-    Occluder black = ballAt({0, 1.5f, 0}, 0.6f), white = black;
+    Occluder black = sphereAt({0, 1.5f, 0}, 0.6f), white = black;
     white.albedo = glm::vec3(1);
-    const Taken dark = take({}, {0, 1, 0}, {}, {}, {&black, 1}, light),
-                lit = take({}, {0, 1, 0}, {}, {}, {&white, 1}, light);
+    const OcclusionResult dark = occlude({}, {0, 1, 0}, {}, {}, {&black, 1}, light),
+                          lit = occlude({}, {0, 1, 0}, {}, {}, {&white, 1}, light);
     EXPECT_NEAR(dark.radiance.x, dark.share, 0.03f * dark.share);
     EXPECT_NEAR(lit.radiance.x, dark.share * dark.share, 0.03f * dark.share); // white in each other's shade
 }
 
-// A lamp behind a ball is gone, beside it whole, and in between fades.
-TEST(Take, OfALampRunsFromAllToNoneAcrossTheEdge) {
+// A dominant light behind a sphere is gone, beside it whole, and in between fades.
+TEST(Take, OfADominantLightRunsFromAllToNoneAcrossTheEdge) {
     SmoothLight light;
-    light.lampShare = 0.02f;
-    light.lampRadiance = glm::vec3(1 / light.lampShare);
+    light.dominantShare = 0.02f;
+    light.dominantRadiance = glm::vec3(1 / light.dominantShare);
     float before = 2;
     for (float angle = 0; angle < 0.8f; angle += 0.02f) {
-        light.lampTowards = {std::sin(angle), std::cos(angle), 0};
-        const Occluder ball = ballAt({0, 2, 0}, 0.8f); // half angle 0.41
-        const float hidden = take({}, {0, 1, 0}, {}, {}, {&ball, 1}, light).radiance.x / std::cos(angle);
+        light.dominantTowards = {std::sin(angle), std::cos(angle), 0};
+        const Occluder sphere = sphereAt({0, 2, 0}, 0.8f); // half angle 0.41
+        const float hidden = occlude({}, {0, 1, 0}, {}, {}, {&sphere, 1}, light).radiance.x / std::cos(angle);
         EXPECT_LE(hidden, before + 0.02f) << angle;
         if (angle < 0.2f) {
             EXPECT_NEAR(hidden, 1, 0.02f) << angle;
@@ -141,8 +141,8 @@ TEST(Take, OfALampRunsFromAllToNoneAcrossTheEdge) {
 TEST(OpenLobe, IsWholeWhereItLooksOutOfASkin) {
     const Occluder body = {{{}, glm::mat3(1), {0.2f, 0.3f, 0.5f}}, 1, {}};
     for (const float depth : {-0.02f, 0.0f, 0.02f}) {
-        EXPECT_EQ(openLobe({0.2f - depth, 0, 0}, {1, 0, 0}, 0.4f, {&body, 1}), 1) << depth;
-        EXPECT_LT(openLobe({0.2f - depth, 0, 0}, {-1, 0, 0}, 0.4f, {&body, 1}), 0.01f) << depth;
+        EXPECT_EQ(lobeVisibility({0.2f - depth, 0, 0}, {1, 0, 0}, 0.4f, {&body, 1}), 1) << depth;
+        EXPECT_LT(lobeVisibility({0.2f - depth, 0, 0}, {-1, 0, 0}, 0.4f, {&body, 1}), 0.01f) << depth;
     }
 }
 

@@ -104,31 +104,31 @@ TEST(Bvh, MeetsWhatEveryTriangleTriedInTurnMeets) {
     EXPECT_FALSE(Bvh({}, {}).first({}, {0, 0, 1}, 0, 1));
 }
 
-TEST(SmoothLight, FindsTheLampAndKeepsTheMean) {
+TEST(SmoothLight, FindsTheDominantLightAndKeepsTheMean) {
     ImageRgbF map(64, 32);
-    const glm::vec3 lamp = glm::normalize(glm::vec3(0.3f, 0.8f, -0.4f));
+    const glm::vec3 dominant = glm::normalize(glm::vec3(0.3f, 0.8f, -0.4f));
     double mean = 0;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) {
             const glm::vec3 d = directionFromLatLong(
                 glm::vec2((static_cast<float>(x) + 0.5f) / 64, (static_cast<float>(y) + 0.5f) / 32));
-            const float value = glm::dot(d, lamp) > 0.95f ? 20.0f : 1.0f;
+            const float value = glm::dot(d, dominant) > 0.95f ? 20.0f : 1.0f;
             for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value;
             mean += static_cast<double>(value) * texelSolidAngle(y, 64, 32) / (4 * std::numbers::pi);
         }
     const SmoothLight light = smoothLight(map);
-    EXPECT_GT(glm::dot(light.lampTowards, lamp), 0.999f);
-    EXPECT_NEAR(light.lampShare, 1 - 0.95f * 0.95f, 0.02f);
-    const double lampMean =
-        static_cast<double>(light.lampRadiance.x * (1 - std::sqrt(1 - light.lampShare)) / 2);
+    EXPECT_GT(glm::dot(light.dominantTowards, dominant), 0.999f);
+    EXPECT_NEAR(light.dominantShare, 1 - 0.95f * 0.95f, 0.02f);
+    const double dominantMean =
+        static_cast<double>(light.dominantRadiance.x * (1 - std::sqrt(1 - light.dominantShare)) / 2);
     double around = 0;
     for (size_t k = 0; k < kAxisCount; ++k)
         around += static_cast<double>(light.ahead[k].x + light.behind[k].x) / (2 * kAxisCount);
-    EXPECT_NEAR(around + lampMean, mean, 0.01 * mean); // ends have not quite the same share of the sphere
+    EXPECT_NEAR(around + dominantMean, mean, 0.01 * mean); // ends have not quite the same share of the sphere
     EXPECT_NEAR(static_cast<double>(light.even[0].x), mean, 1e-4 * mean);
 }
 
-TEST(SmoothLight, OfEvenLightHasNoLamp) {
+TEST(SmoothLight, OfEvenLightHasNoDominantLight) {
     ImageRgbF map(64, 32);
     std::fill(map.pixels.begin(), map.pixels.end(), 2.0f);
     const SmoothLight light = smoothLight(map);
@@ -138,7 +138,7 @@ TEST(SmoothLight, OfEvenLightHasNoLamp) {
     }
     EXPECT_NEAR(light.even[0].y, 2, 1e-4f);
     EXPECT_NEAR(light.even[2].y, 0, 1e-4f);
-    EXPECT_EQ(light.lampRadiance.y, 0);
+    EXPECT_EQ(light.dominantRadiance.y, 0);
 }
 
 } // namespace

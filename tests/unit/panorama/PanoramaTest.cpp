@@ -1,12 +1,12 @@
-// Photos grown to surrounds: where the light comes to stand, what bends, how the ends meet.
+// Photos grown to environments: where the light comes to stand, what bends, how the ends meet.
 #include "engine/panorama/Panorama.h"
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
-#include "engine/panorama/Caps.h"
 #include "engine/panorama/FindLight.h"
-#include "engine/panorama/Joint.h"
 #include "engine/panorama/Lens.h"
-#include "engine/panorama/Place.h"
+#include "engine/panorama/PartialPanorama.h"
+#include "engine/panorama/PolarCaps.h"
+#include "engine/panorama/WrapBlend.h"
 #include "tests/bench/panorama/Scenes.h"
 
 #include <glm/geometric.hpp>
@@ -48,7 +48,7 @@ TEST(FindLight, DiscIsFoundWithinATexel) {
         cv::Mat coded;
         cv::Mat(480, 640, CV_8UC3, const_cast<uint8_t*>(photo.pixels.data()))
             .convertTo(coded, CV_32F, 1 / 255.0);
-        const MainLight found = findLight(coded);
+        const MainLight found = findMainLight(coded);
         EXPECT_NEAR(found.place.x, at.x, 0.5);
         EXPECT_NEAR(found.place.y, at.y, 0.5);
         EXPECT_NEAR(found.radius_px, 7, 0.5);
@@ -56,7 +56,7 @@ TEST(FindLight, DiscIsFoundWithinATexel) {
 }
 
 TEST(FindLight, BlackHasOneToo) {
-    const MainLight found = findLight(cv::Mat::zeros(20, 30, CV_32FC3));
+    const MainLight found = findMainLight(cv::Mat::zeros(20, 30, CV_32FC3));
     EXPECT_TRUE(found.place.x >= 0 && found.place.x <= 30 && found.place.y >= 0 && found.place.y <= 20);
 }
 
@@ -73,7 +73,7 @@ TEST(Lens, ThereAndBack) {
 }
 
 // The mth harmonic of the rim falls as (tan(c/2) / tan(c0/2))^m.
-TEST(Caps, HarmonicsFallAsLaplaceWants) {
+TEST(PolarCaps, HarmonicsFallAsLaplaceWants) {
     const int width = 512, height = 256, edge = 64;
     cv::Mat sphere(height, width, CV_32FC3);
     for (int y = 0; y < height; ++y)
@@ -82,7 +82,7 @@ TEST(Caps, HarmonicsFallAsLaplaceWants) {
             const double value = y < edge ? 0 : 0.5 + 0.2 * std::cos(lon) + 0.1 * std::cos(3 * lon);
             sphere.at<cv::Vec3f>(y, x) = cv::Vec3f::all(static_cast<float>(value));
         }
-    fillCap(sphere, edge, Cap::Sky);
+    fillPolarCap(sphere, edge, PolarCap::Sky);
     const double inner =
         edge + 5 * height / 180; // as the header says: it fades in over the ring's first 5 degrees
     const double rim = std::tan((inner + 0.5) / height * std::numbers::pi / 2);
@@ -99,7 +99,7 @@ TEST(Caps, HarmonicsFallAsLaplaceWants) {
 
 // A ground of blots goes on to the nadir with its own contrast, and no part of it is another's copy, straight
 // or mirrored.
-TEST(Caps, GroundKeepsItsGrainAndDoesNotRepeat) {
+TEST(PolarCaps, GroundKeepsItsGrainAndDoesNotRepeat) {
     const int width = 1024, height = 512, edge = 150; // a rim 53 degrees from the nadir
     cv::Mat sphere(height, width, CV_32FC3), grain(height, width, CV_32F);
     cv::RNG dice(5);
@@ -109,7 +109,7 @@ TEST(Caps, GroundKeepsItsGrainAndDoesNotRepeat) {
     cv::meanStdDev(grain, mean, spread);
     grain = (grain - mean) * (0.04 / spread[0]) + 0.5;
     cv::merge(std::array{grain, grain, grain}, sphere);
-    fillCap(sphere, edge, Cap::Ground);
+    fillPolarCap(sphere, edge, PolarCap::Ground);
 
     // The plane below, from 1 to the left to 1 to the right, in units of the height above it.
     const int side = 256;
@@ -137,14 +137,14 @@ TEST(Caps, GroundKeepsItsGrainAndDoesNotRepeat) {
         if (turn != 2) cv::flip(piece, sought, turn);
         cv::matchTemplate(grey, sought, match, cv::TM_CCOEFF_NORMED);
         if (turn == 2) match(cv::Rect(92, 92, 17, 17)) = 0; // itself
-        double most = 0;
-        cv::minMaxLoc(match, nullptr, &most);
-        EXPECT_LT(most, 0.8) << name;
+        double maximum = 0;
+        cv::minMaxLoc(match, nullptr, &maximum);
+        EXPECT_LT(maximum, 0.8) << name;
     }
 }
 
 // The ends differ in colour and in the horizon's height; both meet.
-TEST(Joint, EndsMeet) {
+TEST(WrapBlend, EndsMeet) {
     cv::Mat ring(200, 720, CV_32FC3);
     for (int y = 0; y < ring.rows; ++y)
         for (int x = 0; x < ring.cols; ++x) {
@@ -153,12 +153,12 @@ TEST(Joint, EndsMeet) {
                 (y < horizon ? 0.7 : 0.25) + 0.1 * x / ring.cols + 0.03 * std::sin(x * 0.7 + y * 0.9);
             ring.at<cv::Vec3f>(y, x) = cv::Vec3f::all(static_cast<float>(value));
         }
-    const JointStrength before = jointStrength(ring);
+    const WrapDiscontinuity before = wrapDiscontinuity(ring);
     const cv::Mat middle = ring.col(360).clone();
-    closeRing(ring);
-    const JointStrength after = jointStrength(ring);
-    EXPECT_GT(before.joint, 2 * before.usual);
-    EXPECT_LE(after.joint, after.usual);
+    blendWrapAround(ring);
+    const WrapDiscontinuity after = wrapDiscontinuity(ring);
+    EXPECT_GT(before.wrapStep, 2 * before.usualStep);
+    EXPECT_LE(after.wrapStep, after.usualStep);
     EXPECT_EQ(cv::norm(ring.col(360), middle, cv::NORM_INF), 0); // far from the ends nothing changes
     // The horizon is one step still, not two half ones: at both ends it crosses the middle once, at one
     // height.
@@ -172,11 +172,11 @@ TEST(Joint, EndsMeet) {
     }
 }
 
-TEST(Panorama, JointIsNoStrongerThanThePicturesOwnGradients) {
+TEST(Panorama, WrapStepIsNoStrongerThanThePicturesOwnGradients) {
     for (const bench::Scene& scene : {bench::beach(480, 360), bench::forest(480, 360)}) {
-        const auto grown = grow(scene.photo, {.fov_deg = bench::kSceneFov_deg});
+        const auto grown = panoramaFromPhoto(scene.photo, {.fov_deg = bench::kSceneFov_deg});
         ASSERT_TRUE(grown);
-        EXPECT_LE(grown->joint, grown->ownGradient);
+        EXPECT_LE(grown->wrapStep, grown->usualStep);
         // Both lights are wider than 2 degrees and one has a ragged edge.
         EXPECT_LT(glm::distance(grown->lightInPhoto, scene.light) / 480 * bench::kSceneFov_deg, 0.5);
     }
@@ -194,7 +194,7 @@ glm::dvec2 brightest(const ImageRgb8& picture) {
 
 TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
     for (const double x : {60.0, 300.0}) {
-        const auto grown = grow(dusk(480, 360, x, 100, 9, {}, 0), {.fov_deg = 60});
+        const auto grown = panoramaFromPhoto(dusk(480, 360, x, 100, 9, {}, 0), {.fov_deg = 60});
         ASSERT_TRUE(grown);
         const ImageRgb8& out = grown->latLong;
         ASSERT_EQ(out.width, 2 * out.height);
@@ -213,7 +213,8 @@ TEST(Panorama, LightStandsInTheMiddleAtItsOwnHeight) {
 // where the others' mean is.
 TEST(Panorama, PillarsStayUpright) {
     const int width = 640;
-    const auto grown = grow(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}, 10), {.fov_deg = 65});
+    const auto grown =
+        panoramaFromPhoto(dusk(width, 480, 300, 170, 9, {60, 250, 340, 560}, 10), {.fov_deg = 65});
     ASSERT_TRUE(grown);
     const ImageRgb8& out = grown->latLong;
     // Dark runs, followed up and down from the horizon.
@@ -241,14 +242,15 @@ TEST(Panorama, PillarsStayUpright) {
 
 TEST(Panorama, SameBytesTwice) {
     const ImageRgb8 photo = bench::beach(320, 240).photo;
-    const auto a = grow(photo, {}), b = grow(photo, {});
+    const auto a = panoramaFromPhoto(photo, {}), b = panoramaFromPhoto(photo, {});
     ASSERT_TRUE(a && b);
     EXPECT_EQ(a->latLong.pixels, b->latLong.pixels);
 }
 
 TEST(Panorama, ProgressRisesToOne) {
     std::vector<double> shares;
-    ASSERT_TRUE(grow(dusk(200, 150, 60, 50, 5, {}, 0), {.progress = [&](double s) { shares.push_back(s); }}));
+    ASSERT_TRUE(panoramaFromPhoto(dusk(200, 150, 60, 50, 5, {}, 0),
+                                  {.progress = [&](double s) { shares.push_back(s); }}));
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_GT(shares.size(), 50u);
     EXPECT_EQ(shares.back(), 1);
@@ -256,14 +258,14 @@ TEST(Panorama, ProgressRisesToOne) {
 
 TEST(Panorama, WhatCannotBeGrownIsRefused) {
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 400}, {400, 1}, {15, 15}, {16 * 9, 16}})
-        EXPECT_FALSE(grow(ImageRgb8(width, height), {})) << width << "x" << height;
+        EXPECT_FALSE(panoramaFromPhoto(ImageRgb8(width, height), {})) << width << "x" << height;
     for (const double fov : {0.0, 9.9, 151.0, std::nan("")})
-        EXPECT_FALSE(grow(dusk(64, 48, 20, 9, 4, {}, 0), {.fov_deg = fov}));
+        EXPECT_FALSE(panoramaFromPhoto(dusk(64, 48, 20, 9, 4, {}, 0), {.fov_deg = fov}));
 }
 
 TEST(Panorama, BlackStaysBlack) {
     for (const auto& [width, height] : {std::pair{16, 17}, {16, 128}, {128, 16}}) {
-        const auto grown = grow(ImageRgb8(width, height), {});
+        const auto grown = panoramaFromPhoto(ImageRgb8(width, height), {});
         ASSERT_TRUE(grown) << width << "x" << height;
         EXPECT_EQ(grown->latLong.width, 2 * grown->latLong.height);
         EXPECT_EQ(*std::max_element(grown->latLong.pixels.begin(), grown->latLong.pixels.end()), 0);
@@ -271,8 +273,8 @@ TEST(Panorama, BlackStaysBlack) {
 }
 
 TEST(Panorama, LightInACornerAtEitherEndOfFieldsOfView) {
-    EXPECT_TRUE(grow(dusk(64, 48, 1, 1, 4, {}, 0), {.fov_deg = kLeastFov_deg}));
-    EXPECT_TRUE(grow(dusk(64, 48, 63, 47, 4, {}, 0), {.fov_deg = kLargestFov_deg}));
+    EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 1, 1, 4, {}, 0), {.fov_deg = kMinFov_deg}));
+    EXPECT_TRUE(panoramaFromPhoto(dusk(64, 48, 63, 47, 4, {}, 0), {.fov_deg = kMaxFov_deg}));
 }
 
 // What the reader makes of odd files is a photo like any other.
@@ -285,8 +287,8 @@ TEST(Panorama, SixteenBitsGreyAndAlpha) {
                       cv::FILLED);
         ASSERT_TRUE(cv::imwrite((folder / "odd.png").string(), made));
         const auto photo = media::readPicture(folder / "odd.png");
-        ASSERT_TRUE(photo) << photo.error().sentence();
-        const auto grown = grow(*photo, {});
+        ASSERT_TRUE(photo) << photo.error().message();
+        const auto grown = panoramaFromPhoto(*photo, {});
         ASSERT_TRUE(grown);
         EXPECT_NEAR(grown->lightInPhoto.x, 22, 0.5) << type;
         EXPECT_NEAR(grown->latLong.at(0, grown->latLong.height / 2)[0], 100, 12) << type;
@@ -301,21 +303,21 @@ TEST(Panorama, HighDynamicRangeIsKept) {
             const bool sun = std::hypot(x + 0.5 - 100, y + 0.5 - 40) < 5;
             std::fill_n(photo.at(x, y), 3, sun ? 20000.0f : 0.3f);
         }
-    const auto grown = grow(photo, {});
+    const auto grown = panoramaFromPhoto(photo, {});
     ASSERT_TRUE(grown);
     const auto& pixels = grown->latLong.pixels;
-    const float most = *std::max_element(pixels.begin(), pixels.end());
-    EXPECT_GT(most, 15000.0f);
-    EXPECT_LT(most, 20001.0f);
+    const float maximum = *std::max_element(pixels.begin(), pixels.end());
+    EXPECT_GT(maximum, 15000.0f);
+    EXPECT_LT(maximum, 20001.0f);
     EXPECT_TRUE(
         std::all_of(pixels.begin(), pixels.end(), [](float p) { return std::isfinite(p) && p >= 0; }));
 }
 
-TEST(Place, PartLiesWhereItSays) {
+TEST(PartialPanorama, PartLiesWhereItSays) {
     ImageRgb8 part(512, 256);
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 512; ++x) part.at(x, y)[0] = static_cast<uint8_t>(x / 4), part.at(x, y)[1] = 200;
-    const auto placed = place(part, {0.25, 0.25, 0.75, 0.75});
+    const auto placed = completePanorama(part, {0.25, 0.25, 0.75, 0.75});
     ASSERT_TRUE(placed);
     ASSERT_EQ(placed->width, 1024);
     ASSERT_EQ(placed->height, 512);
@@ -328,17 +330,17 @@ TEST(Place, PartLiesWhereItSays) {
     ImageRgb8 lit(256, 128); // one light, and no second one in the gap
     std::fill(lit.pixels.begin(), lit.pixels.end(), uint8_t{60});
     for (int y = 50; y < 60; ++y) std::fill_n(lit.at(120, y), 30, uint8_t{255});
-    const auto one = place(lit, {0.25, 0.25, 0.75, 0.75});
+    const auto one = completePanorama(lit, {0.25, 0.25, 0.75, 0.75});
     ASSERT_TRUE(one);
     for (int y = 0; y < one->height; ++y)
         for (int x = 0; x < one->width / 4; ++x) {
             ASSERT_LT(one->at(x, y)[0], 100);
             ASSERT_LT(one->at(one->width - 1 - x, y)[0], 100);
         }
-    for (const Part& odd :
-         {Part{0, 0.8, 1, 1}, Part{0, 0, 1, 0.2}, Part{0.99, 0.4, 1, 0.6}, Part{0, 0, 1, 1}})
-        EXPECT_TRUE(place(part, odd));
-    EXPECT_FALSE(place(ImageRgb8(1, 1), {0.5, 0.5, 0.5001, 0.5001}));
+    for (const PanoramaPart& odd : {PanoramaPart{0, 0.8, 1, 1}, PanoramaPart{0, 0, 1, 0.2},
+                                    PanoramaPart{0.99, 0.4, 1, 0.6}, PanoramaPart{0, 0, 1, 1}})
+        EXPECT_TRUE(completePanorama(part, odd));
+    EXPECT_FALSE(completePanorama(ImageRgb8(1, 1), {0.5, 0.5, 0.5001, 0.5001}));
 }
 
 } // namespace

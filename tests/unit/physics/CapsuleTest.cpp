@@ -26,8 +26,9 @@ TEST(Separation, MatchesClosedForms) {
     EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kTol);
 }
 
-glm::vec3 anywhere(Random& random, float most) {
-    return {random.between(-most, most), random.between(-most, most), random.between(-most, most)};
+glm::vec3 anywhere(Random& random, float maximum) {
+    return {random.between(-maximum, maximum), random.between(-maximum, maximum),
+            random.between(-maximum, maximum)};
 }
 
 // Against the same way cut into a thousand pieces: what these see, firstTouch sees, and where it says.

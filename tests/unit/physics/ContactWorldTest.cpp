@@ -18,7 +18,7 @@ constexpr float kTol = 1e-5f;
 
 Mover still(Capsule c, int tag = 0) { return moving(c, c, kDt, 0, tag); }
 
-Mover ball(glm::vec3 from, glm::vec3 to, float radius) {
+Mover sphere(glm::vec3 from, glm::vec3 to, float radius) {
     return moving({from, from, radius}, {to, to, radius}, kDt);
 }
 
@@ -32,7 +32,7 @@ Body fishAt(glm::vec3 at, float radius, float half, glm::vec3 velocity = glm::ve
 TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
     ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {0, 0, 0}, 5);
-    // A ball of 1 cm, 3.5 cm left of the axis: 5 mm deep.
+    // A sphere of 1 cm, 3.5 cm left of the axis: 5 mm deep.
     const Mover tip = still({{-0.035f, 0, 0.02f}, {-0.035f, 0, 0.02f}, 0.01f}, 7);
     std::vector<Contact> contacts;
     world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
@@ -49,7 +49,7 @@ TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
 TEST(ContactWorld, ClosingSpeedIsRelative) {
     ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {-0.5f, 0, 0});
-    const Mover tip = ball({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
+    const Mover tip = sphere({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
     std::vector<Contact> contacts;
     world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     ASSERT_EQ(contacts.size(), 1u);
@@ -69,7 +69,7 @@ TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
             for (float aside : {0.0f, 0.012f}) {
                 const float way = speed * kDt;
                 const Mover tip =
-                    ball({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
+                    sphere({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
                 world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
                 EXPECT_EQ(contacts.size(), 1u) << speed << " m/s, offset " << offset << ", aside " << aside;
             }
@@ -79,7 +79,7 @@ TEST(ContactWorld, ATeleportTouchesNothingOnItsWay) {
     ContactWorld world;
     std::vector<Contact> contacts;
     const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
-    const Mover tip = ball({-1, 0, 0}, {1, 0, 0}, 0.006f);
+    const Mover tip = sphere({-1, 0, 0}, {1, 0, 0}, 0.006f);
     world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     EXPECT_TRUE(contacts.empty());
 }
@@ -90,7 +90,7 @@ TEST(ContactWorld, ResultIsSortedAndIndependentOfOrderAndHistory) {
     for (uint32_t i = 0; i < 6; ++i)
         bodies.push_back(fishAt({0.03f * static_cast<float>(i), 0, 0}, 0.03f, 0.04f, {0, 0, 0}, i));
     for (int i = 0; i < 6; ++i) {
-        Mover m = ball({-0.1f, 0.01f * static_cast<float>(i), 0}, {0.15f, 0.01f, 0}, 0.008f);
+        Mover m = sphere({-0.1f, 0.01f * static_cast<float>(i), 0}, {0.15f, 0.01f, 0}, 0.008f);
         m.group = i % 2;
         m.tag = i;
         movers.push_back(m);
@@ -148,7 +148,7 @@ TEST(ContactWorld, ALastingContactNeverFlipsHoweverDeepItGoes) {
     float depth = 0;
     for (int i = 0; i < 60; ++i) {
         const auto x = [](int step) { return -0.045f + 0.001f * static_cast<float>(step); };
-        const Mover tip = ball({x(i), 0.002f, 0.01f}, {x(i + 1), 0.002f, 0.01f}, 0.008f);
+        const Mover tip = sphere({x(i), 0.002f, 0.01f}, {x(i + 1), 0.002f, 0.01f}, 0.008f);
         world.collide({&fish, 1}, {&tip, 1}, kDt, last, now);
         if (!now.empty()) {
             EXPECT_GT(now[0].normal.x, 0.7f) << "step " << i;
@@ -172,7 +172,7 @@ TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
     int touching = 0;
     for (int i = 0; i < 40; ++i) {
         const float a = -0.1f + 0.005f * static_cast<float>(i);
-        const Mover tip = ball({a, 0.002f, 0}, {a + 0.005f, 0.002f, 0}, 0.008f);
+        const Mover tip = sphere({a, 0.002f, 0}, {a + 0.005f, 0.002f, 0}, 0.008f);
         world.collide({&fish, 1}, {&tip, 1}, kDt, last, now);
         touching += !now.empty();
         std::swap(last, now);

@@ -18,7 +18,7 @@ Finger bent(float angle) {
     f.joints[0] = {0, 0.008f, 0.03f};
     f.radii = {0, 0.0105f, 0.009f, 0.008f, 0.0065f};
     float a = 0;
-    for (int i = 1; i < kFingerJoints; ++i) {
+    for (int i = 1; i < hands::kMaxFingerJoints; ++i) {
         if (i > 1) a += angle;
         f.joints[i] = f.joints[i - 1] + glm::vec3(0, -std::sin(a), -std::cos(a)) * length[i];
     }
@@ -31,16 +31,16 @@ Capsule fish(float radius) {
 }
 
 float gap(const Finger& f, const Capsule& body) {
-    float least = 1;
+    float minimum = 1;
     for (int i = 2; i < f.count; ++i)
-        least = std::min(least, separation({f.joints[i - 1], f.joints[i], f.radii[i]}, body));
-    return least;
+        minimum = std::min(minimum, separation({f.joints[i - 1], f.joints[i], f.radii[i]}, body));
+    return minimum;
 }
 
 TEST(Finger, ThatMeetsNothingStaysAsItIs) {
     const Finger given = bent(0.9f);
     const Finger out = wrapped(given, {{5, 0, 0}, {5, 0, 0}, 0.02f});
-    for (int i = 0; i < kFingerJoints; ++i) {
+    for (int i = 0; i < hands::kMaxFingerJoints; ++i) {
         EXPECT_NEAR(glm::distance(out.joints[i], given.joints[i]), 0, 1e-6f);
         EXPECT_FALSE(out.touches[i]);
         EXPECT_NEAR(std::fabs(out.turned[i].w), 1, 1e-5f);
@@ -53,7 +53,7 @@ TEST(Finger, WrapsAroundAFishWithoutEnteringItAndKeepsItsBones) {
             const Finger given = bent(angle), out = wrapped(given, fish(radius));
             EXPECT_GT(gap(out, fish(radius)), -1e-4f) << radius << " " << angle;
             int touching = 0;
-            for (int i = 1; i < kFingerJoints; ++i) {
+            for (int i = 1; i < hands::kMaxFingerJoints; ++i) {
                 EXPECT_NEAR(glm::distance(out.joints[i], out.joints[i - 1]),
                             glm::distance(given.joints[i], given.joints[i - 1]), 1e-6f);
                 touching += out.touches[i];
@@ -82,9 +82,9 @@ TEST(Finger, ClosesSteadily) {
 }
 
 TEST(Finger, OddFingersComeToNoHarm) {
-    Finger folded = bent(3.14159f), point;
+    Finger curled = bent(3.14159f), point;
     point.joints.fill(glm::vec3(0.01f));
-    for (const Finger& given : {folded, point}) {
+    for (const Finger& given : {curled, point}) {
         const Finger out = wrapped(given, fish(0.024f));
         for (const glm::vec3& joint : out.joints) EXPECT_TRUE(std::isfinite(joint.x + joint.y + joint.z));
     }

@@ -111,9 +111,9 @@ TEST(Hold, FindsTheWorstDirection) {
 
 TEST(Hold, ForcesAreBounded) {
     EXPECT_EQ(pressForce_N(-1), 0);
-    EXPECT_EQ(pressForce_N(100), kForceMost_N);
+    EXPECT_EQ(pressForce_N(100), kForceMax_N);
     EXPECT_NEAR(pressForce_N(0.004f), 0.004f * kStiffness_Npm, 1e-6f);
-    // A ball of 3 cm.
+    // A sphere of 3 cm.
     EXPECT_NEAR(mass_kg(0.03f, 0), kDensity_kgpm3 * 1.131e-4f, 1e-4f);
 }
 

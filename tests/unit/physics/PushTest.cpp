@@ -58,14 +58,14 @@ TEST(Parting, IsGentleAndFadesWithTheOverlap) {
     for (float depth : {0.06f, 0.03f, 0.01f, 0.002f, 0.0005f}) {
         const Contact c = against({0, 1, 0}, {0, 20, 0}, depth);
         const float speed = glm::length(parting({&c, 1}));
-        EXPECT_LE(speed, kPartMost_mps) << depth;
+        EXPECT_LE(speed, kPartMax_mps) << depth;
         EXPECT_LE(speed, before);
         before = speed;
     }
     EXPECT_EQ(before, 0) << "what hardly overlaps is let be";
 }
 
-// From an overlap of 5 cm to none: no tick moves it farther than kPartMost_mps, none moves it back.
+// From an overlap of 5 cm to none: no tick moves it farther than kPartMax_mps, none moves it back.
 TEST(Parting, ResolvesAnOverlapWithoutPopping) {
     float depth = 0.05f, slowest = 1;
     int ticks = 0;
@@ -73,7 +73,7 @@ TEST(Parting, ResolvesAnOverlapWithoutPopping) {
         const Contact c = against({0, 0, 1}, glm::vec3(0), depth);
         const float step = parting({&c, 1}).z / 120;
         EXPECT_GE(step, 0);
-        EXPECT_LE(step, kPartMost_mps / 120);
+        EXPECT_LE(step, kPartMax_mps / 120);
         slowest = std::min(slowest, step);
         depth -= step;
         ++ticks;

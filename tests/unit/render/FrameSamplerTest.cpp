@@ -1,4 +1,4 @@
-#include "engine/render/FrameSampler.h"
+#include "engine/render/software/FrameSampler.h"
 
 #include "engine/core/Random.h"
 
@@ -32,7 +32,7 @@ struct Frame {
     }
 
     std::vector<uint8_t> bytes;
-    CodedFrame coded;
+    DisplayFrame coded;
 };
 
 double exact(const Frame& frame, const glm::dvec2& at, int c) {

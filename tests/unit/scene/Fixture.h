@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/scene/LoadModel.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -18,10 +19,7 @@ namespace shoal::scene {
 
 using Json = nlohmann::json;
 
-inline Path sharedData() {
-    const char* set = std::getenv("SHOAL_SHARED");
-    return (set && *set ? Path(set) : Path(SHOAL_SOURCE_DIR).parent_path() / "shared") / "data";
-}
+inline Path sharedData() { return tests::sharedDataFolder(); }
 
 // A folder that goes with the test.
 class Folder {

@@ -20,7 +20,7 @@ TEST(Load, ReferenceModels) {
             if (extension != ".gltf" && extension != ".glb") continue;
             ++count;
             const auto model = loadModel(entry.path());
-            ASSERT_TRUE(model) << model.error().sentence();
+            ASSERT_TRUE(model) << model.error().message();
             Pose pose;
             restPose(*model, pose);
             const Bounds bounds = posedBounds(*model, pose);
@@ -42,7 +42,7 @@ TEST(Load, FlatNormalsWhereThereAreNone) {
     Json& primitive = file.addTriangles(positions);
     primitive["indices"] = file.add<uint8_t>({0, 1, 2, 0, 3, 1}, "SCALAR", Gltf::kUnsignedByte);
     const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     const Primitive& p = only(model);
     ASSERT_EQ(p.positions.size(), 6u); // shared corners are split
     EXPECT_EQ(p.normals[0], glm::vec3(0, 0, 1));
@@ -59,7 +59,7 @@ TEST(Load, FlatNormalsOfMorphTargets) {
     primitive["targets"] = {{{"POSITION", file.addFloats({0, 0, 0, 0, 0, 0, 0, -1, 1}, "VEC3")}}};
     file.root["meshes"][0]["weights"] = {0.5};
     const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     EXPECT_EQ(model->meshes[0].morphWeights, std::vector<float>{0.5f});
     ASSERT_EQ(only(model).morphTargets.size(), 1u);
     EXPECT_EQ(only(model).morphTargets[0].normals[1], glm::vec3(0, -1, -1));
@@ -85,7 +85,7 @@ TEST(Load, PointsAndLinesAreLeftOut) {
         Gltf file;
         file.addTriangles(file.addFloats(kTriangle, "VEC3"))["mode"] = mode;
         const auto model = file.load();
-        ASSERT_TRUE(model) << model.error().sentence();
+        ASSERT_TRUE(model) << model.error().message();
         EXPECT_TRUE(model->meshes[0].primitives.empty());
     }
 }
@@ -124,12 +124,12 @@ TEST(Load, SparseAccessorsReplaceElements) {
         {"values", {{"bufferView", values}}}};
     file.addTriangles(positions);
     auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     EXPECT_EQ(only(model).positions[1], glm::vec3(7, 8, 9));
     EXPECT_EQ(only(model).positions[2], glm::vec3(0, 1, 0));
     file.root["accessors"][static_cast<size_t>(positions)].erase("bufferView"); // the others are zeros then
     model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     EXPECT_EQ(only(model).positions[1], glm::vec3(7, 8, 9));
     EXPECT_EQ(only(model).positions[2], glm::vec3(0));
 }
@@ -147,7 +147,7 @@ TEST(Load, WeightsSumToOneAndTheFourHeaviestStay) {
     file.root["nodes"][0]["skin"] = 0;
     file.root["skins"] = {{{"joints", {1, 2, 3}}}};
     const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     EXPECT_EQ(only(model).weights[0], glm::vec4(0.5f, 0.25f, 0.25f, 0));
     EXPECT_EQ(only(model).joints[0], glm::u16vec4(2, 0, 1, 0));
     EXPECT_EQ(only(model).weights[1], glm::vec4(1, 0, 0, 0));
@@ -161,7 +161,7 @@ TEST(Load, MatricesAreSplitWhereTheyCanBe) {
     file.root["nodes"] = {{{"matrix", {0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -4, 0, 5, 6, 7, 1}}},
                           {{"matrix", {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}; // sheared
     const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     ASSERT_FALSE(model->nodes[0].matrix);
     EXPECT_EQ(model->nodes[0].parentFromNode.translation, glm::vec3(5, 6, 7));
     EXPECT_EQ(glm::abs(model->nodes[0].parentFromNode.scale), glm::vec3(2, 3, 4));
@@ -185,7 +185,7 @@ TEST(Load, NormalizedIntegerKeysBecomeRotations) {
          {"samplers", {{{"input", times}, {"output", turns}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}}};
     const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     ASSERT_EQ(model->findAnimation("turn"), 0);
     EXPECT_EQ(model->animations[0].duration_s, 1);
     EXPECT_EQ(model->animations[0].channels[0].values, (std::vector<float>{0, 0, 0, 1, 0, 1, 0, 0}));
@@ -203,7 +203,7 @@ TEST(Load, Materials) {
          {"doubleSided", true}},
         Json::object()};
     const auto model = file.load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     const Material& skin = model->materials[0];
     EXPECT_EQ(skin.baseColourLin, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
     EXPECT_EQ(skin.metallic, 0.25f);
@@ -221,12 +221,12 @@ TEST(Load, SamplersAndNamesOfReferenceModels) {
     const Path settings = sharedData() / "gltf/TextureSettingsTest.glb", fox = sharedData() / "gltf/Fox.glb";
     if (!exists(settings) || !exists(fox)) GTEST_SKIP() << "no " << settings;
     const auto model = loadModel(settings);
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     std::array<bool, 3> seen{};
     for (const Texture& texture : model->textures) seen[static_cast<size_t>(texture.wrapS)] = true;
     EXPECT_TRUE(seen[0] && seen[1] && seen[2]);
     const auto animal = loadModel(fox);
-    ASSERT_TRUE(animal) << animal.error().sentence();
+    ASSERT_TRUE(animal) << animal.error().message();
     EXPECT_GE(animal->findAnimation("Run"), 0);
     EXPECT_EQ(animal->findAnimation("Fly"), -1);
     EXPECT_EQ(animal->skins.at(0).joints.size(), 24u);

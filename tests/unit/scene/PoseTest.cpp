@@ -102,7 +102,7 @@ TEST(SimpleSkin, BendsAsItsKeysSay) {
     const Path file = sharedData() / "gltf/SimpleSkin/SimpleSkin.gltf";
     if (!exists(file)) GTEST_SKIP() << "no " << file;
     const auto model = loadModel(file);
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     ASSERT_EQ(model->skins.size(), 1u);
     ASSERT_EQ(model->skins[0].joints.size(), 2u);
     ASSERT_EQ(model->animations.size(), 1u);

@@ -107,7 +107,7 @@ class ShippedSpines : public testing::TestWithParam<Animal> {
   protected:
     void SetUp() override {
         auto loaded = loadModel(dataRoot() / "content/models" / (std::string(GetParam().name) + ".glb"));
-        ASSERT_TRUE(loaded.ok()) << loaded.error().sentence();
+        ASSERT_TRUE(loaded.ok()) << loaded.error().message();
         model_ = std::move(*loaded);
         restPose(model_, pose_);
         const Bounds bounds = posedBounds(model_, pose_);
@@ -146,7 +146,7 @@ TEST_P(ShippedSpines, HaveEightJointsOrMoreFromHeadToTail) {
 // Scaled to a tenth of the length at the tail's tip (Bainbridge 1958), growing from the body's middle to
 // there (Videler & Hess 1984).
 TEST_P(ShippedSpines, SwingAsWideAsAskedAndWiderTowardsTheTail) {
-    const Beat beat = measureBeat(model_, spine_, clip_, pose_);
+    const TailBeat beat = measureBeat(model_, spine_, clip_, pose_);
     EXPECT_GE(beat.perLoop, 1);
     ASSERT_GT(beat.amplitude, 0.02f);
     const float factor = 0.1f / beat.amplitude;
@@ -165,7 +165,7 @@ TEST_P(ShippedSpines, SwingAsWideAsAskedAndWiderTowardsTheTail) {
 
 // At the phase that the beat names, the tail passes the middle to the left.
 TEST_P(ShippedSpines, TellWhenTheTailPassesTheMiddle) {
-    const Beat beat = measureBeat(model_, spine_, clip_, pose_);
+    const TailBeat beat = measureBeat(model_, spine_, clip_, pose_);
     const float duration_s = model_.animations[static_cast<size_t>(clip_)].duration_s;
     const auto tailAt = [&](float loops) {
         restPose(model_, pose_);

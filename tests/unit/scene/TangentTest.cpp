@@ -139,7 +139,7 @@ TEST(Tangents, AgreeWithThoseOfVertexColorTest) {
     const Folder folder;
     folder.write("all.bin", glb.substr(20 + jsonLength + 8));
     const auto model = loadModel(folder.write("all.gltf", root.dump()));
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     size_t compared = 0;
     for (const Mesh& mesh : model->meshes)
         for (const Primitive& p : mesh.primitives) {
@@ -162,7 +162,7 @@ TEST(Tangents, OfNormalTangentTestFollowTheTexture) {
     const Path file = sharedData() / "fidelity/khronos-NormalTangentTest/NormalTangentTest.gltf";
     if (!exists(file)) GTEST_SKIP() << "no " << file;
     const auto model = loadModel(file);
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     const Primitive& p = model->meshes.at(0).primitives.at(0);
     ASSERT_EQ(p.tangents.size(), p.positions.size());
     size_t right = 0, corners = 0;

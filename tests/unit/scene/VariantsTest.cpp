@@ -27,22 +27,22 @@ Gltf dressed() {
 
 TEST(Variants, DressThePrimitivesThatTheyName) {
     auto model = dressed().load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     EXPECT_EQ(model->variants, (std::vector<std::string>{"plain", "gloved"}));
-    ASSERT_TRUE(wear(*model, "gloved"));
+    ASSERT_TRUE(applyVariant(*model, "gloved"));
     EXPECT_EQ(model->meshes[0].primitives[0].material, 2);
     EXPECT_EQ(model->meshes[0].primitives[1].material, 1);
-    ASSERT_TRUE(wear(*model, "plain"));
+    ASSERT_TRUE(applyVariant(*model, "plain"));
     EXPECT_EQ(model->meshes[0].primitives[0].material, 0);
-    EXPECT_FALSE(wear(*model, "armoured"));
+    EXPECT_FALSE(applyVariant(*model, "armoured"));
     EXPECT_EQ(model->meshes[0].primitives[0].material, 0);
 }
 
 TEST(Variants, WhatNothingWearsNeedsNoTexture) {
     auto model = dressed().load();
-    ASSERT_TRUE(model) << model.error().sentence();
+    ASSERT_TRUE(model) << model.error().message();
     for (Material& material : model->materials) material.baseColour.texture = 0;
-    ASSERT_TRUE(wear(*model, "plain"));
+    ASSERT_TRUE(applyVariant(*model, "plain"));
     EXPECT_EQ(model->materials[0].baseColour.texture, 0);
     EXPECT_EQ(model->materials[1].baseColour.texture, 0);
     EXPECT_EQ(model->materials[2].baseColour.texture, -1);
@@ -67,15 +67,15 @@ TEST(Variants, OfTheWrongTypesAreNone) {
         Gltf file = dressed();
         file.root["extensions"] = wrong;
         const auto model = file.load();
-        ASSERT_TRUE(model) << model.error().sentence();
+        ASSERT_TRUE(model) << model.error().message();
         EXPECT_TRUE(model->variants.empty());
     }
     for (const Json& wrong : {Json(7), Json("x"), Json::object(), Json()}) {
         Gltf file = dressed();
         file.root["meshes"][0]["primitives"][0]["extensions"] = wrong;
         auto model = file.load();
-        ASSERT_TRUE(model) << model.error().sentence();
-        EXPECT_TRUE(wear(*model, "gloved"));
+        ASSERT_TRUE(model) << model.error().message();
+        EXPECT_TRUE(applyVariant(*model, "gloved"));
         EXPECT_EQ(model->meshes[0].primitives[0].material, 0);
     }
 }

@@ -44,7 +44,7 @@ TEST_F(RecordingFile, ComesBackEqual) {
         const Recording out = sample(ticks);
         ASSERT_TRUE(writeRecording(file_, out));
         const auto in = readRecording(file_);
-        ASSERT_TRUE(in) << in.error().sentence();
+        ASSERT_TRUE(in) << in.error().message();
         EXPECT_EQ(in->header(), out.header());
         ASSERT_EQ(in->ticks(), ticks);
         for (size_t i = 0; i < ticks; ++i) {
@@ -84,7 +84,7 @@ TEST_F(RecordingFile, LimitsHoldBeforeMemoryIsTaken) {
     limits.maxBodyBytes = 100 * 45 - 1;
     const auto read = readRecording(file_, limits);
     ASSERT_FALSE(read);
-    EXPECT_THAT(read.error().sentence(), HasSubstr("more ticks than are allowed"));
+    EXPECT_THAT(read.error().message(), HasSubstr("more ticks than are allowed"));
     EXPECT_FALSE(readRecording(file_.string() + ".absent"));
 }
 

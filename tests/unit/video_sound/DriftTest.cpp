@@ -22,27 +22,27 @@ TEST(VideoSound, DriftsLessThanFortyMillisecondsInTenMinutes) {
         if (i % kRate_Hz < 16) clip[i] = 20000; // 2 ms
     const TemporaryFile file("ten_minutes.wav", wavOf(1, kRate_Hz, clip));
     auto track = media::SoundTrack::open(file.path, kLength_s);
-    ASSERT_TRUE(track) << track.error().sentence();
+    ASSERT_TRUE(track) << track.error().message();
     auto audio = audio::Audio::open({.loopback = true});
     ASSERT_TRUE(audio);
     int seeks = 0;
-    audio->setAccompaniment({.length = track->passLength(),
-                             .seek = [&](int64_t frame) { track->seek(frame), ++seeks; },
-                             // Waits, because here a second passes in a hundredth.
-                             .read = [&](std::span<int16_t> stereo) { return track->read(stereo, true); }});
-    double owed = 0, worst_s = 0, most = 0;
+    audio->setTrack({.length = track->passLength(),
+                     .seek = [&](int64_t frame) { track->seek(frame), ++seeks; },
+                     // Waits, because here a second passes in a hundredth.
+                     .read = [&](std::span<int16_t> stereo) { return track->read(stereo, true); }});
+    double owed = 0, worst_s = 0, maximum = 0;
     int clicks = 0, quiet = 0;
     std::vector<float> samples;
     for (int64_t frame = 0; frame < static_cast<int64_t>(kLength_s + 5) * 60;
          ++frame) { // and into the next pass
         const double picture_s = static_cast<double>(frame) * kFrame_s;
-        audio->accompany(std::fmod(picture_s, kLength_s), 1, false);
+        audio->syncTrack(std::fmod(picture_s, kLength_s), 1, false);
         owed += kFrame_s * 48000 * (1 + kSkew);
         samples.resize(2 * static_cast<size_t>(owed));
         owed -= std::floor(owed);
         audio->render(samples);
         for (size_t i = 0; i < samples.size(); i += 2) {
-            most = std::max(most, std::abs(static_cast<double>(samples[i])));
+            maximum = std::max(maximum, std::abs(static_cast<double>(samples[i])));
             if (++quiet < 4800 || std::abs(samples[i]) < 0.3f) continue;
             quiet = 0;
             const double heard_s = picture_s + static_cast<double>(i) / 96000;
@@ -54,7 +54,7 @@ TEST(VideoSound, DriftsLessThanFortyMillisecondsInTenMinutes) {
     EXPECT_LT(worst_s, 0.040);
     EXPECT_NEAR(clicks, kLength_s + 4, 1);
     EXPECT_EQ(seeks, 1);
-    EXPECT_LT(most, 1); // nothing clips
+    EXPECT_LT(maximum, 1); // nothing clips
 }
 
 } // namespace

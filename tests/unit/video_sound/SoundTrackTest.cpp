@@ -36,7 +36,7 @@ constexpr int64_t kSecond = kSoundRate_Hz;
 TEST(SoundTrack, GivesEverySampleAndLoops) {
     const TemporaryFile file("loops.wav", numbered(2 * kSecond));
     auto track = SoundTrack::open(file.path, 2);
-    ASSERT_TRUE(track) << track.error().sentence();
+    ASSERT_TRUE(track) << track.error().message();
     EXPECT_EQ(track->passLength(), 2 * kSecond);
     track->seek(0);
     const auto samples = readAll(*track, 5 * kSecond);
@@ -129,7 +129,7 @@ TEST(SoundTrack, AVideosSoundBeginsWithItsPicture) {
         file.path.string() + "' 2>/dev/null";
     if (std::system(command.c_str()) != 0) GTEST_SKIP() << "this ffmpeg cannot make the video";
     auto track = SoundTrack::open(file.path, 4);
-    ASSERT_TRUE(track) << track.error().sentence();
+    ASSERT_TRUE(track) << track.error().message();
     for (const int64_t from : {int64_t{0}, 3 * kSecond / 4}) {
         track->seek(from);
         const auto samples = readAll(*track, static_cast<size_t>(2 * kSecond));

@@ -3,6 +3,7 @@
 #include "MadeFrames.h"
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -110,8 +111,8 @@ TEST(EstimateWater, StaysWithinTheSeasBoundsWhateverComes) {
         for (const std::optional<float> height : {std::optional<float>(), std::optional<float>(0.5f)}) {
             const Water water = estimated(frame, height).water;
             for (int c = 0; c < 3; ++c) {
-                EXPECT_GE(water.attenuation_perM[c], kLeastAttenuation_perM);
-                EXPECT_LE(water.attenuation_perM[c], kMostAttenuation_perM);
+                EXPECT_GE(water.attenuation_perM[c], kMinAttenuation_perM);
+                EXPECT_LE(water.attenuation_perM[c], kMaxAttenuation_perM);
                 for (const glm::vec3& term : water.veil) EXPECT_TRUE(std::isfinite(term[c]));
             }
         }
@@ -141,9 +142,7 @@ TEST(EstimateWater, ReadsBlueFirstFramesAndPartsOfFrames) {
 
 // Photographs of dry land and of a cave under water.
 TEST(EstimateWater, TellsLandFromWater) {
-    const char* shared = std::getenv("SHOAL_SHARED");
-    if (!shared) GTEST_SKIP() << "SHOAL_SHARED is not set";
-    const Path photos = Path(shared) / "data/photo";
+    const Path photos = tests::sharedDataFolder() / "photo";
     if (!std::filesystem::exists(photos)) GTEST_SKIP() << photos << " is missing";
     const auto evidence = [&](const char* name, bool upperHalf) {
         const auto picture = media::readPicture(photos / name);

@@ -17,7 +17,7 @@ constexpr float kTol = 3e-6f;
 const HandRig& rig() {
     static const HandRig loaded = [] {
         auto read = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-        if (!read) throw std::runtime_error(read.error().sentence());
+        if (!read) throw std::runtime_error(read.error().message());
         return *read;
     }();
     return loaded;

@@ -1,5 +1,5 @@
 // One motor a hand, told no more often than it needs.
-#include "input/haptics/Vibration.h"
+#include "input/haptics/Motors.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 TEST(Vibration, TheStrongestFingerOfEachHandCounts) {
     HapticFrame frame;
     frame.actuators[1] = {0.3f, 140};
-    frame.actuators[kPalm] = {0.8f, 40};
+    frame.actuators[hands::kPalmPart] = {0.8f, 40};
     frame.actuators[kActuatorsPerHand + 2] = {0.5f, 250};
     EXPECT_EQ(vibrationOf(frame, 0).amplitude, 0.8f);
     EXPECT_EQ(vibrationOf(frame, 0).frequency_Hz, 40);

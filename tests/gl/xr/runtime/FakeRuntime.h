@@ -78,7 +78,7 @@ struct FakeRuntime {
     std::map<std::string, XrResult> failing; // by function: it does nothing but return this
     std::vector<int64_t> formats = {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8};
     uint32_t eyeWidth = 200, eyeHeight = 240;
-    XrVersion leastOpenGl = XR_MAKE_VERSION(3, 3, 0);
+    XrVersion minOpenGl = XR_MAKE_VERSION(3, 3, 0);
     bool tracksPosition = true;
     std::array<XrView, 2> views; // in LOCAL's frame
     XrViewStateFlags viewFlags = 0xf;

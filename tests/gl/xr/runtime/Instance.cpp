@@ -173,7 +173,7 @@ XrResult xrEnumerateEnvironmentBlendModes(XrInstance, XrSystemId, XrViewConfigur
 }
 XrResult xrGetOpenGLGraphicsRequirementsKHR(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* out) {
     FAKE_XR(xrGetOpenGLGraphicsRequirementsKHR);
-    out->minApiVersionSupported = shoalFakeRuntime().leastOpenGl;
+    out->minApiVersionSupported = shoalFakeRuntime().minOpenGl;
     out->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
     return XR_SUCCESS;
 }
@@ -240,8 +240,8 @@ struct LoaderInfo {
     int type;
     uint32_t version;
     size_t size;
-    uint32_t leastInterface, mostInterface;
-    XrVersion leastApi, mostApi;
+    uint32_t minInterface, maxInterface;
+    XrVersion minApi, maxApi;
 };
 struct RuntimeRequest {
     int type;
@@ -258,7 +258,7 @@ extern "C" XrResult xrNegotiateLoaderRuntimeInterface(const LoaderInfo* loader, 
     constexpr int kLoaderInfo = 1, kRuntimeRequest = 3;
     if (loader->type != kLoaderInfo || loader->size != sizeof(LoaderInfo) ||
         runtime->type != kRuntimeRequest || runtime->size != sizeof(RuntimeRequest) ||
-        loader->leastInterface > 1)
+        loader->minInterface > 1)
         return XR_ERROR_INITIALIZATION_FAILED;
     runtime->runtimeInterface = 1;
     runtime->runtimeApi = XR_CURRENT_API_VERSION;

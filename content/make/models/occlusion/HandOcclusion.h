@@ -1,0 +1,32 @@
+// The shade of the game's own hands (engine/render/BakedOcclusion.h).
+#pragma once
+
+#include "engine/render/BakedOcclusion.h"
+#include "input/hands/HandRig.h"
+
+#include <array>
+
+namespace shoal::make {
+
+struct Hand {
+    scene::Model model;
+    scene::Pose rest;
+    hands::HandRig rig;
+    hands::Side side{};
+
+    scene::Pose closed(const hands::HandShape& shape) const; // the wrist at the origin
+};
+
+// models: the folder of hand_left.glb, hand_right.glb and hand_skeleton.json.
+Result<Hand> loadHand(const Path& models, hands::Side side);
+
+// The ellipsoids that hide what the skin hides from places around it, open and closing. Seconds.
+std::vector<occlusion::BodyPart> fitHand(const Hand& hand);
+
+// Of the other hand, whose joints are the same nodes.
+std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts);
+
+// TraceSelfOcclusion at rest, and half closed beside these ellipsoids. Seconds.
+render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts);
+
+} // namespace shoal::make

@@ -1,0 +1,172 @@
+#include "engine/audio/StreamedTrack.h"
+
+#include "engine/audio/Device.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::audio {
+
+namespace {
+
+constexpr int kRate_Hz = 48000;
+constexpr double kMaxBend = 0.005;
+constexpr double kCorrection_s = 2;   // time constant of small corrections
+constexpr double kJump_s = 0.08;      // larger offsets, which would be seen, restart it
+constexpr double kLead_s = 0.05;      // starts reading so far ahead, because reading takes time
+constexpr double kSmoothing = 0.1;    // weight of each new measurement of the offset
+constexpr int kMinPieces = 4;         // queued before it starts
+constexpr double kMaxSilence_s = 0.1; // queued in front of its first samples
+
+int64_t framesOf(double seconds) { return std::llround(seconds * kRate_Hz); }
+
+// To -half .. half of the length.
+double wrapped(double seconds, double length_s) {
+    return seconds - length_s * std::round(seconds / length_s);
+}
+
+} // namespace
+
+double rateFor(double ahead_s) { return 1 - std::clamp(ahead_s / kCorrection_s, -kMaxBend, kMaxBend); }
+
+void StreamedTrack::setUp() {
+    alGenSources(1, &source_);
+    alGenBuffers(kBuffers, buffers_.data());
+    alSourcei(source_, AL_SOURCE_RELATIVE, AL_TRUE);
+    alSourcei(source_, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
+    getOffset_ = reinterpret_cast<LPALGETSOURCEI64VSOFT>(alGetProcAddress("alGetSourcei64vSOFT"));
+    state_ = State::Stopped;
+}
+
+void StreamedTrack::tearDown() {
+    stop();
+    if (source_) alDeleteSources(1, &source_);
+    if (buffers_[0]) alDeleteBuffers(kBuffers, buffers_.data());
+    source_ = 0;
+    buffers_ = {};
+}
+
+void StreamedTrack::stop() {
+    if (source_) {
+        alSourceStop(source_);
+        alSourcei(source_, AL_BUFFER, 0); // releases all queued buffers
+    }
+    spare_ = buffers_;
+    spares_ = kBuffers;
+    ahead_s_ = 0;
+    state_ = State::Stopped;
+}
+
+void StreamedTrack::begin(const TrackSource& sound, double position_s) {
+    stop();
+    next_ = framesOf(position_s + kLead_s);
+    sound.seek(next_);
+    state_ = State::Waiting;
+}
+
+// Fills and queues a spare buffer; false if nothing is ready.
+bool StreamedTrack::queue(const TrackSource& sound) {
+    const size_t frames = sound.read(piece_);
+    if (frames == 0) return false;
+    const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
+    alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(),
+                 static_cast<ALsizei>(frames * 2 * sizeof(int16_t)), kRate_Hz);
+    alSourceQueueBuffers(source_, 1, &buffer);
+    next_ += static_cast<int64_t>(frames);
+    return true;
+}
+
+void StreamedTrack::queueSilence(int64_t frames) {
+    std::fill(piece_.begin(), piece_.end(), int16_t{0});
+    while (frames > 0) {
+        const int64_t some = std::min<int64_t>(frames, kPieceFrames);
+        const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
+        alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(some * 4), kRate_Hz);
+        alSourceQueueBuffers(source_, 1, &buffer);
+        frames -= some;
+    }
+}
+
+// Starts playing at the right time, to the sample.
+void StreamedTrack::prime(const TrackSource& sound, double position_s) {
+    const double length_s = static_cast<double>(sound.length) / kRate_Hz;
+    const double ahead_s = wrapped(static_cast<double>(next_) / kRate_Hz - position_s, length_s);
+    if (std::abs(ahead_s) > 1) return begin(sound, position_s); // the picture has jumped meanwhile
+    if (ahead_s > kMaxSilence_s) return;                        // not yet
+    for (int64_t late = framesOf(-ahead_s); late > 0;) {        // skips what should have been heard already
+        const auto maximum = static_cast<size_t>(std::min<int64_t>(late, kPieceFrames));
+        const auto frames = static_cast<int64_t>(sound.read(std::span(piece_).first(2 * maximum)));
+        if (frames == 0) return;
+        next_ += frames;
+        late -= frames;
+    }
+    const int64_t early = std::max<int64_t>(framesOf(ahead_s), 0);
+    queueBegins_ = next_ - early;
+    queueSilence(early);
+    int queued = 0;
+    while (spares_ > 0 && queue(sound)) ++queued;
+    if (queued < kMinPieces) return begin(sound, position_s); // too little to last until the next frame
+    alSourcePlay(source_);
+    state_ = State::Playing;
+}
+
+void StreamedTrack::refill(const TrackSource& sound) {
+    ALint done = 0;
+    alGetSourcei(source_, AL_BUFFERS_PROCESSED, &done);
+    for (; done > 0; --done) {
+        ALuint buffer = 0;
+        ALint bytes = 0;
+        alSourceUnqueueBuffers(source_, 1, &buffer);
+        alGetBufferi(buffer, AL_SIZE, &bytes);
+        queueBegins_ += bytes / static_cast<ALint>(2 * sizeof(int16_t));
+        spare_[static_cast<size_t>(spares_++)] = buffer;
+    }
+    while (spares_ > 0 && queue(sound)) {
+    }
+}
+
+// The position in the track that leaves the device now.
+double StreamedTrack::heard_s() const {
+    if (getOffset_) {
+        std::array<ALint64SOFT, 2> offset{}; // frames as 32.32, and nanoseconds on the way to the ear
+        getOffset_(source_, AL_SAMPLE_OFFSET_LATENCY_SOFT, offset.data());
+        return static_cast<double>(queueBegins_) / kRate_Hz +
+               static_cast<double>(offset[0]) / (4294967296.0 * kRate_Hz) -
+               static_cast<double>(offset[1]) * 1e-9;
+    }
+    ALint offset = 0;
+    alGetSourcei(source_, AL_SAMPLE_OFFSET, &offset);
+    return static_cast<double>(queueBegins_ + offset) / kRate_Hz;
+}
+
+void StreamedTrack::update(const TrackSource& sound, double position_s, float gain, bool paused) {
+    if (!source_ || sound.length <= 0) return;
+    // Before pausing, the gain goes to 0, to which OpenAL fades without a click.
+    alSourcef(source_, AL_GAIN, paused ? 0 : std::clamp(gain, 0.0f, 1.0f));
+    if (paused) {
+        if (paused_ && state_ == State::Playing) alSourcePause(source_);
+        paused_ = true;
+        return;
+    }
+    ALint state = AL_STOPPED;
+    alGetSourcei(source_, AL_SOURCE_STATE, &state);
+    if (paused_ && state == AL_PAUSED) alSourcePlay(source_);
+    const bool ranDry = state_ == State::Playing && state == AL_STOPPED;
+    paused_ = false;
+    if (state_ == State::Stopped || ranDry) begin(sound, position_s);
+    if (state_ == State::Waiting) {
+        prime(sound, position_s);
+        return;
+    }
+    refill(sound);
+    const double length_s = static_cast<double>(sound.length) / kRate_Hz;
+    const double ahead_s = wrapped(heard_s() - position_s, length_s);
+    if (std::abs(ahead_s) > kJump_s) {
+        begin(sound, position_s);
+        return;
+    }
+    ahead_s_ += kSmoothing * (ahead_s - ahead_s_);
+    alSourcef(source_, AL_PITCH, static_cast<ALfloat>(rateFor(ahead_s_)));
+}
+
+} // namespace shoal::audio

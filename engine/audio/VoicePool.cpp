@@ -1,0 +1,166 @@
+#include "engine/audio/VoicePool.h"
+
+#include <AL/alext.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cassert>
+
+namespace shoal::audio {
+
+namespace {
+
+// OpenAL Soft glides to a new gain over one mix, at most 2048 samples: 43 ms. After that an ending sound is
+// silent and may stop without a click.
+constexpr double kEnding_s = 0.05;
+// A new sound must be this many times as loud as the one it replaces, so that two equal ones do not
+// alternate.
+constexpr float kTakeOver = 1.3f;
+constexpr float kAmbientLoudness = 10; // sounds without a position are never replaced by placed ones
+
+bool plays(ALuint source) {
+    ALint state = AL_STOPPED;
+    alGetSourcei(source, AL_SOURCE_STATE, &state);
+    return state == AL_PLAYING || state == AL_PAUSED;
+}
+
+OneShot asOneShot(const Emitter& e) {
+    return {e.clip, e.position, e.gain, e.pitch, e.everywhere, e.velocity};
+}
+
+} // namespace
+
+void VoicePool::setUp(float doppler) {
+    effects_.setUp(doppler);
+    for (Voice& voice : voices_) {
+        alGetError();
+        alGenSources(1, &voice.source);
+        if (alGetError() != AL_NO_ERROR) {
+            voice.source = 0;
+            break;
+        }
+        voice.filter = effects_.makeFilter();
+        alSourcef(voice.source, AL_REFERENCE_DISTANCE, kReference_m);
+        alSourcef(voice.source, AL_ROLLOFF_FACTOR, 1);
+    }
+}
+
+void VoicePool::tearDown() {
+    for (Voice& voice : voices_) {
+        if (voice.source) alDeleteSources(1, &voice.source);
+        effects_.removeFilter(voice.filter);
+        voice = {};
+    }
+    effects_.tearDown();
+}
+
+int VoicePool::sounding() const {
+    return static_cast<int>(std::count_if(voices_.begin(), voices_.end(), [](const Voice& voice) {
+        return voice.use != Use::Free && plays(voice.source);
+    }));
+}
+
+float VoicePool::loudnessOf(const OneShot& shot, const glm::vec3& listener) {
+    return shot.everywhere ? kAmbientLoudness + shot.gain
+                           : shot.gain * distanceGain(glm::distance(shot.position, listener));
+}
+
+void VoicePool::release(Voice& voice) {
+    alSourceStop(voice.source);
+    voice.use = Use::Free;
+}
+
+void VoicePool::place(Voice& voice, const glm::vec3& listener, double age_s) {
+    const OneShot& shot = voice.shot;
+    const glm::vec3 position = shot.position + shot.velocity * static_cast<float>(age_s);
+    const glm::vec3 at = shot.everywhere ? glm::vec3(0) : position;
+    const glm::vec3 velocity = shot.everywhere ? glm::vec3(0) : shot.velocity;
+    alSourcef(voice.source, AL_GAIN, std::clamp(shot.gain, 0.0f, 1.0f));
+    alSourcef(voice.source, AL_PITCH, std::clamp(shot.pitch, 0.25f, 4.0f));
+    alSourcei(voice.source, AL_SOURCE_RELATIVE, shot.everywhere ? AL_TRUE : AL_FALSE);
+    alSource3f(voice.source, AL_POSITION, at.x, at.y, at.z);
+    alSource3f(voice.source, AL_VELOCITY, velocity.x, velocity.y, velocity.z);
+    effects_.place(voice.source, voice.filter, glm::distance(position, listener), shot.everywhere);
+    voice.loudness = loudnessOf({shot.clip, position, shot.gain, shot.pitch, shot.everywhere}, listener);
+}
+
+void VoicePool::start(Voice& voice, const Clips& clips, bool loop) {
+    const auto clip = static_cast<size_t>(voice.shot.clip);
+    assert(clip < clips.buffers.size());
+    const bool stereo = clips.clips[clip].channels == 2;
+    alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(clips.buffers[clip]));
+    alSourcei(voice.source, AL_LOOPING, loop ? AL_TRUE : AL_FALSE);
+    // Stereo goes to the ears as it is, not through the HRTF of two loudspeakers.
+    alSourcei(voice.source, AL_DIRECT_CHANNELS_SOFT, stereo ? AL_TRUE : AL_FALSE);
+    if (loop) {
+        // Each emitter starts elsewhere in its loop, so that two of one clip do not coincide; and OpenAL Soft
+        // fades in what does not start at 0.
+        const auto frames = static_cast<uint32_t>(clips.clips[clip].samples.size() / (stereo ? 2 : 1));
+        const uint32_t offset = frames > 1 ? 1 + (voice.id * 2654435761u >> 8) % (frames - 1) : 0;
+        alSourcei(voice.source, AL_SAMPLE_OFFSET, static_cast<ALint>(offset));
+    }
+    alSourcePlay(voice.source);
+}
+
+VoicePool::Voice* VoicePool::voiceFor(float loudness) {
+    Voice* minimum = nullptr;
+    for (Voice& voice : voices_) {
+        if (!voice.source) continue;
+        if (voice.use == Use::Free) return &voice;
+        if (!minimum || voice.loudness < minimum->loudness) minimum = &voice;
+    }
+    if (!minimum || loudness < kTakeOver * minimum->loudness) return nullptr;
+    release(*minimum);
+    return minimum;
+}
+
+void VoicePool::update(const Clips& clips, const glm::vec3& listener, std::span<const Emitter> emitters,
+                       std::span<const OneShot> shots, double now_s) {
+    for (Voice& voice : voices_) {
+        if (voice.use == Use::Free) continue;
+        if (!plays(voice.source)) {
+            voice.use = Use::Free;
+        } else if (voice.use == Use::OneShot) {
+            place(voice, listener, now_s - voice.since_s);
+        } else if (voice.use == Use::Ending) {
+            if (now_s - voice.since_s > kEnding_s) release(voice);
+        } else if (std::none_of(emitters.begin(), emitters.end(),
+                                [&](const Emitter& e) { return e.id == voice.id; })) {
+            alSourcef(voice.source, AL_GAIN, 0);
+            voice.use = Use::Ending;
+            voice.since_s = now_s;
+            voice.loudness = 0;
+        }
+    }
+    for (const Emitter& emitter : emitters) {
+        const auto playing = std::find_if(voices_.begin(), voices_.end(), [&](const Voice& voice) {
+            return (voice.use == Use::Emitter || voice.use == Use::Ending) && voice.id == emitter.id &&
+                   voice.shot.clip == emitter.clip;
+        });
+        const OneShot shot = asOneShot(emitter);
+        Voice* voice = playing != voices_.end() ? &*playing : voiceFor(loudnessOf(shot, listener));
+        if (!voice) continue;
+        voice->shot = shot;
+        voice->use = Use::Emitter;
+        voice->id = emitter.id;
+        place(*voice, listener, 0);
+        if (playing == voices_.end()) start(*voice, clips, true);
+    }
+    for (const OneShot& shot : shots) {
+        Voice* voice = voiceFor(loudnessOf(shot, listener));
+        if (!voice) continue;
+        voice->shot = shot;
+        voice->use = Use::OneShot;
+        voice->since_s = now_s;
+        place(*voice, listener, 0);
+        start(*voice, clips, false);
+    }
+}
+
+void VoicePool::setPaused(bool paused) {
+    for (const Voice& voice : voices_)
+        if (voice.use != Use::Free && plays(voice.source))
+            paused ? alSourcePause(voice.source) : alSourcePlay(voice.source);
+}
+
+} // namespace shoal::audio

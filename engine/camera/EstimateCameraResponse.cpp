@@ -1,0 +1,270 @@
+#include "engine/camera/EstimateCameraResponse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::camera {
+
+namespace {
+
+constexpr int kStripes = 5, kStripeRows = 16; // the rows of a block
+constexpr int kBlock = 16;
+
+// --- Edges: steps between two flat sides along a row, with a gradient along the row.
+constexpr float kMinPeak = 3.0f;  // of 255 a texel
+constexpr float kMinStep = 20.0f; // of 255
+constexpr int kMaxReach = 12;     // texels to either side
+constexpr float kTail = 0.06f;    // of the peak gradient: where the edge ends
+constexpr float kInsideTails =
+    0.89f;                     // of a Gaussian's variance is left when its tails are cut at 6 % of the peak
+constexpr float kSlant = 0.5f; // tangent of the maximum angle between gradient and row
+// Variance of the box filters of a texel and of the difference of two: a twelfth each.
+constexpr float kTexelVariance = 1.0f / 6;
+// Quantile of the edges' blur that counts as the camera's: most edges are soft by themselves or by the codec.
+// In a film whose camera sharpens, a fifth of the edges is sharper than 0.7 texels, a twentieth than 0.2.
+constexpr double kSharpest = 0.05;
+// Minimum step in standard deviations of noise: noise truncates the tails of lower steps, so that these would
+// seem the sharpest.
+constexpr float kAboveNoise = 20;
+
+// --- Noise: from the Laplacians of a block; the flattest thirtieth of the blocks is taken to contain only
+// noise.
+constexpr double kFlattest = 0.03;
+// Selection bias: that quantile of the measured deviation of pure noise in a 16 x 16 block, fine and coarse,
+// by simulation.
+constexpr float kFineLuck = 0.90f, kCoarseLuck = 0.80f;
+constexpr float kRounding = 1.0f / 12; // variance of quantisation to whole levels
+
+// --- Chroma.
+constexpr float kColourEdge = 6; // minimum difference over three texels, of 255
+constexpr int kFewColourEdges = 200;
+constexpr double kAlternates = 0.62; // ratio of even and odd differences that tells interpolation
+
+float quantile(std::vector<float>& values, double share) {
+    const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+// Mean square response of the kernel (1 -2 1; -2 4 -2; 1 -2 1), which is 0 for gradients and for curvature
+// along one axis, over size x size values; for white noise it is 36 times the variance. Immerkaer 1996, "Fast
+// Noise Variance Estimation", with squares for absolutes.
+template <class At> float laplacianSquare(int size, At at) {
+    float sum = 0;
+    for (int y = 1; y + 1 < size; ++y)
+        for (int x = 1; x + 1 < size; ++x) {
+            const float v = at(x - 1, y - 1) - 2 * at(x, y - 1) + at(x + 1, y - 1) - 2 * at(x - 1, y) +
+                            4 * at(x, y) - 2 * at(x + 1, y) + at(x - 1, y + 1) - 2 * at(x, y + 1) +
+                            at(x + 1, y + 1);
+            sum += v * v;
+        }
+    return sum / static_cast<float>((size - 2) * (size - 2));
+}
+
+bool alternates(const double (&squares)[2]) {
+    const auto [low, high] = std::minmax(squares[0], squares[1]);
+    return low < kAlternates * high;
+}
+
+} // namespace
+
+void CameraResponseEstimator::readStripe(const light::FrameView& frame, int top) {
+    const int red = frame.bgr ? 2 : 0, blue = 2 - red;
+    size_t i = 0;
+    for (int y = 0; y < kStripeRows; ++y) {
+        const uint8_t* texel = frame.pixels + static_cast<ptrdiff_t>(top + y) * frame.rowStride;
+        for (int x = 0; x < width_; ++x, texel += 3, ++i) {
+            const float r = texel[red], g = texel[1], b = texel[blue];
+            const float l = 0.2126f * r + 0.7152f * g + 0.0722f * b;
+            luma_[i] = l;
+            blueLess_[i] = b - l;
+            redLess_[i] = r - l;
+            clipped_[i] = std::min({r, g, b}) < 1 || std::max({r, g, b}) > 254;
+        }
+    }
+}
+
+// stretch: horizontal, 1 / cos(latitude).
+void CameraResponseEstimator::measureEdges(float stretch) {
+    for (int y = 1; y + 1 < kStripeRows; y += 2) {
+        const float* row = luma_.data() + static_cast<ptrdiff_t>(y) * width_;
+        const unsigned char* clipped = clipped_.data() + static_cast<ptrdiff_t>(y) * width_;
+        for (int x = kMaxReach; x + kMaxReach + 1 < width_; ++x) {
+            const float slope = row[x + 1] - row[x], peak = std::abs(slope);
+            if (peak < kMinPeak) continue;
+            const float sign = slope < 0 ? -1.0f : 1.0f;
+            const auto rise = [&](int i) { return sign * (row[i + 1] - row[i]); };
+            if (rise(x - 1) > peak || rise(x + 1) >= peak) continue;
+            // Vertical gradient, averaged over both texels.
+            const float lean =
+                0.25f * (row[x + width_] + row[x + 1 + width_] - row[x - width_] - row[x + 1 - width_]);
+            if (std::abs(lean) > kSlant * peak) continue;
+            int first = x, last = x;
+            while (x - first < kMaxReach && rise(first - 1) > kTail * peak) --first;
+            while (last - x < kMaxReach && rise(last + 1) > kTail * peak) ++last;
+            // An edge without a flat end is a slope; one that reverses at once is the side of a thin line.
+            if (x - first >= kMaxReach || last - x >= kMaxReach) continue;
+            if (rise(first - 1) < -0.25f * peak || rise(last + 1) < -0.25f * peak) continue;
+            if (clipped[first] || clipped[last + 1]) continue;
+            float step = 0, moment = 0, square = 0;
+            for (int i = first; i <= last; ++i) {
+                const float d = rise(i), at = static_cast<float>(i - x);
+                step += d;
+                moment += d * at;
+                square += d * at * at;
+            }
+            if (step < kMinStep) continue;
+            const float centre = moment / step;
+            const float along = (square / step - centre * centre) / kInsideTails - kTexelVariance;
+            const float cosine2 = 1 / (1 + lean * lean / (peak * peak));
+            edges_.push_back({std::sqrt(std::max(along * cosine2, 0.0f)) / stretch, step});
+        }
+    }
+}
+
+// Of the edges with sufficient contrast to noise.
+void CameraResponseEstimator::measureBlur(CameraResponseEstimate& out) {
+    const float noise = 255 * *std::ranges::max_element(out.response.fineNoise);
+    blurs_.clear();
+    for (const Edge& edge : edges_)
+        if (edge.step >= kAboveNoise * noise) blurs_.push_back(edge.blur_texels);
+    out.edges = static_cast<int>(blurs_.size());
+    if (out.edges >= kFewEdges) out.response.blur_texels = quantile(blurs_, kSharpest);
+}
+
+void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
+    for (int left = 0; left + kBlock <= width_; left += kBlock) {
+        const auto luma = [&](int x, int y) { return luma_[static_cast<size_t>(y * width_ + left + x)]; };
+        float sum = 0;
+        bool whole = true;
+        for (int y = 0; y < kBlock; ++y)
+            for (int x = 0; x < kBlock; ++x) {
+                sum += luma(x, y);
+                whole &= !clipped_[static_cast<size_t>(y * width_ + left + x)];
+            }
+        if (!whole) continue;
+        const auto half = [&](int x, int y) {
+            return 0.25f * (luma(2 * x, 2 * y) + luma(2 * x + 1, 2 * y) + luma(2 * x, 2 * y + 1) +
+                            luma(2 * x + 1, 2 * y + 1));
+        };
+        const float mean = sum / static_cast<float>(kBlock * kBlock * 255);
+        const auto band = static_cast<size_t>(
+            std::clamp(static_cast<int>(mean * static_cast<float>(kBrightnesses)), 0, kBrightnesses - 1));
+        blocks_[band].fine.push_back(std::sqrt(laplacianSquare(kBlock, luma) / 36));
+        blocks_[band].coarse.push_back(std::sqrt(laplacianSquare(kBlock / 2, half) / 36));
+        ++out.flatBlocks[band];
+    }
+}
+
+// Interpolated chroma shows as differences whose variance alternates between even and odd texels (Gallagher
+// 2005, "Detection of Linear and Cubic Interpolation in JPEG Compressed Images"): first differences for
+// replicated chroma, second differences for linear interpolation of cosited chroma, third differences for
+// linear interpolation of centred chroma.
+void CameraResponseEstimator::measureChroma() {
+    const auto add = [](Parity& sums, int at, const float* v, ptrdiff_t step) {
+        const float before = v[-step], here = v[0], behind = v[step], last = v[2 * step];
+        if (std::abs(last - before) < kColourEdge) return;
+        const float first = behind - here, second = before - 2 * here + behind,
+                    third = before - 3 * here + 3 * behind - last;
+        const int parity = at & 1;
+        sums.first[parity] += static_cast<double>(first * first);
+        sums.second[parity] += static_cast<double>(second * second);
+        sums.third[parity] += static_cast<double>(third * third);
+        ++sums.count;
+    };
+    for (const std::vector<float>* plane : {&blueLess_, &redLess_})
+        for (int y = 2; y + 2 < kStripeRows; ++y)
+            for (int x = 2; x + 2 < width_; ++x) {
+                const ptrdiff_t i = static_cast<ptrdiff_t>(y) * width_ + x;
+                if (clipped_[static_cast<size_t>(i)]) continue;
+                add(chroma_[0], x, plane->data() + i, 1);
+                add(chroma_[1], y, plane->data() + i, width_);
+            }
+}
+
+// The darkest and brightest thousandth are ignored: dead texels, glints.
+void CameraResponseEstimator::measureLevels(const light::FrameView& frame, CameraResponse& response) {
+    constexpr int kApart = 8;
+    constexpr double kShare = 0.001;
+    std::array<std::array<int, 256>, 3> counts{};
+    int all = 0;
+    for (int y = frame.height / 8; y < frame.height * 7 / 8; y += kApart)
+        for (int x = (y / kApart) % kApart; x < frame.width; x += kApart, ++all) {
+            const uint8_t* texel = frame.pixels + static_cast<ptrdiff_t>(y) * frame.rowStride + 3 * x;
+            for (size_t c = 0; c < 3; ++c) ++counts[c][texel[c]];
+        }
+    const int beyond = static_cast<int>(kShare * all);
+    for (int c = 0; c < 3; ++c) {
+        const auto& channel = counts[static_cast<size_t>(frame.bgr ? 2 - c : c)];
+        int low = 0, high = 255;
+        for (int seen = channel[0]; seen <= beyond && low < 255;) seen += channel[static_cast<size_t>(++low)];
+        for (int seen = channel[255]; seen <= beyond && high > 0;)
+            seen += channel[static_cast<size_t>(--high)];
+        response.black[c] = static_cast<float>(low) / 255;
+        response.white[c] = static_cast<float>(std::max(high, low)) / 255;
+    }
+}
+
+CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView& frame) {
+    CameraResponseEstimate out;
+    out.response.chromaTexels = {2, 2};
+    if (frame.width < 4 * kBlock || frame.height < 4 * kStripeRows) return out;
+    width_ = frame.width;
+    const auto texels = static_cast<size_t>(width_) * kStripeRows;
+    for (std::vector<float>* plane : {&luma_, &blueLess_, &redLess_}) plane->resize(texels);
+    clipped_.resize(texels);
+    edges_.clear();
+    for (Blocks& blocks : blocks_) blocks.fine.clear(), blocks.coarse.clear();
+    chroma_ = {};
+
+    const int quarter = frame.height / 4, span = frame.height / 2 - kStripeRows;
+    for (int stripe = 0; stripe < kStripes; ++stripe) {
+        const int top = (quarter + span * stripe / (kStripes - 1)) & ~1; // aligned to chroma texels
+        readStripe(frame, top);
+        const float latitude =
+            (0.5f - static_cast<float>(top + kStripeRows / 2) / static_cast<float>(frame.height)) *
+            std::numbers::pi_v<float>;
+        measureEdges(1 / std::cos(latitude));
+        measureNoise(out);
+        measureChroma();
+    }
+    measureLevels(frame, out.response);
+
+    for (size_t band = 0; band < kBrightnesses; ++band) {
+        if (out.flatBlocks[band] < kFewBlocks) continue;
+        const float fine = std::max(quantile(blocks_[band].fine, kFlattest) / kFineLuck, 0.0f);
+        const float coarse = std::max(quantile(blocks_[band].coarse, kFlattest) / kCoarseLuck, 0.0f);
+        const float fineVariance = std::max(fine * fine - kRounding, 0.0f);
+        const float coarseVariance = std::max(coarse * coarse - fine * fine / 4, 0.0f);
+        out.response.fineNoise[band] = std::sqrt(fineVariance) / 255;
+        out.response.coarseNoise[band] = std::sqrt(coarseVariance) / 255;
+    }
+    // Bands with too few blocks take the values of the nearest that has enough.
+    for (int band = 0; band < kBrightnesses; ++band)
+        for (int away = 1; out.flatBlocks[static_cast<size_t>(band)] < kFewBlocks && away < kBrightnesses;
+             ++away)
+            for (const int near : {band - away, band + away})
+                if (near >= 0 && near < kBrightnesses &&
+                    out.flatBlocks[static_cast<size_t>(near)] >= kFewBlocks) {
+                    out.response.fineNoise[static_cast<size_t>(band)] =
+                        out.response.fineNoise[static_cast<size_t>(near)];
+                    out.response.coarseNoise[static_cast<size_t>(band)] =
+                        out.response.coarseNoise[static_cast<size_t>(near)];
+                    away = kBrightnesses;
+                    break;
+                }
+
+    measureBlur(out);
+
+    for (int axis = 0; axis < 2; ++axis) {
+        const Parity& sums = chroma_[static_cast<size_t>(axis)];
+        if (sums.count < kFewColourEdges) continue;
+        out.chromaKnown = true;
+        out.response.chromaTexels[axis] =
+            alternates(sums.first) || alternates(sums.second) || alternates(sums.third) ? 2 : 1;
+    }
+    return out;
+}
+
+} // namespace shoal::camera

@@ -1,0 +1,61 @@
+// Estimate of the camera response from one frame of a video.
+//
+// Reads only stripes of the middle half of the frame, where texels are nearly square: 8 % of a 2048 x 1024
+// frame. Does not allocate after the first frame of a size. One thread at a time.
+#pragma once
+
+#include "engine/camera/CameraResponse.h"
+#include "engine/light/FrameView.h"
+
+#include <vector>
+
+namespace shoal::camera {
+
+// The counts tell how reliable it is.
+struct CameraResponseEstimate {
+    CameraResponse response;
+    int edges = 0;                               // edges measured; below kFewEdges blur is 0
+    std::array<int, kBrightnesses> flatBlocks{}; // blocks measured for noise; a band without any takes its
+                                                 // neighbour's noise
+    bool chromaKnown = false;                    // else taken as 4:2:0, which nearly all video is
+};
+
+constexpr int kFewEdges = 12;
+constexpr int kFewBlocks = 8; // of a band: fewer are likely to contain texture
+
+class CameraResponseEstimator {
+  public:
+    CameraResponseEstimate estimate(const light::FrameView& frame);
+
+  private:
+    void readStripe(const light::FrameView& frame, int top);
+    void measureEdges(float stretch);
+    void measureBlur(CameraResponseEstimate& out);
+    void measureNoise(CameraResponseEstimate& out);
+    void measureChroma();
+    void measureLevels(const light::FrameView& frame, CameraResponse& response);
+
+    // The current stripe, row by row: luma and two colour differences, 0 to 255; clipped: any channel is.
+    int width_ = 0;
+    std::vector<float> luma_, blueLess_, redLess_;
+    std::vector<unsigned char> clipped_;
+
+    struct Blocks {
+        std::vector<float> fine, coarse; // standard deviations
+    };
+    struct Edge {
+        float blur_texels;
+        float step; // of 255
+    };
+    std::vector<Edge> edges_;
+    std::vector<float> blurs_; // scratch
+    std::array<Blocks, kBrightnesses> blocks_;
+    // Sums of squared chroma differences of three orders, separately for even and odd first texels.
+    struct Parity {
+        double first[2] = {}, second[2] = {}, third[2] = {};
+        int count = 0;
+    };
+    std::array<Parity, 2> chroma_; // across, down
+};
+
+} // namespace shoal::camera

@@ -1,0 +1,22 @@
+// Bounds of JSON text of unknown origin, checked before a parser takes memory for it. Hand-written because
+// nlohmann's parser callback takes quadratic time: 193 s instead of 0.5 s for a list of 600,000 small
+// objects.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace shoal {
+
+struct JsonBounds {
+    int depth;       // of nesting: stack
+    uint64_t values; // a parsed value costs up to some 100 bytes
+    uint64_t objects;
+};
+
+// Which bound the text exceeds, "is nested deeper than 64 levels"; empty: none. Reads brackets and commas
+// only; the parser finds what is not JSON at all.
+std::string exceededBound(std::string_view json, const JsonBounds& bounds);
+
+} // namespace shoal

@@ -1,0 +1,55 @@
+// GPU time of each render pass, and debug groups by which a frame debugger names them. The thread of the
+// context only.
+#pragma once
+
+#include "engine/gl/Objects.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace shoal::gl {
+
+class PassTimers {
+  public:
+    // What is drawn while one lives belongs to that pass. They may nest. pass: a string literal.
+    class Scope {
+      public:
+        Scope(PassTimers& timers, const char* pass);
+        ~Scope();
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        PassTimers& timers_;
+        size_t span_;
+    };
+
+    struct Time {
+        const char* pass;
+        float gpu_ms;
+    };
+
+    // Once a frame. measured: whether the frame that begins is timed; debug groups there always are.
+    void beginFrame(bool measured);
+    // Of the last frame whose times have arrived, two or more back, since nothing waits for them.
+    std::span<const Time> times() const { return times_; }
+
+  private:
+    struct Span {
+        const char* pass;
+        Query begin, end;
+    };
+    struct Frame {
+        std::vector<Span> spans; // kept from frame to frame
+        size_t used = 0;
+    };
+    void read(Frame& frame);
+
+    std::array<Frame, 4> frames_;
+    size_t current_ = 0;
+    bool measured_ = false, known_ = false, groups_ = false;
+    std::vector<Time> times_;
+};
+
+} // namespace shoal::gl

@@ -1,0 +1,186 @@
+#include "engine/occlusion/TraceSelfOcclusion.h"
+
+#include "engine/occlusion/Bvh.h"
+#include "engine/occlusion/Directions.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <thread>
+
+namespace shoal::occlusion {
+
+namespace {
+
+constexpr float kGap = 1e-4f;     // of a ray's start from its surface, of the body's extent
+constexpr int kSweeps = 4;        // of fitting corners to samples: more would fit the noise of few rays
+constexpr int kSmoothings = 2;    // more would smooth away detail
+constexpr float kSeen = 0.1f;     // share of the hemisphere that must be free for a sample to count in full
+constexpr float kBuried = 0.03f;  // its weight where nothing is free: such places are never seen
+constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
+
+struct Sample {
+    std::array<uint32_t, 3> corners{};
+    glm::vec3 shares{0}; // of the corners
+    float weight = 0;    // area, as far as it is seen
+    glm::vec4 hidden{0}; // occlusionMoments()
+};
+
+class SelfOcclusionOf {
+  public:
+    SelfOcclusionOf(const SelfOccludingMesh& body, int rays, float gap)
+        : body_(body), gap_(gap), pattern_(cosineDirections(rays)), bvh_(body.positions, body.indices) {
+        std::vector<Sample> corners(body.positions.size());
+        for (size_t i = 0; i < body.indices.size() / 3 * 3; i += 3) {
+            const uint32_t* corner = &body.indices[i];
+            const glm::vec3& a = body.positions[corner[0]];
+            const float area =
+                glm::length(glm::cross(body.positions[corner[1]] - a, body.positions[corner[2]] - a));
+            for (int near = 0; near < static_cast<int>(kInTriangle); ++near) {
+                Sample sample{{corner[0], corner[1], corner[2]}, glm::vec3(1 / 6.0f), area, {}};
+                sample.shares[near] = 4 / 6.0f;
+                samples_.push_back(sample);
+                Sample& there = corners[corner[near]];
+                there = {sample.corners, glm::vec3(0), there.weight + area / kInTriangle, {}};
+                there.shares[near] = 1;
+            }
+        }
+        samples_.insert(samples_.end(), corners.begin(), corners.end());
+    }
+
+    size_t samples() const { return samples_.size(); }
+    void lookFrom(size_t first, size_t end) {
+        for (size_t k = first; k < end; ++k) look(k);
+    }
+
+    // Corners by what is amiss at their samples, in parts, again and again (Gilbert 1972, "Iterative Methods
+    // for the Three-dimensional Reconstruction of an Object from Projections").
+    std::vector<glm::vec4> fit() const {
+        std::vector<glm::vec4> selfOcclusion(body_.positions.size(), glm::vec4(0)),
+            sums(selfOcclusion.size());
+        std::vector<float> weights(selfOcclusion.size());
+        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+            std::ranges::fill(sums, glm::vec4(0));
+            std::ranges::fill(weights, 0.0f);
+            for (const Sample& sample : samples_) {
+                glm::vec4 amiss = sample.hidden;
+                for (int i = 0; i < 3; ++i)
+                    amiss -= sample.shares[i] * selfOcclusion[sample.corners[static_cast<size_t>(i)]];
+                for (int i = 0; i < 3; ++i) {
+                    const size_t corner = sample.corners[static_cast<size_t>(i)];
+                    sums[corner] += sample.weight * sample.shares[i] * amiss;
+                    weights[corner] += sample.weight * sample.shares[i];
+                }
+            }
+            for (size_t v = 0; v < selfOcclusion.size(); ++v)
+                if (weights[v] > 0) selfOcclusion[v] += sums[v] / weights[v];
+        }
+        return selfOcclusion;
+    }
+
+    // Neighbours that differ by no more than the noise of so few rays are averaged (Tomasi and Manduchi 1998,
+    // "Bilateral Filtering for Gray and Color Images", the range being that of the noise).
+    void smooth(std::vector<glm::vec4>& selfOcclusion) const {
+        std::vector<float> variance(selfOcclusion.size(), 0), samples(selfOcclusion.size(), 0);
+        for (const Sample& sample : samples_)
+            for (int i = 0; i < 3; ++i) samples[sample.corners[static_cast<size_t>(i)]] += sample.shares[i];
+        for (size_t v = 0; v < selfOcclusion.size(); ++v) {
+            const float share = glm::clamp(selfOcclusion[v].w, 0.0f, 1.0f);
+            variance[v] =
+                share * (1 - share) / (std::max(samples[v], 1.0f) * static_cast<float>(pattern_.size()));
+        }
+        std::vector<glm::vec4> sums(selfOcclusion.size());
+        std::vector<float> weights(selfOcclusion.size());
+        for (int sweep = 0; sweep < kSmoothings; ++sweep) {
+            sums = selfOcclusion;
+            std::ranges::fill(weights, 1.0f);
+            for (size_t i = 0; i < body_.indices.size() / 3 * 3; ++i) {
+                const uint32_t a = body_.indices[i], b = body_.indices[i % 3 == 2 ? i - 2 : i + 1];
+                const glm::vec4 apart = selfOcclusion[b] - selfOcclusion[a];
+                const float noise = variance[a] + variance[b];
+                if (!(noise > 0)) continue;
+                const float alike = std::exp(-glm::dot(apart, apart) / (2 * noise));
+                sums[a] += alike * selfOcclusion[b], weights[a] += alike;
+                sums[b] += alike * selfOcclusion[a], weights[b] += alike;
+            }
+            for (size_t v = 0; v < selfOcclusion.size(); ++v) selfOcclusion[v] = sums[v] / weights[v];
+        }
+    }
+
+  private:
+    void look(size_t k) {
+        Sample& sample = samples_[k];
+        const glm::vec3& shares = sample.shares;
+        const auto placeOf = [&](int i) { return body_.positions[sample.corners[static_cast<size_t>(i)]]; };
+        const auto normalOf = [&](int i) { return body_.normals[sample.corners[static_cast<size_t>(i)]]; };
+        glm::vec3 flat(0), normal(0);
+        for (int i = 0; i < 3; ++i) flat += shares[i] * placeOf(i), normal += shares[i] * normalOf(i);
+        if (!(sample.weight > 0) || !(glm::dot(normal, normal) > 0)) {
+            sample.weight = 0;
+            return;
+        }
+        normal = glm::normalize(normal);
+        // Out to where the smooth surface would be: Hanika 2021, "Hacking the Shadow Terminator".
+        glm::vec3 origin = flat + gap_ * normal;
+        for (int i = 0; i < 3; ++i)
+            origin -= shares[i] * std::min(0.0f, glm::dot(flat - placeOf(i), normalOf(i))) * normalOf(i);
+        // Each turned anew, so that few rays err differently in neighbours.
+        const glm::mat3 frame = glm::transpose(lookingAlong(
+            normal, static_cast<float>(std::fmod(static_cast<double>(k) * kGoldenAngle, 6.283))));
+        glm::vec4 sum(0);
+        for (const glm::vec3& each : pattern_) {
+            const glm::vec3 direction = frame * each;
+            if (bvh_.blocked(origin, direction, 0, INFINITY)) sum += glm::vec4(direction, 1);
+        }
+        const glm::vec4 hidden = sum / static_cast<float>(pattern_.size());
+        sample.weight *= std::clamp((1 - hidden.w) / kSeen, kBuried, 1.0f);
+        sample.hidden = hidden;
+    }
+
+    const SelfOccludingMesh& body_;
+    float gap_;
+    std::vector<glm::vec3> pattern_;
+    Bvh bvh_;
+    std::vector<Sample> samples_;
+};
+
+} // namespace
+
+std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, std::span<const Occluder> own,
+                                          int rays) {
+    glm::vec3 low(INFINITY), high(-INFINITY);
+    for (const glm::vec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
+    const float gap = kGap * glm::distance(low, high);
+    if (!(gap > 0) || !std::isfinite(gap) || rays < 1)
+        return std::vector<glm::vec4>(body.positions.size(), glm::vec4(0));
+    SelfOcclusionOf folding(body, rays, gap);
+    const size_t samples = folding.samples();
+    {
+        const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
+        std::vector<std::jthread> helpers;
+        for (size_t t = 1; t < threads; ++t)
+            helpers.emplace_back(
+                [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
+        folding.lookFrom(0, samples / threads);
+    }
+    std::vector<glm::vec4> selfOcclusion = folding.fit();
+    folding.smooth(selfOcclusion);
+    std::vector<bool> used(selfOcclusion.size(), false);
+    for (const uint32_t corner : body.indices) used[corner] = true;
+    for (size_t v = 0; v < selfOcclusion.size(); ++v) {
+        if (!used[v]) continue;
+        const glm::vec3 &p = body.positions[v], &normal = body.normals[v];
+        selfOcclusion[v] = fitSelfOcclusion({}, normal, selfOcclusion[v]);
+        if (own.empty()) continue;
+        // Few rays may ask for what nothing hides; what is there to be completed must not add to it.
+        const glm::vec4 moments = occlusionMoments(withSelfOcclusion({}, normal, selfOcclusion[v]), normal);
+        selfOcclusion[v] = fitSelfOcclusion(axisOcclusion(p, normal, own), normal, moments);
+    }
+    return selfOcclusion;
+}
+
+} // namespace shoal::occlusion

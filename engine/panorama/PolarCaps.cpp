@@ -1,0 +1,168 @@
+#include "engine/panorama/PolarCaps.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::panorama {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Extent {
+    int width, height;
+    int edge, inner; // rows: where the known picture begins, and up to where it is blended
+
+    int rows(double degrees) const { return std::max(1, static_cast<int>(degrees * height / 180)); }
+    double colatitude(double row) const { return row / height * kPi; }
+};
+
+// Least-squares slope, upwards a row, of the logarithm of the mean colour of rows first to last - 1.
+cv::Scalar slopeUp(const cv::Mat& picture, int first, int last) {
+    cv::Scalar sum;
+    double weights = 0;
+    const double middle = (first + last - 1) / 2.0;
+    for (int y = first; y < last; ++y) {
+        const cv::Scalar mean = cv::mean(picture.row(y));
+        for (int c = 0; c < 3; ++c) sum[c] += std::log(mean[c] + 0.02) * (middle - y);
+        weights += (middle - y) * (middle - y);
+    }
+    return weights > 0 ? sum * (1 / weights) : cv::Scalar();
+}
+
+// Colours of rows 0 to inner, by circular harmonics.
+cv::Mat colours(const cv::Mat& latLong, const Extent& cap) {
+    const int below = std::min(cap.inner + cap.rows(1), cap.height);
+    cv::Mat source;
+    std::array<cv::Mat, 3> harmonics, filled;
+    cv::reduce(latLong.rowRange(cap.inner, below), source, 0, cv::REDUCE_AVG);
+    cv::split(source, harmonics.data());
+    for (cv::Mat& channel : harmonics) cv::dft(channel, channel, cv::DFT_COMPLEX_OUTPUT);
+
+    const cv::Scalar slope = slopeUp(latLong, cap.inner, std::min(cap.inner + cap.rows(12), cap.height));
+    const double rest = cap.rows(15); // rows
+    const double rim = std::tan(cap.colatitude((cap.inner + below) / 2.0) / 2);
+    constexpr double kMaxChange = 0.5, kMaxHue = 0.15; // of the logarithm
+    const double common = (slope[0] + slope[1] + slope[2]) / 3;
+    cv::Mat out(cap.inner, cap.width, CV_32FC3);
+    for (int y = 0; y < cap.inner; ++y) {
+        const double ratio = std::tan(cap.colatitude(y + 0.5) / 2) / rim;
+        for (size_t c = 0; c < 3; ++c) {
+            cv::Mat fallen = harmonics[c].clone();
+            for (int k = 0; k < cap.width; ++k)
+                fallen.at<cv::Vec2f>(k) *= static_cast<float>(std::pow(ratio, std::min(k, cap.width - k)));
+            cv::dft(fallen, filled[c], cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
+            // Starts with the picture's own slope.
+            const double start =
+                std::clamp(slope[static_cast<int>(c)], common - kMaxHue / rest, common + kMaxHue / rest);
+            const double maximum = std::min(kMaxChange, std::abs(start) * rest) + 1e-12;
+            const double change =
+                maximum * (1 - std::exp(-std::abs(start) / maximum * (cap.inner - y - 0.5)));
+            filled[c] *= std::exp(std::copysign(change, start));
+        }
+        cv::Mat row = out.row(y);
+        cv::merge(filled.data(), 3, row);
+    }
+    return out;
+}
+
+// The corners of the triangle that contains a point of the plane, in a lattice of triangles with sides of
+// length 1, and the point's barycentric coordinates.
+struct Triangle {
+    std::array<cv::Point2i, 3> corners; // lattice coordinates
+    std::array<double, 3> barycentric;
+
+    static cv::Point2d placeOf(const cv::Point2i& corner) {
+        return {corner.x + 0.5 * corner.y, std::numbers::sqrt3 / 2 * corner.y};
+    }
+    static Triangle around(const cv::Point2d& place) {
+        const double v = place.y * 2 / std::numbers::sqrt3, u = place.x - v / 2;
+        const cv::Point2i base(static_cast<int>(std::floor(u)), static_cast<int>(std::floor(v)));
+        const double a = u - base.x, b = v - base.y;
+        const cv::Point2i right = base + cv::Point2i(1, 0), up = base + cv::Point2i(0, 1);
+        if (a + b < 1) return {{base, right, up}, {1 - a - b, a, b}};
+        return {{base + cv::Point2i(1, 1), up, right}, {a + b - 1, 1 - a, 1 - b}};
+    }
+};
+
+// Hash of a corner: -1 to 1 in either direction.
+cv::Point2d randomOffset(const cv::Point2i& corner) {
+    uint32_t h =
+        static_cast<uint32_t>(corner.x) * 0x9e3779b1u ^ static_cast<uint32_t>(corner.y) * 0x85ebca77u;
+    const auto next = [&h] {
+        h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+        h = (h ^ (h >> 12)) * 0x297a2d39u;
+        h ^= h >> 15;
+        return h * 0x1p-31 - 1;
+    };
+    const double x = next();
+    return {x, next()};
+}
+
+// Texture of rows 0 to inner, as a ratio to the blurred picture: each corner of a triangle lattice has a
+// random piece of the example square, and a pixel blends the pieces of its three corners so that the variance
+// is kept (Heitz and Neyret 2018, "High-Performance By-Example Noise using a Histogram-Preserving Blending
+// Operator").
+cv::Mat texture(const cv::Mat& latLong, const Extent& cap) {
+    constexpr double kMaxColatitude = 75 * kPi / 180; // beyond it the tangent plane recedes too fast
+    constexpr float kMaxContrast = 1.3f;
+    const double rim = std::tan(std::min(cap.colatitude(cap.inner), kMaxColatitude));
+    const double side = 0.35 * rim, lattice = 0.3 * side, room = side / 2 - lattice;
+    cv::Mat ring = latLong.rowRange(cap.inner, cap.height / 2), blurred, ratio;
+    cv::copyMakeBorder(ring, blurred, 0, 0, cap.width / 8, cap.width / 8, cv::BORDER_WRAP);
+    cv::GaussianBlur(blurred, blurred, {}, cap.rows(3), cap.rows(2), cv::BORDER_REPLICATE);
+    blurred = blurred.colRange(cap.width / 8, cap.width / 8 + cap.width);
+    const cv::Scalar dark = cv::Scalar::all(0.02);
+    cv::divide(ring + dark, blurred + dark, ratio);
+    ratio = cv::min(cv::max(ratio, 1 / kMaxContrast), kMaxContrast) - cv::Scalar::all(1);
+
+    cv::Mat out(cap.inner, cap.width, CV_32FC3, cv::Scalar::all(1)), column(cap.inner, cap.width, CV_32F),
+        row(column.size(), CV_32F), weight(column.size(), CV_32F), piece;
+    for (size_t layer = 0; layer < 3; ++layer) {
+        for (int y = 0; y < cap.inner; ++y) {
+            const double distance = std::tan(std::min(cap.colatitude(y + 0.5), kMaxColatitude));
+            for (int x = 0; x < cap.width; ++x) {
+                const double longitude = ((x + 0.5) / cap.width - 0.5) * 2 * kPi;
+                const cv::Point2d place(distance * std::sin(longitude), distance * std::cos(longitude));
+                const Triangle triangle = Triangle::around(place / lattice);
+                const cv::Point2i corner = triangle.corners[layer];
+                const cv::Point2d in = place - Triangle::placeOf(corner) * lattice +
+                                       randomOffset(corner) * room; // about the square's middle
+                const double away = rim + side / 2 + in.y;
+                const double u = 0.5 + std::atan2(in.x, away) / (2 * kPi);
+                const double v = std::atan(std::hypot(in.x, away)) / kPi;
+                column.at<float>(y, x) = static_cast<float>(u * cap.width - 0.5);
+                row.at<float>(y, x) = static_cast<float>(v * cap.height - 0.5 - cap.inner);
+                const auto& n = triangle.barycentric;
+                weight.at<float>(y, x) =
+                    static_cast<float>(n[layer] / std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+            }
+        }
+        cv::remap(ratio, piece, column, row, cv::INTER_LINEAR, cv::BORDER_WRAP);
+        cv::Mat weights;
+        cv::merge(std::array{weight, weight, weight}, weights);
+        out += piece.mul(weights);
+    }
+    return out;
+}
+
+} // namespace
+
+void fillPolarCap(cv::Mat& latLong, int edge, PolarCap kind) {
+    Extent cap{latLong.cols, latLong.rows, edge, 0};
+    cap.inner = std::min(edge + cap.rows(5), cap.height / 2 - 1);
+    cv::Mat filled = colours(latLong, cap);
+    if (kind == PolarCap::Ground) cv::multiply(filled, texture(latLong, cap), filled);
+    filled = cv::max(filled, 0.0);
+    for (int y = 0; y < cap.inner; ++y) {
+        const double t = y < edge ? 0 : (y - edge + 0.5) / (cap.inner - edge);
+        cv::Mat row = latLong.row(y);
+        cv::addWeighted(row, t * t * (3 - 2 * t), filled.row(y), 1 - t * t * (3 - 2 * t), 0, row);
+    }
+}
+
+} // namespace shoal::panorama

@@ -1,0 +1,82 @@
+// Draws the environment behind everything, with a layer of objects in the texels of its frame if there is
+// one. Pairs with shaders/render/Background. This is the OpenGL implementation, for any context from 3.3;
+// where the driver renders on the processor, makeBackgroundPass() returns software/SoftwareBackground
+// instead.
+#pragma once
+
+#include "engine/gl/Variants.h"
+#include "engine/render/BackgroundCells.h"
+#include "engine/render/Composition.h"
+#include "engine/render/EquirectComposite.h"
+#include "engine/render/EyePicture.h"
+#include "engine/render/LayerPass.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace shoal::render {
+
+// Objects as an eye sees them, to be put into the texels of the frame.
+struct TexelLayer {
+    LayerPass& layer;
+    View view; // of the layer: a little wider than the picture
+    const FrameTiles& tiles;
+    bool filmed = false; // with the response of the frame's camera
+};
+
+class BackgroundPass {
+  public:
+    // withLayers: draw() will be given layers.
+    static Result<std::unique_ptr<BackgroundPass>> make(bool withLayers);
+    virtual ~BackgroundPass() = default;
+    BackgroundPass(const BackgroundPass&) = delete;
+    BackgroundPass& operator=(const BackgroundPass&) = delete;
+
+    // A hint that this picture is drawn next; starts work that may run beside the drawing of the layer.
+    // tiles: null where there is no layer; they and the environment's frame must live until draw().
+    virtual void prepare(const EyePicture& picture, const FrameTiles* tiles);
+
+    // Over the whole canvas, which is bound before and after: depth is neither tested nor changed. layer:
+    // null for the environment alone. The program for a tone curve that is new is compiled first.
+    virtual Status draw(const EyePicture& picture, const TexelLayer* layer);
+
+  protected:
+    struct Cell {
+        const BackgroundCell* cell;
+        bool painted; // shows the frame with objects in it, else the environment's own
+    };
+    BackgroundPass() = default;
+    Status setUp(bool withLayers);
+    // painted: the frame with objects in it, of which only the tiles below painted cells need be defined; 0:
+    // none.
+    Status drawCells(const EyePicture& picture, std::span<const Cell> cells, GLuint painted);
+
+  private:
+    struct Corner {
+        glm::vec2 place, uv;
+    };
+    enum Kind { kPlain, kPolar, kPaintedPlain, kPaintedPolar, kKinds };
+    void upload(std::span<const Cell> cells, const glm::ivec2& size);
+
+    gl::Variants programs_;
+    gl::VertexArray vertexArray_;
+    gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
+    size_t indexedCells_ = 0;
+    BackgroundCells cells_;
+    std::vector<Cell> drawn_;
+    std::vector<bool> wanted_; // tiles
+    std::array<std::vector<Corner>, kKinds> corners_;
+    EquirectComposite composite_;
+};
+
+// The implementation for this context; Software anywhere is allowed, and draws with OpenGL what it cannot
+// sample.
+Result<std::unique_ptr<BackgroundPass>> makeBackgroundPass(Backend backend, bool withLayers);
+
+// Whether the frame is displayed exactly as it is coded: no curve, no exposure.
+bool showsFrameAsCoded(const EnvironmentGpu& environment, const Exposure& exposure);
+
+} // namespace shoal::render

@@ -1,0 +1,137 @@
+#include "engine/render/EnvironmentGpu.h"
+
+#include "shaders/render/Attributes.glsl"
+
+#include <cassert>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
+
+// Replaces level `level` of the bound texture; `fresh` makes new storage.
+void putLevel(int level, const light::HalfImage& image, bool fresh) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (fresh)
+        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
+                     image.rgba.data());
+    else
+        glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, image.width, image.height, GL_RGBA, GL_HALF_FLOAT,
+                        image.rgba.data());
+}
+
+void bindTo(int unit, GLuint texture, const gl::Program& program, const char* name) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+    program.set(name, unit);
+}
+
+} // namespace
+
+gl::Texture makeLatLongTexture() {
+    gl::Texture texture = gl::Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    return texture;
+}
+
+EnvironmentGpu::EnvironmentGpu()
+    : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
+      scattered_(makeLatLongTexture()) {
+    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+}
+
+void EnvironmentGpu::setFrame(const DisplayFrame& frame) {
+    displayFrame_ = frame;
+    uploaded_ = false;
+    coded_ = true;
+    ++frameNumber_;
+    frameWidth_ = frame.width;
+    frameHeight_ = frame.height;
+}
+
+// Storage is reused while the size stays.
+GLuint EnvironmentGpu::frameTexture() const {
+    if (uploaded_) return frame_.name();
+    uploaded_ = true;
+    const DisplayFrame& frame = displayFrame_;
+    const glm::ivec2 size(frame.width, frame.height);
+    glBindTexture(GL_TEXTURE_2D, frame_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, frame.rowPixels);
+    if (size != codedSize_)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels);
+    else
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, frame.pixels);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    codedSize_ = size;
+    return frame_.name();
+}
+
+void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
+    uploaded_ = true;
+    codedSize_ = {0, 0};
+    glBindTexture(GL_TEXTURE_2D, frame_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    // 32 bits: a real sun lies above the largest half float.
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, radianceLin.width, radianceLin.height, 0, GL_RGB, GL_FLOAT,
+                 radianceLin.pixels.data());
+    coded_ = false;
+    ++frameNumber_;
+    frameWidth_ = radianceLin.width;
+    frameHeight_ = radianceLin.height;
+}
+
+void EnvironmentGpu::uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth) {
+    assert(light.places.size() <= kMaxMaps && light.mirrorRoughness.size() <= kMaxMirrors);
+    glBindTexture(GL_TEXTURE_2D, light_.name());
+    putLevel(0, light.atlas, light.atlas.width != lightWidth_ || light.atlas.height != lightHeight_);
+    lightWidth_ = light.atlas.width;
+    lightHeight_ = light.atlas.height;
+    places_ = light.places;
+    mirrorRoughness_ = light.mirrorRoughness;
+    smooth_ = smooth;
+
+    if (light.mirrors.empty()) return;
+    glBindTexture(GL_TEXTURE_2D, mirrors_.name());
+    const bool fresh = light.mirrors[0].width != mirrorWidth_ || light.mirrors.size() != mirrorLevels_;
+    for (size_t k = 0; k < light.mirrors.size(); ++k) putLevel(static_cast<int>(k), light.mirrors[k], fresh);
+    if (fresh)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
+    mirrorWidth_ = light.mirrors[0].width;
+    mirrorLevels_ = light.mirrors.size();
+}
+
+void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
+    glBindTexture(GL_TEXTURE_2D, scattered_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (light.width != scatteredLight_.width || light.height != scatteredLight_.height)
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
+                     light.pixels.data());
+    else
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, light.width, light.height, GL_RGB, GL_FLOAT,
+                        light.pixels.data());
+    scatteredLight_ = light;
+}
+
+void EnvironmentGpu::bindScattered(const gl::Program& program, int unit) const {
+    bindTo(unit, scattered_.name(), program, "scattered");
+}
+
+void EnvironmentGpu::bindLight(const gl::Program& program) const {
+    bindTo(UNIT_LIGHT, light_.name(), program, "lightMap");
+    program.setArray("lightPlaces[0]", places_);
+    program.set("smoothestMap", static_cast<float>(places_.size() - 1));
+    if (mirrorLevels_ == 0) return;
+    bindTo(UNIT_RADIANCE, mirrors_.name(), program, "radianceMap");
+    program.set("radianceWidth", static_cast<float>(mirrorWidth_));
+    program.set("mirrorLevels", static_cast<int>(mirrorRoughness_.size() - 1));
+    program.setArray("mirrorRoughness[0]", mirrorRoughness_);
+}
+
+} // namespace shoal::render

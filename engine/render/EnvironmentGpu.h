@@ -1,0 +1,66 @@
+// The environment on the graphics side: the picture behind everything, and the light made from it.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/gl/Program.h"
+#include "engine/light/PackedLight.h"
+#include "engine/occlusion/SmoothLight.h"
+#include "engine/render/DisplayFrame.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace shoal::render {
+
+// Without storage yet; leaves it bound. Sampled as maps of the sphere are: columns repeat.
+gl::Texture makeLatLongTexture();
+
+class EnvironmentGpu {
+  public:
+    EnvironmentGpu();
+
+    // The pixels must live until the next frame, or longer than this: they go into a texture only when that
+    // is asked for, which an implementation that samples them in memory rarely does.
+    void setFrame(const DisplayFrame& frame);
+    void setFrame(const ImageRgbF& radianceLin); // HDR environments; copied
+    // smooth: what bodies take from each other; env frame.
+    void uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth = {});
+
+    // Light that port and lens scatter over the frame: squares of display values, lat-long.
+    void uploadScattered(const ImageRgbF& light);
+
+    bool frameIsCoded() const { return coded_; }
+    int frameWidth() const { return frameWidth_; }
+    int frameHeight() const { return frameHeight_; }
+    uint64_t frameNumber() const { return frameNumber_; } // of those set; 0: none yet
+    GLuint frameTexture() const;
+    const DisplayFrame& displayFrame() const { return displayFrame_; } // in memory; of coded frames only
+
+    void bindLight(const gl::Program& program) const; // the program must be in use
+
+    void bindScattered(const gl::Program& program, int unit) const; // "scattered"
+    const ImageRgbF& scatteredLight() const { return scatteredLight_; }
+
+    const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame
+
+    // Of the smoothest filtered map: smoother surfaces look up the mirrors.
+    float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
+
+  private:
+    gl::Texture frame_, light_, mirrors_, scattered_;
+    DisplayFrame displayFrame_;
+    mutable bool uploaded_ = true;    // into frame_
+    mutable glm::ivec2 codedSize_{0}; // of frame_, where it holds coded texels
+    int frameWidth_ = 0, frameHeight_ = 0;
+    uint64_t frameNumber_ = 0;
+    bool coded_ = true;
+    ImageRgbF scatteredLight_;
+    int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
+    size_t mirrorLevels_ = 0;
+    std::vector<glm::vec4> places_;
+    std::vector<float> mirrorRoughness_;
+    occlusion::SmoothLight smooth_;
+};
+
+} // namespace shoal::render

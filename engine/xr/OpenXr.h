@@ -1,0 +1,125 @@
+// Private to this folder: OpenXR's calls, handles and types. A call that fails throws a Failure, which the
+// functions of Headset turn into an Error.
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/xr/Tracked.h"
+
+#include <epoxy/gl.h>
+
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr.h>
+#include <openxr/openxr_platform.h>
+
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+// When the call fails the error names call and result: "OpenXR: xrCreateSession says XR_ERROR_LIMIT_REACHED".
+// Successes with a reservation (XR_SESSION_LOSS_PENDING ...) are successes.
+#define SHOAL_XR(call) ::shoal::xr::check((call), #call)
+
+namespace shoal::xr {
+
+struct Failure : std::exception {
+    explicit Failure(std::string reason) : error{"OpenXR", std::move(reason)} {}
+    Error error;
+};
+
+XrResult check(XrResult result, const char* call);
+const char* nameOf(XrResult result);
+
+template <class Work> Status statusOf(Work&& work) {
+    try {
+        work();
+    } catch (const Failure& failure) {
+        return failure.error;
+    }
+    return Done{};
+}
+
+// A function of an extension, which the loader does not export. Null if there is none.
+template <class Function> Function functionOf(XrInstance instance, const char* name) {
+    PFN_xrVoidFunction function = nullptr;
+    if (XR_FAILED(xrGetInstanceProcAddr(instance, name, &function))) return nullptr;
+    return reinterpret_cast<Function>(function);
+}
+
+// Items of an enumeration of OpenXR's kind, queried twice: call(capacity, count, items). No runtime makes
+// us take more than kMax.
+template <class Item, class Call> std::vector<Item> enumerate(const Item& blank, Call&& call) {
+    constexpr uint32_t kMax = 4096;
+    uint32_t count = 0;
+    call(0u, &count, static_cast<Item*>(nullptr));
+    std::vector<Item> items(std::min(count, kMax), blank);
+    if (items.empty()) return items;
+    call(static_cast<uint32_t>(items.size()), &count, items.data());
+    items.resize(std::min<size_t>(count, items.size()), blank);
+    return items;
+}
+
+// An OpenXR handle, destroyed at the end.
+template <class Name, XrResult(XRAPI_PTR* kDestroy)(Name)> class Handle {
+  public:
+    Handle() = default;
+    Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, Name{})) {}
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~Handle() {
+        if (name_ != Name{}) kDestroy(name_);
+    }
+    Name name() const { return name_; }
+    // To be filled by a function that creates; what was there is destroyed.
+    Name* fresh() {
+        *this = Handle();
+        return &name_;
+    }
+
+  private:
+    Name name_{};
+};
+
+constexpr auto kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+
+// The connection to the runtime, and the headset that it has.
+struct Instance {
+    Handle<XrInstance, xrDestroyInstance> handle;
+    XrSystemId system = XR_NULL_SYSTEM_ID;
+    std::string runtimeName, systemName;
+    bool bareHands = false;     // XR_EXT_hand_tracking, and the headset can
+    bool hiddenPixels = false;  // XR_KHR_visibility_mask
+    bool tracksPosition = true; // else the head only turns
+    glm::ivec2 eyeSize{0};      // as the runtime recommends, pixels
+    XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+
+    // withHeadset: false only finds out which runtime there is.
+    static Instance open(bool withHeadset);
+};
+
+using SessionHandle = Handle<XrSession, xrDestroySession>;
+SessionHandle createSession(const Instance& instance); // on the OpenGL context that is current
+
+inline Pose poseFrom(const XrPosef& pose) {
+    const auto& [p, q] = std::pair(pose.position, pose.orientation);
+    return {{p.x, p.y, p.z}, glm::quat(q.w, q.x, q.y, q.z)};
+}
+
+inline XrPosef poseTo(const Pose& pose) {
+    const glm::quat& q = pose.orientation;
+    return {{q.x, q.y, q.z, q.w}, {pose.position.x, pose.position.y, pose.position.z}};
+}
+
+inline bool both(XrSpaceLocationFlags flags, XrSpaceLocationFlags a, XrSpaceLocationFlags b) {
+    return (flags & a) && (flags & b);
+}
+inline bool valid(XrSpaceLocationFlags flags) {
+    return both(flags, XR_SPACE_LOCATION_POSITION_VALID_BIT, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT);
+}
+
+} // namespace shoal::xr

@@ -1,0 +1,71 @@
+// The session on the OpenGL context that is current. Apart from the rest, because X11's headers define words
+// such as Status and None.
+#include "engine/core/Result.h"
+
+#include <epoxy/gl.h>
+// After the above, as it defines words that they use.
+#include <epoxy/glx.h>
+
+#define XR_USE_PLATFORM_XLIB
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr.h>
+#include <openxr/openxr_platform.h>
+#undef Status
+#undef None
+
+#include "engine/xr/OpenXr.h"
+
+namespace shoal::xr {
+
+namespace {
+
+std::string versionText(XrVersion version) {
+    return std::to_string(XR_VERSION_MAJOR(version)) + "." + std::to_string(XR_VERSION_MINOR(version));
+}
+
+// The extension demands that the requirements are queried before a session is made.
+void checkRequirements(const Instance& instance) {
+    const auto get = functionOf<PFN_xrGetOpenGLGraphicsRequirementsKHR>(instance.handle.name(),
+                                                                        "xrGetOpenGLGraphicsRequirementsKHR");
+    if (!get) throw Failure("the runtime lacks xrGetOpenGLGraphicsRequirementsKHR");
+    XrGraphicsRequirementsOpenGLKHR wanted{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
+    check(get(instance.handle.name(), instance.system, &wanted), "xrGetOpenGLGraphicsRequirementsKHR");
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    const XrVersion ours = XR_MAKE_VERSION(major, minor, 0xffff);
+    if (wanted.minApiVersionSupported > ours)
+        throw Failure(instance.runtimeName + " wants OpenGL " + versionText(wanted.minApiVersionSupported) +
+                      ", the graphics driver gives " + versionText(ours));
+}
+
+} // namespace
+
+SessionHandle createSession(const Instance& instance) {
+    checkRequirements(instance);
+    Display* display = glXGetCurrentDisplay();
+    if (!display) throw Failure("the window is none of X11's; run under X11 or Xwayland");
+    XrGraphicsBindingOpenGLXlibKHR binding{XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR};
+    binding.xDisplay = display;
+    binding.glxDrawable = glXGetCurrentDrawable();
+    binding.glxContext = glXGetCurrentContext();
+    int id = 0, screen = 0, count = 0;
+    glXQueryContext(display, binding.glxContext, GLX_FBCONFIG_ID, &id);
+    glXQueryContext(display, binding.glxContext, GLX_SCREEN, &screen);
+    const int wanted[] = {GLX_FBCONFIG_ID, id, 0};
+    if (GLXFBConfig* configs = glXChooseFBConfig(display, screen, wanted, &count)) {
+        if (count > 0) binding.glxFBConfig = configs[0];
+        XFree(configs);
+    }
+    if (binding.glxFBConfig)
+        if (XVisualInfo* visual = glXGetVisualFromFBConfig(display, binding.glxFBConfig)) {
+            binding.visualid = static_cast<uint32_t>(visual->visualid);
+            XFree(visual);
+        }
+    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, instance.system};
+    SessionHandle session;
+    SHOAL_XR(xrCreateSession(instance.handle.name(), &info, session.fresh()));
+    return session;
+}
+
+} // namespace shoal::xr

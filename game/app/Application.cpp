@@ -1,0 +1,204 @@
+// Runs the frames of a dive.
+#include "game/app/Application.h"
+
+#include "engine/media/Pictures.h"
+#include "game/app/states/DivingState.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <variant>
+
+namespace shoal::app {
+
+struct Application::Frame {
+    GameSession& session;
+    StateContext& context;
+    StateMachine& states;
+    FrameClock& clock;
+    double elapsed_s = 0;
+    const platform::WindowInput* input = nullptr; // null: there is no window
+};
+
+FrameClock::Mode Application::clockMode() const {
+    if (options_.timedemo) return FrameClock::Mode::TimeDemo;
+    return window_ ? FrameClock::Mode::RealTime : FrameClock::Mode::FixedStep;
+}
+
+Status Application::runSession(bool measured) {
+    GameSession session(config_);
+    StateContext context{session, config_.dive.name, bestScore_, !options_.headless, leaving_};
+    StateMachine states(std::make_unique<DivingState>());
+    FrameClock clock(clockMode(), static_cast<double>(options_.fps));
+    measurements_.beginSession(measured);
+    while (!leaving_) {
+        if (Status begun = display_->begin(); !begun) return begun;
+        clock.beginFrame();
+        Frame frame{session, context, states, clock, clock.elapsed_s(display_->elapsed_s())};
+        readInput(frame);
+        simulate(frame);
+        if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done)
+            return done;
+        states.update(context);
+        updateEnvironment(frame);
+        const Result<bool> drawn = draw(frame);
+        if (!drawn) return drawn.error();
+        if (*drawn) {
+            clock.waste(static_cast<double>(options_.load_ms));
+            adjustQuality(clock);
+            display_->present();
+        }
+        glFinish();
+        measurements_.frameDone(*environment_, clock.sinceBegin_ms(), clock.frame() == 0);
+        if (measured && environment_->live()) clock.waitForLiveVideo();
+        if (isOver(frame)) break;
+    }
+    measurements_.endSession(session);
+    if (measured && !options_.record.empty())
+        if (Status written = sim::writeRecording(options_.record, session.recording); !written)
+            return written;
+    return session.verdict;
+}
+
+void Application::readInput(Frame& frame) {
+    GameSession& session = frame.session;
+    leaving_ |= display_->leaving();
+    if (window_) {
+        frame.input = &window_->poll();
+        leaving_ |= frame.input->closing;
+        for (const int key : frame.input->keysPressed) globalKey(key);
+        // A headset's player looks at no window; whether it is worn is for the headset to say.
+        frame.states.input(frame.context, *frame.input, display_->audience() == Audience::WindowPlayer);
+    }
+    display_->feed(session);
+    // In a headset a script waits for its onlooker.
+    if (display_->audience() == Audience::HeadsetPlayer && session.paused && !frame.context.byPerson())
+        frame.elapsed_s = 0;
+    if (auto* mouse = std::get_if<MouseSource>(&session.source)) {
+        const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;
+        mouse->frame(window_ ? &*window_ : nullptr, frame.input, session.shown,
+                     static_cast<float>(frame.elapsed_s), glm::radians(options_.fov_deg),
+                     static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1)));
+    }
+}
+
+// Keys that do the same in every state.
+void Application::globalKey(int key) {
+    const bool louder = key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD;
+    const bool quieter = key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT;
+    if (key == GLFW_KEY_F1) options_.frameTimes = !options_.frameTimes;
+    if (key == GLFW_KEY_F11) {
+        options_.fullscreen = !options_.fullscreen;
+        window_->toggleFullscreen();
+    }
+    if (!louder && !quieter) return;
+    options_.volume = std::clamp(options_.volume + (louder ? 0.1f : -0.1f), 0.0f, 1.0f);
+    soundAndHaptics_->setVolume(options_.volume);
+    volumeShown_s_ = glfwGetTime();
+}
+
+void Application::simulate(Frame& frame) {
+    GameSession& session = frame.session;
+    const auto began = std::chrono::steady_clock::now();
+    session.advance(frame.elapsed_s, !options_.record.empty());
+    measurements_.simulated(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
+    const bool attended =
+        display_->audience() == Audience::HeadsetPlayer || !frame.input || frame.input->focused;
+    soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(frame.elapsed_s), attended,
+                            environment_->videoPosition_s());
+}
+
+// The video begins with the dive, pauses with it, and begins anew with it.
+void Application::updateEnvironment(const Frame& frame) {
+    const bool fresh =
+        environment_->update(frame.clock.video_s(frame.session.shown.time_s), frame.clock.exactVideo());
+    measurements_.environmentUpdated(*environment_, fresh);
+}
+
+Result<bool> Application::draw(const Frame& frame) {
+    const game::Snapshot& shown = frame.session.shown;
+    const bool wantsQuality =
+        options_.quality == QualityControl::Auto && ((window_ && !options_.timedemo) || options_.load_ms > 0);
+    if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
+    const Quality quality = quality_ ? quality_->quality() : Quality();
+    const render::Exposure exposure{environment_->toneCurve(options_.look.tone),
+                                    config_.dive.exposure_ev + options_.look.exposure_ev};
+    sceneRenderer_->timers().beginFrame(options_.frameTimes);
+    sceneRenderer_->set(shown, *environment_, exposure, options_.look.glossy);
+    const Result<bool> drawn = display_->draw(
+        {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
+                      const Painter::AfterEye& afterEye) { return sceneRenderer_->draw(eyes, afterEye); },
+         .hud =
+             [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
+                 if (options_.backdropOnly || options_.look.skip == render::SkippedPass::Overlay) return;
+                 const gl::PassTimers::Scope scope(sceneRenderer_->timers(), "overlay");
+                 drawHud(frame, part, audience, view, size);
+             }},
+        shown, quality.scale);
+    measurements_.drawn(sceneRenderer_->drawCount(), sceneRenderer_->triangleCount(), quality);
+    return drawn;
+}
+
+void Application::drawHud(const Frame& frame, HudPart part, Audience audience, const render::View& view,
+                          glm::ivec2 size) {
+    const GameSession& session = frame.session;
+    const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
+    const std::string_view notice = environment_->notice();
+    hud_->draw(
+        {.part = part,
+         .audience = audience,
+         .snapshot = &session.shown,
+         .view = &view,
+         .captions = options_.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),
+         .overlay = [&](const Pen& pen) { frame.states.drawOverlay(frame.context, pen); },
+         .showTimes = options_.frameTimes && !onHeadsetsEye,
+         .times = &measurements_.times(),
+         .passes = sceneRenderer_->timers().times(),
+         .lightName = environment_->lightName(),
+         .renderer = measurements_.statistics().renderer,
+         .notice = notice.empty() && session.tracked ? session.tracked->caption() : notice,
+         .volume = options_.volume,
+         .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},
+        size);
+}
+
+// Once a frame has been drawn, before the display is waited for.
+void Application::adjustQuality(const FrameClock& clock) {
+    if (!quality_) return;
+    glFinish();
+    quality_->frame(clock.sinceBegin_ms());
+    environment_->setLightEvery(quality_->quality().lightEvery);
+    measurements_.qualityChosen(quality_->quality());
+}
+
+bool Application::isOver(const Frame& frame) const {
+    const GameSession& session = frame.session;
+    if (session.ended) return true;
+    if (options_.at_s) {
+        const auto at_s = static_cast<double>(*options_.at_s);
+        const double frames = at_s * static_cast<double>(options_.fps);
+        if (session.shown.time_s >= at_s) return true;
+        if (!window_ && static_cast<double>(frame.clock.frame()) >= frames) return true;
+    }
+    // Nobody is there to look at the results.
+    return (!window_ || options_.timedemo) && std::holds_alternative<MouseSource>(session.source) &&
+           frame.context.showsResults();
+}
+
+Status Application::saveScreenshot() const {
+    const std::span<const gl::Target> shown = display_->pictures();
+    const ImageRgba8 left = shown[0].read();
+    const int eyes = static_cast<int>(shown.size());
+    ImageRgb8 picture(left.width * eyes, left.height);
+    for (int eye = 0; eye < eyes; ++eye) {
+        const ImageRgba8 image = eye == 0 ? left : shown[static_cast<size_t>(eye)].read();
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                std::copy_n(image.at(x, y), 3, picture.at(eye * left.width + x, y));
+    }
+    return media::writePng(options_.screenshot, picture);
+}
+
+} // namespace shoal::app

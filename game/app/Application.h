@@ -1,0 +1,72 @@
+// `shoal play` while it runs: opens what a dive needs, then runs its frames. Main thread, which has the
+// OpenGL context.
+#pragma once
+
+#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
+#include "game/app/Display.h"
+#include "game/app/FrameClock.h"
+#include "game/app/FrameMeasurements.h"
+#include "game/app/states/ProgramState.h"
+#include "game/session/SessionConfig.h"
+#include "game/session/SoundAndHaptics.h"
+#include "game/settings/PlayOptions.h"
+#include "game/views/DynamicQuality.h"
+#include "game/views/Environment.h"
+#include "game/views/SceneRenderer.h"
+
+#include <memory>
+#include <optional>
+
+namespace shoal::app {
+
+class Application {
+  public:
+    explicit Application(const PlayOptions& options) : options_(options) {}
+
+    Status open();
+
+    // One session from start to end. measured: its frames go into the statistics.
+    Status runSession(bool measured);
+
+    bool hasPicture() const { return !display_->pictures().empty(); }
+    Status saveScreenshot() const;
+    const PlayOptions& options() const { return options_; } // with what the player has changed by keys
+    const Statistics& statistics() const { return measurements_.statistics(); }
+    bool showsLiveVideo() const { return environment_->live(); }
+
+  private:
+    struct Frame; // what the steps of one frame share
+    Status openContext();
+    Status openDisplay(int samples);
+    Status openScene(bool software);
+    void openSoundAndHaptics();
+    FrameClock::Mode clockMode() const;
+
+    void readInput(Frame& frame);
+    void globalKey(int key);
+    void simulate(Frame& frame);
+    void updateEnvironment(const Frame& frame);
+    Result<bool> draw(const Frame& frame);
+    void drawHud(const Frame& frame, HudPart part, Audience audience, const render::View& view,
+                 glm::ivec2 size);
+    void adjustQuality(const FrameClock& clock);
+    bool isOver(const Frame& frame) const;
+
+    PlayOptions options_;
+    SessionConfig config_;
+    std::optional<platform::Headless> headless_; // the context first: it dies last
+    std::optional<platform::Window> window_;
+    std::unique_ptr<Display> display_;
+    std::optional<Environment> environment_;
+    std::optional<SceneRenderer> sceneRenderer_;
+    std::optional<Hud> hud_;
+    std::optional<SoundAndHaptics> soundAndHaptics_;
+    std::optional<DynamicQuality> quality_; // while somebody looks on and the quality is not fixed
+    FrameMeasurements measurements_;
+    double volumeShown_s_ = -10;
+    int bestScore_ = 0;
+    bool leaving_ = false;
+};
+
+} // namespace shoal::app

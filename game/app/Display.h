@@ -1,0 +1,51 @@
+// Where a dive is seen: in a window or off screen (FlatDisplay), or in a headset (HeadsetDisplay). A frame is
+// begin(), draw() and, if there is a picture, present(). The thread of the OpenGL context only.
+#pragma once
+
+#include "engine/gl/Target.h"
+#include "engine/render/Compositor.h"
+#include "game/session/GameSession.h"
+#include "game/ui/Hud.h"
+#include "game/views/SceneRenderer.h"
+#include "input/haptics/HapticFrame.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace shoal::app {
+
+// Draws the content of a frame for a display, which knows the eyes and the targets.
+struct Painter {
+    using AfterEye = render::Compositor::AfterEye;
+    // The scene as these eyes see it, into their canvases; see SceneRenderer::draw().
+    std::function<Status(std::span<const SceneRenderer::Eye>, const AfterEye&)> scene;
+    // Into the bound framebuffer, which is `size` pixels large.
+    std::function<void(HudPart, Audience, const render::View&, glm::ivec2 size)> hud;
+};
+
+class Display {
+  public:
+    virtual ~Display() = default;
+
+    // First in a frame: waits until the display wants one, where it sets the pace.
+    virtual Status begin() = 0;
+    // From the frame before to this one, as they are seen; empty: the display does not know.
+    virtual std::optional<double> elapsed_s() const { return std::nullopt; }
+    virtual double period_s() const = 0;           // from one picture to the next; 0: not known yet
+    virtual bool leaving() const { return false; } // the player has ended the game in the display's own menu
+
+    // The head and hands that the display itself tracks, and whether it is worn.
+    virtual void feed(GameSession&) {}
+    virtual Status vibrate(const haptics::HapticFrame&, bool /*paused*/) { return Done{}; }
+
+    // scale: of the drawn picture's width and height, which is enlarged to the display's. False: there is
+    // nothing to be seen now.
+    virtual Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) = 0;
+    virtual void present() = 0;
+
+    virtual std::span<const gl::Target> pictures() const = 0; // as last drawn: left, right
+    virtual Audience audience() const { return Audience::WindowPlayer; }
+};
+
+} // namespace shoal::app

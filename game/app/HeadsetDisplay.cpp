@@ -1,0 +1,199 @@
+#include "game/app/HeadsetDisplay.h"
+
+#include "engine/core/Log.h"
+#include "engine/xr/Geometry.h"
+#include "input/hands/OpenXrHands.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+namespace shoal::app {
+
+namespace {
+
+// 53 by 37 degrees at 1.5 m, 18 pixels a degree, about what headsets have: a line of text is 1.5 degrees
+// high.
+constexpr glm::ivec2 kPanelPixels(960, 640);
+constexpr glm::vec2 kPanel_m(1.5f, 1.0f);
+constexpr glm::vec3 kDark(0.01f, 0.05f, 0.08f); // display values; deep water
+constexpr auto kIdle = std::chrono::milliseconds(10);
+
+// The largest part of a picture about its middle that has the shape of the window.
+glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
+    const double shape = static_cast<double>(window.x) / window.y;
+    const glm::ivec2 wide(picture.x, std::max(1, static_cast<int>(std::lround(picture.x / shape))));
+    if (wide.y <= picture.y) return wide;
+    return {std::max(1, static_cast<int>(std::lround(picture.y * shape))), picture.y};
+}
+
+} // namespace
+
+Result<HeadsetDisplay> HeadsetDisplay::open(platform::Window& window, const hands::HandRig& rig,
+                                            int samples) {
+    auto fade = render::FadePass::make();
+    if (!fade) return fade.error();
+    auto headset = xr::Headset::open(kPanelPixels);
+    if (!headset) return headset.error();
+    log::debug("playing in {}, {}", headset->name(),
+               headset->bareHands() ? "with bare hands or controllers" : "with controllers");
+    return HeadsetDisplay(window, rig, std::move(*headset), std::move(*fade), samples);
+}
+
+Status HeadsetDisplay::begin() {
+    elapsed_s_ = 0;
+    if (Status polled = headset_.poll(); !polled) return polled;
+    if (!headset_.duty().frames) {
+        std::this_thread::sleep_for(kIdle); // nobody waits for us, and we wait for nobody
+        last_ns_ = 0;
+        return Done{};
+    }
+    const auto frame = headset_.waitFrame();
+    if (!frame) return frame.error();
+    frame_ = *frame;
+    waiting_ = true;
+    if (last_ns_ != 0) elapsed_s_ = static_cast<double>(frame_.display_ns - last_ns_) * 1e-9;
+    last_ns_ = frame_.display_ns;
+    clock_s_ += elapsed_s_;
+    return Done{};
+}
+
+void HeadsetDisplay::feed(GameSession& session) {
+    const xr::Tracking& tracking = headset_.tracking();
+    const auto poses = hands::openXrHands(*rig_, tracking);
+    HeadsetMoment now{.plays = headset_.duty().plays,
+                      .headTracked = tracking.headTracked,
+                      .results = session.after.phase == game::Phase::Results};
+    for (size_t i = 0; i < poses.size(); ++i) {
+        now.menu |= tracking.controllers[i].menu;
+        if (poses[i].tracked) now.grip[i] = poses[i].grip;
+    }
+    pause_.step(now, static_cast<float>(elapsed_s_), session.paused, session.restart);
+    if (session.restart) {
+        session.paused = false;
+        headset_.recentre(); // the new dive begins where the player is now
+        panel_ = {};
+    }
+    session.head = tracking.worldFromHead;
+    if (auto* source = std::get_if<OpenXrSource>(&session.source)) source->frame(poses);
+}
+
+Status HeadsetDisplay::prepareTargets(glm::ivec2 size) {
+    const bool resized = targets_.empty() || targets_[0].width() != size.x || targets_[0].height() != size.y;
+    if (!headset_.takeMasksChanged() && !resized) return Done{};
+    if (resized) {
+        targets_.clear();
+        for (int eye = 0; eye < 2; ++eye)
+            targets_.emplace_back(size.x, size.y, samples_, gl::Target::Kind::Stencilled);
+    }
+    // The stencil is written here only, so it stays from frame to frame.
+    for (size_t eye = 0; eye < 2; ++eye) {
+        const auto hidden = headset_.hiddenArea(static_cast<int>(eye));
+        if (!hidden) return hidden.error();
+        targets_[eye].bind();
+        fade_.hide(hidden->corners, xr::viewOf(headset_.tracking().eyes[eye]));
+        masked_[eye] = !hidden->corners.empty();
+    }
+    return Done{};
+}
+
+Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windowSize) {
+    const auto i = static_cast<size_t>(eye);
+    const gl::Target& target = targets_[i];
+    const glm::ivec2 size(target.width(), target.height());
+    render::View view = xr::viewOf(headset_.tracking().eyes[i]);
+    view.heightPixels = size.y;
+    target.bind();
+    {
+        std::optional<render::FadePass::OnlySeen> seen;
+        if (masked_[i]) seen.emplace();
+        const SceneRenderer::Eye toDraw{eye, view, target};
+        if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
+    }
+    target.bind();
+    painter.hud(HudPart::Marks, Audience::HeadsetPlayer, view, size);
+    fade_.fade(kDark, pause_.fade());
+
+    const xr::Picture picture = eye == 0 ? xr::Picture::LeftEye : xr::Picture::RightEye;
+    const auto framebuffer = headset_.acquire(picture);
+    if (!framebuffer) return framebuffer.error();
+    target.blitTo(*framebuffer, 0, size.x, size.y);
+    if (eye == 0 && windowSize.x > 0 && windowSize.y > 0) mirror(target, *framebuffer, windowSize, view);
+    return headset_.release(picture);
+}
+
+// The middle of the left eye's picture, into the window.
+void HeadsetDisplay::mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,
+                            const render::View& view) {
+    const glm::ivec2 size(target.width(), target.height());
+    const glm::ivec2 part = croppedTo(size, windowSize), corner = (size - part) / 2;
+    windowView_ = view;
+    windowView_.verticalFov =
+        2 * std::atan(view.halfExtent().y * static_cast<float>(part.y) / static_cast<float>(size.y));
+    windowView_.aspect = static_cast<float>(windowSize.x) / static_cast<float>(windowSize.y);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(corner.x, corner.y, corner.x + part.x, corner.y + part.y, 0, 0, windowSize.x,
+                      windowSize.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+Status HeadsetDisplay::drawPanel(const Painter& painter) {
+    const auto framebuffer = headset_.acquire(xr::Picture::Panel);
+    if (!framebuffer) return framebuffer.error();
+    glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+    glViewport(0, 0, kPanelPixels.x, kPanelPixels.y);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const xr::Pose& head = headset_.tracking().worldFromHead;
+    // As a window of the panel's size at its distance: to tell what lies beyond its edges.
+    painter.hud(HudPart::Panel, Audience::HeadsetPlayer,
+                {.eyeWorld = head.position,
+                 .worldFromEye = head.orientation,
+                 .verticalFov = 2 * std::atan(kPanel_m.y / 2 / PanelPlacement::kDistance_m),
+                 .aspect = kPanel_m.x / kPanel_m.y},
+                kPanelPixels);
+    return headset_.release(xr::Picture::Panel);
+}
+
+Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&, float scale) {
+    if (!waiting_) return false;
+    waiting_ = false;
+    if (Status begun = headset_.begin(); !begun) return begun.error();
+    // Before the head was ever seen there is no place to draw from.
+    const bool drawn = frame_.drawn && pause_.fade() < 1;
+    const glm::ivec2 windowSize = window_->framebufferSize();
+    xr::Shown shown;
+    if (drawn) {
+        const glm::ivec2 size = glm::max(glm::vec2(headset_.eyeSize()) * scale + 0.5f, glm::vec2(16));
+        if (Status ready = prepareTargets(size); !ready) return ready.error();
+        for (int eye = 0; eye < 2; ++eye)
+            if (Status done = drawEye(eye, painter, windowSize); !done) return done.error();
+        if (Status done = drawPanel(painter); !done) return done.error();
+        shown.eyes = shown.panel = true;
+        shown.eyeSize = size;
+        shown.worldFromPanel =
+            panel_.follow(headset_.tracking().worldFromHead, static_cast<float>(elapsed_s_));
+        shown.panelSize_m = kPanel_m;
+    }
+    if (Status ended = headset_.end(shown); !ended) return ended.error();
+    if (drawn && windowSize.x > 0 && windowSize.y > 0) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, windowSize.x, windowSize.y);
+        // The marks are in the picture already.
+        painter.hud(HudPart::Panel, Audience::Onlooker, windowView_, windowSize);
+    }
+    return drawn;
+}
+
+Status HeadsetDisplay::vibrate(const haptics::HapticFrame& frame, bool paused) {
+    for (int hand = 0; hand < 2; ++hand) {
+        const haptics::Actuation now = paused ? haptics::Actuation{0, 0} : haptics::vibrationOf(frame, hand);
+        if (!vibration_[static_cast<size_t>(hand)].due(now, clock_s_)) continue;
+        if (Status told = headset_.vibrate(hand, now.amplitude, now.frequency_Hz); !told) return told;
+    }
+    return Done{};
+}
+
+} // namespace shoal::app

@@ -1,0 +1,67 @@
+// A dive in an OpenXR headset: pictures for both eyes, text on a panel before the player, and the left eye's
+// middle in a window for onlookers. The headset's clock is the game's.
+#pragma once
+
+#include "engine/platform/Window.h"
+#include "engine/render/FadePass.h"
+#include "engine/xr/Headset.h"
+#include "game/app/Display.h"
+#include "game/session/HeadsetPause.h"
+#include "game/ui/PanelPlacement.h"
+#include "input/hands/HandRig.h"
+#include "input/haptics/Motors.h"
+
+#include <array>
+#include <vector>
+
+namespace shoal::app {
+
+class HeadsetDisplay : public Display {
+  public:
+    // The window, whose OpenGL context must be current, and the rig of hands that hold controllers must
+    // outlive this. samples: for anti-aliasing.
+    static Result<HeadsetDisplay> open(platform::Window& window, const hands::HandRig& rig, int samples);
+
+    // Fails when the headset is lost, as every step may.
+    Status begin() override;
+    std::optional<double> elapsed_s() const override { return elapsed_s_; }
+    double period_s() const override { return frame_.period_s; }
+    bool leaving() const override { return headset_.leaving(); }
+    void feed(GameSession& session) override;
+    Status vibrate(const haptics::HapticFrame& frame, bool paused) override;
+    Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
+    void present() override { window_->present(); }
+    std::span<const gl::Target> pictures() const override { return targets_; }
+    Audience audience() const override { return Audience::HeadsetPlayer; }
+
+    const render::View& windowView() const { return windowView_; } // of the onlookers, as last drawn
+
+  private:
+    HeadsetDisplay(platform::Window& window, const hands::HandRig& rig, xr::Headset headset,
+                   render::FadePass fade, int samples)
+        : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
+          samples_(samples) {}
+    Status prepareTargets(glm::ivec2 size);
+    Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
+    Status drawPanel(const Painter& painter);
+    void mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,
+                const render::View& view);
+
+    platform::Window* window_;
+    const hands::HandRig* rig_;
+    xr::Headset headset_;
+    render::FadePass fade_;
+    std::array<bool, 2> masked_{}; // eyes of which the headset hides something
+    int samples_;
+    std::vector<gl::Target> targets_;
+    HeadsetPause pause_;
+    PanelPlacement panel_;
+    std::array<haptics::VibrationTimer, 2> vibration_;
+    xr::Frame frame_;
+    bool waiting_ = false; // a frame was waited for and is not yet handed in
+    int64_t last_ns_ = 0;
+    double elapsed_s_ = 0, clock_s_ = 0;
+    render::View windowView_;
+};
+
+} // namespace shoal::app

@@ -1,0 +1,86 @@
+#include "game/feedback/HapticFeedback.h"
+
+#include "game/feedback/EventTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::game {
+
+namespace {
+
+// What lasts as long as a touch; pulses of events are in EventTable.h.
+constexpr float kPress = 0.25f, kPressFull_m = 0.02f; // steady pressing, and the depth at which it is full
+constexpr float kPress_Hz = 45;
+constexpr float kStroke = 0.5f, kStrokeFull_mps = 0.8f; // stroking along, and the speed at which it is full
+constexpr float kScale_m = 0.004f;                      // from scale to scale: so many pass a second
+constexpr float kStrokeLow_Hz = 40, kStrokeHigh_Hz = 240;
+constexpr float kHeld = 0.15f, kStruggle = 0.6f; // a fish in the hand at rest, and its struggle on top
+constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
+
+haptics::Actuation stronger(const haptics::Actuation& a, const haptics::Actuation& b) {
+    return b.amplitude > a.amplitude ? b : a;
+}
+
+// For as long as it touches: what lies under a finger.
+haptics::Actuation underFinger(const TouchView& touch, bool held) {
+    if (!touch.touches) return {};
+    const float press = std::clamp(touch.depth_m / kPressFull_m, 0.0f, 1.0f);
+    const float stroke = std::clamp(touch.slide_mps / kStrokeFull_mps, 0.0f, 1.0f);
+    haptics::Actuation out = stronger(
+        {kPress * press, kPress_Hz}, {kStroke * stroke * (0.5f + 0.5f * press),
+                                      std::clamp(touch.slide_mps / kScale_m, kStrokeLow_Hz, kStrokeHigh_Hz)});
+    if (held)
+        out = stronger(out, {kHeld + kStruggle * touch.struggle, kHeld_Hz + kStruggle_Hz * touch.struggle});
+    return out;
+}
+
+} // namespace
+
+void HapticFeedback::strike(Pulse& own, const Pulse& pulse) {
+    if (pulse.amplitude >= own.amplitude) own = pulse;
+}
+
+void HapticFeedback::strike(int hand, int finger, const Pulse& pulse) {
+    if (hand < 0 || hand > 1 || finger < 0 || finger >= haptics::kActuatorsPerHand) return;
+    strike(pulses_[static_cast<size_t>(hand * haptics::kActuatorsPerHand + finger)], pulse);
+}
+
+void HapticFeedback::startPulse(const Event& event) {
+    using Where = HapticPulse::Where;
+    const HapticPulse& row = rowOf(event).pulse;
+    const float speed = std::clamp(closingSpeedOf(event) / kFullSpeed_mps, 0.0f, 1.0f);
+    const float share = partOf(event) >= 0 ? speed : 1;
+    const Pulse pulse{row.amplitudeLow + (row.amplitude - row.amplitudeLow) * share,
+                      row.frequencyLow_Hz + (row.frequency_Hz - row.frequencyLow_Hz) * share, row.decay_s};
+    if (row.where == Where::Part) strike(handOf(event), partOf(event), pulse);
+    if (row.where == Where::Hand || row.where == Where::HandAndBody)
+        for (int part = 0; part < haptics::kActuatorsPerHand; ++part) strike(handOf(event), part, pulse);
+    if (row.where == Where::Body || row.where == Where::HandAndBody) strike(body_, pulse);
+}
+
+haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
+                                           float strength) {
+    if (shown.paused || shown.phase == Phase::Results) {
+        pulses_ = {};
+        body_ = {};
+        return {};
+    }
+    for (Pulse& pulse : pulses_) pulse.amplitude *= std::exp(-dt_s / pulse.decay_s);
+    body_.amplitude *= std::exp(-dt_s / body_.decay_s);
+    for (const Event& event : events) startPulse(event);
+    haptics::HapticFrame frame;
+    for (int i = 0; i < haptics::kActuatorCount; ++i) {
+        const Pulse& pulse = pulses_[static_cast<size_t>(i)];
+        const HandView& hand = shown.hands[static_cast<size_t>(i / haptics::kActuatorsPerHand)];
+        const TouchView& touch = hand.touching[static_cast<size_t>(i % haptics::kActuatorsPerHand)];
+        haptics::Actuation out =
+            stronger({pulse.amplitude, pulse.frequency_Hz}, underFinger(touch, hand.holds >= 0));
+        out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
+        frame.actuators[static_cast<size_t>(i)] = out;
+    }
+    frame.body = {std::clamp(body_.amplitude * strength, 0.0f, 1.0f), body_.frequency_Hz};
+    return frame;
+}
+
+} // namespace shoal::game

@@ -1,0 +1,34 @@
+// Actuation of every haptic actuator: a fading pulse for each event, and pressing, stroking and the struggle
+// of a held fish for as long as a finger touches it. Time comes in as an argument; the pulses are the only
+// state.
+#pragma once
+
+#include "game/rules/Events.h"
+#include "game/rules/Snapshot.h"
+#include "input/haptics/HapticFrame.h"
+
+#include <span>
+
+namespace shoal::game {
+
+class HapticFeedback {
+  public:
+    // events: since the last call; dt_s: time since then. strength: the player's setting, 0 to 1.
+    haptics::HapticFrame frame(const Snapshot& shown, std::span<const Event> events, float dt_s,
+                               float strength);
+
+  private:
+    struct Pulse {
+        float amplitude = 0; // now
+        float frequency_Hz = 0;
+        float decay_s = 1; // to 1/e
+    };
+    static void strike(Pulse& own, const Pulse& pulse);
+    void strike(int hand, int finger, const Pulse& pulse);
+    void startPulse(const Event&);
+
+    std::array<Pulse, haptics::kActuatorCount> pulses_{};
+    Pulse body_;
+};
+
+} // namespace shoal::game

@@ -1,0 +1,159 @@
+#include "game/feedback/SoundCues.h"
+
+#include "game/feedback/EventTable.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::game {
+
+namespace {
+
+constexpr float kPass_m = 1;       // from the head: what comes nearer is heard; of large ones twice that
+constexpr float kPass_mps = 0.45f; // slower ones are not
+constexpr float kPassQuiet_s = 4;  // between two passes of the same creature
+constexpr float kLarge_m = 1;      // of body: what passes sounds large
+// From the start of the clip to its loudest: it starts that much before the creature is nearest.
+constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
+constexpr float kCaptionStay_s = 2.2f;
+constexpr size_t kCaptions = 3;
+constexpr std::string_view kStruggleCaption = "it struggles", kPassCaption = "something large passes",
+                           kCountdownCaption = "the last seconds";
+constexpr float kTouchQuiet_s = 0.12f; // one sound for all bones of a touch
+constexpr int kCountdown_s = 5;
+constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
+constexpr float kCross_s = 2;          // from one bed to the other
+constexpr uint32_t kBedId = 1u << 30;  // apart from the creatures' ids
+constexpr size_t kEventsReserved = 64; // a frame never has more sounds in ordinary play
+
+} // namespace
+
+SoundCues::SoundCues() : breath_s_(kBreathShortest_s) {
+    shots_.reserve(kEventsReserved);
+    captions_.reserve(kCaptions + 1);
+}
+
+void SoundCues::caption(std::string_view text, const glm::vec3& position) {
+    if (text.empty()) return;
+    // The same caption again only becomes new.
+    std::erase_if(captions_, [&](const Caption& shown) { return shown.text == text; });
+    captions_.insert(captions_.begin(), {text, position, 0});
+    if (captions_.size() > kCaptions) captions_.pop_back();
+}
+
+void SoundCues::play(Sound sound, const glm::vec3& position, float gain, bool everywhere, float pitch,
+                     const glm::vec3& velocity) {
+    shots_.push_back(
+        {static_cast<int>(sound), position, gain * rowOf(sound).gain, pitch, everywhere, velocity});
+}
+
+void SoundCues::beds(const Snapshot& shown, float dt_s) {
+    const float wanted = std::clamp(shown.enclosure, 0.0f, 1.0f);
+    enclosure_ += std::clamp(wanted - enclosure_, -dt_s / kCross_s, dt_s / kCross_s);
+    const auto bed = [&](Sound sound, float share) {
+        if (share <= 0) return;
+        // Root: the powers of two unrelated sounds add to the same.
+        const float gain = rowOf(sound).gain * std::sqrt(share);
+        emitters_.push_back({.id = kBedId + static_cast<uint32_t>(sound),
+                             .clip = static_cast<int>(sound),
+                             .gain = gain,
+                             .everywhere = true});
+    };
+    bed(Sound::BedOpen, 1 - enclosure_);
+    bed(Sound::BedTunnel, enclosure_);
+}
+
+void SoundCues::struggling(const CreatureView& creature) {
+    emitters_.push_back({.id = creature.id,
+                         .clip = static_cast<int>(Sound::Struggle),
+                         .position = creature.position,
+                         .gain = rowOf(Sound::Struggle).gain,
+                         .pitch = std::clamp(0.25f / creature.length, 0.7f, 1.4f), // large ones beat slower
+                         .velocity = creature.velocity});
+    // It goes on, so its caption stays where it is among the others.
+    for (Caption& shown : captions_)
+        if (shown.text == kStruggleCaption) {
+            shown = {shown.text, creature.position, 0};
+            return;
+        }
+    caption(kStruggleCaption, creature.position);
+}
+
+void SoundCues::passing(const CreatureView& creature, float& quiet_s) {
+    const bool large = creature.length > kLarge_m;
+    const float speed2 = glm::dot(creature.velocity, creature.velocity);
+    if (quiet_s > 0 || speed2 < kPass_mps * kPass_mps) return;
+    const float nearestIn_s = -glm::dot(creature.position, creature.velocity) / speed2;
+    if (nearestIn_s < 0 || nearestIn_s > (large ? kPassPeakLarge_s : kPassPeakSmall_s)) return;
+    const float nearest_m = glm::length(creature.position + creature.velocity * nearestIn_s);
+    if (nearest_m > kPass_m * (large ? 2.0f : 1.0f)) return;
+    quiet_s = kPassQuiet_s;
+    const float pitch =
+        large ? 1.0f
+              : std::clamp(std::sqrt(0.2f / creature.length), 0.8f, 1.3f) * random_.between(0.95f, 1.05f);
+    const float gain = std::min(1.0f, 0.4f + 0.4f * std::sqrt(speed2));
+    play(large ? Sound::FishPassLarge : Sound::FishPassSmall, creature.position, gain, false, pitch,
+         creature.velocity);
+    if (large) caption(kPassCaption, creature.position);
+}
+
+void SoundCues::happened(const Event& event) {
+    const EventRow& row = rowOf(event);
+    if (is<events::Touch>(event)) {
+        const bool again = touchQuiet_s_ > 0;
+        touchQuiet_s_ = kTouchQuiet_s;
+        if (again) return;
+    }
+    const std::optional<glm::vec3> position = positionOf(event);
+    const float gain = std::clamp(row.gain + row.gainPerMps * closingSpeedOf(event), 0.0f, 1.0f);
+    // Music keeps its pitch; nothing else in the sea sounds twice the same.
+    const bool music = !position || row.sound == Sound::Catch;
+    const float pitch = music ? 1.0f : random_.between(0.94f, 1.06f);
+    play(row.sound, position.value_or(glm::vec3(0)), gain, !position, pitch);
+    caption(row.caption, position.value_or(glm::vec3(0)));
+}
+
+void SoundCues::breathe(const Snapshot& shown, float dt_s) {
+    if (shown.phase != Phase::Diving) return;
+    breath_s_ -= dt_s;
+    if (breath_s_ > 0) return;
+    breath_s_ = random_.between(kBreathShortest_s, kBreathLongest_s);
+    const glm::vec3 mouth = shown.headWorld + shown.worldFromView * glm::vec3(0, -0.1f, -0.12f);
+    play(Sound::Bubbles, mouth, 1, false, random_.between(0.9f, 1.1f), {0, 0.35f, 0}); // bubbles rise
+}
+
+void SoundCues::countDown(const Snapshot& shown) {
+    const int left = static_cast<int>(std::ceil(shown.timeLeft_s));
+    if (shown.phase == Phase::Diving && left >= 1 && left <= kCountdown_s && left != countedDown_) {
+        play(Sound::Countdown, {}, 1, true, left == 1 ? 1.335f : 1.0f); // the last a fourth higher
+        caption(kCountdownCaption, glm::vec3(0));
+    }
+    countedDown_ = left;
+}
+
+void SoundCues::listen(const Snapshot& shown, std::span<const Event> events, float dt_s) {
+    shots_.clear();
+    emitters_.clear();
+    beds(shown, dt_s);
+    if (shown.paused) return;
+    for (Caption& caption : captions_) caption.age_s += dt_s;
+    std::erase_if(captions_, [](const Caption& caption) { return caption.age_s > kCaptionStay_s; });
+    touchQuiet_s_ = std::max(0.0f, touchQuiet_s_ - dt_s);
+    quiet_s_.resize(shown.creatures.size(), 0);
+    emitters_.reserve(shown.creatures.size() + 2);
+    for (size_t i = 0; i < shown.creatures.size(); ++i) {
+        const CreatureView& creature = shown.creatures[i];
+        quiet_s_[i] = std::max(0.0f, quiet_s_[i] - dt_s);
+        if (creature.heldBy >= 0)
+            struggling(creature);
+        else
+            passing(creature, quiet_s_[i]);
+    }
+    for (const Event& event : events) happened(event);
+    breathe(shown, dt_s);
+    countDown(shown);
+}
+
+} // namespace shoal::game

@@ -1,0 +1,310 @@
+// How a script's player moves.
+#include "game/playthrough/Script.h"
+
+#include "game/rules/Steering.h"
+#include "input/hands/MouseHands.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace shoal::game {
+
+namespace {
+
+constexpr float kHandSpeed_mps = 1.5f;
+constexpr float kHeadSpeed_radps = 2.2f;
+constexpr float kCloseTime_s = 0.12f;
+constexpr float kReach_m = 1.2f; // of a person's arm; the rig reaches farther
+constexpr float kNear_m = 0.3f;
+constexpr float kThere_m = 0.045f; // grasp centre this near to a fish's middle: close now
+constexpr float kPi = std::numbers::pi_v<float>;
+
+glm::vec3 withinReach(glm::vec3 p) {
+    const float distance = glm::length(p);
+    if (distance < 1e-4f) return {0, 0, -kNear_m};
+    return p * (std::clamp(distance, kNear_m, kReach_m) / distance);
+}
+
+glm::vec3 restingView(int hand) { return {hand == 0 ? -0.24f : 0.24f, -0.34f, -0.38f}; }
+
+bool isShark(const CreatureView& creature, const SpeciesTable& species) {
+    return species[creature.species].shark;
+}
+
+const CreatureView* sharkOf(const Snapshot& now, const SpeciesTable& species) {
+    for (const CreatureView& creature : now.creatures)
+        if (isShark(creature, species)) return &creature;
+    return nullptr;
+}
+
+glm::vec3 mouthOf(const CreatureView& shark) {
+    return shark.position + shark.worldFromBody * glm::vec3(0, 0, 0.46f * shark.length);
+}
+
+} // namespace
+
+ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species)
+    : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)),
+      repeats_(script_.steps.size(), 0) {
+    seen_.reserve(4096);
+}
+
+void ScriptRun::moveHand(int h, glm::vec3 goalWorld, float speed, const Snapshot&) {
+    ScriptHand& hand = hands_[h];
+    hand.graspWorld += limited(withinReach(goalWorld) - hand.graspWorld, speed * kDt);
+}
+
+void ScriptRun::lookTowards(glm::vec3 direction) {
+    const float goalYaw = std::atan2(direction.x, -direction.z);
+    const float goalPitch = std::atan2(direction.y, std::hypot(direction.x, direction.z));
+    const float turn = std::remainder(goalYaw - yaw_, 2 * kPi);
+    yaw_ += std::clamp(turn, -kHeadSpeed_radps * kDt, kHeadSpeed_radps * kDt);
+    pitch_ = towards(pitch_, std::clamp(goalPitch, -1.2f, 1.2f), kHeadSpeed_radps * kDt);
+}
+
+int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
+    const ScriptHand& hand = hands_[step.hand];
+    int best = -1;
+    float bestCost = std::numeric_limits<float>::max();
+    for (const CreatureView& creature : now.creatures) {
+        if (isShark(creature, species_) || creature.heldBy >= 0 || creature.motion == Motion::Struggle)
+            continue;
+        if (step.kind != "any" && species_[creature.species].name != step.kind) continue;
+        const int id = static_cast<int>(creature.id);
+        if (id == hands_[1 - step.hand].target && hands_[1 - step.hand].closedGoal > 0) continue;
+        const glm::vec3 soon = creature.position + 0.4f * creature.velocity;
+        const float distance = glm::length(soon);
+        float cost = glm::distance(soon, hand.graspWorld);
+        cost += 12 * std::max(0.0f, distance - (kReach_m - 0.1f)) + 4 * std::max(0.0f, 0.45f - distance);
+        cost += 0.5f *
+                std::max(0.0f, -glm::dot(soon, now.worldFromView * glm::vec3(0, 0, -1))); // behind the back
+        if (creature.motion == Motion::Dart) cost += 1.5f;
+        if (cost < bestCost) bestCost = cost, best = id;
+    }
+    return best;
+}
+
+// True when the hand is where it could close on its fish.
+bool ScriptRun::follow(int h, const Snapshot& now) {
+    ScriptHand& hand = hands_[h];
+    if (hand.target < 0 || hand.target >= static_cast<int>(now.creatures.size())) return false;
+    const CreatureView& fish = now.creatures[hand.target];
+    if (fish.heldBy == h) return true;
+    const glm::vec3 goal = fish.position + fish.velocity * (2 * kDt);
+    const float distance = glm::distance(goal, hand.graspWorld);
+    // Quickly from afar, softly at the end, always keeping up with it.
+    const float speed =
+        std::min(kHandSpeed_mps, std::clamp(1.8f * distance, 0.2f, 1.2f) + glm::length(fish.velocity));
+    lookTowards(fish.position);
+    moveHand(h, goal, speed, now);
+    return glm::distance(fish.position, hand.graspWorld) < kThere_m;
+}
+
+// Another fish when this one fled or is out of reach, or two seconds brought nothing.
+bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
+    ScriptHand& hand = hands_[step.hand];
+    const uint64_t spent = tick_ - stepBegan_;
+    bool again = hand.target < 0 || spent % 240 == 0;
+    if (!again && spent % 60 == 0) {
+        const CreatureView& fish = now.creatures[hand.target];
+        again = fish.motion == Motion::Dart || glm::length(fish.position) > kReach_m;
+    }
+    if (again) hand.target = chooseFish(step, now);
+    hand.closedGoal = 0;
+    return follow(step.hand, now) && hand.closed == 0;
+}
+
+bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s) {
+    glm::vec3 direction(std::sin(step.yaw) * std::cos(step.pitch), std::sin(step.pitch),
+                        -std::cos(step.yaw) * std::cos(step.pitch));
+    if (step.at == "shark") {
+        if (const CreatureView* shark = sharkOf(now, species_)) direction = shark->position;
+    } else if (step.at == "fish") {
+        const int fish = chooseFish(step, now);
+        if (fish >= 0) direction = now.creatures[fish].position;
+    }
+    lookTowards(direction);
+    const glm::vec3 ahead = now.worldFromView * glm::vec3(0, 0, -1);
+    return glm::dot(ahead, normalizedOr(direction, ahead)) > 0.995f && spent_s >= step.seconds;
+}
+
+bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s) const {
+    if (step.phase) return now.phase == *step.phase;
+    if (!step.until) return spent_s >= step.seconds;
+    for (size_t i = seenAtStep_; i < seen_.size(); ++i)
+        if (seen_[i].kind == *step.until) return true;
+    return false;
+}
+
+// To and fro over 1 m about where the hand was; a triangle, so the speed is the same throughout.
+void ScriptRun::wave(const ScriptStep& step, const Snapshot& now, float spent_s) {
+    ScriptHand& hand = hands_[step.hand];
+    if (tick_ == stepBegan_) hand.anchor = hand.graspWorld;
+    const float way = std::fmod(spent_s * step.speed + 0.5f, 2.0f);
+    const float x = way < 1 ? way - 0.5f : 1.5f - way;
+    hand.graspWorld = hand.anchor + now.worldFromView * glm::vec3(x, 0, 0);
+}
+
+void ScriptRun::meetShark(const ScriptStep& step, const Snapshot& now) {
+    const CreatureView* shark = sharkOf(now, species_);
+    if (!shark) return;
+    lookTowards(shark->position);
+    const glm::vec3 aim = step.what == ScriptStep::Do::Hover ? shark->position : mouthOf(*shark);
+    moveHand(step.hand, aim, kHandSpeed_mps, now);
+}
+
+// True when the step is done.
+bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& out) {
+    using Do = ScriptStep::Do;
+    const float spent_s = static_cast<float>(tick_ - stepBegan_) * kDt;
+    ScriptHand& hand = hands_[step.hand];
+    switch (step.what) {
+    case Do::Reach:
+        return reach(step, now);
+    case Do::Close:
+        hand.closedGoal = 1;
+        follow(step.hand, now);
+        return hand.closed >= 1 && spent_s >= kCloseTime_s;
+    case Do::Hold:
+        return spent_s >= step.seconds;
+    case Do::Open:
+        hand.closedGoal = 0;
+        return hand.closed <= 0;
+    case Do::Look:
+        return look(step, now, spent_s);
+    case Do::Wait:
+        return wait(step, now, spent_s);
+    case Do::Wave:
+        wave(step, now, spent_s);
+        return spent_s >= step.seconds;
+    case Do::Hover:
+    case Do::Offer:
+        meetShark(step, now);
+        return spent_s >= step.seconds;
+    case Do::Rest: {
+        hand.target = -1;
+        const glm::vec3 goal = now.worldFromView * restingView(step.hand);
+        moveHand(step.hand, goal, kHandSpeed_mps, now);
+        return glm::distance(hand.graspWorld, withinReach(goal)) < 0.01f;
+    }
+    case Do::Restart:
+        out.restart = true;
+        return spent_s > 0;
+    case Do::Pause:
+        out.pause = true;
+        return spent_s >= step.seconds;
+    case Do::Again:
+        return true; // next() decides
+    }
+    return true;
+}
+
+void ScriptRun::advance(size_t to) {
+    step_ = to;
+    stepBegan_ = tick_;
+    seenAtStep_ = seen_.size();
+    if (step_ >= script_.steps.size()) {
+        finished_ = true;
+        return;
+    }
+    // A step that brings a hand to a fish chooses anew.
+    const ScriptStep& step = script_.steps[step_];
+    if (step.what == ScriptStep::Do::Reach) hands_[step.hand].target = -1;
+}
+
+// The step under way; one that ends lets the next begin on the next tick, so every step sees its own result.
+void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
+    const ScriptStep& step = script_.steps[step_];
+    const float spent_s = static_cast<float>(tick_ - stepBegan_) * kDt;
+    if (step.what == ScriptStep::Do::Again) {
+        bool repeat = repeats_[step_] < step.times;
+        if (step.unless)
+            for (const Seen& seen : seen_) repeat = repeat && seen.kind != *step.unless;
+        if (repeat) ++repeats_[step_];
+        advance(repeat ? static_cast<size_t>(step.from - 1) : step_ + 1);
+    } else if (perform(step, now, out)) {
+        advance(step_ + 1);
+    } else if (spent_s > std::max(step.timeout_s, step.seconds + 1)) {
+        if (!step.optional) {
+            failure_ = "line " + std::to_string(step.line) + ": step " + std::to_string(step_ + 1) +
+                       " was not done in time";
+            finished_ = true;
+        } else
+            advance(step_ + 1);
+    }
+    if (!finished_ && static_cast<float>(tick_) * kDt > script_.timeout_s) {
+        failure_ = "the script's time was over at step " + std::to_string(step_ + 1);
+        finished_ = true;
+    }
+}
+
+void ScriptRun::next(const Snapshot& now, TickInput& out) {
+    out = TickInput{};
+    for (int h = 0; h < 2; ++h)
+        if (!hands_[h].placed) {
+            hands_[h].graspWorld = now.worldFromView * restingView(h);
+            hands_[h].placed = true;
+        }
+    if (tick_ == 0) advance(0);
+
+    if (!finished_) performStep(now, out);
+
+    const glm::quat worldFromView =
+        glm::normalize(glm::angleAxis(-yaw_, kUp) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0)));
+    out.worldFromView = worldFromView;
+    for (int h = 0; h < 2; ++h) {
+        ScriptHand& hand = hands_[h];
+        hand.closed = towards(hand.closed, hand.closedGoal, kDt / kCloseTime_s);
+        out.hands[h] = hands::reachingHand(rig_, h == 0 ? hands::Side::Left : hands::Side::Right,
+                                           glm::conjugate(worldFromView) * hand.graspWorld, hand.closed);
+    }
+    ++tick_;
+}
+
+void ScriptRun::observe(const std::vector<Event>& events, const Snapshot& after) {
+    for (const Event& event : events) seen_.push_back({kindOf(event), static_cast<float>(tick_) * kDt});
+    last_.score = after.score;
+    last_.caught = after.caught;
+    last_.lost = after.lost;
+    last_.phase = after.phase;
+}
+
+Status ScriptRun::verdict() const {
+    const auto fail = [&](const ScriptExpect* expect, std::string reason) -> Status {
+        if (expect) reason = "line " + std::to_string(expect->line) + ": " + reason;
+        return Error{script_.name, std::move(reason)};
+    };
+    if (!failure_.empty()) return fail(nullptr, failure_);
+    if (!finished_) return fail(nullptr, "the script has not ended");
+    const auto name = [](EventKind kind) { return std::string(kEventRows[kind].name); };
+    const auto text = [](auto number) { return std::to_string(number); };
+    for (const ScriptExpect& e : script_.expects) {
+        if (e.caught && last_.caught != *e.caught)
+            return fail(&e, "caught " + text(last_.caught) + ", expected " + text(*e.caught));
+        if (e.caughtAtLeast && last_.caught < *e.caughtAtLeast)
+            return fail(&e, "caught " + text(last_.caught) + ", expected at least " + text(*e.caughtAtLeast));
+        if (e.scoreAtLeast && last_.score < *e.scoreAtLeast)
+            return fail(&e, "score " + text(last_.score) + ", expected at least " + text(*e.scoreAtLeast));
+        if (e.lost && last_.lost != *e.lost)
+            return fail(&e, "lost " + text(last_.lost) + " to the shark, expected " + text(*e.lost));
+        if (e.phase && last_.phase != *e.phase) return fail(&e, "ended in the other phase");
+        int count = 0;
+        size_t inOrder = 0;
+        for (const Seen& seen : seen_) {
+            if (e.never && seen.kind == *e.never)
+                return fail(&e, "\"" + name(*e.never) + "\" at " + text(seen.time_s) + " s, expected never");
+            if (e.event && seen.kind == *e.event && seen.time_s >= e.after_s && seen.time_s <= e.before_s)
+                ++count;
+            if (inOrder < e.order.size() && seen.kind == e.order[inOrder]) ++inOrder;
+        }
+        if (e.event && count < e.count)
+            return fail(&e, "\"" + name(*e.event) + "\" occurred " + text(count) +
+                                " times in the given time, expected " + text(e.count));
+        if (inOrder < e.order.size())
+            return fail(&e, "\"" + name(e.order[inOrder]) + "\" did not occur in its place of the order");
+    }
+    return Done{};
+}
+
+} // namespace shoal::game

@@ -1,0 +1,205 @@
+#include "game/rules/Catching.h"
+
+#include "engine/physics/ContactModel.h"
+#include "game/rules/Bones.h"
+#include "game/rules/FingerWrap.h"
+#include "game/rules/HandContacts.h"
+#include "game/rules/HeldFish.h"
+#include "game/rules/Steering.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace shoal::game {
+
+float graspGap(const Fish& f, const Species& kind, const Hand& hand) {
+    return physics::separation({hand.graspCentre, hand.graspCentre, 0}, capsuleOf(f, kind));
+}
+
+bool onPalmSide(const Fish& f, const Hand& hand) {
+    return glm::dot(f.position - hand.palm().position, hand.outOfPalm()) > 0;
+}
+
+namespace {
+
+bool graspable(const Fish& f, const Species& kind, const Hand& hand, int h, uint32_t tick) {
+    if (!f.free() || f.uncatchable_s > 0) return false;
+    if (!onPalmSide(f, hand)) return false;
+    if (graspGap(f, kind, hand) < kGraspRadius_m) return true;
+    const auto touched = [&](int part) { return f.touchedUntil[h][part] > tick; };
+    return (touched(0) || touched(hands::kPalmPart)) &&
+           (touched(1) || touched(2) || touched(3) || touched(4)) &&
+           graspGap(f, kind, hand) < 2 * kGraspRadius_m;
+}
+
+// The graspable fish nearest to the grasp centre, or -1.
+int nearestGraspable(const Hand& hand, int h, const SpeciesTable& species, std::span<const Fish> fish,
+                     uint32_t tick) {
+    int nearest = -1;
+    float gap = std::numeric_limits<float>::max();
+    for (size_t i = 0; i < fish.size(); ++i) {
+        const Species& kind = species[fish[i].species];
+        if (!graspable(fish[i], kind, hand, h, tick)) continue;
+        const float distance = graspGap(fish[i], kind, hand);
+        if (distance < gap) gap = distance, nearest = static_cast<int>(i);
+    }
+    return nearest;
+}
+
+// Closing fingers draw a fish into the hollow of the hand.
+void drawIn(Fish& f, const Species& kind, const Hand& hand) {
+    const glm::vec3 hollow = hollowOf(hand.palm(), std::min(kind.bodyRadius_m, physics::kEnclosed_m));
+    const glm::vec3 wanted =
+        hand.calmVelocity + limited((hollow - f.position) * physics::kDrawRate_Hz, physics::kDrawMax_mps);
+    f.push = limited(wanted, kMaxSpeed_mps) - f.forward * f.speed;
+}
+
+void wrapAround(const Fish& f, const Species& kind, Hand& hand) {
+    wrapFingers(capsuleOf(f, kind, physics::kEnclosed_m), hand);
+}
+
+void grab(Fish& f, int id, Hand& hand, int h, EventSink& events) {
+    hand.grasp.holds = hand.grasp.encloses = id;
+    hand.grasp.window = 0;
+    hand.grasp.firmest = 1; // it takes hold anew only after it has opened
+    f.state = Fish::State::Held;
+    f.heldBy = h;
+    f.held_s = 0;
+    f.counted = false;
+    f.push = f.slide = glm::vec3(0);
+    f.slid_m = 0;
+    f.unopposed = 0;
+    f.gait.set(Motion::Struggle);
+    const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
+    f.palmFromBody = palmFromWorld * f.worldFromBody;
+    f.palmOffset = palmFromWorld * (f.position - hand.graspCentre);
+    // In a fist a fish lies across the palm, head out at the side it was heading for, back towards wrist or
+    // fingers.
+    const glm::vec3 heading = f.palmFromBody * glm::vec3(0, 0, 1), back = f.palmFromBody * kUp;
+    const glm::vec3 z(heading.x < 0 ? -1.0f : 1.0f, 0, 0), y(0, 0, back.z < 0 ? -1.0f : 1.0f);
+    f.palmFromBodyGoal = glm::quat_cast(glm::mat3(glm::cross(y, z), y, z));
+    events.emit(events::Grab{id, h, f.position});
+}
+
+// Out of the hand, away from the player, the way it looks if that will do.
+void swimOff(Fish& f, const Species& kind, const Hand& hand) {
+    f.struggle = 0;
+    f.loose_s = physics::kLoose_s;
+    f.heldBy = -1;
+    f.state = Fish::State::Dart;
+    f.dart_s = 1.2f;
+    f.frightRest_s = 1.5f;
+    f.uncatchable_s = f.counted ? kUncatchable_s : 0.6f;
+    const glm::vec3 outward = normalizedOr(f.position - 0.2f * kUp, {0, 0, -1});
+    const glm::vec3 looks = f.worldFromBody * glm::vec3(0, 0, 1);
+    f.flee = normalizedOr(glm::vec3(outward.x, 0.2f * outward.y, outward.z) * 0.7f + looks * 0.5f, outward);
+    f.forward = levelled(normalizedOr(looks, f.flee), 0.6f);
+    f.speed = std::min(0.5f, kind.dart_mps);
+    f.push = limited(0.3f * hand.calmVelocity, 0.6f);
+    f.velocity = f.forward * f.speed + f.push;
+}
+
+// Whether the hand is closed, and for how long it may still take hold.
+void readGrip(Hand& hand) {
+    Grasp& grasp = hand.grasp;
+    if (hand.grip < kGripOpens) {
+        grasp.closed = false;
+        grasp.firmest = kGripOpens;
+        grasp.window = 0;
+    } else if (hand.grip > grasp.firmest + physics::kFirmer) {
+        grasp.firmest = hand.grip;
+        grasp.window = kCloseWindow;
+    }
+    grasp.closed = grasp.closed || hand.grip > kGripCloses;
+}
+
+// Two hands that press on one fish from both sides hold it too.
+void takeBetweenHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
+                      std::span<const physics::Contact> contacts, EventSink& events) {
+    if (hands[0].grasp.holds >= 0 || hands[1].grasp.holds >= 0) return;
+    bool taken = false;
+    forEachCreature(contacts, [&](int id, std::span<const physics::Contact> own) {
+        const bool both = own.front().group != own.back().group, isFish = id < static_cast<int>(fish.size());
+        if (taken || !both || !isFish || fish[id].heldBy >= 0 || fish[id].uncatchable_s > 0) return;
+        if (holdOn(id, hands, contacts, glm::vec3(0)).margin_N < physics::kFirm_N) return;
+        const Species& kind = species[fish[id].species];
+        const int h = graspGap(fish[id], kind, hands[0]) < graspGap(fish[id], kind, hands[1]) ? 0 : 1;
+        grab(fish[id], id, hands[h], h, events);
+        taken = true;
+    });
+}
+
+} // namespace
+
+void drop(Hand& hand, int h, const SpeciesTable& species, std::span<Fish> fish, EventSink& events) {
+    const int id = hand.grasp.holds;
+    hand.grasp.holds = hand.grasp.encloses = -1;
+    Fish& f = fish[id];
+    swimOff(f, species[f.species], hand);
+    if (f.counted)
+        events.emit(events::Release{id, h, f.position});
+    else
+        events.emit(events::Escape{id, h, f.position});
+}
+
+void closeHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
+                std::span<const physics::Contact> contacts, uint32_t tick, bool takes, EventSink& events) {
+    for (int h = 0; h < 2; ++h) {
+        Hand& hand = hands[h];
+        Grasp& grasp = hand.grasp;
+        if (!hand.visible) {
+            if (grasp.holds >= 0 && hand.untrackedTicks > kHandDropTicks)
+                drop(hand, h, species, fish, events);
+            continue;
+        }
+        if (!hand.solid) continue;
+        readGrip(hand);
+        if (grasp.holds >= 0) wrapAround(fish[grasp.holds], species[fish[grasp.holds].species], hand);
+        grasp.encloses = grasp.holds;
+        if (grasp.window == 0 || grasp.holds >= 0 || !takes) continue;
+
+        const int nearest = nearestGraspable(hand, h, species, fish, tick);
+        if (nearest >= 0) {
+            Fish& f = fish[nearest];
+            const Species& kind = species[f.species];
+            wrapAround(f, kind, hand);
+            grasp.encloses = nearest;
+            if (holdOn(nearest, hands, contacts, glm::vec3(0)).margin_N > physics::kFirm_N) {
+                grab(f, nearest, hand, h, events);
+                continue;
+            }
+            drawIn(f, kind, hand);
+        }
+        if (--grasp.window == 0 && grasp.closed) events.emit(events::Miss{h, hand.graspCentre});
+    }
+    if (takes) takeBetweenHands(hands, species, fish, contacts, events);
+}
+
+void countCatches(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
+                  std::span<const physics::Contact> contacts, Score& score, EventSink& events) {
+    for (int h = 0; h < 2; ++h) {
+        Hand& hand = hands[h];
+        if (hand.grasp.holds < 0) continue;
+        const int id = hand.grasp.holds;
+        Fish& f = fish[id];
+        const Species& kind = species[f.species];
+        f.held_s += kDt;
+        f.bank = 0;
+        f.speed = 0;
+        f.gait.set(Motion::Struggle);
+        f.gait.advance(1.6f);
+        if (hand.solid && !keepsHold(f, id, kind, hands, h, contacts)) {
+            drop(hand, h, species, fish, events);
+            continue;
+        }
+        if (!f.counted && f.held_s >= kHoldToCatch_s + 0.5f * kDt) {
+            f.counted = true;
+            ++score.caught;
+            score.points += kind.points;
+            events.emit(events::Catch{id, h, f.position});
+        }
+        if (f.counted && f.held_s >= kHoldToCatch_s + kShowCatch_s) drop(hand, h, species, fish, events);
+    }
+}
+
+} // namespace shoal::game

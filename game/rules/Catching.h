@@ -1,0 +1,41 @@
+// Decides which fish a closing hand takes hold of, when holding it counts as a catch, and when it is let go.
+#pragma once
+
+#include "engine/physics/ContactWorld.h"
+#include "game/rules/Events.h"
+#include "game/rules/Fish.h"
+#include "game/rules/Hand.h"
+
+#include <span>
+
+namespace shoal::game {
+
+constexpr int kCloseWindow = 12; // ticks after it has stopped closing in which a hand still takes hold
+constexpr float kGraspRadius_m = 0.075f; // around hands::graspCentre: what closing fingers draw in
+constexpr float kHoldToCatch_s = 1;
+constexpr float kShowCatch_s = 0.2f; // from the catch until it is let go
+constexpr float kUncatchable_s = 2;  // after a catch, and after the shark had it
+
+struct Score {
+    int points = 0, caught = 0;
+    int lost = 0; // to the shark
+    auto fields() const { return std::tie(points, caught, lost); }
+};
+
+// Distance from the hand's grasp centre to the body's surface, metres.
+float graspGap(const Fish&, const Species&, const Hand&);
+bool onPalmSide(const Fish&, const Hand&);
+
+// Reads each hand's closing and opening, and takes hold of a fish that lies between fingers, or between both
+// hands, and is held from opposing sides. takes: false once the dive is over.
+void closeHands(Hands&, const SpeciesTable&, std::span<Fish>, std::span<const physics::Contact>,
+                uint32_t tick, bool takes, EventSink&);
+
+// What a hand holds is let go: a Release if it has counted as a catch, else an Escape.
+void drop(Hand&, int h, const SpeciesTable&, std::span<Fish>, EventSink&);
+
+// After everything has moved: held fish may slip out, become a catch, and are let go after it.
+void countCatches(Hands&, const SpeciesTable&, std::span<Fish>, std::span<const physics::Contact>, Score&,
+                  EventSink&);
+
+} // namespace shoal::game

@@ -1,0 +1,119 @@
+#include "game/rules/Dive.h"
+
+#include "game/rules/FingerWrap.h"
+#include "game/rules/FishSwimming.h"
+#include "game/rules/Fright.h"
+#include "game/rules/HeldFish.h"
+#include "game/rules/SharkBehaviour.h"
+#include "game/rules/Spawn.h"
+#include "game/rules/StateHash.h"
+
+namespace shoal::game {
+
+namespace {
+
+size_t fishIn(const DiveFile& dive) {
+    size_t count = 0;
+    for (const School& school : dive.schools) count += static_cast<size_t>(school.count);
+    return count;
+}
+
+} // namespace
+
+Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed)
+    : files_{std::move(species), std::move(file)}, handContacts_(fishIn(files_.dive)),
+      neighbours_(fishIn(files_.dive)) {
+    state_.fish.reserve(neighbours_.size());
+    state_.contacts.reserve((neighbours_.size() + 1) * 2 * hands::kJointCount);
+    begin(seed);
+}
+
+void Dive::begin(uint64_t seed) {
+    state_.seed = seed;
+    state_.random = Random(seed, 1);
+    state_.tick = 0;
+    state_.phase = Phase::Diving;
+    state_.begun = false;
+    state_.score = {};
+    for (Hand& hand : state_.hands) {
+        hand.grasp.holds = -1;
+        hand.grasp.window = 0;
+    }
+    state_.contacts.clear();
+    spawnFish(files_, state_.random, state_.fish);
+    state_.shark = spawnShark(files_, state_.random);
+}
+
+void Dive::step(const TickInput& input, std::vector<Event>& out) {
+    DiveState& s = state_;
+    const bool restart = input.restart && !s.restartHeld;
+    s.restartHeld = input.restart;
+    if (restart) begin(s.seed + 1);
+    s.paused = input.pause;
+    if (s.paused && s.begun) return;
+
+    ++s.totalTicks;
+    ++s.tick;
+    EventSink events(s.totalTicks, out);
+    if (!s.begun) {
+        s.begun = true;
+        events.emit(events::DiveStart{});
+    }
+    const bool diving = s.phase == Phase::Diving;
+    trackHands(input, s.view, s.hands);
+    frightenByHands(s.hands, files_.species, s.fish, s.random, events);
+    followHands(s.hands, s.fish);
+    touch(events);
+    closeHands(s.hands, files_.species, s.fish, s.contacts, s.tick, diving, events);
+    swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark}, neighbours_, s.random);
+    advanceShark(events);
+    countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);
+    for (Hand& hand : s.hands)
+        if (hand.visible) easeFingers(hand);
+    if (diving) endWhenOver(events);
+}
+
+void Dive::touch(EventSink& events) {
+    DiveState& s = state_;
+    handContacts_.collide(s.hands, files_.species, s.fish, s.shark, s.contacts);
+    forEachCreature(s.contacts, [&](int id, std::span<const physics::Contact> own) {
+        if (id == static_cast<int>(s.fish.size()))
+            return bumpHands(s.shark, files_.species, own, s.hands, s.fish, events);
+        Fish& fish = s.fish[id];
+        for (const physics::Contact& contact : own) feel(contact, fish, s.hands);
+        if (fish.heldBy < 0)
+            pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, s.random, events);
+    });
+    for (Fish& fish : s.fish) fish.nervous_s = std::max(0.0f, fish.nervous_s - 0.1f * kDt);
+}
+
+void Dive::advanceShark(EventSink& events) {
+    DiveState& s = state_;
+    if (!s.shark.present) return;
+    const SharkView view{files_.dive,
+                         files_.species,
+                         s.hands,
+                         s.fish,
+                         static_cast<float>(s.tick) * kDt,
+                         s.phase != Phase::Diving};
+    decide(s.shark, view, events);
+    swimShark(s.shark, view);
+    bite(s.shark, files_.species, s.hands, s.fish, s.score, events);
+}
+
+void Dive::endWhenOver(EventSink& events) {
+    DiveState& s = state_;
+    if (s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
+    for (int h = 0; h < 2; ++h)
+        if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, files_.species, s.fish, events);
+    s.phase = Phase::Results;
+    events.emit(events::DiveOver{});
+}
+
+uint64_t Dive::stateHash() const {
+    Hash hash;
+    addState(hash, state_);
+    return hash.value();
+}
+
+} // namespace shoal::game

@@ -1,0 +1,58 @@
+// The game without picture and sound: rules and behaviours, stepped at 120 Hz. A function of its files, its
+// seed and its inputs alone; no clock, no global state. One thread.
+#pragma once
+
+#include "game/rules/DiveFile.h"
+#include "game/rules/DiveState.h"
+#include "game/rules/Events.h"
+#include "game/rules/HandContacts.h"
+#include "game/rules/Schooling.h"
+#include "game/rules/Snapshot.h"
+#include "game/rules/TickInput.h"
+
+#include <vector>
+
+namespace shoal::game {
+
+class Dive {
+  public:
+    Dive(SpeciesTable, DiveFile, uint64_t seed);
+
+    // One tick of 1/120 s. Appends what happened to out. Joints that are not finite or absurd are not
+    // believed: the hand's last good pose stays for that tick.
+    void step(const TickInput&, std::vector<Event>& out);
+
+    // Overwrites out; allocates only the first time.
+    void snapshot(Snapshot& out) const;
+
+    // Of everything that the future depends on.
+    uint64_t stateHash() const;
+
+    uint64_t seed() const { return state_.seed; } // of the dive now under way
+    const SpeciesTable& species() const { return files_.species; }
+    const DiveFile& file() const { return files_.dive; }
+
+    const DiveState& state() const { return state_; }
+    DiveState& state() { return state_; } // for tests of single rules
+
+  private:
+    void begin(uint64_t seed);
+    void touch(EventSink&);
+    void advanceShark(EventSink&);
+    void endWhenOver(EventSink&);
+
+    DiveFiles files_;
+    DiveState state_;
+    // Scratch memory, no part of the state.
+    HandContacts handContacts_;
+    std::vector<Neighbours> neighbours_;
+};
+
+// What lies between two snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are not smeared.
+void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);
+
+// Help with depth for MouseInput::assist_m: distance from the eye, metres, of the nearest free fish whose
+// body lies within a few degrees of a ray (unit, viewer's frame) and within reach; negative if there is none.
+float reachAssist(const Snapshot&, const SpeciesTable&, glm::vec3 rayView);
+
+} // namespace shoal::game

@@ -1,0 +1,78 @@
+// State of one of the player's hands: its tracked joints, what it touches, what it grasps, and the fingers as
+// they rest on a fish. World frame unless a comment says otherwise; metres, seconds.
+#pragma once
+
+#include "engine/physics/Grip.h"
+#include "engine/scene/HandPose.h"
+#include "game/rules/Snapshot.h"
+
+#include <array>
+#include <tuple>
+
+namespace shoal::game {
+
+using Joints = std::array<hands::Joint, hands::kJointCount>;
+
+// Whether the hand is closing, and what it holds.
+struct Grasp {
+    float firmest = 0;   // grip since it was last open
+    bool closed = false; // with hysteresis
+    int window = 0;      // ticks left to take hold of what is between the fingers
+    int holds = -1;      // fish
+    int encloses = -1;   // the fish its fingers close around: held, or about to be
+
+    auto fields() const { return std::tie(firmest, closed, window, holds, encloses); }
+};
+
+// Fingers that rest on the fish they close around instead of entering it.
+struct FingerWrap {
+    Joints shown{}; // the hand's joints, with fingers resting on that fish
+    // How far the fish lifts each joint from where the device sees it, palm's frame; eased, so that no finger
+    // jumps when a fist loses what it held.
+    struct Lift {
+        glm::vec3 move{0};
+        glm::quat turn{1, 0, 0, 0};
+        auto fields() const { return std::tie(move, turn); }
+    };
+    std::array<Lift, hands::kJointCount> lifts{};
+    // How the fingers press on that fish in this tick; the first pressCount count.
+    std::array<physics::Press, hands::kJointCount> presses{};
+    int pressCount = 0;
+
+    auto fields() const { return std::tie(shown, lifts, presses, pressCount); }
+};
+
+struct Hand {
+    bool visible = false;
+    bool known = false;       // joints hold a pose
+    hands::HandPose lastGood; // viewer's frame
+    int untrackedTicks = 0;
+    bool solid = false; // touches and pushes
+    Joints joints{}, before{};
+    std::array<glm::vec3, hands::kJointCount> velocities{}; // of the joints, smoothed over about 25 ms
+    glm::vec3 graspCentre{0};
+    glm::vec3 velocity{0};                               // of the palm, over the last tick
+    glm::vec3 calmVelocity{0};                           // the same, smoothed over about 50 ms
+    glm::vec3 calmAcceleration{0};                       // of the calm velocity, m/s2
+    float grip = 0;                                      // 0 open to 1 fist
+    std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
+    Grasp grasp;
+    FingerWrap fingers;
+
+    const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
+    glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
+
+    auto fields() const {
+        return std::tie(visible, known, lastGood, untrackedTicks, solid, joints, before, velocities,
+                        graspCentre, velocity, calmVelocity, calmAcceleration, grip, touching, grasp,
+                        fingers);
+    }
+};
+using Hands = std::array<Hand, 2>; // left, right
+
+// A hand closes when its grip rises through the first, opens when it falls through the second.
+constexpr float kGripCloses = 0.55f;
+constexpr float kGripOpens = 0.35f;
+constexpr int kHandDropTicks = 36; // a hand untracked for longer: what it holds swims off
+
+} // namespace shoal::game

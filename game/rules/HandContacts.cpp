@@ -1,0 +1,113 @@
+#include "game/rules/HandContacts.h"
+
+#include "engine/physics/Push.h"
+#include "game/rules/Bones.h"
+#include "game/rules/Catching.h"
+#include "game/rules/Steering.h"
+
+#include <algorithm>
+
+namespace shoal::game {
+
+namespace {
+
+constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
+constexpr float kGentle_mps = 0.5f; // a palm slower than this does not frighten by touching...
+constexpr float kPatience_s = 0.5f; // ...for so long
+
+} // namespace
+
+HandContacts::HandContacts(size_t maxFish) {
+    bodies_.reserve(maxFish + 1);
+    movers_.reserve(2 * hands::kJointCount);
+    last_.reserve((maxFish + 1) * movers_.capacity());
+}
+
+// Only those within reach of a hand's way.
+void HandContacts::addBody(const Swimmer& swimmer, int id, const Species& kind, const Hands& hands) {
+    const auto near = [&](const Hand& hand) {
+        if (!hand.solid) return false;
+        const glm::vec3 a = hand.before[hands::kPalmJoint].position, b = hand.palm().position;
+        return physics::separation({a, b, 0.25f}, {swimmer.position, swimmer.position,
+                                                   kind.bodyHalf_m + kind.bodyRadius_m}) < 0;
+    };
+    if (!near(hands[0]) && !near(hands[1])) return;
+    const glm::vec3 reach = swimmer.forward * kind.bodyHalf_m, way = swimmer.velocity * kDt;
+    const glm::vec3 nose = swimmer.position + reach, tail = swimmer.position - reach;
+    bodies_.push_back({static_cast<uint32_t>(id),
+                       {tail - way, nose - way, kind.bodyRadius_m},
+                       {tail, nose, kind.bodyRadius_m},
+                       swimmer.velocity});
+}
+
+void HandContacts::collide(const Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
+                           const Shark& shark, std::vector<physics::Contact>& contacts) {
+    movers_.clear();
+    for (int h = 0; h < 2; ++h) {
+        const Hand& hand = hands[h];
+        if (!hand.solid) continue;
+        const float give = hand.grasp.closed ? 1.0f : physics::kGive; // fingers of an open hand give way
+        for (int j = hands::kWristJoint + 1; j < hands::kJointCount; ++j)
+            movers_.push_back({bone(hand.before, j), bone(hand.joints, j),
+                               give * hand.velocities[hands::kJointParent[j]], give * hand.velocities[j], h,
+                               j});
+    }
+    bodies_.clear();
+    for (size_t i = 0; i < fish.size(); ++i) {
+        Fish& f = fish[i];
+        f.parting = glm::vec3(0);
+        if (f.state == Fish::State::Mouth || (f.heldBy >= 0 && !hands[f.heldBy].solid)) continue;
+        f.loose_s = std::max(0.0f, f.loose_s - kDt);
+        if (f.loose_s > 0) continue;
+        addBody(f, static_cast<int>(i), species[f.species], hands);
+    }
+    if (shark.present) addBody(shark, static_cast<int>(fish.size()), species[shark.species], hands);
+    std::swap(contacts, last_);
+    world_.collide(bodies_, movers_, kDt, last_, contacts);
+}
+
+void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {
+    Hand& hand = hands[contact.group];
+    const glm::vec3 relative = contact.moverVelocity - f.velocity;
+    const float along = glm::dot(relative, contact.normal);
+    TouchView& under = hand.touching[partOfBone(contact.tag)];
+    under.touches = true;
+    if (hand.grasp.encloses != static_cast<int>(contact.body))
+        under.depth_m = std::max(under.depth_m, contact.depth);
+    under.press_mps = std::max(under.press_mps, along);
+    under.slide_mps = std::max(under.slide_mps, glm::length(relative - along * contact.normal));
+    if (f.heldBy == contact.group) under.struggle = f.struggle;
+}
+
+void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Contact> own, const Hands& hands,
+              uint32_t tick, Random& random, EventSink& events) {
+    f.nervous_s += kDt;
+    for (const physics::Contact& contact : own) {
+        const int h = contact.group, part = partOfBone(contact.tag);
+        if (tick > f.touchedUntil[h][part])
+            events.emit(events::Touch{id, h, part, contact.closingSpeed, contact.point});
+        f.touchedUntil[h][part] = tick + kTouchKept;
+        const Hand& hand = hands[h];
+        const float palmClosing = glm::dot(hand.velocity - f.velocity, contact.normal);
+        if (palmClosing > kGentle_mps || f.nervous_s > kPatience_s ||
+            (hand.grasp.closed && hand.grasp.window == 0))
+            startle(f, id, hand.palm().position, random, events);
+    }
+    // Fingers that close around it hold it and do not bat it away; neither does an open hand that it swims
+    // into: a player's fingers would give way.
+    const auto bats = [&](int h) {
+        const Hand& hand = hands[h];
+        const bool lets =
+            !hand.grasp.closed && onPalmSide(f, hand) && graspGap(f, kind, hand) < 1.5f * kGraspRadius_m;
+        return hand.grasp.encloses != id && !lets;
+    };
+    const std::array<bool, 2> hits = {bats(0), bats(1)};
+    const auto from = std::find_if(own.begin(), own.end(), [&](const auto& c) { return hits[c.group]; });
+    const auto to = std::find_if(from, own.end(), [&](const auto& c) { return !hits[c.group]; });
+    const std::span<const physics::Contact> pushing(from, to);
+    const glm::vec3 kept = f.forward * f.speed + f.push; // without the parting, which leaves no speed
+    f.push = limited(f.push + physics::pushed(kept, pushing) - kept, kMaxSpeed_mps);
+    f.parting = physics::parting(pushing);
+}
+
+} // namespace shoal::game

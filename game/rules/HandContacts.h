@@ -1,0 +1,50 @@
+// Contacts of the player's hands with fish and shark, and what a contact does to a fish that nobody holds.
+#pragma once
+
+#include "engine/physics/ContactWorld.h"
+#include "game/rules/Fright.h"
+#include "game/rules/Shark.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace shoal::game {
+
+// Finds the contacts of a tick. Holds scratch memory only, no state.
+class HandContacts {
+  public:
+    explicit HandContacts(size_t maxFish);
+
+    // Replaces the last tick's contacts by this tick's, sorted by creature id, hand and joint. The shark's id
+    // is fish.size(). Resets the parting velocities of all fish and counts down their loose_s.
+    void collide(const Hands&, const SpeciesTable&, std::span<Fish> fish, const Shark&,
+                 std::vector<physics::Contact>& contacts);
+
+  private:
+    void addBody(const Swimmer&, int id, const Species&, const Hands&);
+
+    physics::ContactWorld world_;
+    std::vector<physics::Body> bodies_;
+    std::vector<physics::Mover> movers_;
+    std::vector<physics::Contact> last_;
+};
+
+// Calls visit(creature, contacts) for each creature that a hand touches.
+template <class Visit> void forEachCreature(std::span<const physics::Contact> contacts, Visit visit) {
+    for (auto from = contacts.begin(); from != contacts.end();) {
+        const auto to =
+            std::find_if(from, contacts.end(), [&](const auto& c) { return c.body != from->body; });
+        visit(static_cast<int>(from->body), std::span<const physics::Contact>(from, to));
+        from = to;
+    }
+}
+
+// What the hand's finger or palm feels of a fish.
+void feel(const physics::Contact&, const Fish&, Hands&);
+
+// Pushes a fish that nobody holds, by all contacts with it, and startles it when they are too rough.
+void pushFish(Fish&, int id, const Species&, std::span<const physics::Contact>, const Hands&, uint32_t tick,
+              Random&, EventSink&);
+
+} // namespace shoal::game

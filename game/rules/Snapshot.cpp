@@ -1,0 +1,122 @@
+// From the state to what others see of it.
+#include "game/rules/Dive.h"
+#include "game/rules/Steering.h"
+
+#include <cmath>
+
+namespace shoal::game {
+
+namespace {
+
+void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
+    view.visible = hand.visible;
+    view.grip = hand.grip;
+    view.joints = hand.fingers.shown;
+    view.holds = hand.grasp.holds;
+    view.touching = hand.touching;
+    view.holdProgress = view.holds < 0 ? 0 : std::min(1.0f, fish[view.holds].held_s / kHoldToCatch_s);
+}
+
+void showCreature(const Swimmer& from, size_t id, int species, float length_m, int heldBy,
+                  CreatureView& view) {
+    view.id = static_cast<uint32_t>(id);
+    view.species = species;
+    view.position = from.position;
+    view.worldFromBody = from.worldFromBody;
+    view.velocity = from.velocity;
+    view.length = length_m;
+    view.motion = from.gait.motion;
+    view.before = from.gait.before;
+    view.blend = from.gait.blend;
+    view.phase_s = from.gait.phase_s;
+    view.shape = from.shape;
+    view.heldBy = heldBy;
+}
+
+} // namespace
+
+void Dive::snapshot(Snapshot& out) const {
+    const DiveState& s = state_;
+    const DiveFile& dive = files_.dive;
+    out.tick = s.totalTicks;
+    out.time_s = static_cast<double>(s.tick) / sim::kTickRate_Hz;
+    out.phase = s.phase;
+    out.paused = s.paused;
+    out.timeLeft_s =
+        s.phase == Phase::Diving ? std::max(0.0f, dive.duration_s - static_cast<float>(out.time_s)) : 0.0f;
+    out.enclosure = enclosureAt(dive.enclosure, dive.videoLength_s, out.time_s);
+    out.ground = groundAt(dive.ground, dive.videoLength_s, out.time_s);
+    out.score = s.score.points;
+    out.caught = s.score.caught;
+    out.lost = s.score.lost;
+    out.worldFromView = s.view.worldFromView;
+    out.headWorld = s.view.headWorld;
+    for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], s.fish, out.hands[h]);
+    out.creatures.resize(s.fish.size() + (s.shark.present ? 1 : 0));
+    const auto show = [&](size_t id, const auto& from, int heldBy) {
+        showCreature(from, id, from.species, files_.species[from.species].length_m, heldBy,
+                     out.creatures[id]);
+    };
+    for (size_t i = 0; i < s.fish.size(); ++i) show(i, s.fish[i], s.fish[i].heldBy);
+    if (s.shark.present) show(s.fish.size(), s.shark, -1);
+}
+
+void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out) {
+    constexpr float kJump_m = 0.6f; // in one tick: farther than anything swims or is carried
+    out = after;                    // keeps out's memory: no allocation once it has grown
+    if (before.creatures.size() != after.creatures.size() || after.tick != before.tick + 1 ||
+        after.time_s < before.time_s)
+        return;
+    out.time_s = before.time_s + (after.time_s - before.time_s) * static_cast<double>(alpha);
+    out.timeLeft_s = before.timeLeft_s + (after.timeLeft_s - before.timeLeft_s) * alpha;
+    out.worldFromView = blended(before.worldFromView, after.worldFromView, alpha);
+    out.headWorld = glm::mix(before.headWorld, after.headWorld, alpha);
+    for (int h = 0; h < 2; ++h) {
+        const HandView& a = before.hands[h];
+        const HandView& b = after.hands[h];
+        if (!a.visible || !b.visible) continue;
+        out.hands[h].grip = a.grip + (b.grip - a.grip) * alpha;
+        for (int j = 0; j < hands::kJointCount; ++j) {
+            out.hands[h].joints[j].position = glm::mix(a.joints[j].position, b.joints[j].position, alpha);
+            out.hands[h].joints[j].orientation =
+                blended(a.joints[j].orientation, b.joints[j].orientation, alpha);
+        }
+    }
+    for (size_t i = 0; i < out.creatures.size(); ++i) {
+        const CreatureView& a = before.creatures[i];
+        const CreatureView& b = after.creatures[i];
+        if (glm::distance(a.position, b.position) > kJump_m) continue;
+        CreatureView& c = out.creatures[i];
+        c.position = glm::mix(a.position, b.position, alpha);
+        c.velocity = glm::mix(a.velocity, b.velocity, alpha);
+        c.worldFromBody = blended(a.worldFromBody, b.worldFromBody, alpha);
+        c.phase_s = a.phase_s + (b.phase_s - a.phase_s) * alpha;
+        const auto between = [&](float BodyShape::*part) {
+            c.shape.*part = a.shape.*part + (b.shape.*part - a.shape.*part) * alpha;
+        };
+        for (auto part : {&BodyShape::beats, &BodyShape::amplitude, &BodyShape::bendLeft, &BodyShape::bendUp,
+                          &BodyShape::finsDown})
+            between(part);
+        if (a.motion == b.motion) c.blend = a.blend + (b.blend - a.blend) * alpha;
+    }
+}
+
+float reachAssist(const Snapshot& snapshot, const SpeciesTable& species, glm::vec3 rayView) {
+    const glm::vec3 ray = snapshot.worldFromView * rayView;
+    float best = -1, bestMiss = 1;
+    for (const CreatureView& creature : snapshot.creatures) {
+        if (species[creature.species].shark || creature.heldBy >= 0) continue;
+        const glm::vec3 fromHead = creature.position - snapshot.headWorld;
+        const float along = glm::dot(fromHead, ray);
+        if (along < 0.3f || along > 1.5f) continue;
+        // Within the body, or 4 degrees beside it.
+        const float miss = glm::length(fromHead - ray * along) / (0.5f * creature.length + 0.07f * along);
+        if (miss < bestMiss) {
+            bestMiss = miss;
+            best = along;
+        }
+    }
+    return best;
+}
+
+} // namespace shoal::game

@@ -1,0 +1,90 @@
+// What the simulation shows after a tick, for picture, sound and haptics. Immutable once made; plain data.
+#pragma once
+
+#include "engine/scene/HandPose.h"
+#include "game/rules/Ground.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace shoal::game {
+
+// World frame: the env frame of engine/math/LatLong.h, metres; the viewer's eyes at the origin, but for what
+// a headset says.
+
+enum class Phase { Diving, Results };
+
+// The clips that a species' model must hold, by the names below.
+enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
+constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
+
+// How a body is bent beyond its clip: what is left of the wave is the clip's own form.
+struct BodyShape {
+    float beats = 0;     // of the tail, left and right, since the dive began
+    float amplitude = 0; // half the tail's sweep, in body lengths
+    // Curvature times length: the angle between head and tail, radians; both ends to the left.
+    float bendLeft = 0;
+    float bendUp = 0;   // the same, both ends up
+    float finsDown = 0; // how far the pectoral fins are lowered, radians
+
+    auto fields() const { return std::tie(beats, amplitude, bendLeft, bendUp, finsDown); }
+};
+
+struct CreatureView {
+    uint32_t id = 0;                     // stable during a dive; also its place in Snapshot::creatures
+    int species = 0;                     // index into the species table
+    glm::vec3 position{0};               // middle of the body
+    glm::quat worldFromBody{1, 0, 0, 0}; // the body looks along its +Z, +Y up, as its model does
+    glm::vec3 velocity{0};               // m/s
+    float length = 0.2f;                 // metres, nose to tail
+    Motion motion = Motion::Swim;
+    Motion before = Motion::Swim; // what it blends from
+    float blend = 1;              // 0: all `before`, 1: all `motion`
+    float phase_s = 0;            // time inside the motion's clip, for all but the spine; not wrapped
+    BodyShape shape;              // the spine
+    int heldBy = -1;              // 0 left, 1 right, -1 free
+};
+
+// What one finger, or the palm, has under it.
+struct TouchView {
+    bool touches = false;
+    float depth_m = 0;   // how deep it presses
+    float press_mps = 0; // how fast it presses in
+    float slide_mps = 0; // how fast it strokes along
+    float struggle = 0;  // 0 to 1: how hard a held fish wriggles under it
+
+    auto fields() const { return std::tie(touches, depth_m, press_mps, slide_mps, struggle); }
+};
+
+struct HandView {
+    bool visible = false;
+    float grip = 0;
+    std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
+    int holds = -1;                                        // creature id
+    float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
+    std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
+};
+
+struct Snapshot {
+    uint64_t tick = 0;
+    double time_s = 0; // since the dive began
+    Phase phase = Phase::Diving;
+    bool paused = false;
+    float timeLeft_s = 0;
+    float enclosure = 0; // 0 open water to 1 a tunnel, where the video now is
+    Ground ground;       // where the video now is
+    int score = 0;
+    int caught = 0;
+    int lost = 0;                        // to the shark
+    glm::quat worldFromView{1, 0, 0, 0}; // where the player looks
+    glm::vec3 headWorld{0};              // between the player's eyes
+    std::array<HandView, 2> hands{};     // left, right
+    std::vector<CreatureView> creatures;
+};
+
+} // namespace shoal::game

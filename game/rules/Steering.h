@@ -1,0 +1,83 @@
+// Arithmetic shared by everything that swims. No trigonometry: only roots, which IEEE 754 rounds exactly.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::game {
+
+constexpr glm::vec3 kUp(0, 1, 0);
+
+inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
+    const float squared = glm::dot(v, v);
+    return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
+}
+
+inline glm::vec3 limited(glm::vec3 v, float length) {
+    const float squared = glm::dot(v, v);
+    return squared > length * length ? v * (length / std::sqrt(squared)) : v;
+}
+
+// Towards the left of a body that looks along forward with +Y up.
+inline glm::vec3 leftOf(glm::vec3 forward) {
+    return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
+}
+
+// Turns the unit heading towards the unit goal as a body with inertia does: without a jump of its angular
+// velocity (spin, rad/s, world frame, never along forward) and, at rates below the limit, without overshoot:
+// a spring and a damper that are critical for a rate of `eager` 1/s. Returns the spin that it strives for.
+inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goal, float eager,
+                              float max_radps, float max_radps2, float dt) {
+    const float along = glm::dot(forward, goal);
+    glm::vec3 axis = glm::cross(forward, goal);
+    const float sine = glm::length(axis);
+    if (sine > 1e-4f)
+        axis /= sine;
+    else
+        axis = along > 0 ? glm::vec3(0) : kUp;
+    float angle = sine; // near enough
+    if (along < 0) {
+        // Round sideways, not over the top; straight behind either way is as good: the one under way.
+        const glm::vec3 left = leftOf(forward);
+        const float side = along < -0.5f && std::fabs(spin.y) > 0.05f ? spin.y : glm::dot(goal, left);
+        axis = glm::cross(forward, side < 0 ? -left : left);
+        angle = 2 - sine;
+    }
+    const glm::vec3 request = axis * std::min(max_radps, eager * angle);
+    spin += limited((request - spin) * std::min(1.0f, 4 * eager * dt), max_radps2 * dt);
+    spin -= forward * glm::dot(spin, forward);
+    forward = glm::normalize(forward + glm::cross(spin, forward) * dt);
+    return request;
+}
+
+// Keeps a heading from pointing steeply up or down: |y| <= most, unit length.
+inline glm::vec3 levelled(glm::vec3 forward, float maximum) {
+    if (std::fabs(forward.y) <= maximum) return forward;
+    const glm::vec3 flat = normalizedOr({forward.x, 0, forward.z}, {0, 0, 1});
+    const float y = forward.y > 0 ? maximum : -maximum;
+    return glm::vec3(flat.x, 0, flat.z) * std::sqrt(1 - maximum * maximum) + glm::vec3(0, y, 0);
+}
+
+// Body frame: +Z along forward, +Y as upright as bank allows; bank is the tangent of the lean to the left.
+inline glm::quat bodyTurn(glm::vec3 forward, float bank) {
+    const glm::vec3 left = leftOf(forward);
+    const glm::vec3 up = glm::normalize(glm::cross(forward, left) + left * bank);
+    const glm::vec3 x = glm::normalize(glm::cross(up, forward));
+    return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(forward, x), forward)));
+}
+
+// Between two rotations, by the shorter way; good enough for small blends.
+inline glm::quat blended(glm::quat from, glm::quat to, float t) {
+    if (glm::dot(from, to) < 0) to = -to;
+    return glm::normalize(from * (1 - t) + to * t);
+}
+
+inline float towards(float value, float goal, float step) {
+    return value + std::clamp(goal - value, -step, step);
+}
+
+} // namespace shoal::game

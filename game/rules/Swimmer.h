@@ -1,0 +1,69 @@
+// Position, heading and body shape of something that swims, and how they advance in one tick; fish and shark
+// share it. World frame, metres, seconds, radians. No library trigonometry: the state must be the same on
+// every machine.
+#pragma once
+
+#include "engine/physics/Capsule.h"
+#include "engine/sim/FixedStep.h"
+#include "game/rules/Snapshot.h"
+#include "game/rules/Species.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <tuple>
+
+namespace shoal::game {
+
+constexpr float kDt = sim::kTick_s;
+
+// Which animation clip plays, and which one it blends from.
+struct Gait {
+    Motion motion = Motion::Swim, before = Motion::Swim;
+    float blend = 1;
+    float phase_s = 0;
+
+    void set(Motion next);
+    void advance(float rate); // rate 1: at the clip's own pace
+    auto fields() const { return std::tie(motion, before, blend, phase_s); }
+};
+
+struct Swimmer {
+    glm::vec3 position{0};      // middle of the body
+    glm::vec3 forward{0, 0, 1}; // unit
+    glm::vec3 spin{0};          // angular velocity of forward, rad/s
+    float bank = 0;             // tangent of the lean to the left
+    float speed = 0;            // along forward
+    glm::vec3 velocity{0};      // over the last tick, in all
+    glm::quat worldFromBody{1, 0, 0, 0};
+    Gait gait;
+    BodyShape shape;
+
+    auto fields() const {
+        return std::tie(position, forward, spin, bank, speed, velocity, worldFromBody, gait, shape);
+    }
+};
+
+// The body's collision shape, no thicker than maxRadius_m.
+physics::Capsule capsuleOf(const Swimmer&, const Species&, float maxRadius_m = 1);
+
+// Puts it on a circle around the vertical axis through the player, swimming along it; outward is unit and
+// level; sense +1 circles to the left of looking outward, -1 to the right.
+void startCircling(Swimmer&, glm::vec3 position, glm::vec3 outward, float sense, float speed_mps);
+
+// Banks into the turn under way: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
+void bankIntoTurn(Swimmer&, float gain, float maxBank, float rate);
+
+// Moves a value towards a goal by the share `rate` times the tick.
+float eased(float value, float goal, float rate);
+
+// Curvature times length of a body that lies along its path: turning to the left, and lifting the head, for
+// the spin that it strives for; it bends before its heading turns.
+float bendLeftFor(const Swimmer&, glm::vec3 desiredSpin, float length_m, float maximum);
+float bendUpFor(const Swimmer&, glm::vec3 desiredSpin, float length_m, float maximum);
+constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
+
+// Beats the tail at least minBeat_Hz, for its speed and stride.
+void beatTail(Swimmer&, const Species&, float minBeat_Hz = 0);
+
+} // namespace shoal::game

@@ -1,0 +1,44 @@
+// One run of the simulation with its source of input and its recording. Main thread.
+#pragma once
+
+#include "engine/sim/FixedStep.h"
+#include "engine/sim/Recording.h"
+#include "engine/xr/Tracked.h"
+#include "game/rules/Dive.h"
+#include "game/session/HandSource.h"
+#include "game/session/SessionConfig.h"
+#include "game/session/TrackedHands.h"
+
+#include <optional>
+#include <vector>
+
+namespace shoal::app {
+
+struct GameSession {
+    explicit GameSession(const SessionConfig& config);
+
+    // Steps the ticks that fall into this much time. record: adds them to the recording.
+    void advance(double elapsed_s, bool record);
+
+    HandSource source;
+    std::optional<TrackedHands> tracked; // beside the mouse
+    game::Dive dive;
+    sim::FixedStep clock;
+    sim::Recording recording;
+    game::Snapshot before, after, shown;
+    std::vector<game::Event> events; // of this frame's ticks
+    uint64_t ticks = 0;
+    std::optional<xr::Pose> head; // of a headset; empty: the source has the head's pose
+    bool paused = false, restart = false;
+    bool ended = false; // the source has no more input
+    Status verdict = Done{};
+
+  private:
+    // share: the tick's time between the frame before (0) and this one (1). ticksLeft: of this frame, with
+    // this one.
+    void tick(bool record, float share, int ticksLeft);
+    std::optional<xr::Pose> headBefore_; // in the last frame
+    std::vector<game::Event> tickEvents_;
+};
+
+} // namespace shoal::app

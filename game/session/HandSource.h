@@ -1,0 +1,60 @@
+// Sources of a session's input: mouse and keys, a headset, a playthrough script, or a replay. Main thread.
+#pragma once
+
+#include "engine/core/Result.h"
+#include "engine/platform/Window.h"
+#include "engine/sim/Recording.h"
+#include "engine/xr/Tracked.h"
+#include "game/playthrough/Script.h"
+#include "game/rules/Dive.h"
+#include "input/hands/MouseHands.h"
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+namespace shoal::app {
+
+// Mouse and keys. Poses change once a frame and are the same for all its ticks.
+class MouseSource {
+  public:
+    MouseSource(hands::HandRig rig, game::SpeciesTable species);
+
+    // window: null when headless, where the hands rest and the head looks ahead.
+    void frame(platform::Window* window, const platform::WindowInput* input, const game::Snapshot& shown,
+               float dt_s, float verticalFov, float aspect);
+    void next(game::TickInput& out) const;
+    bool used() const { return used_; } // the button has been held at least once
+
+  private:
+    hands::MouseHands hands_;
+    game::SpeciesTable species_;
+    std::array<hands::HandPose, 2> poses_{};
+    float yaw_ = 0, pitch_ = 0; // radians; yaw to the right, pitch up
+    bool used_ = false;
+};
+
+struct ReplaySource {
+    sim::Recording recording;
+    size_t tick = 0;
+};
+
+// Hands that a headset tracks, predicted for the display time of its next frame; see HeadsetDisplay.
+class OpenXrSource {
+  public:
+    void frame(const std::array<hands::HandPose, 2>& poses);
+    // share: the tick's time between the frame before (0) and this one (1).
+    void next(game::TickInput& out, float share) const;
+
+  private:
+    std::array<hands::HandPose, 2> before_{}, poses_{};
+};
+
+using HandSource = std::variant<MouseSource, game::ScriptRun, ReplaySource, OpenXrSource>;
+
+// A person plays, who may pause, start again and have a score.
+inline bool playedByAPerson(const HandSource& source) {
+    return std::holds_alternative<MouseSource>(source) || std::holds_alternative<OpenXrSource>(source);
+}
+
+} // namespace shoal::app

@@ -1,0 +1,75 @@
+// Enumerated settings, each with the one table of its names on the command line and in the settings file.
+#pragma once
+
+#include "engine/core/EnumNames.h"
+#include "engine/light/EnvironmentLight.h"
+#include "engine/render/Composition.h"
+#include "engine/render/View.h"
+
+#include <array>
+
+namespace shoal::app {
+
+enum class Tone { Auto, Aces, Linear };
+
+// How bodies take light from each other and from themselves.
+enum class Occlusion {
+    Off,
+    Ellipsoids,
+    Ollfb,       // of one body at rest: rays through its layered fragment buffers (engine/occlusion/Ollfb.h)
+    OllfbThesis, // as the thesis has them
+};
+
+enum class StereoOutput { None, SideBySide };
+enum class QualityControl { Auto, Fixed };
+enum class WaterChoice { Auto, On, Off };
+enum class ShadowChoice { On, Off };
+enum class Skin { Light, Medium, Dark, Glove };
+enum class LeapMount { Desk, Head };
+enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
+enum class Background { Environment, None };
+enum class LightFormat { Pfm, Exr, Hdr };
+
+} // namespace shoal::app
+
+namespace shoal {
+
+template <> struct EnumNames<app::Tone> { static constexpr std::array kNames = {"auto", "aces", "linear"}; };
+template <> struct EnumNames<render::Glossy> { static constexpr std::array kNames = {"ggx", "phong36"}; };
+template <> struct EnumNames<light::DiffuseMethod> {
+    static constexpr std::array kNames = {"default", "thesis"};
+};
+template <> struct EnumNames<app::Occlusion> {
+    static constexpr std::array kNames = {"off", "ellipsoids", "ollfb", "ollfb-thesis"};
+};
+template <> struct EnumNames<render::Composition> {
+    static constexpr std::array kNames = {"background", "plain", "resolution", "texels", "camera"};
+};
+template <> struct EnumNames<render::SkippedPass> {
+    static constexpr std::array kNames = {"none", "background", "objects", "particles", "shadows", "overlay"};
+};
+template <> struct EnumNames<render::ShownQuantity> {
+    static constexpr std::array kNames = {"light", "normals", "roughness", "occlusion", "diffuse", "depth"};
+};
+template <> struct EnumNames<render::Backend> {
+    static constexpr std::array kNames = {"auto", "opengl", "software"};
+};
+template <> struct EnumNames<app::StereoOutput> { static constexpr std::array kNames = {"none", "sbs"}; };
+template <> struct EnumNames<app::QualityControl> { static constexpr std::array kNames = {"auto", "fixed"}; };
+template <> struct EnumNames<app::WaterChoice> {
+    static constexpr std::array kNames = {"auto", "on", "off"};
+};
+template <> struct EnumNames<app::ShadowChoice> { static constexpr std::array kNames = {"on", "off"}; };
+template <> struct EnumNames<app::Skin> { // variants of the hands' models
+    static constexpr std::array kNames = {"light", "medium", "dark", "glove"};
+};
+template <> struct EnumNames<app::HandSourceKind> {
+    static constexpr std::array kNames = {"auto", "mouse", "leap", "webcam", "openxr", "script", "replay"};
+};
+template <> struct EnumNames<app::LeapMount> { static constexpr std::array kNames = {"desk", "head"}; };
+template <> struct EnumNames<app::Background> { static constexpr std::array kNames = {"env", "none"}; };
+template <> struct EnumNames<app::LightFormat> { // also the files' extensions
+    static constexpr std::array kNames = {"pfm", "exr", "hdr"};
+};
+
+} // namespace shoal

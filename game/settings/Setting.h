@@ -1,0 +1,96 @@
+// Rows of the table of settings. The command line, its --help and the settings file are generated from them.
+// A row points into a struct of options, which must outlive it.
+#pragma once
+
+#include "engine/core/EnumNames.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace shoal::app {
+
+enum class Category { General, Dive, Environment, Picture, Hands, Sound, Measuring };
+
+// A setting that is one of a few names.
+struct ChoiceSetting {
+    std::vector<std::string> names;                   // that may be set
+    std::function<std::string()> get;                 // the name of the present value
+    std::function<void(const std::string& name)> set; // one of `names`
+};
+
+// values: those that may be set, empty: all of the enumeration. alias: another name for one of them.
+template <class E>
+ChoiceSetting choice(E& value, const std::vector<E>& values = {},
+                     std::optional<std::pair<std::string, E>> alias = {}) {
+    const auto& all = EnumNames<E>::kNames;
+    std::vector<std::string> names;
+    for (const E allowed : values) names.emplace_back(enumName(allowed));
+    if (names.empty()) names.assign(all.begin(), all.end());
+    if (alias) names.push_back(alias->first);
+    return {std::move(names), [&value] { return std::string(enumName(value)); },
+            [&value, alias](const std::string& name) {
+                value = alias && name == alias->first ? alias->second : *enumNamed<E>(name);
+            }};
+}
+
+// A setting with a notation of its own.
+struct TextSetting {
+    std::function<std::string()> get;
+    std::function<bool(const std::string& text)> set; // false, and nothing changed: the text is malformed
+    std::string wants;                                // says what is well formed: "wants ..."
+};
+
+TextSetting sizeSetting(glm::ivec2& pixels);                   // WIDTHxHEIGHT
+TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT
+TextSetting vectorSetting(std::optional<glm::vec3>& value);    // X,Y,Z
+
+struct Setting {
+    using Value = std::variant<bool*, int*, uint64_t*, float*, std::string*, std::vector<std::string>*,
+                               std::optional<float>*, std::optional<double>*, ChoiceSetting, TextSetting>;
+    struct Range {
+        double low, high; // both included
+    };
+
+    std::string option; // "--name"; "!--no-name": a flag that turns `name` off; "NAME": a positional argument
+    Value value;
+    std::string help;
+    Category category = Category::General;
+    std::optional<Range> range; // of numbers
+    std::string placeholder;    // in --help, for what follows the option
+    bool kept = false;          // in the settings file
+    bool required = false;
+    std::vector<std::string> excludes, needs; // other options
+
+    Setting(std::string o, Value v, std::string h)
+        : option(std::move(o)), value(std::move(v)), help(std::move(h)) {}
+    Setting& in(const std::string& unit) { return help += ", " + unit, *this; }
+    Setting& between(double low, double high) { return range = {low, high}, *this; }
+    Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
+    Setting& keep() { return kept = true, *this; }
+    Setting& mustBeGiven() { return required = true, *this; }
+    Setting& without(std::vector<std::string> others) { return excludes = std::move(others), *this; }
+    Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }
+
+    std::string key() const; // its name in the settings file: the option's, without dashes and "no"
+};
+
+using SettingsTable = std::vector<Setting>;
+
+void append(SettingsTable& table, SettingsTable rows);
+SettingsTable inCategory(Category category, SettingsTable rows);
+
+} // namespace shoal::app
+
+template <> struct shoal::EnumNames<shoal::app::Category> {
+    static constexpr std::array kNames = {"Options",           "The dive", "The environment",  "Picture",
+                                          "Hands and haptics", "Sound",    "Tests and figures"};
+};

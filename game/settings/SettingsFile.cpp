@@ -1,0 +1,77 @@
+#include "game/settings/SettingsFile.h"
+
+#include "engine/core/Files.h"
+#include "engine/core/Log.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace shoal::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Path settingsFile() { return configFolder() / "settings.json"; }
+
+// Sets one setting from its entry in the file, where that fits.
+struct ReadEntry {
+    const Json& entry;
+    const Setting& row;
+
+    template <class Number>
+    requires std::is_arithmetic_v<Number>
+    void operator()(Number* value) const {
+        if (!entry.is_number()) return;
+        const double given = entry.get<double>();
+        if (row.range && given >= row.range->low && given <= row.range->high)
+            *value = static_cast<Number>(given);
+    }
+    void operator()(bool* value) const {
+        if (entry.is_boolean()) *value = entry.get<bool>();
+    }
+    void operator()(std::string* value) const {
+        if (entry.is_string()) *value = entry.get<std::string>();
+    }
+    void operator()(const ChoiceSetting& choice) const {
+        if (entry.is_string() &&
+            std::ranges::find(choice.names, entry.get<std::string>()) != choice.names.end())
+            choice.set(entry.get<std::string>());
+    }
+    void operator()(const TextSetting& text) const {
+        if (entry.is_string()) text.set(entry.get<std::string>());
+    }
+    template <class Other> void operator()(Other*) const {} // lists and optional values are not kept
+};
+
+struct MakeEntry {
+    template <class T> Json operator()(T* value) const { return *value; }
+    template <class T> Json operator()(std::optional<T>*) const { return nullptr; }
+    Json operator()(const ChoiceSetting& choice) const { return choice.get(); }
+    Json operator()(const TextSetting& text) const { return text.get(); }
+};
+
+} // namespace
+
+void loadSettings(const SettingsTable& table) {
+    std::error_code code;
+    if (!std::filesystem::exists(settingsFile(), code)) return;
+    const auto text = readText(settingsFile(), 1u << 20);
+    const auto json = text ? Json::parse(*text, nullptr, false) : Json();
+    if (!json.is_object())
+        return log::warn("{}: cannot be used; move it away to start anew", settingsFile().string());
+    for (const Setting& row : table) {
+        const auto entry = json.find(row.key());
+        if (row.kept && entry != json.end()) std::visit(ReadEntry{*entry, row}, row.value);
+    }
+}
+
+Status saveSettings(const SettingsTable& table) {
+    Json json = Json::object();
+    for (const Setting& row : table)
+        if (row.kept) json[row.key()] = std::visit(MakeEntry(), row.value);
+    return writeFileWhole(settingsFile(), json.dump(2) + "\n");
+}
+
+} // namespace shoal::app

@@ -1,0 +1,117 @@
+// shoal check: is this file usable, and if not, why? One line each.
+#include "game/tools/Commands.h"
+
+#include "engine/core/Files.h"
+#include "engine/media/Check.h"
+#include "engine/media/live/LivePlayer.h"
+#include "engine/scene/LoadModel.h"
+#include "engine/sim/Recording.h"
+#include "game/playthrough/Script.h"
+#include "game/rules/DiveFile.h"
+#include "game/rules/TickInput.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+namespace shoal::app {
+
+namespace {
+
+using Verdict = Result<std::string>; // what it is, or why it is not usable
+
+std::string counted(size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+Verdict checkModel(const Path& file) {
+    auto model = scene::loadModel(file);
+    if (!model) return model.error();
+    size_t triangles = 0;
+    for (const scene::Mesh& mesh : model->meshes)
+        for (const scene::Primitive& primitive : mesh.primitives) triangles += primitive.indices.size() / 3;
+    return "a model of " + counted(triangles, "triangle", "triangles") + ", " +
+           counted(model->materials.size(), "material", "materials") + ", " +
+           counted(model->animations.size(), "animation", "animations");
+}
+
+// Dives, playthroughs and the species table are all TOML; their tables tell which is meant.
+Verdict checkToml(const Path& file) {
+    auto text = readText(file);
+    if (!text) return text.error();
+    const Path content = dataRoot() / "content";
+    if (text->find("[[species]]") != std::string::npos) {
+        auto species = game::loadSpecies(file);
+        if (!species) return species.error();
+        return "a table of " + counted(species->size(), "species", "species");
+    }
+    if (text->find("[[school]]") != std::string::npos) {
+        auto species = game::loadSpecies(content / "species.toml");
+        if (!species) return species.error();
+        auto dive = game::loadDive(file, *species);
+        if (!dive) return dive.error();
+        return "a dive of " + std::to_string(static_cast<int>(dive->duration_s)) + " seconds, \"" +
+               dive->title + "\"";
+    }
+    auto script = game::loadScript(file);
+    if (!script) return script.error();
+    return "a playthrough of " + counted(script->steps.size(), "step", "steps") + " and " +
+           counted(script->expects.size(), "expectation", "expectations");
+}
+
+Verdict checkReplay(const Path& file) {
+    auto recording = sim::readRecording(file);
+    if (!recording) return recording.error();
+    if (recording->header().inputBytes != game::kTickInputBytes)
+        return Error{file.string(), "holds inputs of another kind than this version of the game takes"};
+    return "a replay of " + counted(recording->ticks(), "tick", "ticks") + " in the dive " +
+           recording->header().dive;
+}
+
+struct FileKind {
+    std::array<const char*, 8> endings;
+    Verdict (*check)(const Path&);
+};
+
+constexpr std::array<FileKind, 5> kKinds = {{
+    {{".glb", ".gltf"}, checkModel},
+    {{".toml"}, checkToml},
+    {{".replay"}, checkReplay},
+    {{".mp4", ".mov", ".m4v", ".webm", ".mkv", ".avi", ".ogv", ".ts"}, media::checkVideo},
+    {{".jpg", ".jpeg", ".png", ".webp", ".bmp", ".hdr", ".exr", ".pfm"}, media::checkPicture},
+}};
+
+Verdict checkFile(const Path& file) {
+    const auto live = media::liveAddress(file.string());
+    if (!live) return live.error();
+    if (*live) return media::checkLive(**live);
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const FileKind& kind : kKinds)
+        for (const char* known : kind.endings)
+            if (known && ending == known) return kind.check(file);
+    std::error_code code;
+    if (!std::filesystem::exists(file, code)) return Error{file.string(), "there is no such file"};
+    return Error{
+        file.string(),
+        "is no kind of file that the game reads: video, photo, HDR picture, .glb, .gltf, .toml, .replay"};
+}
+
+} // namespace
+
+int check(const CheckOptions& options) {
+    bool good = true;
+    for (const std::string& file : options.files) {
+        Verdict verdict = checkFile(file);
+        if (verdict)
+            std::printf("%s: good: %s\n", file.c_str(), verdict->c_str());
+        else
+            std::fprintf(stderr, "%s\n", verdict.error().message().c_str());
+        good &= verdict.ok();
+    }
+    return good ? 0 : 1;
+}
+
+} // namespace shoal::app

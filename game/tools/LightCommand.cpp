@@ -1,0 +1,141 @@
+// shoal light: writes what lights the objects in an environment, for other engines and for measuring.
+#include "game/tools/Commands.h"
+
+#include "engine/core/Log.h"
+#include "engine/light/BruteForceDiffuse.h"
+#include "engine/light/GlossyLevels.h"
+#include "engine/light/Lookup.h"
+#include "engine/light/MakeLight.h"
+#include "engine/light/PhongRings.h"
+#include "engine/math/LatLong.h"
+#include "engine/math/SphericalHarmonics.h"
+#include "engine/media/Pictures.h"
+#include "engine/media/VideoPlayer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr int kWidestLight = 4096;
+
+bool isHdr(const Path& file) {
+    const std::string ending = file.extension().string();
+    return ending == ".hdr" || ending == ".exr" || ending == ".pfm" || ending == ".HDR" || ending == ".EXR";
+}
+
+// The coded values, 0 to 1, taken as radiance.
+ImageRgbF asIs(const ImageRgb8& picture, bool bgr) {
+    ImageRgbF out(picture.width, picture.height);
+    for (size_t i = 0; i < picture.pixels.size(); i += 3)
+        for (size_t c = 0; c < 3; ++c)
+            out.pixels[i + c] = static_cast<float>(picture.pixels[i + (bgr ? 2 - c : c)]) / 255.0f;
+    return out;
+}
+
+// A photo's pixels, or the video's frame at that time.
+Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
+    auto picture = media::readPicture(file);
+    bgr = false;
+    if (picture) return picture;
+    auto player = media::VideoPlayer::open(file);
+    if (!player) return std::filesystem::exists(file) ? player.error() : picture.error();
+    bgr = true;
+    return player->waitFor(static_cast<double>(at_s))->pixelsBgr;
+}
+
+Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
+    light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still});
+    light::EnvironmentLight made;
+    if (isHdr(options.file)) {
+        auto picture = media::readHdr(options.file);
+        if (!picture) return picture.error();
+        const size_t mended = static_cast<size_t>(picture->repaired) +
+                              maker.makeFromHdr(picture->radianceLin, made).repairedTexels;
+        if (mended)
+            log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
+                      options.file, mended);
+        return made;
+    }
+    bool bgr = false;
+    auto coded = readCoded(options.file, options.at_s, bgr);
+    if (!coded) return coded.error();
+    if (options.ldrAsIs)
+        maker.makeFromHdr(asIs(*coded, bgr), made);
+    else
+        maker.make({coded->pixels.data(), coded->width, coded->height,
+                    static_cast<ptrdiff_t>(coded->width) * 3, bgr},
+                   made);
+    return made;
+}
+
+// Replaces what the thesis has methods of its own for. Levels narrower than a texel of the pyramid stay the
+// pyramid's own.
+void makeAsTheThesis(light::EnvironmentLight& made) {
+    light::BruteForceDiffuse().make(made.radiance, made.diffuse);
+    for (light::GlossyLevel& level : made.glossy) {
+        ImageRgbF& map = level.radianceLin;
+        for (int y = 0; y < map.height; ++y)
+            for (int x = 0; x < map.width; ++x) {
+                const glm::dvec2 uv((x + 0.5) / map.width, (y + 0.5) / map.height);
+                const glm::vec3 value = light::phongRingsRadiance(made.radiance, directionFromLatLong(uv),
+                                                                  static_cast<double>(level.roughness));
+                for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value[c];
+            }
+    }
+}
+
+std::string harmonics(const light::EnvironmentLight& made) {
+    const math::ShRgb radiance = math::shProject(made.radiance.levels.front());
+    nlohmann::ordered_json json;
+    json["about"] =
+        "Radiance on real orthonormal spherical harmonics, index l (l + 1) + m, without the Condon-Shortley "
+        "phase, linear Rec. 709; +Y up, the picture's centre column looks along -Z, columns grow to +X. "
+        "Times cosine[l] / pi: radiance leaving a white matte surface.";
+    json["cosine"] = math::kShCosine;
+    for (const glm::dvec3& c : radiance) json["radiance"].push_back({c.r, c.g, c.b});
+    return json.dump(2) + "\n";
+}
+
+// 64x32, as the thesis has it: what engines take. Values at texel centres.
+ImageRgbF smallDiffuse(const light::EnvironmentLight& made) {
+    ImageRgbF small(64, 32);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            const glm::dvec2 uv((x + 0.5) / small.width, (y + 0.5) / small.height);
+            const glm::vec3 value = light::lookUp(made.diffuse, directionFromLatLong(uv));
+            for (int c = 0; c < 3; ++c) small.at(x, y)[c] = value[c];
+        }
+    return small;
+}
+
+Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
+    const Path folder = options.out;
+    const auto put = [&](const std::string& name, const ImageRgbF& image) {
+        return media::writeHdr(folder / (name + "." + enumName(options.format)), image);
+    };
+    if (Status s = put("diffuse", smallDiffuse(made)); !s) return s;
+    for (size_t k = 0; k < made.glossy.size(); ++k) {
+        char name[32];
+        std::snprintf(name, sizeof name, "glossy_%.2f", static_cast<double>(made.glossy[k].roughness));
+        if (Status s = put(name, light::glossyImage(made, k)); !s) return s;
+    }
+    return writeFileWhole(folder / "sh.json", harmonics(made));
+}
+
+} // namespace
+
+int light(const LightOptions& options) {
+    auto made = makeLight(options);
+    if (made && options.method == light::DiffuseMethod::Thesis) makeAsTheThesis(*made);
+    Status status = made ? writeAll(options, *made) : Status(made.error());
+    if (status) return 0;
+    log::error("{}", status.error().message());
+    return 1;
+}
+
+} // namespace shoal::app

@@ -1,0 +1,369 @@
+// shoal view: any glTF model in any surroundings, as a picture or in a window to turn it in.
+#include "game/tools/Commands.h"
+
+#include "engine/core/Log.h"
+#include "engine/gl/Renderer.h"
+#include "engine/gl/Target.h"
+#include "engine/media/Pictures.h"
+#include "engine/occlusion/gpu/Storage.h"
+#include "engine/platform/Headless.h"
+#include "engine/platform/Window.h"
+#include "engine/render/BackgroundPass.h"
+#include "engine/render/BakeSelfOcclusion.h"
+#include "engine/render/ObjectPass.h"
+#include "engine/scene/LoadModel.h"
+#include "engine/scene/Roughness.h"
+#include "engine/scene/Surface.h"
+#include "game/views/Environment.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr int kSelfOcclusionRays = 16, kFewestRays = 2; // from each of three points in a triangle, once
+constexpr size_t kMaxRays = 3'000'000;                  // a few seconds
+constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
+
+struct Clip {
+    int animation = -1;
+    float time_s = 0;
+};
+
+// "NAME@SECONDS"; the name alone means its start.
+Result<Clip> findClip(const scene::Model& model, const std::string& text, const std::string& file) {
+    if (text.empty()) return Clip{};
+    const size_t at = text.rfind('@');
+    Clip clip;
+    clip.animation = model.findAnimation(text.substr(0, at));
+    if (clip.animation < 0) {
+        std::string names;
+        for (const scene::Animation& animation : model.animations)
+            names += (names.empty() ? "" : ", ") + animation.name;
+        return Error{file, "has no animation named " + text.substr(0, at) +
+                               (names.empty() ? "; it has none" : "; it has " + names)};
+    }
+    if (at != std::string::npos) {
+        const char* end = text.data() + text.size();
+        if (std::from_chars(text.data() + at + 1, end, clip.time_s).ptr != end)
+            return Error{"--animation " + text, "wants NAME@SECONDS"};
+    }
+    return clip;
+}
+
+struct Orbit {
+    glm::vec3 target{0};
+    float theta = 0, phi = 1.5708f; // radians; around from +Z towards +X, and from straight up
+    float radius = 1;               // metres
+    float modelRadius = 1;          // of a sphere around the target that holds the model
+
+    render::View view(float verticalFov, float aspect) const {
+        const glm::vec3 back(std::sin(phi) * std::sin(theta), std::cos(phi), std::sin(phi) * std::cos(theta));
+        const glm::vec3 right(std::cos(theta), 0, -std::sin(theta)); // level, also straight above the target
+        render::View view;
+        view.eyeWorld = target + radius * back;
+        view.worldFromEye = glm::quat_cast(glm::mat3(right, glm::cross(back, right), back));
+        view.verticalFov = verticalFov;
+        view.aspect = aspect;
+        view.far_m = (radius + modelRadius) * 1.01f;
+        view.near_m = std::max((radius - modelRadius) * 0.99f, view.far_m * 2e-4f);
+        return view;
+    }
+};
+
+class Viewer {
+  public:
+    explicit Viewer(const ViewOptions& options) : options_(options) {}
+
+    Status open();
+    Status writePicture();
+    Status showWindow();
+
+  private:
+    Status draw(const gl::Target& target, const Orbit& orbit);
+    void pose(const Clip& clip);
+    void bakeOcclusion();
+    Status seeLayers();
+    Status followPose(bool moving);
+    void aim();
+    bool wantsLayers() const {
+        return options_.look.occlusion == Occlusion::Ollfb ||
+               options_.look.occlusion == Occlusion::OllfbThesis;
+    }
+
+    const ViewOptions& options_;
+    std::optional<platform::Headless> headless_; // the context first: it dies last
+    std::optional<platform::Window> window_;
+    scene::Model model_;
+    scene::Pose pose_;
+    Clip clip_;
+    render::ModelGpu gpu_;
+    render::BodyOccluders body_; // without parts: alone in the world
+    std::optional<Environment> environment_;
+    std::unique_ptr<render::BackgroundPass> background_;
+    std::optional<render::ObjectPass> objects_;
+    std::optional<occlusion::LayersGpu> layers_; // of the pose, if it is still
+    bool withLayers_ = true;
+    Orbit orbit_;
+};
+
+void Viewer::pose(const Clip& clip) {
+    scene::restPose(model_, pose_);
+    if (clip.animation >= 0) scene::animate(model_, clip.animation, clip.time_s, pose_);
+    scene::updateGlobals(model_, pose_);
+    for (size_t n = 0; n < model_.nodes.size(); ++n) {
+        const int mesh = model_.nodes[n].mesh;
+        if (mesh >= 0 && !pose_.morphWeights[n].empty())
+            render::uploadMorphed(model_.meshes[static_cast<size_t>(mesh)], pose_.morphWeights[n],
+                                  gpu_.meshes[static_cast<size_t>(mesh)]);
+    }
+}
+
+// What the model hides of itself in its first pose, which of a picture is the only one.
+void Viewer::bakeOcclusion() {
+    scene::Pose first;
+    scene::restPose(model_, first);
+    if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, first);
+    scene::updateGlobals(model_, first);
+    size_t indices = 1;
+    for (const scene::Mesh& mesh : model_.meshes)
+        for (const scene::Primitive& primitive : mesh.primitives) indices += primitive.indices.size();
+    const auto rays = static_cast<int>(std::min<size_t>(kMaxRays / indices, kSelfOcclusionRays));
+    if (rays >= kFewestRays) render::bakeSelfOcclusion(model_, first, rays);
+}
+
+// Layered fragment buffers of the posed model.
+Status Viewer::seeLayers() {
+    const scene::Surface surface = scene::posedSurface(model_, pose_);
+    const std::vector<uint32_t> corners = scene::opaqueTriangles(model_, surface);
+    std::vector<glm::uvec3> triangles;
+    for (size_t i = 0; i + 2 < corners.size(); i += 3)
+        triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);
+    auto layers = occlusion::LayersGpu::make({surface.positions, surface.normals, triangles},
+                                             options_.look.occlusion == Occlusion::Ollfb
+                                                 ? occlusion::LayerMethod::Ollfb
+                                                 : occlusion::LayerMethod::Thesis);
+    if (!layers) return Error{options_.model, layers.error().message()};
+    layers_ = std::move(*layers);
+    return Done{};
+}
+
+// Puts the camera where the options ask for, or so that the model fits into the picture.
+void Viewer::aim() {
+    const scene::Bounds bounds = scene::posedBounds(model_, pose_);
+    const glm::vec3 middle = (bounds.low + bounds.high) * 0.5f;
+    orbit_.target = options_.target.value_or(middle);
+    orbit_.modelRadius =
+        std::max(glm::distance(bounds.low, bounds.high) / 2 + glm::distance(orbit_.target, middle), 1e-6f);
+    const glm::vec3 orbit = options_.orbit.value_or(glm::vec3(0, 90, 0));
+    orbit_.theta = glm::radians(orbit.x);
+    orbit_.phi = glm::radians(orbit.y);
+    const float fits = orbit_.modelRadius / std::sin(glm::radians(options_.fov_deg) / 2) * 1.05f;
+    // Radius 0, when asked for, puts the camera onto the target, as far as a direction can still be told.
+    orbit_.radius = options_.orbit ? std::max(orbit.z, 1e-5f) : fits;
+}
+
+Status Viewer::open() {
+    auto loaded = scene::loadModel(options_.model);
+    if (!loaded) return loaded.error();
+    model_ = std::move(*loaded);
+    if (!options_.variant.empty() && !scene::applyVariant(model_, options_.variant))
+        return Error{options_.model, "has no variant named " + options_.variant};
+    auto clip = findClip(model_, options_.animation, options_.model);
+    if (!clip) return clip.error();
+    clip_ = *clip;
+    if (!options_.out.empty()) {
+        auto context = platform::Headless::open();
+        if (!context) return context.error();
+        headless_ = std::move(*context);
+    } else {
+        auto opened =
+            platform::Window::open({"Shoal: " + options_.model, options_.look.size.x, options_.look.size.y});
+        if (!opened)
+            return Error{"", "there is no display to open a window on; --out FILE.png writes a picture"};
+        window_ = std::move(*opened);
+    }
+    if (wantsLayers())
+        if (Status can = occlusion::canKeepLayers(); !can) return Error{"--occlusion", can.error().message()};
+    auto environment = Environment::open({.options = options_.environment,
+                                          .defaultVideo = dataRoot() / "content/video/reef.mp4",
+                                          .still = true,
+                                          .pyramid = options_.look.glossy == render::Glossy::PhongRings,
+                                          .diffuse = options_.diffuse,
+                                          .minRoughness = scene::minRoughness(model_),
+                                          .wait = [this] { return !window_ || !window_->poll().closing; }});
+    if (!environment) return environment.error();
+    environment_ = std::move(*environment);
+    environment_->update(static_cast<double>(options_.at_s), true);
+    if (options_.look.occlusion == Occlusion::Ellipsoids) bakeOcclusion();
+    if (options_.look.occlusion != Occlusion::Off) {
+        body_.albedo = scene::meanBaseColour(model_);
+        if (reflectanceIn(options_.environment) == render::Reflectance::Coded)
+            body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));
+    }
+    gpu_ = render::uploadModel(model_, reflectanceIn(options_.environment));
+    pose(clip_);
+    auto background = render::makeBackgroundPass(options_.look.backend, false);
+    if (!background) return background.error();
+    background_ = std::move(*background);
+    auto objects = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion != Occlusion::Off,
+                                            options_.look.shown);
+    if (!objects) return objects.error();
+    objects_ = std::move(*objects);
+    aim();
+    return Done{};
+}
+
+Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
+    target.bind();
+    glClearColor(0, 0, 0, 0);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const render::View view =
+        orbit.view(glm::radians(options_.fov_deg),
+                   static_cast<float>(target.width()) / static_cast<float>(target.height()));
+    const render::Exposure exposure{environment_->toneCurve(options_.look.tone), options_.look.exposure_ev};
+    const render::Glossy glossy = options_.look.glossy;
+    objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
+    objects_->begin();
+    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit.target, orbit.modelRadius}, &body_);
+    objects_->upload(environment_->envFromWorld());
+    using Part = render::ObjectPass::Part;
+    const glm::mat3 turn = environment_->envFromWorld();
+    if (options_.background == Background::Environment &&
+        options_.look.skip != render::SkippedPass::Background)
+        if (Status s = background_->draw({.environment = environment_->gpu(0),
+                                          .envFromWorld = turn,
+                                          .view = view,
+                                          .exposure = exposure,
+                                          .canvas = target},
+                                         nullptr);
+            !s)
+            return s;
+    if (options_.look.skip == render::SkippedPass::Objects) return Done{};
+    if (Status s = objects_->draw(Part::Opaque, environment_->gpu(0), view, turn, exposure, {}, glossy); !s)
+        return s;
+    return objects_->draw(Part::Blended, environment_->gpu(0), view, turn, exposure, {}, glossy);
+}
+
+// Half the size each way, by a filter two pixels wide that falls off towards its ends, as path tracers' pixel
+// filters do: less jagged than a box. Alpha is made straight again.
+ImageRgba8 reduced(const ImageRgba8& large) {
+    static_assert(kSupersampling == 2);
+    constexpr std::array<float, 4> kWeights = {1 / 8.0f, 3 / 8.0f, 3 / 8.0f, 1 / 8.0f};
+    ImageRgba8 small(large.width / 2, large.height / 2);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            std::array<float, 4> sum{};
+            for (int dy = 0; dy < 4; ++dy)
+                for (int dx = 0; dx < 4; ++dx) {
+                    const uint8_t* from = large.at(std::clamp(2 * x + dx - 1, 0, large.width - 1),
+                                                   std::clamp(2 * y + dy - 1, 0, large.height - 1));
+                    const float weight =
+                        kWeights[static_cast<size_t>(dx)] * kWeights[static_cast<size_t>(dy)];
+                    for (size_t c = 0; c < 4; ++c) sum[c] += weight * from[c];
+                }
+            for (size_t c = 0; c < 3; ++c) {
+                const float straight = sum[3] > 0 ? sum[c] * 255 / sum[3] : 0;
+                small.at(x, y)[c] = static_cast<uint8_t>(std::lround(std::min(straight, 255.0f)));
+            }
+            small.at(x, y)[3] = static_cast<uint8_t>(std::lround(sum[3]));
+        }
+    return small;
+}
+
+Status Viewer::writePicture() {
+    if (wantsLayers())
+        if (Status seen = seeLayers(); !seen) return seen;
+    const glm::ivec2 size = options_.look.size * kSupersampling;
+    GLint maximum = 0;
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &maximum);
+    if (size.x > maximum || size.y > maximum)
+        return Error{"--size", "is more than the graphics driver can draw"};
+    const gl::Target target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
+    if (Status drawn = draw(target, orbit_); !drawn) return drawn;
+    return media::writePng(options_.out, reduced(target.read()));
+}
+
+// Layers take up to a second to build, so a body that moves is shown without them.
+Status Viewer::followPose(bool moving) {
+    if (!wantsLayers() || (!moving && layers_)) return Done{};
+    const std::string title = "Shoal: " + options_.model;
+    if (moving) {
+        window_->setTitle(title +
+                          " (reflections and shadows of itself are rebuilt when the animation pauses: "
+                          "space)");
+        layers_.reset();
+        return Done{};
+    }
+    window_->setTitle(title);
+    return seeLayers();
+}
+
+Status Viewer::showWindow() {
+    gl::Target target;
+    bool turned = true; // since the picture was drawn
+    double clipStart = glfwGetTime();
+    bool moving = !options_.animation.empty() || !model_.animations.empty();
+    if (clip_.animation < 0 && !model_.animations.empty()) clip_.animation = 0;
+    for (;;) {
+        const platform::WindowInput& input = window_->poll();
+        if (input.closing || window_->down(GLFW_KEY_ESCAPE)) return Done{};
+        for (const int key : input.keysPressed) {
+            if (key == GLFW_KEY_SPACE) moving = !moving;
+            if (key == GLFW_KEY_F11) window_->toggleFullscreen();
+            if (key == GLFW_KEY_N && !model_.animations.empty()) {
+                clip_.animation = (clip_.animation + 1) % static_cast<int>(model_.animations.size());
+                clipStart = glfwGetTime();
+            }
+        }
+        if (input.leftButton || input.rightButton) {
+            orbit_.theta -= static_cast<float>(input.cursorMoved.x) * 0.008f;
+            orbit_.phi =
+                std::clamp(orbit_.phi - static_cast<float>(input.cursorMoved.y) * 0.008f, 0.01f, 3.13f);
+        }
+        orbit_.radius *= std::exp2(static_cast<float>(-input.wheel) * 0.15f);
+        if (moving && clip_.animation >= 0) {
+            const float duration = model_.animations[static_cast<size_t>(clip_.animation)].duration_s;
+            clip_.time_s =
+                duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
+            pose(clip_);
+        }
+        if (Status shown = followPose(moving && clip_.animation >= 0); !shown) return shown;
+        const bool relit = environment_->update(glfwGetTime() + static_cast<double>(options_.at_s), false);
+        const glm::ivec2 size = window_->framebufferSize();
+        if (size.x > 0 && size.y > 0) {
+            const bool resized = target.width() != size.x || target.height() != size.y;
+            if (resized)
+                target = gl::Target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
+            const bool turns = input.leftButton || input.rightButton || input.wheel != 0;
+            // Rays take a software renderer seconds a picture: it draws them once the camera rests.
+            withLayers_ = !(turns && gl::rendersInSoftware());
+            if (turns || turned || moving || relit || resized || !input.keysPressed.empty())
+                if (Status drawn = draw(target, orbit_); !drawn) return drawn;
+            turned = turns;
+            target.blitTo(0, 0, size.x, size.y);
+        }
+        window_->present();
+    }
+}
+
+} // namespace
+
+int view(const ViewOptions& options) {
+    Viewer viewer(options);
+    Status status = viewer.open();
+    if (status) status = options.out.empty() ? viewer.showWindow() : viewer.writePicture();
+    if (status) return 0;
+    log::error("{}", status.error().message());
+    return 1;
+}
+
+} // namespace shoal::app

@@ -1,0 +1,217 @@
+#include "game/views/CreatureModels.h"
+
+#include "engine/render/BakeSelfOcclusion.h"
+#include "engine/render/BakedOcclusion.h"
+#include "engine/scene/Roughness.h"
+#include "input/hands/HandRig.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
+constexpr float kMinSwing =
+    0.01f; // of the tail in an animation, body lengths: below, there is no wave to scale
+constexpr size_t kBodyParts = 4, kHunterParts = 12, kHandParts = 20; // maximum number of ellipsoids
+constexpr float kMaxScale = 2.5f;                                    // of the wave: more would fold the body
+
+// The clip's time for this phase: clips loop.
+float clipTime(const scene::Animation& clip, float phase_s) {
+    if (clip.duration_s <= 0) return 0;
+    const float wrapped = std::fmod(phase_s, clip.duration_s);
+    return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
+}
+
+int biteOf(const scene::Model& model) {
+    return model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
+}
+
+size_t maxParts(const scene::Model& model, occlusion::Parts parts) {
+    return parts == occlusion::Parts::ByJoint ? kHandParts : biteOf(model) < 0 ? kBodyParts : kHunterParts;
+}
+
+constexpr int kSelfOcclusionRays = 6, kGripRays = 12; // per point; more where self-occlusion is strong
+
+// Self-occlusion in the rest pose; of what bites with its mouth open, whose inside must not glow.
+void bakeRestPose(scene::Model& model) {
+    const int bite = biteOf(model);
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    if (bite >= 0)
+        scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
+    scene::updateGlobals(model, pose);
+    render::bakeSelfOcclusion(model, pose, kSelfOcclusionRays);
+}
+
+void placeJoints(std::span<const hands::Joint> joints, std::span<const int> nodes, scene::Pose& pose) {
+    for (size_t k = 0; k < joints.size(); ++k)
+        pose.modelFromNode[static_cast<size_t>(nodes[k])] =
+            glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
+}
+
+} // namespace
+
+Status CreatureModels::makeOcclusion(const ModelRequest& request, ModelInstance& instance) {
+    const auto parts = request.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape;
+    instance.body =
+        render::makeBodyOccluders(instance.model, instance.pose, parts, maxParts(instance.model, parts));
+    bakeRestPose(instance.model);
+    if (!request.side) return Done{};
+    // Half closed: a hand occludes itself most between there and a fist.
+    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+    if (!rig) return rig.error();
+    hands::HandShape half;
+    half.curl.fill(0.45f);
+    scene::Pose bent = instance.pose;
+    placeJoints(rig->pose(*request.side, half, {}).joints, instance.jointNodes, bent);
+    render::bakeSelfOcclusionBesideOwn(instance.model, bent, instance.body, kGripRays);
+    return Done{};
+}
+
+Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRequest& request,
+                                                                   render::Reflectance reflectance) {
+    auto model = scene::loadModel(request.file);
+    if (!model) return model.error();
+    ModelInstance instance;
+    instance.model = std::move(*model);
+    if (!request.variant.empty() && !scene::applyVariant(instance.model, request.variant))
+        return Error{request.file.string(), "has no variant named " + request.variant};
+    for (size_t joint = 0; joint < hands::kJointNames.size() && request.side; ++joint) {
+        const std::string name(hands::kJointNames[joint]);
+        instance.jointNodes[joint] = instance.model.findNode(name);
+        if (instance.jointNodes[joint] < 0) return Error{request.file.string(), "has no joint named " + name};
+    }
+    scene::restPose(instance.model, instance.pose);
+    scene::updateGlobals(instance.model, instance.pose);
+    const auto baked = render::readBakedOcclusion(render::bakedOcclusionBeside(request.file));
+    if (baked && render::applyBakedOcclusion(*baked, instance.model))
+        instance.body =
+            render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.side.has_value());
+    else if (const auto made = makeOcclusion(request, instance); !made)
+        return made.error();
+    if (reflectance == render::Reflectance::Coded)
+        instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
+    const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
+    instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
+    instance.boundingSpheres = scene::boundingSpheresOf(instance.model, instance.pose);
+    instance.spine = scene::findSpine(instance.model, instance.length_m, bounds.low.z);
+    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
+        instance.animations[motion] = instance.model.findAnimation(game::kMotionNames[motion]);
+    for (size_t motion = 0; motion < game::kMotionNames.size(); ++motion)
+        if (instance.animations[motion] >= 0)
+            instance.beats[motion] = scene::measureBeat(instance.model, instance.spine,
+                                                        instance.animations[motion], instance.wave);
+    for (size_t side = 0; side < 2; ++side)
+        instance.pectorals[side] = instance.model.findNode(kPectorals[side]);
+    return instance;
+}
+
+void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail) {
+    // Where detail is lean, materials are drawn at their means.
+    minRoughness_ =
+        std::min(minRoughness_, detail == render::Detail::Lean ? scene::minMeanRoughness(instance.model)
+                                                               : scene::minRoughness(instance.model));
+    // Both hands have the same textures.
+    const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
+    const bool shared = std::ranges::equal(instance.model.images, lastImages_, same);
+    instance.gpu = render::uploadModel(instance.model, reflectance, detail, shared ? lastTextures_ : nullptr);
+    lastImages_ = std::move(instance.model.images); // in OpenGL's memory from now on
+    lastTextures_ = instance.gpu.textures;
+    instance.model.images.clear();
+    for (scene::Mesh& mesh : instance.model.meshes) mesh.primitives.clear();
+}
+
+Result<CreatureModels> CreatureModels::load(std::span<const Path> speciesModels, const Path& leftHand,
+                                            const Path& rightHand, const std::string& handVariant,
+                                            render::Reflectance reflectance, render::Detail detail) {
+    std::vector<ModelRequest> requests;
+    for (const Path& file : speciesModels) requests.push_back({file, {}, {}});
+    requests.push_back({leftHand, handVariant, hands::Side::Left});
+    requests.push_back({rightHand, handVariant, hands::Side::Right});
+    // Each is read while the one before it is uploaded; not all at once, to save memory.
+    const auto read = [&](size_t i) {
+        return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
+    };
+    CreatureModels models;
+    auto next = read(0);
+    for (size_t i = 0; i < requests.size(); ++i) {
+        auto instance = next.get();
+        if (!instance) return instance.error();
+        if (i + 1 < requests.size()) next = read(i + 1);
+        models.upload(*instance, reflectance, detail);
+        if (i < speciesModels.size())
+            models.species_.push_back(std::move(*instance));
+        else
+            models.hands_[i - speciesModels.size()] = std::move(*instance);
+    }
+    models.lastImages_ = {};
+    return models;
+}
+
+// The animation moves fins and jaws in its own time. The spine's wave is the animation's too, but in the time
+// of the tail beat and with the snapshot's amplitude; the bend is added.
+void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& instance) {
+    const game::BodyShape& shape = creature.shape;
+    scene::restPose(instance.model, instance.pose);
+    if (!instance.spine.joints.empty()) scene::restPose(instance.model, instance.wave);
+    const auto play = [&](game::Motion motion, float weight) {
+        const int index = instance.animations[static_cast<size_t>(motion)];
+        if (index < 0 || weight <= 0) return;
+        const scene::Animation& clip = instance.model.animations[static_cast<size_t>(index)];
+        scene::animate(instance.model, index, clipTime(clip, creature.phase_s), instance.pose, weight);
+        if (instance.spine.joints.empty()) return;
+        const scene::TailBeat& beat = instance.beats[static_cast<size_t>(motion)];
+        const float loops = shape.beats / beat.perLoop + beat.offset;
+        scene::animate(instance.model, index, clipTime(clip, loops * clip.duration_s), instance.wave, weight);
+    };
+    if (creature.blend < 1) play(creature.before, 1);
+    play(creature.motion, creature.blend);
+    for (const scene::Spine::Joint& joint : instance.spine.joints)
+        instance.pose.local[static_cast<size_t>(joint.node)] =
+            instance.wave.local[static_cast<size_t>(joint.node)];
+    const auto swing = [&](game::Motion motion) {
+        return instance.beats[static_cast<size_t>(motion)].amplitude;
+    };
+    const float clips = glm::mix(swing(creature.before), swing(creature.motion), creature.blend);
+    if (clips > kMinSwing)
+        scene::scaleWave(instance.spine, std::min(shape.amplitude / clips, kMaxScale), instance.pose);
+    scene::bend(instance.spine, shape.bendLeft, shape.bendUp, instance.pose);
+    for (size_t side = 0; side < 2; ++side) {
+        if (instance.pectorals[side] < 0) continue;
+        glm::quat& fin = instance.pose.local[static_cast<size_t>(instance.pectorals[side])].rotation;
+        fin = glm::angleAxis(side == 0 ? -shape.finsDown : shape.finsDown, glm::vec3(0, 0, 1)) * fin;
+    }
+    scene::updateGlobals(instance.model, instance.pose);
+}
+
+void CreatureModels::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
+    for (const game::CreatureView& creature : snapshot.creatures) {
+        ModelInstance& instance = species_[static_cast<size_t>(creature.species)];
+        pose(creature, instance);
+        const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
+                                                        glm::mat4_cast(creature.worldFromBody),
+                                                    glm::vec3(creature.length / instance.length_m));
+        scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
+        // No fin extends farther from the middle than this, however the body bends.
+        pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
+                 {creature.position, creature.length * 0.7f}, &instance.body, spheres_);
+    }
+    for (size_t side = 0; side < snapshot.hands.size(); ++side) {
+        const game::HandView& hand = snapshot.hands[side];
+        if (!hand.visible) continue;
+        ModelInstance& instance = hands_[side];
+        placeJoints(hand.joints, instance.jointNodes, instance.pose);
+        const glm::mat4 worldFromModel(1); // the joints already stand in the world
+        scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
+        pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
+                 scene::boundingSphereOf(spheres_), &instance.body, spheres_);
+    }
+}
+
+} // namespace shoal::app

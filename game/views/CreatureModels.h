@@ -1,0 +1,67 @@
+// Posed models of what a snapshot shows: creatures by species, and two hands. The thread of the OpenGL
+// context.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/render/ModelGpu.h"
+#include "engine/render/ObjectPass.h"
+#include "engine/scene/BoundingSpheres.h"
+#include "engine/scene/LoadModel.h"
+#include "engine/scene/Spine.h"
+#include "game/rules/Snapshot.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace shoal::app {
+
+class CreatureModels {
+  public:
+    // One model file per species, in the species table's order; handVariant: a variant of both hands' models,
+    // such as "glove". Needs a current GL context.
+    static Result<CreatureModels> load(std::span<const Path> speciesModels, const Path& leftHand,
+                                       const Path& rightHand, const std::string& handVariant,
+                                       render::Reflectance reflectance, render::Detail detail);
+
+    float minRoughness() const { return minRoughness_; } // of all surfaces
+
+    // Poses every creature and visible hand of the snapshot and adds them to the pass.
+    void show(const game::Snapshot& snapshot, render::ObjectPass& pass);
+
+  private:
+    struct ModelInstance {
+        scene::Model model;
+        render::ModelGpu gpu;
+        scene::Pose pose, wave; // the whole body; its spine, at another time of the animation
+        scene::Spine spine;
+        std::array<scene::TailBeat, game::kMotionNames.size()> beats{}; // by Motion
+        std::array<int, 2> pectorals{-1, -1};                           // nodes: left, right fin
+        render::BodyOccluders body;
+        float length_m = 1;                                      // of the rest pose along z
+        std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
+        std::array<int, hands::kJointCount> jointNodes{};        // hands only
+        std::vector<scene::NodeSphere> boundingSpheres;
+    };
+    static void pose(const game::CreatureView& creature, ModelInstance& instance);
+    struct ModelRequest {
+        Path file;
+        std::string variant;             // of the materials; empty: as it is
+        std::optional<hands::Side> side; // hands only
+    };
+    // On any thread; lacks what upload() makes.
+    static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
+    // Ellipsoids and self-occlusion, where no file beside the model has them.
+    static Status makeOcclusion(const ModelRequest&, ModelInstance& instance);
+    void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
+
+    float minRoughness_ = 1;
+    std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading
+    std::shared_ptr<const render::TexturesGpu> lastTextures_;
+    std::vector<ModelInstance> species_;
+    std::array<ModelInstance, 2> hands_;
+    std::vector<scene::Sphere> spheres_; // scratch
+};
+
+} // namespace shoal::app

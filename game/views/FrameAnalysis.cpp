@@ -1,0 +1,70 @@
+#include "game/views/FrameAnalysis.h"
+
+#include <algorithm>
+
+namespace shoal::app {
+
+namespace {
+
+// Maximum width of the map for mirror reflections. For a video a quarter of the usual 2048: fish are rough
+// and small, and show nothing finer. A still is analysed once, at its full resolution.
+constexpr int kVideoLightWidth = 512;
+constexpr int kStillLightWidth = 4096;
+
+constexpr int kSmoothWidth = 32;         // maximum, of the map that the light for occlusion is made from
+constexpr int kCameraResponseEvery = 24; // frames: a camera hardly changes
+
+} // namespace
+
+FrameAnalysis::FrameAnalysis(const Options& options)
+    : mirrors_(options.mirrors),
+      maker_({options.quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
+              options.minRoughness, options.quality}) {
+    if (options.diffuse == light::DiffuseMethod::Thesis) thesisDiffuse_.emplace();
+    if (options.water) water_.emplace(options.eyeHeight_m);
+    if (options.lights) lights_.emplace();
+    if (options.cameraResponse) cameraResponse_.emplace();
+}
+
+// What made_ holds. The map of roughness 1 is the diffuse map too.
+void FrameAnalysis::pack(FrameFindings& out) {
+    if (thesisDiffuse_) {
+        thesisDiffuse_->make(made_.radiance, made_.diffuse);
+        made_.glossy.back().radianceLin = made_.diffuse;
+    }
+    light::packLight(made_, mirrors_, out.light);
+    const auto small = std::ranges::find_if(
+        made_.radiance.levels, [](const ImageRgbF& level) { return level.width <= kSmoothWidth; });
+    if (small != made_.radiance.levels.end()) out.smooth = occlusion::smoothLight(*small);
+}
+
+void FrameAnalysis::makeLight(const light::FrameView& frame, FrameFindings& out) {
+    const int every = lightEvery_.load(std::memory_order_relaxed);
+    if (++sinceLight_ < every && !newest_.light.places.empty()) {
+        out = newest_;
+        return;
+    }
+    sinceLight_ = 0;
+    maker_.make(frame, made_);
+    pack(out);
+    if (water_) out.water = water_->estimate(frame);
+    if (lights_) lights_->find(made_.radiance, out.lights);
+    if (every > 1) newest_ = out;
+}
+
+void FrameAnalysis::analyse(const light::FrameView& frame, FrameFindings& out) {
+    makeLight(frame, out);
+    if (!cameraResponse_) return;
+    if (sinceCameraResponse_++ % kCameraResponseEvery == 0)
+        lastCameraResponse_ = cameraResponse_->estimate(frame);
+    out.cameraResponse = lastCameraResponse_;
+    glare_.make(frame, out.glare);
+}
+
+size_t FrameAnalysis::analyse(const ImageRgbF& radianceLin, FrameFindings& out) {
+    const size_t repaired = maker_.makeFromHdr(radianceLin, made_).repairedTexels;
+    pack(out);
+    return repaired;
+}
+
+} // namespace shoal::app

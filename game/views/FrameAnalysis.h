@@ -1,0 +1,71 @@
+// Analysis of the environment's frames: light maps, water, light sources and camera response. Runs on the
+// thread that decodes them.
+#pragma once
+
+#include "engine/camera/EstimateCameraResponse.h"
+#include "engine/camera/Glare.h"
+#include "engine/light/BruteForceDiffuse.h"
+#include "engine/light/FindLights.h"
+#include "engine/light/FrameView.h"
+#include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
+#include "engine/occlusion/SmoothLight.h"
+#include "engine/water/EstimateWater.h"
+
+#include <atomic>
+#include <optional>
+
+namespace shoal::app {
+
+struct FrameFindings {
+    light::PackedLight light;
+    occlusion::SmoothLight smooth; // for occlusion between bodies
+    // Empty unless FrameAnalysis::Options asks for it:
+    water::WaterEstimate water;
+    light::FoundLights lights;
+    camera::CameraResponseEstimate cameraResponse;
+    camera::Glare glare;
+};
+
+class FrameAnalysis {
+  public:
+    struct Options {
+        light::MirrorMaps mirrors = light::MirrorMaps::None;
+        float minRoughness = 0; // of all that will be drawn: no light is made for smoother things
+        light::LightQuality quality = light::LightQuality::Video;
+        light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+        bool water = false;
+        std::optional<float> eyeHeight_m; // of the camera above the floor, where known
+        bool lights = false;              // directions of the light sources
+        bool cameraResponse = false;
+    };
+    explicit FrameAnalysis(const Options& options);
+
+    // Frames in the order of the video. Allocates nothing once the findings have grown.
+    void analyse(const light::FrameView& frame, FrameFindings& out);
+
+    // The light alone. Returns how many of its values were no light and were repaired.
+    size_t analyse(const ImageRgbF& radianceLin, FrameFindings& out);
+
+    // Light for every frame (1), every second ...; the frames between keep the last. From any thread.
+    void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }
+
+  private:
+    void makeLight(const light::FrameView& frame, FrameFindings& out);
+    void pack(FrameFindings& out);
+
+    light::MirrorMaps mirrors_;
+    light::LightMaker maker_;
+    std::optional<light::BruteForceDiffuse> thesisDiffuse_;
+    std::optional<water::WaterEstimator> water_;
+    std::optional<light::LightFinder> lights_;
+    std::optional<camera::CameraResponseEstimator> cameraResponse_;
+    camera::GlareFilter glare_;
+    light::EnvironmentLight made_; // before it is packed
+    FrameFindings newest_;         // while light is not made for every frame
+    camera::CameraResponseEstimate lastCameraResponse_;
+    int sinceLight_ = 0, sinceCameraResponse_ = 0;
+    std::atomic<int> lightEvery_ = 1;
+};
+
+} // namespace shoal::app

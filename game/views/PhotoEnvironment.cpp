@@ -1,0 +1,96 @@
+#include "game/views/PhotoEnvironment.h"
+
+#include "engine/core/Log.h"
+#include "engine/media/SphericalMetadata.h"
+#include "engine/media/StereoView.h"
+#include "engine/panorama/Panorama.h"
+#include "engine/panorama/PartialPanorama.h"
+
+#include <array>
+#include <cstdio>
+#include <unistd.h>
+
+namespace shoal::app {
+
+namespace {
+
+// One line that is written over on a terminal, or one that stays where nobody watches.
+class ProgressLine {
+  public:
+    explicit ProgressLine(const Path& file) : watched_(isatty(STDERR_FILENO) == 1) {
+        if (!watched_) log::info("growing {} to a full environment", file.string());
+    }
+    ~ProgressLine() {
+        if (watched_) std::fputs("\r\033[K", stderr);
+    }
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    void show(double share) {
+        const int percent = static_cast<int>(share * 100);
+        if (!watched_ || percent == shown_) return;
+        shown_ = percent;
+        std::fprintf(stderr, "\rshoal: growing the photo to a full environment: %d %%", percent);
+        std::fflush(stderr);
+    }
+
+  private:
+    bool watched_;
+    int shown_ = -1;
+};
+
+// Whether the picture is lat-long, for one eye or two. Squares and strips of four to one are two eyes' by
+// shape, but as often ordinary pictures; two eyes see almost the same.
+bool isLatLong(const ImageRgb8& picture) {
+    const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
+    if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
+    return media::layoutFromContent(picture) != media::Layout::Mono;
+}
+bool isLatLong(const ImageRgbF& picture) {
+    return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
+}
+
+template <class Picture>
+Result<PhotoEnvironment<Picture>> make(const Path& file, Picture photo, std::optional<double> fov_deg) {
+    const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
+    if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
+        const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
+        auto placed = panorama::completePanorama(
+            photo,
+            {share(placement->left, placement->fullWidth), share(placement->top, placement->fullHeight),
+             share(placement->left + placement->width, placement->fullWidth),
+             share(placement->top + placement->height, placement->fullHeight)});
+        if (!placed) return Error{file.string(), placed.error().reason};
+        return PhotoEnvironment<Picture>{
+            std::move(*placed), "put where its metadata (GPano) says that it belongs, and completed"};
+    }
+    if (placement || (!fov_deg && isLatLong(photo)))
+        return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
+
+    ProgressLine line(file);
+    auto grown = panorama::panoramaFromPhoto(
+        photo, {.fov_deg = fov_deg, .progress = [&line](double share) { line.show(share); }});
+    if (!grown) return Error{file.string(), grown.error().reason};
+    std::array<char, 256> what{};
+    std::snprintf(
+        what.data(), what.size(),
+        "grown around its light at pixel %.0f, %.0f, which stands %.1f degrees high in the middle; "
+        "where its ends meet the largest step is %.2f %% of white, a tenth of the picture's own are above "
+        "%.2f %%",
+        grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg, grown->wrapStep * 100,
+        grown->usualStep * 100);
+    return PhotoEnvironment<Picture>{std::move(grown->latLong), what.data()};
+}
+
+} // namespace
+
+Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path& file, ImageRgb8 photo,
+                                                    std::optional<double> fov_deg) {
+    return make(file, std::move(photo), fov_deg);
+}
+Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path& file, ImageRgbF radianceLin,
+                                                    std::optional<double> fov_deg) {
+    return make(file, std::move(radianceLin), fov_deg);
+}
+
+} // namespace shoal::app

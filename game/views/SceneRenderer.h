@@ -1,0 +1,80 @@
+// Draws snapshots of a dive: creatures, hands, particles and shadows in the light of the environment,
+// composed with its picture. The thread of the OpenGL context only.
+#pragma once
+
+#include "engine/render/Compositor.h"
+#include "engine/render/ObjectPass.h"
+#include "engine/render/SnowPass.h"
+#include "game/views/CreatureModels.h"
+#include "game/views/Environment.h"
+#include "game/views/Shadows.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace shoal::app {
+
+struct SceneRendererSetup {
+    render::Detail detail = render::Detail::Full;
+    bool snow = true;      // particles drift in the water, where there is water
+    bool shadows = true;   // on the video's ground, where that is known and the environment finds lights
+    bool occlusion = true; // between bodies
+    render::ShownQuantity shown = render::ShownQuantity::Light;
+    render::SkippedPass skip = render::SkippedPass::None;
+    render::CompositorSetup compositor;
+};
+
+class SceneRenderer final : private render::CompositorScene {
+  public:
+    static Result<SceneRenderer> make(CreatureModels creatureModels, const SceneRendererSetup& setup);
+
+    // Between two frames.
+    Status setCompositor(const render::CompositorSetup& setup);
+
+    // Once a frame, before draw(), after timers().beginFrame(); the environment must live until then.
+    void set(const game::Snapshot& snapshot, const Environment& environment, const render::Exposure& exposure,
+             render::Glossy glossy = render::Glossy::Prefiltered);
+
+    struct Eye {
+        int eye = 0; // 0 left, 1 right
+        render::View view;
+        const gl::Target& canvas;
+    };
+    // Into each eye's canvas. afterEye is called when an eye's picture is complete, with its canvas bound.
+    Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
+
+    // Over what is in the canvas, which has depth: no background, no shadows.
+    Status drawObjectsAlone(const Eye& eye);
+
+    gl::PassTimers& timers() override { return timers_; }
+    const gl::PassTimers& timers() const { return timers_; }
+    int drawCount() const;
+    int triangleCount() const { return objects_.triangleCount(); }
+
+  private:
+    SceneRenderer(CreatureModels creatureModels, render::ObjectPass objects)
+        : creatureModels_(std::move(creatureModels)), objects_(std::move(objects)) {}
+    render::EyePicture pictureOf(const Eye& eye) const;
+    Status drawObjects(const render::EyePicture& picture) override;
+    Status drawParticles(render::SnowPass::On on, const render::EyePicture& picture) override;
+    Status drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) override;
+    std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
+
+    CreatureModels creatureModels_;
+    render::ObjectPass objects_;
+    gl::PassTimers timers_;
+    render::SkippedPass skip_ = render::SkippedPass::None;
+    std::optional<render::SnowPass> snow_;
+    std::optional<Shadows> shadows_;
+    std::unique_ptr<render::Compositor> compositor_;
+    const Environment* environment_ = nullptr; // of the frame
+    render::Exposure exposure_;
+    render::Glossy glossy_ = render::Glossy::Prefiltered;
+    std::vector<render::EyePicture> pictures_; // scratch
+    double time_s_ = 0;
+    glm::vec3 headWorld_{0};
+};
+
+} // namespace shoal::app

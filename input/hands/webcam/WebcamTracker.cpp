@@ -1,0 +1,117 @@
+#include "input/hands/webcam/WebcamTracker.h"
+
+#include "engine/core/Threads.h"
+#include "engine/media/Codecs.h"
+#include "engine/media/VideoSource.h"
+#include "input/hands/webcam/HandDetector.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace shoal::hands {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kRetry{1};
+
+class WebcamTracker final : public HandTracker {
+  public:
+    WebcamTracker(const WebcamOptions& options, const HandRig& rig)
+        : HandTracker("Webcam", options.live ? 64 : 8,
+                      !options.live && !options.file.empty() ? HandStream::Full::Wait
+                                                             : HandStream::Full::Drop),
+          options_(options), rig_(rig) {
+        stream().setState({false, place() + " is being opened", {}});
+        thread_ = std::thread([this] { run(); });
+    }
+    ~WebcamTracker() override {
+        {
+            const std::lock_guard lock(mutex_);
+            stopping_ = true;
+        }
+        stopped_.notify_all();
+        stream().close();
+        thread_.join();
+    }
+
+  private:
+    // False: the tracker is being destroyed.
+    bool waitUntil(Clock::time_point when) {
+        std::unique_lock lock(mutex_);
+        return !stopped_.wait_until(lock, when, [&] { return stopping_; });
+    }
+    bool stopping() {
+        const std::lock_guard lock(mutex_);
+        return stopping_;
+    }
+
+    std::string place() const {
+        return options_.file.empty() ? "camera " + std::to_string(options_.index) : options_.file;
+    }
+    void detect(HandDetector& detector, const cv::Mat& picture, double time_s) {
+        stream().push(detector.detect(picture, time_s));
+        stream().setState({true, detector.calibrated() ? place() : place() + ", learning your hand's colour",
+                           detector.instruction()});
+    }
+
+    // Returns why it ended.
+    std::string watchClip() {
+        auto source = media::VideoSource::open(options_.file);
+        if (!source) return source.error().message();
+        HandDetector detector(rig_);
+        const Clock::time_point began = Clock::now();
+        ImageRgb8 picture(source->info().width, source->info().height);
+        for (int64_t number = 0; !stopping() && source->grab() && source->retrieve(picture); ++number) {
+            const std::chrono::duration<double> time(static_cast<double>(number) / source->info().fps);
+            if (options_.live && !waitUntil(began + std::chrono::duration_cast<Clock::duration>(time))) break;
+            detect(detector, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()),
+                   time.count());
+        }
+        return options_.file + " is over";
+    }
+
+    std::string watchCamera() {
+        const auto with = media::codecs();
+        if (!with) return with.error().message();
+        try {
+            const auto camera = (*with)->openCamera(options_.index, {.width = 640, .height = 480});
+            if (!camera) return place() + " is not there, or lets nobody in";
+            HandDetector detector(rig_);
+            const Clock::time_point began = Clock::now();
+            cv::Mat picture;
+            while (!stopping() && camera->grab() && camera->retrieve(picture))
+                detect(detector, picture, std::chrono::duration<double>(Clock::now() - began).count());
+        } catch (const cv::Exception&) { // of a driver: as good as unplugged
+        }
+        return place() + " gives no pictures";
+    }
+
+    void run() {
+        lowerThreadPriority();
+        if (!options_.file.empty()) {
+            stream().setState({false, watchClip(), {}});
+        } else {
+            do stream().setState({false, watchCamera(), {}});
+            while (waitUntil(Clock::now() + kRetry));
+        }
+        stream().close();
+    }
+
+    WebcamOptions options_;
+    HandRig rig_;
+    std::mutex mutex_;
+    std::condition_variable stopped_;
+    bool stopping_ = false;
+    std::thread thread_; // last: it uses all of the above
+};
+
+} // namespace
+
+std::unique_ptr<HandTracker> makeWebcamTracker(const WebcamOptions& options, const HandRig& rig) {
+    return std::make_unique<WebcamTracker>(options, rig);
+}
+
+} // namespace shoal::hands

@@ -1,0 +1,147 @@
+#include "input/haptics/HapticDevices.h"
+
+#include "input/haptics/Motors.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace shoal::haptics {
+
+namespace {
+
+constexpr float kPulseGrowth = 0.1f; // of the amplitude, for another pulse of a one-shot device
+
+std::string describe(const Recognised& recognised, const HidInfo& info) {
+    return recognised.name + (info.transport == Transport::Bluetooth ? " over Bluetooth"
+                              : info.transport == Transport::Usb     ? " on USB"
+                                                                     : "");
+}
+
+// What a person must do to be let in, with the rule for just this device.
+std::string notLetIn(const HidInfo& info) {
+    char rule[160];
+    std::snprintf(rule, sizeof rule, "KERNEL==\"hidraw*\", KERNELS==\"*:%04X:%04X.*\", TAG+=\"uaccess\"",
+                  info.vendor, info.product);
+    return std::string(
+               "may not be opened; this rule in /etc/udev/rules.d/70-shoal-haptics.rules (content/udev has "
+               "it for every device known) lets you in once it is plugged in again: ") +
+           rule;
+}
+
+} // namespace
+
+// What is wrong, empty if nothing.
+std::string HapticDevices::add(const HidInfo& info, const Recognised& recognised, double now_s) {
+    auto handle = bus_.open(info.path);
+    if (!handle) return notLetIn(info);
+    auto driver = driverOf(recognised, info.transport,
+                           [&](std::span<uint8_t> report) { return bus_.readFeature(*handle, report); });
+    if (!driver) {
+        bus_.close(*handle);
+        return "names no waveform that can be used";
+    }
+    Device device{.listed = {describe(recognised, info), info.path, recognised.row->motors, ""},
+                  .driver = std::move(*driver),
+                  .handle = *handle};
+    device.stopped = device.sent = device.driver.encode({});
+    bus_.guard(device.handle, device.driver.sealed({}, 0).view());
+    for (Report initialReports : device.driver.initialReports) {
+        if (device.driver.seal) device.driver.seal(initialReports, device.sequence++);
+        device.sent_s = now_s;
+        if (bus_.write(device.handle, initialReports.view())) continue;
+        bus_.close(device.handle);
+        return "does not answer";
+    }
+    devices_.push_back(std::move(device));
+    return {};
+}
+
+void HapticDevices::findDevices(double now_s) {
+    refused_.clear();
+    for (const HidInfo& info : bus_.list()) {
+        if (std::any_of(devices_.begin(), devices_.end(),
+                        [&](const Device& device) { return device.listed.path == info.path; }))
+            continue;
+        const auto recognised = recognise(info, bus_.descriptor);
+        if (!recognised) continue;
+        const std::string problem = add(info, *recognised, now_s);
+        if (problem.empty()) {
+            warned_.erase(info.path);
+            continue;
+        }
+        refused_.push_back({describe(*recognised, info), info.path, recognised->row->motors, problem});
+        if (warned_.insert(info.path).second)
+            warnings_.push_back(describe(*recognised, info) + " at " + info.path + ": " + problem);
+    }
+}
+
+bool HapticDevices::write(Device& device, const Report& unsealed, double now_s) {
+    Report report = unsealed;
+    if (device.driver.seal) device.driver.seal(report, device.sequence++);
+    device.sent = unsealed;
+    device.sent_s = now_s;
+    return bus_.write(device.handle, report.view());
+}
+
+bool HapticDevices::needsWrite(Device& device, const Report& report, float strongest, double now_s) const {
+    if (device.driver.oneShot) {
+        device.level = std::min(device.level, strongest);
+        return strongest > device.level + kPulseGrowth;
+    }
+    const bool refresh = report != device.stopped && now_s - device.sent_s >= device.driver.refresh_s;
+    return report != device.sent || refresh;
+}
+
+double HapticDevices::step(const HapticFrame& frame, double now_s) {
+    if (now_s - found_s_ >= kFindDevices_s) {
+        found_s_ = now_s;
+        findDevices(now_s);
+    }
+    const float strongest = strongestOf(frame).amplitude;
+    double next_s = found_s_ + kFindDevices_s;
+    std::erase_if(devices_, [&](Device& device) {
+        const Report report = device.driver.encode(frame);
+        const double free_s = device.sent_s + device.driver.minWrite_s;
+        if (needsWrite(device, report, strongest, now_s)) {
+            if (now_s < free_s) {
+                next_s = std::min(next_s, free_s);
+                return false;
+            }
+            device.level = strongest;
+            if (!write(device, report, now_s)) {
+                // Gone, or deaf for the moment: if it still hears, let it be still.
+                bus_.write(device.handle, device.driver.sealed({}, device.sequence).view());
+                bus_.close(device.handle);
+                return true;
+            }
+        }
+        if (!device.driver.oneShot && device.sent != device.stopped)
+            next_s = std::min(next_s, device.sent_s + device.driver.refresh_s);
+        return false;
+    });
+    return std::max(next_s - now_s, 0.0);
+}
+
+bool HapticDevices::allStopped() const {
+    return std::all_of(devices_.begin(), devices_.end(), [](const Device& device) {
+        return device.driver.oneShot || device.sent == device.stopped;
+    });
+}
+
+void HapticDevices::stop() {
+    for (Device& device : devices_) {
+        if (device.sent != device.stopped) write(device, device.stopped, device.sent_s);
+        bus_.close(device.handle);
+    }
+    devices_.clear();
+    found_s_ = -1e9; // those that are still there are found at the next step
+}
+
+std::vector<HapticDevices::Listed> HapticDevices::list() const {
+    std::vector<Listed> all;
+    for (const Device& device : devices_) all.push_back(device.listed);
+    all.insert(all.end(), refused_.begin(), refused_.end());
+    return all;
+}
+
+} // namespace shoal::haptics

@@ -1,0 +1,101 @@
+// Light that a body's own surface blocks and reflects, by rays through its layered fragment buffers. LAYERS_THESIS: as the
+// thesis has them, one bounce of mirrored light; else engine/occlusion/Ollfb.h. Needs GLSL 4.30, envFromWorld,
+// light/Environment.glsl and light/Surface.glsl.
+#ifdef LAYERS_THESIS
+#include "occlusion/ThesisTrace.glsl"
+const int kBounces = 1;
+#else
+#include "occlusion/Ollfb.glsl"
+const int kBounces = 4;
+#endif
+uniform float layersNearest; // metres; nothing nearer to a ray's origin is met
+uniform vec3 bodyAlbedo;     // the body's mean base colour: what a ray meets is taken to have it
+
+const int kDiffuseRays = 32, kGlossyRays = 8;
+const float kSharp = 0.1;            // roughness below which one ray stands for the lobe
+const float kDirectionalRough = 0.5; // its lobe is about as wide as one of kDiffuseRays' share of the hemisphere
+
+// The same directions are turned by another angle at each pixel, so that few of them leave noise and no contours. Jimenez
+// 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare".
+float turnOfPixel() {
+    return 2.0 * kPi * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
+
+// Columns: a right-handed frame around a unit vector. Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+mat3 frameAround(vec3 n) {
+    float side = n.z < 0.0 ? -1.0 : 1.0;
+    float a = -1.0 / (side + n.z), b = n.x * n.y * a;
+    return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
+}
+
+// A point of Vogel's spiral: radius the square root of (i + 1/2) / count, angle i golden angles.
+vec2 spiral(int i, int count, float turn, out float square) {
+    square = (float(i) + 0.5) / float(count);
+    float angle = turn + 2.39996323 * float(i);
+    return vec2(cos(angle), sin(angle));
+}
+
+struct Met {
+    bool any;
+    vec3 radiance; // from the body
+};
+
+// Follows a ray from its origin on the body until it leaves it, or as many bounces as are allowed.
+Met reflectedByBody(vec3 origin, vec3 direction, float metal, float rough) {
+    Met met = Met(false, vec3(0.0));
+    vec3 throughput = vec3(1.0);
+    for (int bounce = 0; bounce < kBounces; ++bounce) {
+        vec4 hit = traceLayers(origin, direction, layersNearest);
+        if (hit.x < 0.0) break;
+        met.any = true;
+        vec3 normal = hit.yzw;
+        Reflectance at = reflectanceOf(bodyAlbedo, metal, rough, clamp(-dot(normal, direction), 1e-3, 1.0));
+        met.radiance += throughput * at.around * diffuseRadiance(envFromWorld * normal);
+        throughput *= at.mirrored;
+        origin += hit.x * direction;
+        direction = reflect(direction, normal);
+    }
+    if (met.any) met.radiance += throughput * glossyRadiance(envFromWorld * direction, rough);
+    return met;
+}
+
+// place, normal: world frame; geometric: without the normal map. around: the diffuse radiance where nothing is in the way.
+vec3 diffuseWithLayers(vec3 place, vec3 normal, vec3 geometric, vec3 around) {
+    mat3 frame = frameAround(normal);
+    float turn = turnOfPixel(), square;
+    vec3 all = vec3(1e-6), open = vec3(1e-6), reflected = vec3(0.0);
+    for (int i = 0; i < kDiffuseRays; ++i) {
+        vec2 across = spiral(i, kDiffuseRays, turn, square);
+        vec3 direction = frame * vec3(sqrt(square) * across, sqrt(1.0 - square));
+        vec3 arrives = glossyRadiance(envFromWorld * direction, kDirectionalRough);
+        all += arrives;
+        vec4 hit = dot(direction, geometric) > 0.0 ? traceLayers(place, direction, layersNearest) : vec4(-1.0);
+        if (hit.x < 0.0)
+            open += arrives;
+        else
+            reflected += bodyAlbedo * diffuseRadiance(envFromWorld * hit.yzw);
+    }
+    return around * open / all + reflected / float(kDiffuseRays);
+}
+
+// mirror: world frame. mirrored: the glossy radiance where nothing is in the way.
+vec3 glossyWithLayers(vec3 place, vec3 mirror, vec3 geometric, vec3 mirrored, float metal, float rough) {
+    int count = rough < kSharp ? 1 : kGlossyRays;
+    mat3 frame = frameAround(mirror);
+    float alpha = rough * rough, turn = turnOfPixel(), square;
+    vec3 reflected = vec3(0.0);
+    float blocked = 0.0;
+    for (int i = 0; i < count; ++i) {
+        // Half vectors as GGX spreads them: Karis 2013, "Real Shading in Unreal Engine 4".
+        vec2 across = spiral(i, count, turn, square);
+        float cosine = count == 1 ? 1.0 : sqrt((1.0 - square) / (1.0 + (alpha * alpha - 1.0) * square));
+        vec3 half_ = vec3(sqrt(1.0 - cosine * cosine) * across, cosine);
+        vec3 direction = frame * (2.0 * half_.z * half_ - vec3(0.0, 0.0, 1.0));
+        if (dot(direction, geometric) <= 0.0) continue;
+        Met met = reflectedByBody(place, direction, metal, rough);
+        if (!met.any) continue;
+        blocked += 1.0;
+        reflected += met.radiance;
+    }
+    return (mirrored * (float(count) - blocked) + reflected) / float(count);
+}

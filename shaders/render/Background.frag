@@ -1,0 +1,28 @@
+// The environment itself. The level is explicit: one texel size over the whole view, so no wrong mip along the seam.
+// AS_IS: coded values under the curve that undoes their decoding, at exposure 0: the video's own, untouched.
+#include "light/LatLong.glsl"
+#ifndef AS_IS
+#include "render/Output.glsl"
+#endif
+
+uniform sampler2D frame;
+noperspective in vec2 mapUv;
+noperspective in vec3 ray;
+out vec4 colour;
+
+void main() {
+#ifdef POLAR
+    vec2 uv = latLongFromDirection(normalize(ray));
+#else
+    vec2 uv = mapUv;
+#endif
+    vec3 texel = textureLod(frame, uv, 0.0).rgb;
+#ifdef AS_IS
+    colour = vec4(texel, 1.0);
+#else
+#ifdef FRAME_IS_CODED
+    texel = radianceFromDisplay(texel);
+#endif
+    colour = vec4(displayValue(texel), 1.0);
+#endif
+}

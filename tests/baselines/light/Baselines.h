@@ -1,0 +1,91 @@
+// Every method there is, each in a file of its own. Numbers are checked by assertions, not by results.
+#pragma once
+
+#include "tests/baselines/light/Method.h"
+
+#include <vector>
+
+namespace shoal::light::baselines {
+
+// --- Diffuse ---------------------------------------------------------------------------------------------
+
+// What the game uses: LightMaker and lookUp().
+DiffuseMethod shoalDiffuse(bool videoOnly);
+
+// Thesis eq. 2.2: every texel of a width x width / 2 map gathers every texel of the pyramid's level of that
+// width. The thesis uses 64.
+DiffuseMethod bruteForce(int width);
+
+// Real spherical harmonics of 1 to kMaxBands bands. Ramamoorthi and Hanrahan 2001, "An Efficient
+// Representation for Irradiance Environment Maps", is 3 bands. windowed: each band weighed by a Hanning
+// window that ends at twice the bands, against ringing; Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks".
+DiffuseMethod harmonicDiffuse(int bands, bool windowed);
+
+// Two bands and of the third only what is symmetric around their axis. Roughton, Sloan, Silvennoinen,
+// Iwanicki and Shirley 2024, "ZH3: Quadratic Zonal Harmonics".
+DiffuseMethod zonalHarmonicsDiffuse();
+
+// Spherical Gaussians of one width on a Fibonacci lattice, their strengths by least squares. Spherical radial
+// basis functions light 360-degree video in Michiels et al. 2014, "Interactive Augmented Omnidirectional
+// Video with Realistic Lighting".
+DiffuseMethod sphericalGaussians(int lobes);
+
+// --- Glossy ----------------------------------------------------------------------------------------------
+
+// What the game uses: LightMaker and lookUpGlossy().
+GlossyMethod shoalGlossy(bool videoOnly);
+
+// The thesis' 36 samples for each pixel: engine/light/PhongRings.h.
+GlossyMethod thesisRings();
+
+// So many samples of the GGX lobe for each pixel, each read from the level whose texels are as large as its
+// share. Krivanek and Colbert 2008, "Real-time Shading with Filtered Importance Sampling".
+GlossyMethod filteredImportanceSampling(int samples);
+
+// Maps of fixed roughness filled for each frame by the same samples, then one lookup for each pixel. Karis
+// 2013, "Real Shading in Unreal Engine 4", with filtered samples. Six maps, 256 texels around for the mirror,
+// half as many for each step of 0.2 in roughness but never fewer than `narrowest`.
+GlossyMethod importancePrefilter(int samples, int narrowest);
+
+// The same maps filled by few samples whose places and weights were fitted to the lobe beforehand. After
+// Manson and Sloan 2016, "Fast Filtering of Reflection Probes"; the fit is our own, see FittedTaps.h.
+GlossyMethod fittedPrefilter(int narrowest);
+
+// Harmonics of the radiance times those of the lobe. Fit for wide lobes only.
+GlossyMethod harmonicGlossy(int bands);
+
+// --- From frame to pyramid -------------------------------------------------------------------------------
+
+enum class PyramidSource {
+    Whole,
+    HalfDropped, // every second texel of every second row
+    HalfMean,    // means of 2 x 2 coded bytes, as a decoder that scales would give
+};
+
+// weighted: levels are means weighed by solid angle (PyramidMaker); else plain means, as the thesis has them.
+PyramidMethod pyramidFrom(PyramidSource source, bool weighted);
+
+// --- From display to light -------------------------------------------------------------------------------
+
+// Thesis eq. 4.1 to 4.3. linearised: of sRGB-decoded values instead of coded ones.
+InverseToneMapMethod thesisInverse(bool linearised);
+
+// Decoded sRGB and nothing more.
+InverseToneMapMethod plainLinear();
+
+// Luminance by thesis eq. 2.3, ((L - least) / (most - least))^gamma, of decoded values. Akyuz, Fleming,
+// Riecke, Reinhard and Buelthoff 2007, "Do HDR Displays Support LDR Content?", found gamma 1 to serve.
+InverseToneMapMethod akyuz(float gamma);
+
+// Decoded values stay below 0.5 of luminance; above they are blended towards ten times themselves with the
+// square of how far above. Landis 2002, "Production-Ready Global Illumination".
+InverseToneMapMethod landis();
+
+// --- All of them, in the order of the chart --------------------------------------------------------------
+
+std::vector<DiffuseMethod> diffuseMethods();
+std::vector<GlossyMethod> glossyMethods();
+std::vector<PyramidMethod> pyramidMethods();
+std::vector<InverseToneMapMethod> inverseToneMapMethods();
+
+} // namespace shoal::light::baselines

@@ -1,0 +1,22 @@
+#include "tests/baselines/light/Baselines.h"
+
+#include "tests/baselines/light/Taps.h"
+
+#include <memory>
+
+namespace shoal::light::baselines {
+
+GlossyMethod filteredImportanceSampling(int samples) {
+    auto pyramid = std::make_shared<const RadiancePyramid*>(nullptr);
+    const std::string count = std::to_string(samples);
+    return {{"importance sampling, " + count + " a pixel", "FIS " + count, "per pixel, importance sampling",
+             "Krivanek and Colbert 2008"},
+            true,
+            [pyramid](const Input& input) { *pyramid = input.pyramid; },
+            [pyramid, samples](std::span<const glm::vec3> dirs, float roughness, std::span<glm::vec3> out) {
+                const auto taps = ggxTaps(roughness, samples, (*pyramid)->levels[0].width);
+                for (size_t i = 0; i < dirs.size(); ++i) out[i] = gather(**pyramid, taps, dirs[i]);
+            }};
+}
+
+} // namespace shoal::light::baselines

@@ -1,0 +1,207 @@
+#include "tests/bench/light/Environments.h"
+
+#include "engine/light/InverseToneMap.h"
+#include "engine/media/Pictures.h"
+#include "engine/media/VideoPlayer.h"
+#include "tests/accuracy/light/RadianceFile.h"
+#include "tests/unit/light/Environments.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr int kWidth = 1024; // of made environments
+
+EnvironmentSource made(const std::string& name, std::function<ImageRgbF()> make) {
+    return {name, [=] { return std::optional(Environment{name, {}, make()}); }};
+}
+
+EnvironmentSource painted(const std::string& name, const std::function<double(const glm::dvec3&)>& radiance) {
+    return made(name, [=] {
+        return light::paint(kWidth, kWidth / 2, [&](const glm::dvec3& d) { return glm::dvec3(radiance(d)); });
+    });
+}
+
+// A sky of radiance 1 and a sun ten thousand times as bright: a disc of 0.4 degrees' radius, which at the
+// horizon covers 2 x 2 texels, and near a pole as many as share its solid angle. centre: u, v.
+EnvironmentSource sun(const std::string& where, const glm::dvec2& centre) {
+    const glm::dvec3 to = directionFromLatLong(centre);
+    const double reach = std::cos(0.4 * std::numbers::pi / 180);
+    return painted("made: sun " + where,
+                   [=](const glm::dvec3& d) { return glm::dot(d, to) > reach ? 1e4 : 1.0; });
+}
+
+Environment fromFrame(const std::string& name, ImageRgb8 frame) {
+    Environment environment{name, std::move(frame), {}};
+    environment.radianceLin = ImageRgbF(environment.frame.width, environment.frame.height);
+    for (size_t i = 0; i < environment.frame.pixels.size(); i += 3) {
+        const uint8_t* coded = &environment.frame.pixels[i];
+        const glm::vec3 radiance =
+            light::radianceFromDisplay(glm::vec3(coded[0], coded[1], coded[2]) / 255.0f);
+        for (int c = 0; c < 3; ++c) environment.radianceLin.pixels[i + static_cast<size_t>(c)] = radiance[c];
+    }
+    return environment;
+}
+
+// The upper eye's half where both eyes lie one above the other.
+ImageRgb8 oneEye(ImageRgb8 frame, bool overUnder) {
+    if (overUnder) {
+        frame.height /= 2;
+        frame.pixels.resize(frame.pixels.size() / 2);
+    }
+    return frame;
+}
+
+std::optional<ImageRgb8> frameOf(const Path& file, std::optional<int> number = std::nullopt) {
+    auto player = media::VideoPlayer::open(file);
+    if (!player) return std::nullopt;
+    ImageRgb8 frame = player->waitFor(number ? *number / player->info().fps : 1.0)->pixelsBgr;
+    for (size_t i = 0; i < frame.pixels.size(); i += 3) std::swap(frame.pixels[i], frame.pixels[i + 2]);
+    return oneEye(std::move(frame), player->info().layout == media::Layout::TopBottom);
+}
+
+EnvironmentSource video(const Path& file) {
+    const std::string name = "video: " + file.stem().string();
+    return {name, [=]() -> std::optional<Environment> {
+                auto frame = frameOf(file);
+                if (!frame) return std::nullopt;
+                return fromFrame(name, std::move(*frame));
+            }};
+}
+
+EnvironmentSource photo(const Path& file) {
+    const std::string name = "photo: " + file.stem().string();
+    return {name, [=]() -> std::optional<Environment> {
+                auto picture = media::readPicture(file);
+                if (!picture) return std::nullopt;
+                const bool overUnder = picture->width == picture->height;
+                return fromFrame(name, oneEye(std::move(*picture), overUnder));
+            }};
+}
+
+EnvironmentSource hdr(const Path& file) {
+    const std::string name = "hdr: " + file.stem().string();
+    return {name, [=]() -> std::optional<Environment> {
+                auto picture = readRadianceFile(file);
+                if (!picture) return std::nullopt;
+                return Environment{name, {}, std::move(*picture)};
+            }};
+}
+
+Path gameVideo() { return dataRoot() / "content" / "video" / "reef.mp4"; }
+
+} // namespace
+
+std::vector<EnvironmentSource> hdrSources(const Path& shared) {
+    std::vector<EnvironmentSource> sources;
+    for (const char* name : {"venice_sunset", "studio_small_03", "dikhololo_night", "st_fagans_interior",
+                             "kloppenheim_05", "rainforest_trail"})
+        sources.push_back(hdr(shared / "data" / "hdr" / (std::string(name) + "_1k.hdr")));
+    return sources;
+}
+
+std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick) {
+    const Path photos = shared / "data" / "photo", videos = shared / "data" / "video";
+    const auto step = painted("made: half black, half white", [](const glm::dvec3& d) { return d.x > 0; });
+    const auto gradient = painted("made: smooth gradient", [](const glm::dvec3& d) { return 1 + 0.8 * d.y; });
+    if (quick) {
+        auto some = hdrSources(shared);
+        some.resize(2);
+        for (const auto& each :
+             {video(videos / "richo_360_mono_426x214.mp4"), step, gradient, sun("at the zenith", {0.5, 0})})
+            some.push_back(each);
+        return some;
+    }
+    auto all = hdrSources(shared);
+    for (const EnvironmentSource& each : {
+             video(gameVideo()),
+             video(videos / "overpass_360_mono_2048x1024.mp4"),
+             video(videos / "congo_360_overunder_1920x1080.mp4"),
+             video(videos / "richo_360_mono_426x214.mp4"),
+             photo(photos / "coral_underwater_360_overunder_2048.jpg"),
+             photo(photos / "petra_360_2048x1024.jpg"),
+             photo(photos / "puydesancy_360_4096x2048.jpg"),
+             painted("made: uniform", [](const glm::dvec3&) { return 1.0; }),
+             gradient,
+             step,
+             made("made: checkerboard of single texels",
+                  [] {
+                      ImageRgbF image(kWidth, kWidth / 2);
+                      for (int y = 0; y < image.height; ++y)
+                          for (int x = 0; x < image.width; ++x)
+                              for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>((x + y) % 2);
+                      return image;
+                  }),
+             sun("at the zenith", {0.5, 0}),
+             sun("beside the pole", {0.3, 0.015}),
+             sun("at the horizon", {0.5, 0.5}),
+             sun("on the seam", {0, 0.5}),
+         })
+        all.push_back(each);
+    return all;
+}
+
+std::vector<EnvironmentSource> filmedSources() {
+    std::vector<EnvironmentSource> all;
+    std::error_code gone;
+    for (const auto& entry : std::filesystem::directory_iterator(dataRoot() / "content" / "truth", gone)) {
+        const Path file = entry.path();
+        const std::string stem = file.stem().string(); // frame_NUMBER
+        if (file.extension() != ".hdr") continue;
+        const int number = std::atoi(stem.substr(stem.find('_') + 1).c_str());
+        all.push_back(
+            {"film: " + stem, [=]() -> std::optional<Environment> {
+                 auto frame = frameOf(gameVideo(), number);
+                 auto truth = media::readHdr(file);
+                 if (!frame || !truth) return std::nullopt;
+                 return Environment{"film: " + stem, std::move(*frame), std::move(truth->radianceLin)};
+             }});
+    }
+    std::ranges::sort(all, {}, &EnvironmentSource::name);
+    return all;
+}
+
+ImageRgb8 timedFrame() {
+    auto frame = frameOf(gameVideo());
+    if (frame && frame->width == 2048 && frame->height == 1024) return std::move(*frame);
+    std::fprintf(stderr, "chart: %s is no 2048x1024 video; a made frame is timed\n", gameVideo().c_str());
+    ImageRgb8 image(2048, 1024);
+    uint32_t seed = 1;
+    for (uint8_t& value : image.pixels) {
+        seed = seed * 1664525u + 1013904223u;
+        value = static_cast<uint8_t>(seed >> 24);
+    }
+    return image;
+}
+
+bool hasPointSun(const ImageRgbF& radianceLin) {
+    struct Texel {
+        double luminance = 0, solidAngle = 0;
+    };
+    std::vector<Texel> texels;
+    double whole = 0;
+    for (int y = 0; y < radianceLin.height; ++y) {
+        const double solidAngle = texelSolidAngle(y, radianceLin.width, radianceLin.height);
+        for (int x = 0; x < radianceLin.width; ++x) {
+            const float* t = radianceLin.at(x, y);
+            const auto luminance = static_cast<double>(light::thesisLuminance({t[0], t[1], t[2]}));
+            texels.push_back({luminance, solidAngle});
+            whole += luminance * solidAngle;
+        }
+    }
+    std::sort(texels.begin(), texels.end(), [](auto& a, auto& b) { return a.luminance > b.luminance; });
+    double sphere = 0, bright = 0;
+    for (const Texel& each : texels) {
+        if (sphere > 4e-4 * std::numbers::pi) break;
+        sphere += each.solidAngle;
+        bright += each.luminance * each.solidAngle;
+    }
+    return bright > 0.05 * whole;
+}
+
+} // namespace shoal::bench

@@ -1,0 +1,19 @@
+// The environments of the light's chart, as methods and as the truth get them.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "tests/bench/occlusion/Cells.h"
+#include "tests/bench/occlusion/Method.h"
+
+namespace shoal::bench {
+
+struct LitEnvironment {
+    Lit lit;
+    Fine fine;
+};
+std::vector<LitEnvironment> litEnvironments(const Path& shared, bool quick);
+
+// Of a frame of the game's video, in open water.
+Result<Lit> reefLight();
+
+} // namespace shoal::bench

@@ -1,0 +1,66 @@
+// The shaders of a dive are valid GLSL 3.30 and GLSL ES 3.00, by Khronos' reference compiler.
+#include "engine/core/Files.h"
+#include "engine/gl/ShaderSource.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace shoal {
+namespace {
+
+// Every name that the shader asks for by #ifdef, but those of OLLFB, which is of OpenGL 4.3 and no dive's.
+std::set<std::string> featuresOf(const std::string& stem) {
+    std::set<std::string> features;
+    const std::regex asked("#ifn?def (\\w+)|defined\\((\\w+)\\)");
+    for (const char* stage : {".vert", ".frag"}) {
+        const auto source = gl::readShader(stem + stage, {}, 330);
+        EXPECT_TRUE(source) << source.error().message();
+        for (std::sregex_iterator m(source->text.begin(), source->text.end(), asked), end; m != end; ++m)
+            features.insert((*m)[1].matched ? (*m)[1] : (*m)[2]);
+    }
+    std::erase_if(features, [](const std::string& feature) { return feature.starts_with("LAYERS"); });
+    return features;
+}
+
+class ShaderDialects : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Passes, ShaderDialects,
+                         testing::Values("Background", "EquirectComposite", "Fade", "Layer", "Object",
+                                         "Shadow", "Snow"),
+                         [](const auto& spec) { return std::string(spec.param); });
+
+// Without features, with each, and with each pair of them.
+TEST_P(ShaderDialects, Compile) {
+    if (std::system("glslangValidator --version >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "no glslangValidator: install glslang-tools";
+    const std::string stem = std::string("render/") + GetParam();
+    const std::set<std::string> features = featuresOf(stem);
+    std::set<std::set<std::string>> cases = {{}};
+    for (const std::string& a : features)
+        for (const std::string& b : features) cases.insert({a, b});
+    cases.erase({"MIRRORS", "PHONG_RINGS"}); // two sources of glossy light: ObjectPass never asks for both
+    const Path folder =
+        std::filesystem::temp_directory_path() / ("shoal_dialects_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    std::string command = "cd '" + folder.string() + "' && glslangValidator";
+    for (const int glsl : {330, gl::kGlslEs300})
+        for (const char* stage : {".vert", ".frag"})
+            for (const std::set<std::string>& with : cases) {
+                std::string name = std::to_string(glsl);
+                for (const std::string& feature : with) name += "_" + feature;
+                const auto source = gl::readShader(stem + stage, {with.begin(), with.end()}, glsl);
+                ASSERT_TRUE(source) << source.error().message();
+                std::ofstream(folder / (name + stage)) << source->text;
+                command += " " + name + stage;
+            }
+    EXPECT_EQ(std::system((command + " >errors.txt").c_str()), 0) << readText(folder / "errors.txt").value();
+    std::filesystem::remove_all(folder);
+}
+
+} // namespace
+} // namespace shoal

@@ -1,0 +1,97 @@
+// A context to draw in, and spheres in even and uneven light.
+#pragma once
+
+#include "engine/gl/Target.h"
+#include "engine/light/MakeLight.h"
+#include "engine/light/PackedLight.h"
+#include "engine/math/LatLong.h"
+#include "engine/platform/Headless.h"
+#include "engine/render/ObjectPass.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace shoal {
+
+// Tests that draw: skipped where nothing can.
+class WithContext : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto context = platform::Headless::open();
+        if (!context) GTEST_SKIP() << context.error().message();
+        context_ = std::move(*context);
+    }
+    std::optional<platform::Headless> context_;
+};
+
+// A sphere of radius 1 at the origin.
+inline scene::Model sphere(float metallic, float roughness) {
+    scene::Model model;
+    scene::Primitive primitive;
+    constexpr int kAround = 96, kDown = 48;
+    for (int y = 0; y <= kDown; ++y)
+        for (int x = 0; x <= kAround; ++x) {
+            const glm::vec3 p = directionFromLatLong(
+                glm::vec2(static_cast<float>(x) / kAround, static_cast<float>(y) / kDown));
+            primitive.positions.push_back(p);
+            primitive.normals.push_back(p);
+        }
+    for (int y = 0; y < kDown; ++y)
+        for (int x = 0; x < kAround; ++x) {
+            const auto a = static_cast<uint32_t>(y * (kAround + 1) + x);
+            const uint32_t b = a + kAround + 1;
+            primitive.indices.insert(primitive.indices.end(), {a, a + 1, b, a + 1, b + 1, b});
+        }
+    primitive.material = 0;
+    model.materials.push_back({.metallic = metallic, .roughness = roughness, .doubleSided = true});
+    model.meshes.push_back({"ball", {primitive}, {}});
+    model.nodes.push_back({.name = "ball", .mesh = 0});
+    model.order = {0};
+    return model;
+}
+
+inline light::PackedLight lightOf(const ImageRgb8& frame) {
+    light::EnvironmentLight made;
+    light::LightMaker maker({512, 0.1f});
+    maker.make(
+        {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
+        made);
+    light::PackedLight packed;
+    light::packLight(made, light::MirrorMaps::Mirrors, packed);
+    return packed;
+}
+
+inline ImageRgba8 drawSphere(const scene::Model& model, const render::EnvironmentGpu& environment,
+                             const render::View& view, float exposure_ev, int size,
+                             const water::Water& water = {}, render::Detail detail = render::Detail::Full) {
+    auto pass = render::ObjectPass::make(detail);
+    EXPECT_TRUE(pass) << pass.error().message();
+    const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded, detail);
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    scene::updateGlobals(model, pose);
+    const gl::Target target(size, size, 1);
+    target.bind();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    pass->begin();
+    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1});
+    pass->upload(glm::mat3(1));
+    const Status drawn = pass->draw(render::ObjectPass::Part::Opaque, environment, view, glm::mat3(1),
+                                    {.exposure_ev = exposure_ev}, water, render::Glossy::Prefiltered);
+    EXPECT_TRUE(drawn);
+    return target.read();
+}
+
+inline ImageRgb8 uniformFrame(uint8_t r, uint8_t g, uint8_t b) {
+    ImageRgb8 frame(64, 32);
+    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
+        frame.pixels[i] = r;
+        frame.pixels[i + 1] = g;
+        frame.pixels[i + 2] = b;
+    }
+    return frame;
+}
+
+} // namespace shoal

@@ -1,0 +1,154 @@
+// A body in the light of its own layered fragment buffers: it shadows and reflects itself.
+#include "engine/math/Colour.h"
+#include "engine/occlusion/Bvh.h"
+#include "engine/occlusion/Directions.h"
+#include "tests/gl/Spheres.h"
+#include "tests/unit/occlusion/Bodies.h"
+
+#include <cstdlib>
+
+namespace shoal {
+namespace {
+
+using occlusion::LayerMethod, occlusion::LayersGpu;
+
+constexpr float kLight = 0.8f; // radiance all around
+constexpr int kSize = 32;
+
+class LayersPicture : public WithContext {
+  protected:
+    void SetUp() override {
+        WithContext::SetUp();
+        if (!IsSkipped() && epoxy_gl_version() < 43) GTEST_SKIP() << "layers need OpenGL 4.3";
+    }
+    const occlusion::Body body_ = occlusion::torus(1, 0.4f, 96, 48); // around +Y
+
+    scene::Model modelOf(const glm::vec3& base, float metallic, float roughness) const {
+        scene::Model model;
+        scene::Primitive primitive;
+        primitive.positions = body_.positions;
+        primitive.normals = body_.normals;
+        for (const glm::uvec3& t : body_.triangles)
+            primitive.indices.insert(primitive.indices.end(), {t.x, t.y, t.z});
+        primitive.material = 0;
+        model.materials.push_back(
+            {.baseColourLin = glm::vec4(base, 1), .metallic = metallic, .roughness = roughness});
+        model.meshes.push_back({"torus", {primitive}, {}});
+        model.nodes.push_back({.name = "torus", .mesh = 0});
+        model.order = {0};
+        return model;
+    }
+
+    // Mean radiance around the middle of a picture that looks at a place of the body. No method: nothing is
+    // in the light's way.
+    glm::vec3 radianceAt(const scene::Model& model, const glm::vec3& place, const glm::vec3& towardsEye,
+                         std::optional<LayerMethod> method) const {
+        light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
+        for (auto* image : {&light.atlas, light.mirrors.data()})
+            for (size_t i = 0; i < image->rgba.size(); ++i)
+                if (i % 4 != 3) image->rgba[i] = 0x3a66; // 0.8
+        for (light::HalfImage& mirror : light.mirrors) mirror.rgba.assign(mirror.rgba.size(), 0x3a66);
+        render::EnvironmentGpu environment;
+        environment.uploadLight(light);
+        const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Linear);
+        scene::Pose pose;
+        scene::restPose(model, pose);
+        scene::updateGlobals(model, pose);
+        auto pass = render::ObjectPass::make();
+        EXPECT_TRUE(pass) << pass.error().message();
+        std::optional<LayersGpu> layers;
+        if (method) {
+            auto made = LayersGpu::make(body_.mesh(), *method);
+            EXPECT_TRUE(made) << made.error().message();
+            EXPECT_EQ(made->method(), *method);
+            layers = std::move(*made);
+        }
+        pass->setLayers(layers ? &*layers : nullptr);
+        render::View view;
+        view.eyeWorld = place + 5.0f * glm::normalize(towardsEye);
+        view.worldFromEye = glm::quatLookAt(-glm::normalize(towardsEye), glm::vec3(0, 0, 1));
+        view.verticalFov = 0.01f; // 50 mm across
+        view.aspect = 1;
+        const gl::Target target(kSize, kSize, 1);
+        target.bind();
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        render::BodyOccluders body;
+        body.albedo = glm::vec3(model.materials[0].baseColourLin);
+        pass->begin();
+        pass->add(model, gpu, pose, glm::mat4(1), {{}, 1.5f}, &body);
+        pass->upload(glm::mat3(1));
+        EXPECT_TRUE(pass->draw(render::ObjectPass::Part::Opaque, environment, view, glm::mat3(1),
+                               {.curve = render::ToneCurve::Linear}, {}, render::Glossy::Prefiltered));
+        const ImageRgba8 picture = target.read();
+        glm::dvec3 sum(0);
+        for (int y = kSize / 4; y < kSize * 3 / 4; ++y)
+            for (int x = kSize / 4; x < kSize * 3 / 4; ++x)
+                for (int c = 0; c < 3; ++c) sum[c] += math::linearFromSrgb(picture.at(x, y)[c] / 255.0);
+        return glm::vec3(sum * 4.0 / static_cast<double>(kSize * kSize));
+    }
+
+    // Place and normal: at `down` radians below the middle of the hole's wall.
+    static glm::vec3 wall(float down) { return {1 - 0.4f * std::cos(down), -0.4f * std::sin(down), 0}; }
+    static glm::vec3 wallNormal(float down) { return {-std::cos(down), -std::sin(down), 0}; }
+};
+
+// A matte body sends the share of the light that is free, and its own colour times the rest.
+TEST_F(LayersPicture, AHolesWallIsAsDarkAsTheLightThatReachesIt) {
+    const float base = 0.4f;
+    const scene::Model model = modelOf(glm::vec3(base), 0, 1);
+    const glm::vec3 place = wall(0), normal = wallNormal(0), eye(-1, 0.8f, 0);
+    const occlusion::Bvh bvh(body_.positions, model.meshes[0].primitives[0].indices);
+    const auto directions = occlusion::cosineDirections(4000);
+    float open = 0;
+    for (const glm::vec3& d : directions)
+        open += !bvh.blocked(place + 1e-3f * normal, occlusion::frameAround(normal) * d, 0, INFINITY);
+    open /= static_cast<float>(directions.size());
+    ASSERT_LT(open, 0.8f) << "a place with something in its light's way";
+    const float expected = open + base * (1 - open);
+    const float off = radianceAt(model, place, eye, {}).g;
+    // tests/bench/figures/occlusion.md: of 32 directions in the hemisphere, 6 % where light is taken.
+    for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis})
+        EXPECT_NEAR(radianceAt(model, place, eye, method).g / off, expected, 0.06f * expected)
+            << static_cast<int>(method);
+    // What faces away from all of the body keeps its light.
+    const glm::vec3 outside(1.4f, 0, 0);
+    const float free = radianceAt(model, outside, {1, 0.3f, 0}, {}).g;
+    EXPECT_NEAR(radianceAt(model, outside, {1, 0.3f, 0}, LayerMethod::Ollfb).g, free, 0.01f * free);
+}
+
+// Light that comes by way of another part of a red metal is redder by that reflection.
+TEST_F(LayersPicture, AMirrorShowsItselfOnceMore) {
+    const scene::Model model = modelOf({1, 0.3f, 0.3f}, 1, 0);
+    const glm::vec3 place = wall(-0.4f), eye(-0.5f, 0.866f, 0); // reflected to the other side of the hole
+    const auto colour = [&](std::optional<LayerMethod> method) {
+        const glm::vec3 seen = radianceAt(model, place, eye, method);
+        return seen.g / seen.r;
+    };
+    const float once = colour({});
+    EXPECT_NEAR(once, 0.3f, 0.03f);
+    for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis})
+        EXPECT_LT(colour(method), 0.4f * once) << static_cast<int>(method);
+}
+
+// What sends all light on is as bright as the light around it, whatever it sees of itself.
+TEST_F(LayersPicture, WhiteInEvenLightStaysWhite) {
+    for (const float metallic : {0.0f, 1.0f})
+        for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis}) {
+            const scene::Model model = modelOf(glm::vec3(1), metallic, 0.3f);
+            const glm::vec3 place = wall(-0.4f), eye(-0.5f, 0.866f, 0);
+            // The split sum's own loss at the surface itself is in both.
+            const float off = radianceAt(model, place, eye, {}).g;
+            EXPECT_NEAR(off, kLight, 0.03f);
+            EXPECT_NEAR(radianceAt(model, place, eye, method).g, off, 0.03f) << metallic;
+        }
+}
+
+TEST_F(LayersPicture, ABodyThatCannotBeSeenIsRefused) {
+    occlusion::Body broken = body_;
+    broken.positions[3].x = NAN;
+    for (const LayerMethod method : {LayerMethod::Ollfb, LayerMethod::Thesis})
+        EXPECT_FALSE(LayersGpu::make(broken.mesh(), method));
+}
+
+} // namespace
+} // namespace shoal

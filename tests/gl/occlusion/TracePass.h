@@ -1,0 +1,37 @@
+// Many rays at once, one per pixel of a picture of floats.
+#pragma once
+
+#include "engine/gl/Program.h"
+#include "engine/occlusion/gpu/OllfbGpu.h"
+#include "engine/occlusion/gpu/ThesisGpu.h"
+#include "tests/baselines/occlusion/Visibility.h"
+
+#include <span>
+#include <vector>
+
+namespace shoal::occlusion {
+
+// As the shader has it.
+struct RayGpu {
+    glm::vec3 origin{0};
+    float nearest = 0;
+    glm::vec3 direction{0};
+    float unused = 0;
+};
+static_assert(sizeof(RayGpu) == 32);
+
+class TracePass {
+  public:
+    // Compiles; no OpenGL 4.3 is an error.
+    static Result<TracePass> make();
+
+    // As the methods' trace() does, body frame. Waits for the answers.
+    using Answers = std::vector<std::optional<Hit>>;
+    Result<Answers> trace(const ThesisGpu& layers, std::span<const RayGpu> rays) const;
+    Result<Answers> trace(const OllfbGpu& layers, std::span<const RayGpu> rays) const;
+
+  private:
+    gl::Program thesis_, cured_;
+};
+
+} // namespace shoal::occlusion

@@ -1,0 +1,123 @@
+// Whole dives, drawn with the background and its texels by OpenGL and by the processor.
+#include "engine/platform/Headless.h"
+#include "engine/render/software/FrameSampler.h"
+#include "game/session/GameSession.h"
+#include "game/session/SessionConfig.h"
+#include "game/views/SceneRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace shoal::app {
+namespace {
+
+using render::Backend;
+using render::Composition;
+
+constexpr glm::ivec2 kSize(640, 360);
+
+class Backends : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto context = platform::Headless::open();
+        if (!context) GTEST_SKIP() << context.error().message();
+        if (!render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
+        context_ = std::move(*context);
+        auto config = makeSessionConfig({.headless = true});
+        ASSERT_TRUE(config) << config.error().message();
+        config_ = std::move(*config);
+        std::vector<Path> models;
+        for (const game::Species& species : config_->species)
+            models.push_back(dataRoot() / "content" / species.model);
+        const Path folder = dataRoot() / "content/models";
+        auto creatures = CreatureModels::load(models, folder / "hand_left.glb", folder / "hand_right.glb",
+                                              "light", reflectanceIn({}), render::Detail::Lean);
+        ASSERT_TRUE(creatures) << creatures.error().message();
+        auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / config_->dive.video,
+                                              .minRoughness = creatures->minRoughness(),
+                                              .immersed = Immersed::Yes,
+                                              .cameraResponse = true,
+                                              .eyeHeight_m = -config_->dive.floor_m,
+                                              .findLights = true});
+        ASSERT_TRUE(environment) << environment.error().message();
+        environment_ = std::move(*environment);
+        auto renderer = SceneRenderer::make(std::move(*creatures), {.detail = render::Detail::Lean});
+        ASSERT_TRUE(renderer) << renderer.error().message();
+        renderer_ = std::move(*renderer);
+    }
+
+    std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes, Composition composition,
+                                 Backend backend) {
+        EXPECT_TRUE(renderer_->setCompositor({.composition = composition, .backend = backend}));
+        renderer_->set(shown, *environment_, {});
+        const std::array<gl::Target, 2> canvases = {gl::Target(kSize.x, kSize.y, 1),
+                                                    gl::Target(kSize.x, kSize.y, 1)};
+        const auto seenBy = [&](int eye) -> SceneRenderer::Eye {
+            render::View view;
+            view.worldFromEye = shown.worldFromView;
+            const float side = eyes == 2 ? (eye == 0 ? -0.032f : 0.032f) : 0.0f;
+            view.eyeWorld = shown.headWorld + view.worldFromEye * glm::vec3(side, 0, 0);
+            view.verticalFov = glm::radians(65.0f);
+            view.aspect = static_cast<float>(kSize.x) / kSize.y;
+            view.heightPixels = kSize.y;
+            return {eye, view, canvases[static_cast<size_t>(eye)]};
+        };
+        const std::array<SceneRenderer::Eye, 2> both = {seenBy(0), seenBy(1)};
+        EXPECT_TRUE(renderer_->draw(std::span(both).first(static_cast<size_t>(eyes))));
+        std::vector<ImageRgba8> pictures;
+        for (int eye = 0; eye < eyes; ++eye) pictures.push_back(canvases[static_cast<size_t>(eye)].read());
+        return pictures;
+    }
+
+    std::optional<platform::Headless> context_;
+    std::optional<SessionConfig> config_;
+    std::optional<Environment> environment_;
+    std::optional<SceneRenderer> renderer_;
+};
+
+// Both round to bytes, and weigh the four texels around a pixel with at least 8 bits: each is within 1.6 of
+// exact (FrameSamplerTest), so that a background pixel may differ by 3, and by two roundings at random,
+// sqrt(2 / 12) = 0.41 root mean square. Objects are drawn alike; put into texels, their outline may move by a
+// fourteenth of a texel (EquirectCompositeGLTest), which at a contrast of 255 over 0.45 texels changes a
+// pixel by 41. One pixel in 200 at most lies on an outline: sqrt(41^2 / 3 / 200 + 1 / 6) < 1.8 if
+// displacements are uniform up to that. llvmpipe stays at 0.28 and 14, softpipe likewise.
+TEST_F(Backends, DrawTheSameDives) {
+    GameSession session(*config_);
+    for (const double moment_s : {4.0, 11.0, 19.0}) {
+        while (session.shown.time_s < moment_s) session.advance(1.0 / 60, false);
+        environment_->update(session.shown.time_s, true);
+        for (const int eyes : {1, 2})
+            for (const Composition composition :
+                 {Composition::BackgroundOnly, Composition::Plain, Composition::MatchedResolution,
+                  Composition::VideoTexels, Composition::CameraResponse}) {
+                const auto openGL = draw(session.shown, eyes, composition, Backend::OpenGL),
+                           software = draw(session.shown, eyes, composition, Backend::Software);
+                for (size_t eye = 0; eye < openGL.size(); ++eye) {
+                    double sum = 0;
+                    int maximum = 0;
+                    for (size_t k = 0; k < openGL[eye].pixels.size(); ++k) {
+                        const int off = openGL[eye].pixels[k] - software[eye].pixels[k];
+                        sum += off * off;
+                        maximum = std::max(maximum, std::abs(off));
+                    }
+                    const bool intoTexels =
+                        composition == Composition::VideoTexels || composition == Composition::CameraResponse;
+                    const double rms = std::sqrt(sum / static_cast<double>(openGL[eye].pixels.size()));
+                    const std::string what = std::to_string(moment_s) + " s, composition " +
+                                             std::to_string(static_cast<int>(composition)) + ", eye " +
+                                             std::to_string(eye) + " of " + std::to_string(eyes);
+                    EXPECT_LE(rms, intoTexels ? 1.8 : 0.5) << what;
+                    EXPECT_LE(maximum, intoTexels ? 41 : 3) << what;
+                }
+                if (eyes == 2 && composition != Composition::BackgroundOnly) {
+                    EXPECT_NE(software[0].pixels, software[1].pixels);
+                }
+            }
+    }
+}
+
+} // namespace
+} // namespace shoal::app

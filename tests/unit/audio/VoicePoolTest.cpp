@@ -1,0 +1,184 @@
+// Who sounds, for how long, and who gives way.
+#include "Heard.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shoal::audio {
+namespace {
+
+// One frame at 60 Hz.
+struct LoopbackScene {
+    Audio audio;
+    std::vector<float> samples = std::vector<float>(2 * 800);
+
+    LoopbackScene() : audio(std::move(*Audio::open({.loopback = true}))) { audio.add(tone(300, 0.5f)); }
+
+    void frame(std::span<const Emitter> emitters, std::span<const OneShot> shots = {}) {
+        audio.update({}, emitters, shots);
+        audio.render(samples);
+    }
+    double level() const { return loudness(samples).both(); }
+    float steepest() const {
+        float step = 0;
+        for (size_t i = 2; i < samples.size(); ++i)
+            step = std::max(step, std::abs(samples[i] - samples[i - 2]));
+        return step;
+    }
+};
+
+const Emitter kAhead{.id = 7, .position = {0, 0, -0.5f}};
+
+TEST(VoicePool, EmittersGoOnWhileListedAndEndAfter) {
+    LoopbackScene scene;
+    for (int i = 0; i < 90; ++i) scene.frame({&kAhead, 1}); // thrice the clip: it loops
+    EXPECT_GT(scene.level(), 0.1);
+    for (int i = 0; i < 6; ++i) scene.frame({});
+    EXPECT_EQ(scene.audio.sounding(), 0);
+    for (int i = 0; i < 180; ++i) scene.frame({}); // the reverberation dies away
+    EXPECT_LT(scene.level(), 1e-4);
+}
+
+TEST(VoicePool, AnEmitterEndsWithoutAClick) {
+    LoopbackScene scene;
+    for (int i = 0; i < 20; ++i) scene.frame({&kAhead, 1});
+    const float steepest = scene.steepest();
+    for (int i = 0; i < 6; ++i) {
+        scene.frame({});
+        // A tone that is faded within 800 samples is steeper by a part in 30 at most; a cut would be by 25.
+        EXPECT_LT(scene.steepest(), 1.1f * steepest) << i;
+    }
+}
+
+TEST(VoicePool, AnEmitterThatComesBackGoesOn) {
+    LoopbackScene scene;
+    scene.frame({&kAhead, 1});
+    scene.frame({});
+    scene.frame({&kAhead, 1});
+    EXPECT_EQ(scene.audio.sounding(), 1);
+    for (int i = 0; i < 10; ++i) scene.frame({&kAhead, 1});
+    EXPECT_GT(scene.level(), 0.1);
+}
+
+TEST(VoicePool, AnEmitterMoves) {
+    LoopbackScene scene;
+    Emitter emitter = kAhead;
+    emitter.position = {-0.7f, 0, 0};
+    for (int i = 0; i < 10; ++i) scene.frame({&emitter, 1});
+    EXPECT_GT(loudness(scene.samples).left, 1.2 * loudness(scene.samples).right);
+    emitter.position = {0.7f, 0, 0};
+    for (int i = 0; i < 10; ++i) scene.frame({&emitter, 1});
+    EXPECT_GT(loudness(scene.samples).right, 1.2 * loudness(scene.samples).left);
+    EXPECT_EQ(scene.audio.sounding(), 1);
+}
+
+TEST(VoicePool, ShotsEndByThemselves) {
+    LoopbackScene scene;
+    const OneShot shot{.position = {0, 0, -1}};
+    scene.frame({}, {&shot, 1});
+    EXPECT_EQ(scene.audio.sounding(), 1);
+    for (int i = 0; i < 40; ++i) scene.frame({}); // 0.67 s of a clip of 0.5
+    EXPECT_EQ(scene.audio.sounding(), 0);
+}
+
+TEST(VoicePool, TheNearTakesThePlaceOfTheFar) {
+    LoopbackScene scene;
+    const std::vector<OneShot> far(Audio::kSources, OneShot{.position = {-300, 0, 0}});
+    scene.frame({}, far);
+    EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
+    const OneShot near{.position = {0.5f, 0, 0}};
+    scene.frame({}, {&near, 1});
+    EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
+    // One at full level right against 31 times 0.7 / 300 left.
+    EXPECT_GT(loudness(scene.samples).right, loudness(scene.samples).left);
+}
+
+TEST(VoicePool, TheFarDoesNotTakeThePlaceOfTheNear) {
+    LoopbackScene scene;
+    const std::vector<OneShot> near(Audio::kSources, OneShot{.position = {0.5f, 0, 0}, .gain = 0.02f});
+    scene.frame({}, near);
+    const std::vector<float> before = [&] {
+        LoopbackScene alone;
+        alone.frame({}, near);
+        alone.frame({});
+        return alone.samples;
+    }();
+    const std::vector<OneShot> far(10, OneShot{.position = {-50, 0, 0}});
+    scene.frame({}, far);
+    EXPECT_EQ(scene.samples, before);
+}
+
+TEST(VoicePool, TheBedGivesWayToNobody) {
+    LoopbackScene scene;
+    const Emitter bed{.id = 1, .gain = 0.1f, .everywhere = true};
+    scene.frame({&bed, 1});
+    const std::vector<OneShot> crowd(100, OneShot{.position = {0, 0, -0.2f}, .gain = 0});
+    scene.frame({&bed, 1}, crowd);
+    EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
+    scene.frame({&bed, 1});
+    EXPECT_GT(scene.level(), 0.02); // the crowd is mute
+}
+
+TEST(VoicePool, PauseStandsStill) {
+    LoopbackScene scene;
+    const OneShot shot{.position = {0, 0, -1}};
+    scene.frame({&kAhead, 1}, {&shot, 1});
+    scene.audio.setPaused(true);
+    for (int i = 0; i < 240; ++i) scene.frame({&kAhead, 1}, {&shot, 1}); // 4 s, far beyond the clip
+    EXPECT_EQ(scene.audio.sounding(), 2);
+    EXPECT_LT(scene.level(), 1e-4);
+    scene.audio.setPaused(false);
+    scene.frame({&kAhead, 1});
+    EXPECT_EQ(scene.audio.sounding(), 2);
+    EXPECT_GT(scene.level(), 0.1);
+}
+
+TEST(VoicePool, APauseIsSilenceAndDoesNotClick) {
+    LoopbackScene scene;
+    for (int i = 0; i < 30; ++i) scene.frame({&kAhead, 1});
+    const float steepest = scene.steepest();
+    for (const bool paused : {true, false}) {
+        scene.audio.setPaused(paused);
+        for (int i = 0; i < 30; ++i) {
+            scene.frame({&kAhead, 1});
+            EXPECT_LT(scene.steepest(), 1.1f * steepest) << paused << i; // as where an emitter ends
+        }
+        EXPECT_EQ(scene.level() > 0, !paused);
+    }
+    scene.audio.setPaused(true);
+    scene.audio.setVolume(0.7f); // turned while paused: still silent
+    for (int i = 0; i < 10; ++i) scene.frame({&kAhead, 1});
+    EXPECT_EQ(scene.level(), 0);
+    scene.audio.setPaused(false); // and back before anything stood still
+    scene.audio.setPaused(true);
+    scene.audio.setPaused(false);
+    for (int i = 0; i < 10; ++i) scene.frame({&kAhead, 1});
+    EXPECT_GT(scene.level(), 0.05);
+    EXPECT_EQ(scene.audio.sounding(), 1);
+}
+
+TEST(VoicePool, AReopenedDeviceGoesOnWithWhatIsListed) {
+    LoopbackScene scene;
+    scene.frame({&kAhead, 1});
+    ASSERT_TRUE(scene.audio.reopen());
+    for (int i = 0; i < 5; ++i) scene.frame({&kAhead, 1});
+    EXPECT_EQ(scene.audio.sounding(), 1);
+    EXPECT_GT(scene.level(), 0.1);
+}
+
+TEST(VoicePool, MoreThanFitAreLeftOut) {
+    LoopbackScene scene;
+    std::vector<Emitter> emitters;
+    for (uint32_t i = 0; i < 60; ++i) emitters.push_back({.id = i, .position = {0, 0, -1}});
+    const std::vector<OneShot> shots(100);
+    scene.frame(emitters, shots);
+    EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
+    for (const float sample : scene.samples) ASSERT_TRUE(std::isfinite(sample));
+    emitters.resize(3);
+    for (int i = 0; i < 60; ++i) scene.frame(emitters);
+    EXPECT_EQ(scene.audio.sounding(), 3);
+}
+
+} // namespace
+} // namespace shoal::audio

@@ -1,0 +1,67 @@
+// An ellipsoid that hides what a skin of just its shape hides is found from one that does not.
+#include "content/make/models/occlusion/FitToHidden.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shoal::make {
+namespace {
+
+const glm::vec3 kSemiAxes(0.01f, 0.015f, 0.03f);
+
+scene::Surface skinOf(const glm::mat4& modelFromSkin) {
+    scene::Surface skin;
+    constexpr uint32_t kRound = 32, kHigh = 16;
+    for (uint32_t y = 0; y <= kHigh; ++y)
+        for (uint32_t x = 0; x <= kRound; ++x) {
+            const float a = 6.2831853f * static_cast<float>(x) / kRound,
+                        b = 3.1415927f * static_cast<float>(y) / kHigh;
+            const glm::vec3 unit(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
+            skin.positions.emplace_back(modelFromSkin * glm::vec4(unit * kSemiAxes, 1));
+            skin.normals.push_back(glm::normalize(glm::mat3(modelFromSkin) * (unit / kSemiAxes)));
+        }
+    for (uint32_t y = 0; y < kHigh; ++y)
+        for (uint32_t x = 0; x < kRound; ++x) {
+            const uint32_t i = y * (kRound + 1) + x, below = i + kRound + 1;
+            skin.indices.insert(skin.indices.end(), {i, i + 1, below, i + 1, below + 1, below});
+        }
+    return skin;
+}
+
+TEST(FitToHidden, FindsTheEllipsoidThatASkinIs) {
+    const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1), glm::vec3(0.2f, 0, 0.1f)), 1.0f,
+                                         glm::normalize(glm::vec3(1, 2, 3)));
+    const std::vector<Around> poses = {lookAround(skinOf(glm::mat4(1)), {glm::mat4(1)}, {}, 400, 1),
+                                       lookAround(skinOf(turned), {turned}, {}, 400, 2)};
+    ASSERT_GT(poses[0].places.size(), 350u);
+    for (const Around& pose : poses)
+        for (const auto& hidden : pose.hidden)
+            for (const float share : hidden) {
+                EXPECT_GE(share, 0);
+                EXPECT_LE(share, 1.00001f);
+            }
+    const glm::vec3 off(0.0008f, -0.001f, 0.0015f);
+    std::vector<occlusion::BodyPart> parts = {
+        {{off, glm::mat3(1), kSemiAxes * glm::vec3(1.1f, 0.92f, 1.08f)}, 0}};
+    const double before = missed(parts, poses);
+    fitToHidden(parts, poses);
+    EXPECT_LT(missed(parts, poses), 0.8 * before);
+    EXPECT_LT(glm::distance(parts[0].atRest.centre, {}), 0.4f * glm::length(off));
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(parts[0].atRest.semiAxes[axis], kSemiAxes[axis], 0.06f * kSemiAxes[axis]) << axis;
+    EXPECT_EQ(parts[0].joint, 0);
+}
+
+// Nor does it fall over nothing.
+TEST(FitToHidden, OfNothingIsNothing) {
+    std::vector<occlusion::BodyPart> none;
+    fitToHidden(none, {});
+    EXPECT_TRUE(none.empty());
+    EXPECT_EQ(missed(none, {}), 0);
+}
+
+} // namespace
+} // namespace shoal::make

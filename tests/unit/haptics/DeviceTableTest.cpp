@@ -1,0 +1,170 @@
+// The devices as data, and what a frame becomes on its way to each. The bytes of whole reports are in
+// reports.txt.
+#include "FakeBus.h"
+
+#include "engine/core/Files.h"
+#include "input/haptics/DeviceTable.h"
+#include "input/haptics/Motors.h"
+#include "input/haptics/Switch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace shoal::haptics {
+namespace {
+
+Driver driverNamed(const std::string& name, Transport transport) {
+    for (const DeviceRow& row : kDevices)
+        if (row.name == name)
+            return driverOf({&row, {}, name}, transport, [](std::span<uint8_t>) { return size_t{0}; })
+                .value();
+    ADD_FAILURE() << "no " << name;
+    return {};
+}
+
+TEST(Motors, LowGoesToTheStrongOneAndHighToTheWeak) {
+    const Motors low = motorsOf(frameOf(1, 40)), high = motorsOf(frameOf(1, 250)),
+                 between = motorsOf(frameOf(1, 130));
+    EXPECT_EQ(low.strong, 1);
+    EXPECT_EQ(low.weak, 0);
+    EXPECT_EQ(high.strong, 0);
+    EXPECT_EQ(high.weak, 1);
+    EXPECT_FLOAT_EQ(between.strong, 0.5f); // half way from 60 to 200 Hz
+    EXPECT_FLOAT_EQ(between.weak, 0.5f);
+}
+
+TEST(Motors, ManyFingersAreNotOneBlow) {
+    HapticFrame frame;
+    for (Actuation& actuation : frame.actuators) actuation = {0.3f, 40};
+    EXPECT_FLOAT_EQ(motorsOf(frame).strong, 0.3f);
+    frame.body = {0.7f, 40};
+    EXPECT_FLOAT_EQ(motorsOf(frame).strong, 0.7f);
+}
+
+TEST(Motors, AreDrivenAboveWhatCanBeFelt) {
+    EXPECT_EQ(driveOf(0), 0);
+    EXPECT_FLOAT_EQ(driveOf(1), 1);
+    EXPECT_FLOAT_EQ(driveOf(0.5f), 0.6f); // 0.2 + 0.8 / 2
+    EXPECT_EQ(driveOf(7), 1);
+    EXPECT_EQ(driveOf(-1), 0);
+    EXPECT_EQ(driveOf(std::nanf("")), 0);
+}
+
+// Absurd frames must not reach a motor as something else than bounded strength.
+TEST(Devices, NonsenseIsBounded) {
+    const float inf = std::numeric_limits<float>::infinity();
+    for (const DeviceRow& row : kDevices)
+        for (const Transport transport : {Transport::Usb, Transport::Bluetooth}) {
+            const Recognised device{&row, {}, row.name};
+            const auto driver = driverOf(device, transport, [](std::span<uint8_t>) { return size_t{0}; });
+            ASSERT_TRUE(driver);
+            EXPECT_EQ(driver->encode(frameOf(std::nanf(""), 40)), driver->encode({})) << row.name;
+            EXPECT_EQ(driver->encode(frameOf(inf, 40)), driver->encode(frameOf(1, 40))) << row.name;
+            EXPECT_EQ(driver->encode(frameOf(-3, 40)), driver->encode({})) << row.name;
+            EXPECT_NE(driver->encode(frameOf(1, 1e9f)), driver->encode({})) << row.name;
+            EXPECT_NE(driver->encode(frameOf(1, 40)), driver->encode({})) << row.name;
+            EXPECT_NE(driver->encode(frameOf(1, 0)), driver->encode({})) << row.name;
+        }
+}
+
+// The known packets: all other bytes 0.
+TEST(Sony, ChecksumsAreAsRecorded) {
+    Report sense{.size = 78};
+    sense.bytes[0] = 0x31;
+    sense.bytes[2] = 0x10;
+    sense.bytes[3] = 0x03;
+    sense.bytes[5] = sense.bytes[6] = 0x40;
+    driverNamed("DualSense", Transport::Bluetooth).seal(sense, 0);
+    EXPECT_EQ((std::vector<uint8_t>(sense.bytes.begin() + 74, sense.bytes.end())),
+              (std::vector<uint8_t>{0xf2, 0xf8, 0x89, 0x41}));
+    Report shock{.size = 78};
+    shock.bytes[0] = 0x11;
+    shock.bytes[1] = 0xC0;
+    shock.bytes[3] = 0x01;
+    shock.bytes[6] = 0x40;
+    shock.bytes[7] = 0x80;
+    driverNamed("DualShock 4", Transport::Bluetooth).seal(shock, 0);
+    EXPECT_EQ((std::vector<uint8_t>(shock.bytes.begin() + 74, shock.bytes.end())),
+              (std::vector<uint8_t>{0x34, 0xd9, 0x31, 0x0a}));
+}
+
+TEST(Switch, AmplitudesAreThoseOfTheTable) {
+    // Number and amplitude: ends and joints of the table's three ranges.
+    const std::pair<int, float> rows[] = {
+        {0, 0.0f},       {1, 0.007843f},  {2, 0.011823f},  {3, 0.014061f},  {8, 0.033442f},  {14, 0.094592f},
+        {15, 0.112491f}, {16, 0.117471f}, {17, 0.122671f}, {30, 0.215442f}, {31, 0.224982f}, {32, 0.229908f},
+        {33, 0.234943f}, {50, 0.339534f}, {64, 0.459817f}, {99, 0.981378f}, {100, 1.002867f}};
+    for (const auto& [index, amplitude] : rows)
+        EXPECT_EQ(switchAmplitudeIndex(amplitude), index) << amplitude;
+    EXPECT_EQ(switchAmplitudeIndex(1.8f), 100); // beyond the coil is in danger
+    int before = 0;
+    for (float amplitude = 0; amplitude <= 1; amplitude += 0.001f) {
+        EXPECT_GE(switchAmplitudeIndex(amplitude), before);
+        before = switchAmplitudeIndex(amplitude);
+    }
+}
+
+TEST(Switch, TonesAreThoseOfTheTable) {
+    using Bytes = std::array<uint8_t, 4>;
+    const Actuation none;
+    EXPECT_EQ(encodeSwitchTones(none, none), (Bytes{0x00, 0x01, 0x40, 0x40})); // the neutral one
+    // 320 Hz 00 01, 160 Hz 40; 0.501 is 88 and 00 62, 0.512 is 8a and 80 62.
+    EXPECT_EQ(encodeSwitchTones({0.501433f, 320}, none), (Bytes{0x00, 0x89, 0x40, 0x40}));
+    EXPECT_EQ(encodeSwitchTones(none, {0.501433f, 160}), (Bytes{0x00, 0x01, 0x40, 0x62}));
+    EXPECT_EQ(encodeSwitchTones(none, {0.512413f, 160}), (Bytes{0x00, 0x01, 0xC0, 0x62}));
+    EXPECT_EQ(encodeSwitchTones({0.501433f, 795}, none), (Bytes{0xA8, 0x89, 0x40, 0x40})); // a8 01
+    EXPECT_EQ(encodeSwitchTones({0.501433f, 82}, none), (Bytes{0x04, 0x88, 0x40, 0x40}));
+    EXPECT_EQ(encodeSwitchTones({0.501433f, 9000}, none), (Bytes{0xFC, 0x89, 0x40, 0x40})); // the last
+    EXPECT_EQ(encodeSwitchTones(none, {0.501433f, 5}), (Bytes{0x00, 0x01, 0x01, 0x62}));    // the first
+}
+
+TEST(Switch, TheBodyIsFeltInBothHands) {
+    HapticFrame frame;
+    frame.body = {1, 41};
+    const Report report = driverNamed("Switch Pro Controller", Transport::Usb).encode(frame);
+    EXPECT_EQ(report.bytes[5], 0x72);
+    EXPECT_EQ(report.bytes[9], 0x72);
+}
+
+TEST(Devices, EachIsThereOnce) {
+    const auto& table = kDevices;
+    for (size_t i = 0; i < table.size(); ++i)
+        for (size_t k = 0; k < i; ++k)
+            EXPECT_FALSE(table[i].vendor == table[k].vendor && table[i].product == table[k].product &&
+                         table[i].transport == table[k].transport)
+                << table[i].name;
+}
+
+TEST(Devices, EachHasItsRule) {
+    std::ifstream file(dataRoot() / "content" / "udev" / "70-shoal-haptics.rules");
+    const std::string rules{std::istreambuf_iterator<char>(file), {}};
+    for (const DeviceRow& row : kDevices) {
+        char rule[120];
+        std::snprintf(rule, sizeof rule,
+                      "\nKERNEL==\"hidraw*\", KERNELS==\"*:%04X:%04X.*\", TAG+=\"uaccess\"\n", row.vendor,
+                      row.product);
+        EXPECT_NE(rules.find(rule), std::string::npos) << row.name << rule;
+    }
+}
+
+TEST(Devices, EachIsDocumented) {
+    const auto text = readText(dataRoot() / "input" / "README.md");
+    if (!text) GTEST_SKIP() << "installed without sources";
+    for (const DeviceRow& row : kDevices) EXPECT_NE(text->find(row.name), std::string::npos) << row.name;
+    for (const DescriptorRow& row : kDevicesByDescriptor)
+        EXPECT_NE(text->find(row.device.name), std::string::npos) << row.device.name;
+}
+
+TEST(Devices, AnXboxControllerOnACableIsTheKernelsAlone) {
+    const auto noDescriptor = [](const std::string&) { return std::vector<uint8_t>(); };
+    EXPECT_FALSE(recognise({"x", 0x045e, 0x0b13, Transport::Usb, ""}, noDescriptor));
+    EXPECT_TRUE(recognise({"x", 0x045e, 0x0b13, Transport::Bluetooth, ""}, noDescriptor));
+}
+
+} // namespace
+} // namespace shoal::haptics

@@ -1,0 +1,178 @@
+// What is written to which device when.
+#include "FakeBus.h"
+
+#include "input/haptics/HapticDevices.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace shoal::haptics {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr uint16_t kSony = 0x054c, kDualSense = 0x0ce6, kNintendo = 0x057e, kPro = 0x2009;
+
+TEST(HapticDevices, WritesChangesAndRefreshes) {
+    FakeBus fake;
+    fake.plug("a", kSony, kDualSense);
+    fake.plug("keyboard", 0x1234, 0x5678);
+    HapticDevices hapticDevices(fake.bus());
+    const auto& written = fake.written["a"];
+    hapticDevices.step({}, 0);
+    EXPECT_EQ(hapticDevices.ready(), 1u);
+    EXPECT_TRUE(written.empty()); // silence needs no telling
+    hapticDevices.step(frameOf(1, 40), 0.1);
+    ASSERT_EQ(written.size(), 1u);
+    EXPECT_EQ(written[0][4], 255);
+    hapticDevices.step(frameOf(1, 40), 0.4); // nothing new
+    EXPECT_EQ(written.size(), 1u);
+    hapticDevices.step(frameOf(1, 40), 0.61); // still running: told again
+    EXPECT_EQ(written.size(), 2u);
+    hapticDevices.step({}, 0.7);
+    ASSERT_EQ(written.size(), 3u);
+    EXPECT_EQ(written[2][4], 0);
+    hapticDevices.step({}, 5);
+    EXPECT_EQ(written.size(), 3u); // silence is not repeated
+    EXPECT_TRUE(hapticDevices.allStopped());
+}
+
+// Frames come at 1 kHz, each another: every device gets no more than it can take, and in the end the newest.
+TEST(HapticDevices, KeepsEachDevicesPaceAndTheNewestWins) {
+    for (const DeviceRow& row : kDevices) {
+        FakeBus fake;
+        fake.plug("a", row.vendor, row.product, row.transport);
+        HapticDevices hapticDevices(fake.bus());
+        std::vector<double> times;
+        size_t had = 0;
+        double next_s = 0;
+        for (int ms = 0; ms <= 900; ++ms) {
+            const double now_s = ms * 1e-3;
+            next_s = hapticDevices.step(frameOf(ms < 900 ? static_cast<float>(ms % 100) * 0.01f : 0.5f, 40),
+                                        now_s);
+            for (; had < fake.written["a"].size(); ++had) times.push_back(now_s);
+        }
+        for (size_t i = 1; i < times.size(); ++i)
+            EXPECT_GE(times[i] - times[i - 1], row.minWrite_s - 1e-9) << row.name;
+        EXPECT_GE(static_cast<double>(times.size()), 0.9 / (row.minWrite_s + 0.001) - 2)
+            << row.name; // and no less
+        hapticDevices.step(frameOf(0.5f, 40), 0.9 + std::min(next_s, 0.05));
+        const auto driver =
+            driverOf(Recognised{.row = &row}, row.transport, [](std::span<uint8_t>) { return size_t{0}; });
+        const Report last = driver->encode(frameOf(0.5f, 40));
+        // All but the bytes that sealing changes: sequence and checksum.
+        const auto& written = fake.written["a"].back();
+        ASSERT_EQ(written.size(), last.size);
+        for (size_t i = 2; i < std::min<size_t>(last.size, 74); ++i)
+            EXPECT_EQ(written[i], last.bytes[i]) << row.name;
+    }
+}
+
+TEST(HapticDevices, TellsWhenToComeBack) {
+    FakeBus fake;
+    fake.plug("a", kNintendo, kPro);
+    HapticDevices hapticDevices(fake.bus());
+    hapticDevices.step({}, 0); // greeted
+    ASSERT_EQ(fake.written["a"].size(), 1u);
+    EXPECT_NEAR(hapticDevices.step(frameOf(1, 40), 0.01), 0.02, 1e-9); // 30 ms after the initialReports
+    EXPECT_EQ(fake.written["a"].size(), 1u);
+    EXPECT_NEAR(hapticDevices.step(frameOf(1, 40), 0.03), 0.05, 1e-9); // then refreshed every 50 ms
+    EXPECT_EQ(fake.written["a"].size(), 2u);
+    EXPECT_NEAR(hapticDevices.step({}, 0.1), 0.9, 1e-9); // nothing but the next look for devices
+}
+
+TEST(HapticDevices, UnpluggedWhileWritingAndPluggedInElsewhere) {
+    FakeBus fake;
+    fake.plug("a", kSony, kDualSense);
+    HapticDevices hapticDevices(fake.bus());
+    hapticDevices.step(frameOf(1, 40), 0);
+    EXPECT_EQ(hapticDevices.ready(), 1u);
+    fake.unplug("a");
+    hapticDevices.step(frameOf(0.5f, 40), 0.1);
+    EXPECT_EQ(hapticDevices.ready(), 0u);
+    EXPECT_EQ(fake.opened(), 0u);
+    fake.plug("b", kSony, kDualSense);
+    hapticDevices.step(frameOf(0.5f, 40), 0.5); // not yet looked again
+    EXPECT_TRUE(fake.written["b"].empty());
+    hapticDevices.step(frameOf(0.5f, 40), 1.1);
+    EXPECT_EQ(fake.written["b"].size(), 1u);
+    EXPECT_TRUE(hapticDevices.takeWarnings().empty());
+}
+
+TEST(HapticDevices, TwoAtOnceAreBothFeltAndOneGoingDoesNotHarmTheOther) {
+    FakeBus fake;
+    fake.plug("a", kSony, kDualSense);
+    fake.plug("b", kSony, kDualSense);
+    fake.plug("c", kNintendo, kPro, Transport::Bluetooth);
+    HapticDevices hapticDevices(fake.bus());
+    hapticDevices.step({}, 0);
+    hapticDevices.step(frameOf(1, 40), 0.1);
+    EXPECT_EQ(fake.written["a"], fake.written["b"]);
+    EXPECT_EQ(fake.written["a"].size(), 1u);
+    EXPECT_EQ(fake.written["c"].size(), 2u);
+    fake.unplug("a");
+    hapticDevices.step(frameOf(0.5f, 40), 0.2);
+    EXPECT_EQ(hapticDevices.ready(), 2u);
+    EXPECT_EQ(fake.written["b"].size(), 2u);
+    EXPECT_EQ(fake.written["c"].size(), 3u);
+}
+
+TEST(HapticDevices, WhoIsNotLetInIsToldTheRuleOnce) {
+    FakeBus fake;
+    fake.plug("/dev/hidraw7", kSony, kDualSense);
+    fake.plugged[0].permitted = false;
+    HapticDevices hapticDevices(fake.bus());
+    hapticDevices.step({}, 0);
+    hapticDevices.step({}, 1.5);
+    const auto complaints = hapticDevices.takeWarnings();
+    ASSERT_EQ(complaints.size(), 1u);
+    EXPECT_THAT(complaints[0], HasSubstr("/dev/hidraw7"));
+    EXPECT_THAT(complaints[0], HasSubstr("70-shoal-haptics.rules"));
+    EXPECT_THAT(complaints[0], HasSubstr(R"(KERNEL=="hidraw*", KERNELS=="*:054C:0CE6.*", TAG+="uaccess")"));
+    EXPECT_THAT(hapticDevices.list().at(0).problem, HasSubstr("may not be opened"));
+    fake.plugged[0].permitted = true; // the rule was put in, and udev ran
+    hapticDevices.step({}, 3);
+    EXPECT_EQ(hapticDevices.ready(), 1u);
+    EXPECT_EQ(hapticDevices.list().at(0).problem, "");
+}
+
+TEST(HapticDevices, StopsTheMotorsAtTheEnd) {
+    FakeBus fake;
+    fake.plug("a", kSony, kDualSense);
+    {
+        HapticDevices hapticDevices(fake.bus());
+        hapticDevices.step(frameOf(1, 40), 0);
+        EXPECT_FALSE(hapticDevices.allStopped());
+    }
+    ASSERT_EQ(fake.written["a"].size(), 2u);
+    EXPECT_EQ(fake.written["a"][1][4], 0);
+    EXPECT_EQ(fake.opened(), 0u);
+}
+
+TEST(HapticDevices, AStopIsReadyBeforeAnythingRuns) {
+    FakeBus fake;
+    fake.plug("a", kSony, kDualSense, Transport::Bluetooth);
+    HapticDevices hapticDevices(fake.bus());
+    hapticDevices.step({}, 0);
+    ASSERT_EQ(fake.guarded["a"].size(), 1u);
+    hapticDevices.step(frameOf(1, 40), 0.1);
+    hapticDevices.step({}, 0.2);
+    // The same but for the sequence number and, with it, the checksum.
+    auto stop = fake.guarded["a"][0], written = fake.written["a"].back();
+    stop.resize(74);
+    written.resize(74);
+    written[1] = 0;
+    EXPECT_EQ(stop, written);
+}
+
+TEST(HapticDevices, SequenceNumbersRise) {
+    FakeBus fake;
+    fake.plug("a", kSony, kDualSense, Transport::Bluetooth);
+    HapticDevices hapticDevices(fake.bus());
+    for (int i = 0; i < 20; ++i) hapticDevices.step(frameOf(i % 2 ? 1.0f : 0.5f, 40), i * 0.02);
+    ASSERT_EQ(fake.written["a"].size(), 20u);
+    for (size_t i = 0; i < 20; ++i) EXPECT_EQ(fake.written["a"][i][1], i % 16 << 4);
+}
+
+} // namespace
+} // namespace shoal::haptics

@@ -1,0 +1,74 @@
+// Environments for tests: painted by a function of direction.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/math/LatLong.h"
+
+#include <glm/vec3.hpp>
+
+#include <functional>
+
+namespace shoal::light {
+
+inline ImageRgbF paint(int width, int height, const std::function<glm::dvec3(const glm::dvec3&)>& radiance) {
+    ImageRgbF image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::dvec3 value =
+                radiance(directionFromLatLong(glm::dvec2((x + 0.5) / width, (y + 0.5) / height)));
+            for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>(value[c]);
+        }
+    return image;
+}
+
+inline ImageRgbF uniform(int width, const glm::dvec3& radiance) {
+    return paint(width, width / 2, [&](const glm::dvec3&) { return radiance; });
+}
+
+// Rough, bright, different in every texel: what a mistake in an index shows on.
+inline ImageRgbF noise(int width, int height, uint32_t seed = 1) {
+    ImageRgbF image(width, height);
+    for (float& value : image.pixels) {
+        seed = seed * 1664525u + 1013904223u;
+        value = static_cast<float>(seed >> 8) * 0x1p-24f;
+    }
+    return image;
+}
+
+// Turned to the right by this many columns.
+inline ImageRgbF turned(const ImageRgbF& image, int columns) {
+    ImageRgbF result(image.width, image.height);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 3; ++c) result.at((x + columns) % image.width, y)[c] = image.at(x, y)[c];
+    return result;
+}
+
+// Over the sphere.
+inline glm::dvec3 meanOf(const ImageRgbF& image) {
+    glm::dvec3 sum(0);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                sum[c] +=
+                    texelSolidAngle(y, image.width, image.height) * static_cast<double>(image.at(x, y)[c]);
+    return sum / (4 * std::numbers::pi);
+}
+
+inline double largestDifference(const ImageRgbF& a, const ImageRgbF& b) {
+    double worst = a.pixels.size() == b.pixels.size() ? 0 : 1e30;
+    for (size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
+        worst =
+            std::max(worst, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
+    return worst;
+}
+
+inline double largestDifference(const ImageRgbF& image, const glm::dvec3& value) {
+    double worst = 0;
+    for (size_t i = 0; i < image.pixels.size(); ++i)
+        worst =
+            std::max(worst, std::abs(static_cast<double>(image.pixels[i]) - value[static_cast<int>(i % 3)]));
+    return worst;
+}
+
+} // namespace shoal::light

@@ -1,0 +1,85 @@
+// From frame to pyramid, and from display to light.
+#include "engine/light/InverseToneMap.h"
+#include "tests/baselines/light/Baselines.h"
+
+#include <gtest/gtest.h>
+
+namespace shoal::light::baselines {
+namespace {
+
+FrameView viewOf(const ImageRgb8& frame, bool bgr = false) {
+    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, bgr};
+}
+
+ImageRgb8 filled(int width, int height, uint8_t red, uint8_t green, uint8_t blue) {
+    ImageRgb8 frame(width, height);
+    for (size_t i = 0; i < frame.pixels.size(); i += 3)
+        frame.pixels[i] = red, frame.pixels[i + 1] = green, frame.pixels[i + 2] = blue;
+    return frame;
+}
+
+TEST(PyramidBaselines, UniformFrameStaysInEveryLevel) {
+    const glm::vec3 want = radianceFromDisplay(glm::vec3(200, 120, 40) / 255.0f);
+    for (const auto& [width, height, bgr] :
+         {std::tuple(2048, 1024, false), {2048, 1024, true}, {600, 300, true}}) {
+        const ImageRgb8 frame =
+            bgr ? filled(width, height, 40, 120, 200) : filled(width, height, 200, 120, 40);
+        for (const PyramidMethod& method : pyramidMethods()) {
+            RadiancePyramid pyramid;
+            method.make(viewOf(frame, bgr), pyramid);
+            ASSERT_EQ(pyramid.levels.back().width, 2) << method.label.name;
+            for (const ImageRgbF& level : pyramid.levels)
+                for (size_t i = 0; i < level.pixels.size(); ++i)
+                    ASSERT_NEAR(level.pixels[i], want[static_cast<int>(i % 3)], 1e-5f) << method.label.name;
+        }
+    }
+}
+
+// A cap of 30 degrees about the zenith, a sixth of the rows, is (1 - cos 30) / 2 = 6.7 % of the sphere; plain
+// means take it for 16.7 %. Where the frame is resampled, the
+// edge moves by up to a row of 512.
+TEST(PyramidBaselines, PlainMeansGiveTheZenithTooMuch) {
+    ImageRgb8 frame = filled(2048, 1020, 0, 0, 0);
+    for (int y = 0; y < 170; ++y) std::fill(frame.at(0, y), frame.at(0, y) + 3 * 2048, uint8_t{255});
+    for (const PyramidMethod& method : pyramidMethods()) {
+        RadiancePyramid pyramid;
+        method.make(viewOf(frame), pyramid);
+        const bool plain = method.label.name.starts_with("plain");
+        EXPECT_NEAR(pyramid.levels.back().pixels[0] / 11.8f, plain ? 0.1667f : 0.0670f, 2e-3f)
+            << method.label.name;
+    }
+}
+
+float expanded(const InverseToneMapMethod& method, uint8_t value) {
+    ImageRgb8 frame = filled(8, 4, value, value, value);
+    frame.pixels[0] = frame.pixels[1] = frame.pixels[2] = 0; // the range of the picture: black to white
+    frame.pixels[3] = frame.pixels[4] = frame.pixels[5] = 255;
+    ImageRgbF out;
+    method.expand(frame, out);
+    return out.pixels.back();
+}
+
+TEST(InverseToneMapBaselines, KnownValues) {
+    const float middle = 188.0f / 255; // sRGB 0.5029
+    EXPECT_NEAR(expanded(thesisInverse(false), 188), radianceFromDisplay(glm::vec3(middle)).x, 1e-6f);
+    EXPECT_NEAR(expanded(plainLinear(), 188), 0.5029f, 1e-4f);
+    EXPECT_NEAR(expanded(thesisInverse(true), 188), (10 * std::pow(0.5029f, 10.0f) + 1.8f) * 0.5029f, 1e-3f);
+    EXPECT_NEAR(expanded(akyuz(1), 188), 0.5029f, 1e-4f);
+    EXPECT_NEAR(expanded(akyuz(2.2f), 188), std::pow(0.5029f, 2.2f), 1e-3f);
+    EXPECT_NEAR(expanded(landis(), 128), 0.2159f, 1e-4f); // below the threshold: as decoded
+    EXPECT_NEAR(expanded(landis(), 255), 10.0f, 1e-4f);
+}
+
+TEST(InverseToneMapBaselines, BrighterStaysBrighter) {
+    for (const InverseToneMapMethod& method : inverseToneMapMethods()) {
+        float before = -1;
+        for (const int value : {0, 10, 60, 128, 180, 190, 230, 255}) {
+            const float now = expanded(method, static_cast<uint8_t>(value));
+            EXPECT_GT(now, before) << method.label.name << ", " << value;
+            before = now;
+        }
+    }
+}
+
+} // namespace
+} // namespace shoal::light::baselines

@@ -1,0 +1,208 @@
+// Baseline methods against answers known without them: spheres over planes, even environments, nothing in the
+// way.
+#include "tests/baselines/occlusion/AmbientOcclusion.h"
+#include "tests/baselines/occlusion/BallOcclusion.h"
+#include "tests/baselines/occlusion/BoneBalls.h"
+#include "tests/baselines/occlusion/BoneDistance.h"
+#include "tests/baselines/occlusion/CoherentShadowMaps.h"
+#include "tests/baselines/occlusion/LayeredDepth.h"
+#include "tests/baselines/occlusion/ScreenSpace.h"
+#include "tests/baselines/occlusion/Transfer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace shoal::occlusion::baselines {
+namespace {
+
+using glm::vec3;
+
+constexpr vec3 kUp{0, 1, 0};
+
+// A sphere of triangles by longitude and latitude, closed; radius of its corners.
+struct SphereMesh {
+    std::vector<vec3> positions, normals;
+    std::vector<glm::uvec3> triangles;
+
+    SphereMesh(const vec3& centre, float radius, uint32_t rings = 24) {
+        const uint32_t around = 2 * rings;
+        for (uint32_t y = 0; y <= rings; ++y)
+            for (uint32_t x = 0; x <= around; ++x) {
+                const float down =
+                    std::numbers::pi_v<float> * static_cast<float>(y) / static_cast<float>(rings);
+                const float turn =
+                    2 * std::numbers::pi_v<float> * static_cast<float>(x) / static_cast<float>(around);
+                const vec3 n(std::sin(down) * std::cos(turn), std::cos(down),
+                             std::sin(down) * std::sin(turn));
+                normals.push_back(n);
+                positions.push_back(centre + radius * n);
+                if (y == rings || x == around) continue;
+                const uint32_t a = y * (around + 1) + x, b = a + around + 1;
+                triangles.emplace_back(a, a + 1, b);
+                triangles.emplace_back(a + 1, b + 1, b);
+            }
+    }
+    BodyMesh view() const { return {positions, normals, triangles}; }
+    Triangles body() const { return {positions, triangles}; }
+};
+
+bool meetsSphere(const vec3& origin, const vec3& direction, const vec3& centre, float radius) {
+    const vec3 to = centre - origin;
+    const float along = glm::dot(to, direction);
+    return along > 0 && glm::dot(to, to) - along * along < radius * radius;
+}
+
+constexpr auto kOpen = [](const vec3&, const vec3&) { return false; };
+
+// A patch of floor, three vertices, at the origin.
+const std::vector<vec3> kFloor{{0, 0, 0}, {0, 0, 1e-3f}, {1e-3f, 0, 0}};
+const std::vector<vec3> kFloorUp(3, kUp);
+const std::vector<glm::uvec3> kFloorTriangle{{0, 1, 2}};
+const BodyMesh kFloorMesh{kFloor, kFloorUp, kFloorTriangle};
+
+ImageRgbF white() {
+    ImageRgbF image(64, 32);
+    for (float& value : image.pixels) value = 1;
+    return image;
+}
+
+TEST(SphereOcclusion, OverheadIsTheSineSquared) {
+    for (const float distance : {1.1f, 2.0f, 5.0f, 40.0f})
+        EXPECT_NEAR(sphereOcclusion(kUp, {0, distance, 0}, 1), 1 / (distance * distance), 1e-6f);
+}
+
+TEST(SphereOcclusion, TouchingTakesHalfSeenEdgeOnAndAllSeenFrom) {
+    EXPECT_NEAR(sphereOcclusion(kUp, {1, 0, 0}, 0.99999f), 0.5f, 5e-3f);
+    EXPECT_NEAR(sphereOcclusion(kUp, {0, 1, 0}, 0.99999f), 1.0f, 1e-4f);
+    EXPECT_EQ(sphereOcclusion(kUp, {0, -2, 0}, 1), 0);
+}
+
+// Also where the horizon cuts the sphere: the mean over cosine-weighted rays. 4096 of them on Vogel's spiral:
+// the discrepancy of an edge is below 1 / 64 of its length.
+TEST(SphereOcclusion, IsTheShareOfRaysThatMeetIt) {
+    const auto rays = cosineDirections(4096);
+    const glm::mat3 frame = frameAround(kUp);
+    for (const vec3 centre :
+         {vec3(0.5f, 1.5f, 0), vec3(1.5f, 0.5f, 0.3f), vec3(1.4f, -0.4f, 0), vec3(0, 0.2f, 3)}) {
+        int met = 0;
+        for (const vec3& ray : rays) met += meetsSphere(vec3(0), frame * ray, centre, 1);
+        EXPECT_NEAR(sphereOcclusion(kUp, centre, 1), met / 4096.0, 0.003) << centre.x << ' ' << centre.y;
+    }
+}
+
+TEST(AmbientOcclusion, IsOneInTheOpen) {
+    for (const float free : bakeAmbientOcclusion(kFloorMesh, kOpen, 64, 0)) EXPECT_EQ(free, 1);
+}
+
+TEST(AmbientOcclusion, UnderASphereLacksItsFormFactor) {
+    const vec3 centre(0.7f, 1.6f, 0);
+    const auto baked = bakeAmbientOcclusion(
+        kFloorMesh, [&](const vec3& o, const vec3& d) { return meetsSphere(o, d, centre, 1); }, 4096, 0);
+    EXPECT_NEAR(baked[0], 1 - sphereOcclusion(kUp, centre, 1), 0.003f);
+}
+
+// Half of the floor lies under a slab: its buried corners must not darken what can be seen of its triangles.
+TEST(AmbientOcclusion, BuriedPartsDoNotCount) {
+    const auto baked = bakeAmbientOcclusion(
+        kFloorMesh, [](const vec3& o, const vec3&) { return o.x < 0.5e-3f; }, 64, 0);
+    for (const float free : baked) EXPECT_EQ(free, 1);
+}
+
+// White furnace: radiance 1 from everywhere. Bands 1 to 4 of an even environment vanish, so nothing is cut
+// off.
+TEST(Transfer, WhiteEnvironmentGivesWhatIsFree) {
+    const math::ShRgb environment = math::shProject(white());
+    EXPECT_NEAR(bakeTransfer(kFloorMesh, kOpen, 4, 256, 0).radiance(0, environment).x, 1, 1e-3f);
+    const vec3 centre(0, 2, 0);
+    const auto shadowed = bakeTransfer(
+        kFloorMesh, [&](const vec3& o, const vec3& d) { return meetsSphere(o, d, centre, 1); }, 4, 4096, 0);
+    EXPECT_NEAR(shadowed.radiance(0, environment).x, 0.75f, 0.003f);
+}
+
+// In the open the transfer is the clamped cosine's: Ramamoorthi and Hanrahan 2001, eq. 8.
+TEST(Transfer, OpenIsTheCosineLobe) {
+    const Transfer open = bakeTransfer(kFloorMesh, kOpen, 3, 4096, 0);
+    const math::ShBasis basis = math::shBasis(glm::dvec3(kUp));
+    for (int l = 0; l < 3; ++l)
+        for (int m = -l; m <= l; ++m) {
+            const auto k = static_cast<size_t>(l * (l + 1) + m);
+            EXPECT_NEAR(open.terms[k],
+                        math::kShCosine[static_cast<size_t>(l)] * std::numbers::inv_pi * basis[k], 2e-3);
+        }
+}
+
+TEST(DirectedLight, SharesOutAllOfTheLight) {
+    const DirectedLight light = directedLight(white(), evenDirections(32));
+    vec3 sum(0);
+    for (const vec3& power : light.power) sum += power;
+    EXPECT_NEAR(sum.x, 4 * std::numbers::pi_v<float>, 1e-4f);
+    EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return 1.0f; }), vec3(1));
+    EXPECT_EQ(shareSeen(light, kUp, [](size_t) { return 0.0f; }), vec3(0));
+}
+
+// From the top of a small sphere up to a large one: a pixel is 0.03, and the outline may be off by two.
+const vec3 kTop{0.3f, -2.2f, 0.1f};
+const SphereMesh kLarge(vec3(0), 1), kSmall(kTop - vec3(0, 0.3f, 0), 0.3f);
+const std::vector<Triangles> kBoth{kLarge.body(), kSmall.body()};
+
+template <class Blocked> void seesASphere(const Blocked& blocked) {
+    const auto directions = spiralDirections(512);
+    int wrong = 0, near = 0;
+    for (size_t k = 0; k < directions.size(); ++k) {
+        if (directions[k].y < 0.4f) continue;
+        const bool inner = meetsSphere(kTop, directions[k], vec3(0), 0.92f);
+        const bool outer = meetsSphere(kTop, directions[k], vec3(0), 1.08f);
+        near += inner != outer;
+        if (inner == outer) wrong += blocked(kTop, directions[k], k) != inner;
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_LT(near, 60);
+}
+
+TEST(LayeredDepth, MeetsASphereAndNothingBesideIt) {
+    const LayeredDepth images(kBoth, 128);
+    seesASphere([&](const vec3& from, const vec3& d, size_t) { return images.occluded(from, d, 0.1f); });
+    EXPECT_GT(images.bytes(), 0u);
+}
+
+TEST(CoherentShadowMaps, MeetASphereAndAreSmallerThanThePlainMaps) {
+    const auto directions = spiralDirections(512);
+    const CoherentShadowMaps maps(kBoth, directions, 128);
+    seesASphere([&](const vec3& from, const vec3&, size_t k) { return maps.occluded(from, k); });
+    EXPECT_LT(maps.bytes(), maps.plainBytes() / 4);
+}
+
+TEST(BoneSpheres, ASphereIsFittedAsItself) {
+    const SphereMesh sphere({0.1f, 0.2f, 0.3f}, 0.5f);
+    const std::vector<int> bones(sphere.positions.size(), 0);
+    const auto fitted = fitEllipsoids(sphere.view(), bones, 1);
+    ASSERT_EQ(fitted.size(), 1u);
+    const SeenSphere seen = seenFrom({0.1f, -1.8f, 0.3f}, fitted[0]);
+    EXPECT_NEAR(seen.to.y, 2, 1e-3f);
+    EXPECT_NEAR(seen.radius, 0.5f, 0.01f); // of flat triangles
+}
+
+TEST(BoneDistance, GridHasASpheresDistance) {
+    const SphereMesh sphere(vec3(0), 1);
+    const std::vector<int> bones(sphere.positions.size(), 0);
+    const auto grids = distanceGrids(sphere.view(), bones, 1, 12);
+    ASSERT_EQ(grids.size(), 1u);
+    for (const vec3 p : {vec3(0.9f, 0.2f, 0), vec3(0, 1.1f, 0.1f), vec3(0, 0.5f, 0.5f)})
+        EXPECT_NEAR(grids[0].at(p), glm::length(p) - 1, 0.03f); // a fifth of a cell
+    const PlacedGrid placed{&grids[0], glm::mat4(1), vec3(0), 2};
+    const std::span<const PlacedGrid> all(&placed, 1);
+    EXPECT_EQ(coneFree(all, {0, 3, 0}, {0, 1, 0}, 0.3f, 0.05f, 10), 1);
+    EXPECT_EQ(coneFree(all, {0, 3, 0}, {0, -1, 0}, 0.3f, 0.05f, 10), 0);
+}
+
+TEST(ScreenSpace, AFlatWallIsFree) {
+    DepthPicture wall{glm::mat4(1), 0.5f, 64, 64, std::vector<float>(64 * 64, 2.0f)};
+    EXPECT_TRUE(wall.shows({0, 0, -2}, 0.01f));
+    EXPECT_FALSE(wall.shows({0, 0, -3}, 0.01f));
+    EXPECT_EQ(screenSpaceOcclusion(wall, {0, 0, -2}, {0, 0, 1}, 0.3f, 16), 1);
+}
+
+} // namespace
+} // namespace shoal::occlusion::baselines

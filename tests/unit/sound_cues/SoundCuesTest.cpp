@@ -1,0 +1,276 @@
+#include "game/feedback/SoundCues.h"
+
+#include "game/feedback/EventTable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace shoal::game {
+namespace {
+
+constexpr float kFrame_s = 1.0f / 120;
+
+// One event of each kind, at a place, with the speed of those that have one.
+template <class... E> std::vector<Event> oneOfEach(const std::variant<E...>*) {
+    const auto make = [](auto event) {
+        if constexpr (requires { event.position; }) event.position = {1, 0, 0};
+        if constexpr (requires { event.closing_mps; }) event.closing_mps = 1;
+        return Event{0, event};
+    };
+    return {make(E{})...};
+}
+std::vector<Event> oneOfEach() { return oneOfEach(static_cast<const decltype(Event::what)*>(nullptr)); }
+
+int count(const SoundCues& hear, Sound sound) {
+    const auto shots = hear.shots();
+    return static_cast<int>(std::count_if(shots.begin(), shots.end(), [&](const audio::OneShot& shot) {
+        return shot.clip == static_cast<int>(sound);
+    }));
+}
+
+const audio::Emitter* find(const SoundCues& hear, Sound sound) {
+    for (const audio::Emitter& emitter : hear.emitters())
+        if (emitter.clip == static_cast<int>(sound)) return &emitter;
+    return nullptr;
+}
+
+// One creature that goes straight on; how often it is heard passing within `seconds`.
+int passes(Sound sound, CreatureView creature, float seconds) {
+    SoundCues hear;
+    Snapshot shown;
+    shown.creatures = {creature};
+    int heard = 0;
+    for (int i = 0; i < static_cast<int>(seconds / kFrame_s); ++i) {
+        hear.listen(shown, {}, kFrame_s);
+        heard += count(hear, sound);
+        shown.creatures[0].position += shown.creatures[0].velocity * kFrame_s;
+    }
+    return heard;
+}
+
+TEST(SoundCues, EveryKindOfEventIsHeardWhereItHappens) {
+    for (const Event& event : oneOfEach()) {
+        SoundCues hear;
+        hear.listen({}, {&event, 1}, kFrame_s);
+        ASSERT_EQ(hear.shots().size(), 1u) << rowOf(event).name;
+        const audio::OneShot& shot = hear.shots()[0];
+        EXPECT_EQ(shot.clip, static_cast<int>(rowOf(event).sound)) << rowOf(event).name;
+        if (!shot.everywhere) {
+            EXPECT_EQ(shot.position, positionOf(event)) << rowOf(event).name;
+        }
+        EXPECT_GT(shot.gain, 0.1f) << rowOf(event).name;
+        EXPECT_LE(shot.gain, 1.0f) << rowOf(event).name;
+    }
+}
+
+// No sound is made in vain: a dive in which everything happens plays each of them.
+TEST(SoundCues, EverySoundIsPlayedOfSomething) {
+    SoundCues hear;
+    Snapshot shown;
+    shown.creatures.resize(3);
+    shown.creatures[0].heldBy = 0;
+    shown.creatures[1] = {.id = 1, .position = {-2, 0, -0.5f}, .velocity = {1, 0, 0}, .length = 0.2f};
+    shown.creatures[2] = {.id = 2, .position = {-4, 0, -1.5f}, .velocity = {1, 0, 0}, .length = 2.5f};
+    std::set<int> heard;
+    const auto note = [&] {
+        for (const audio::OneShot& shot : hear.shots()) heard.insert(shot.clip);
+        for (const audio::Emitter& emitter : hear.emitters()) heard.insert(emitter.clip);
+    };
+    for (const Event& event : oneOfEach()) {
+        hear.listen(shown, {&event, 1}, kFrame_s);
+        note();
+    }
+    shown.timeLeft_s = 10; // breaths, passes, the tunnel, the last seconds
+    for (int i = 0; i < 10 * 120; ++i) {
+        shown.timeLeft_s -= kFrame_s;
+        shown.enclosure = 0.5f;
+        for (size_t c = 1; c < 3; ++c) shown.creatures[c].position += shown.creatures[c].velocity * kFrame_s;
+        hear.listen(shown, {}, kFrame_s);
+        note();
+    }
+    for (size_t sound = 0; sound < kSounds.size(); ++sound)
+        EXPECT_TRUE(heard.contains(static_cast<int>(sound))) << kSounds[sound].file;
+}
+
+TEST(SoundCues, EachSoundHasAFileAndEachEventItsName) {
+    EXPECT_EQ(kEventRow<events::Grab>.sound, Sound::Touch);
+    EXPECT_EQ(kEventRow<events::SharkSteal>.sound, Sound::SharkBite);
+    std::set<std::string_view> files, names;
+    for (const SoundRow& row : kSounds) files.insert(row.file);
+    EXPECT_EQ(files.size(), kSounds.size());
+    for (const EventRow& row : kEventRows) names.insert(row.name);
+    EXPECT_EQ(names.size(), kEventRows.size());
+    // Playthrough files use these.
+    for (const char* name : {"touch", "startle", "grab", "catch", "release", "escape", "miss", "shark_near",
+                             "shark_bump", "shark_steal", "dive_start", "dive_over"})
+        EXPECT_TRUE(findEvent(name)) << name;
+    EXPECT_EQ(findEvent("catch"), kindOf<events::Catch>());
+    EXPECT_FALSE(findEvent("dinner"));
+}
+
+TEST(SoundCues, AHarderTouchIsLouderAndAllBonesAreOneTouch) {
+    const auto gain = [](float strength) {
+        SoundCues hear;
+        const Event event{0, events::Touch{.closing_mps = strength}};
+        hear.listen({}, {&event, 1}, kFrame_s);
+        return hear.shots()[0].gain;
+    };
+    EXPECT_GT(gain(1), gain(0.1f));
+    SoundCues hear;
+    const std::vector<Event> bones(5, Event{0, events::Touch{.closing_mps = 1}});
+    hear.listen({}, bones, kFrame_s);
+    EXPECT_EQ(count(hear, Sound::Touch), 1);
+}
+
+// A pause silences the device; the bed is still asked for, or it would begin anew afterwards.
+TEST(SoundCues, TheBedNeverEnds) {
+    SoundCues hear;
+    Snapshot shown;
+    for (const bool paused : {false, true, false}) {
+        shown.paused = paused;
+        hear.listen(shown, {}, kFrame_s);
+        const audio::Emitter* bed = find(hear, Sound::BedOpen);
+        ASSERT_TRUE(bed);
+        EXPECT_TRUE(bed->everywhere);
+        EXPECT_FLOAT_EQ(bed->gain, rowOf(Sound::BedOpen).gain);
+    }
+}
+
+TEST(SoundCues, TheBedsCrossOverInATunnel) {
+    SoundCues hear;
+    Snapshot shown;
+    hear.listen(shown, {}, kFrame_s);
+    EXPECT_FALSE(find(hear, Sound::BedTunnel));
+    shown.enclosure = 1;
+    for (int i = 0; i < 120; ++i) { // half way: both, and their powers still add to one
+        hear.listen(shown, {}, kFrame_s);
+        const auto power = [&](Sound sound) {
+            const audio::Emitter* bed = find(hear, sound);
+            const float full = rowOf(sound).gain;
+            return bed ? bed->gain * bed->gain / (full * full) : 0;
+        };
+        ASSERT_NEAR(power(Sound::BedOpen) + power(Sound::BedTunnel), 1, 1e-5);
+    }
+    EXPECT_TRUE(find(hear, Sound::BedOpen) && find(hear, Sound::BedTunnel));
+    for (int i = 0; i < 240; ++i) hear.listen(shown, {}, kFrame_s);
+    EXPECT_FALSE(find(hear, Sound::BedOpen));
+}
+
+TEST(SoundCues, AHeldFishStrugglesWhereItIs) {
+    Snapshot shown;
+    shown.creatures.resize(3);
+    for (uint32_t i = 0; i < 3; ++i) shown.creatures[i].id = i;
+    shown.creatures[1].heldBy = 0;
+    shown.creatures[1].position = {0.2f, 0, -0.5f};
+    SoundCues hear;
+    hear.listen(shown, {}, kFrame_s);
+    const audio::Emitter* struggle = find(hear, Sound::Struggle);
+    ASSERT_TRUE(struggle);
+    EXPECT_EQ(struggle->position, shown.creatures[1].position);
+    EXPECT_NE(struggle->id, find(hear, Sound::BedOpen)->id);
+    shown.creatures[1].heldBy = -1;
+    hear.listen(shown, {}, kFrame_s);
+    EXPECT_FALSE(find(hear, Sound::Struggle));
+}
+
+TEST(SoundCues, AFishIsHeardPassingOnceAndOnlyNearAndFast) {
+    const auto from = [](const glm::vec3& position, const glm::vec3& velocity, float length_m = 0.2f) {
+        return CreatureView{.position = position, .velocity = velocity, .length = length_m};
+    };
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({-2, 0, -0.5f}, {1, 0, 0}), 4), 1);
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({-2, 0, -1.2f}, {1, 0, 0}), 4), 0);    // too far
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({-1, 0, -0.5f}, {0.4f, 0, 0}), 5), 0); // too slow
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({0.1f, 0, -0.5f}, {1, 0, 0}), 1), 0);  // already past
+    EXPECT_EQ(passes(Sound::FishPassLarge, from({-4, 0, -1.5f}, {1, 0, 0}, 2.5f), 8), 1);
+    EXPECT_EQ(passes(Sound::FishPassSmall, from({-4, 0, -1.5f}, {1, 0, 0}, 2.5f), 8), 0);
+}
+
+TEST(SoundCues, APassingIsNotRepeatedWithinSeconds) {
+    SoundCues hear;
+    Snapshot shown;
+    shown.creatures.resize(1);
+    shown.creatures[0].position = {0, 0, -0.5f};
+    shown.creatures[0].velocity = {1, 0, 0}; // nearest now, for ever
+    int heard = 0;
+    for (int i = 0; i < 10 * 120; ++i) {
+        hear.listen(shown, {}, kFrame_s);
+        heard += count(hear, Sound::FishPassSmall);
+    }
+    EXPECT_EQ(heard, 3); // at 0, 4 and 8 s
+}
+
+TEST(SoundCues, TheLastFiveSecondsAreCounted) {
+    SoundCues hear;
+    Snapshot shown;
+    int counts = 0;
+    for (int i = 0; i < 8 * 120; ++i) {
+        shown.timeLeft_s = 7.5f - static_cast<float>(i) * kFrame_s;
+        hear.listen(shown, {}, kFrame_s);
+        counts += count(hear, Sound::Countdown);
+    }
+    EXPECT_EQ(counts, 5);
+}
+
+TEST(SoundCues, TheDiverBreathes) {
+    SoundCues hear;
+    int breaths = 0;
+    for (int i = 0; i < 60 * 120; ++i) {
+        hear.listen({}, {}, kFrame_s);
+        breaths += count(hear, Sound::Bubbles);
+    }
+    EXPECT_GE(breaths, 6); // a minute of breaths of six to nine seconds
+    EXPECT_LE(breaths, 10);
+}
+
+TEST(SoundCues, CaptionsTellWhatAndWhereAndGo) {
+    SoundCues hear;
+    const Event event{0, events::SharkNear{.position = {3, 0, 1}}};
+    hear.listen({}, {&event, 1}, kFrame_s);
+    ASSERT_EQ(hear.captions().size(), 1u);
+    EXPECT_EQ(hear.captions()[0].text, kEventRow<events::SharkNear>.caption);
+    EXPECT_EQ(hear.captions()[0].position, positionOf(event));
+    const Event again{0, events::SharkNear{.position = {-3, 0, 0}}};
+    hear.listen({}, {&again, 1}, kFrame_s); // the same again only becomes new
+    ASSERT_EQ(hear.captions().size(), 1u);
+    EXPECT_EQ(hear.captions()[0].position, positionOf(again));
+    for (int i = 0; i < 300; ++i) hear.listen({}, {}, kFrame_s);
+    EXPECT_TRUE(hear.captions().empty());
+}
+
+TEST(SoundCues, WhatMattersHasACaption) {
+    // Somebody who hears nothing must learn what happens out of sight, and that a catch counted.
+    for (const EventRow& row :
+         {kEventRow<events::Catch>, kEventRow<events::Escape>, kEventRow<events::SharkNear>,
+          kEventRow<events::SharkSteal>, kEventRow<events::SharkBump>, kEventRow<events::DiveOver>})
+        EXPECT_NE(row.caption[0], '\0') << row.name;
+    Snapshot shown;
+    shown.creatures.resize(1);
+    shown.creatures[0].heldBy = 0;
+    SoundCues held;
+    held.listen(shown, {}, kFrame_s);
+    ASSERT_EQ(held.captions().size(), 1u);
+    EXPECT_EQ(held.captions()[0].text, "it struggles");
+    SoundCues late;
+    late.listen({.timeLeft_s = 4.5f}, {}, kFrame_s);
+    ASSERT_EQ(late.captions().size(), 1u);
+    EXPECT_EQ(late.captions()[0].text, "the last seconds");
+}
+
+TEST(SoundCues, PauseIsSilentAndKeepsTheCaptions) {
+    SoundCues hear;
+    const Event event{0, events::Catch{}};
+    hear.listen({}, {&event, 1}, kFrame_s);
+    Snapshot shown;
+    shown.paused = true;
+    shown.creatures.resize(1);
+    shown.creatures[0].heldBy = 1;
+    for (int i = 0; i < 1200; ++i) hear.listen(shown, {&event, 1}, kFrame_s);
+    EXPECT_TRUE(hear.shots().empty());
+    EXPECT_EQ(hear.emitters().size(), 1u); // the bed
+    EXPECT_EQ(hear.captions().size(), 1u);
+}
+
+} // namespace
+} // namespace shoal::game
