@@ -15,4 +15,20 @@ std::filesystem::path sharedDataFolder(); // $SHOAL_SHARED/data, else ../shared/
 // it.
 std::filesystem::path cacheFolder();
 
+// A new, empty folder, removed with what it holds at the end. Each case needs one of its own: cases run side
+// by side, as processes of their own.
+class ScratchFolder {
+  public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
+
+  private:
+    std::filesystem::path path_;
+};
+
 } // namespace shoal::tests

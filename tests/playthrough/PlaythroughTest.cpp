@@ -2,6 +2,7 @@
 // replays tick for tick.
 #include "engine/sim/FixedStep.h"
 #include "game/playthrough/Playback.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +78,8 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     ASSERT_GT(played.recording.ticks(), 0u);
 
     // Through the file, twice: the same state after every tick.
-    const Path file = Path(testing::TempDir()) / ("shoal_" + GetParam().stem().string() + ".rec");
+    const tests::ScratchFolder folder;
+    const Path file = folder / "played.rec";
     const Status written = sim::writeRecording(file, played.recording);
     ASSERT_TRUE(written) << written.error().message();
     const auto read = sim::readRecording(file);

@@ -170,15 +170,11 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
 // As a clip, which a codec has been at: through the device's own thread, and through the program.
 class WebcamClip : public testing::Test {
   protected:
-    // One each: tests run side by side.
-    Path folder_ = Path(testing::TempDir()) / (std::string("shoal_webcam_") +
-                                               testing::UnitTest::GetInstance()->current_test_info()->name());
+    tests::ScratchFolder folder_;
     static Path clipFile() { return tests::cacheFolder() / "webcam_hands.avi"; }
     const size_t frames_ = session().size();
 
     void SetUp() override {
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
         if (std::filesystem::exists(clipFile())) return;
         std::filesystem::create_directories(clipFile().parent_path());
         auto clip = HandClip::make({480, 270}, kWebcamFov);
@@ -200,7 +196,6 @@ class WebcamClip : public testing::Test {
         }
         return Done{};
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 };
 
 TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
@@ -254,12 +249,12 @@ TEST_F(WebcamClip, PlaysTheGame) {
 }
 
 TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
-    const Path file = Path(testing::TempDir()) / "shoal_no_clip.avi";
+    const tests::ScratchFolder folder;
+    const Path file = folder / "no_clip.avi";
     ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));
     const auto hands = makeWebcamTracker({file.string(), 0, false}, rig());
     EXPECT_FALSE(hands->stream().wait(std::chrono::seconds(20)));
     EXPECT_FALSE(hands->stream().state().present);
-    std::filesystem::remove(file);
 }
 
 TEST(WebcamEye, OddPicturesAreSurvived) {

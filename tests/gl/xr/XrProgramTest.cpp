@@ -5,6 +5,7 @@
 #include "game/playthrough/Playback.h"
 #include "game/rules/TickInput.h"
 #include "input/hands/MouseHands.h"
+#include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
 
 #include <glm/geometric.hpp>
@@ -27,21 +28,17 @@ struct Outcome {
 
 class XrProgram : public test::WithFakeRuntime {
   protected:
-    Path folder_;
+    tests::ScratchFolder scratch_;
+    Path folder_ = scratch_.path();
 
     void SetUp() override {
         WithFakeRuntime::SetUp();
         log::setUp(false);
-        folder_ = Path(testing::TempDir()) / ("shoal_xr_" + std::to_string(getpid()));
-        std::filesystem::create_directories(folder_);
         for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) setenv(name, folder_.c_str(), 1);
         fake.eyeWidth = 96;
         fake.eyeHeight = 112;
     }
-    void TearDown() override {
-        std::filesystem::remove_all(folder_);
-        WithFakeRuntime::TearDown();
-    }
+    void TearDown() override { WithFakeRuntime::TearDown(); }
 
     PlayOptions options() const {
         PlayOptions o;

@@ -44,20 +44,15 @@ std::string pictureOf(int number, cv::Size size) {
 
 class LiveProgram : public testing::Test {
   protected:
-    Path folder_;
+    tests::ScratchFolder scratch_;
+    Path folder_ = scratch_.path();
     pid_t child_ = -1;
 
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = Path(testing::TempDir()) / ("shoal_" + std::to_string(getpid()) + "_" + info->name());
-        fs::create_directories(folder_);
-    }
     void TearDown() override {
         if (child_ > 0) {
             kill(child_, SIGKILL);
             waitpid(child_, nullptr, 0);
         }
-        fs::remove_all(folder_);
     }
 
     Path err() const { return folder_ / "stderr.txt"; }

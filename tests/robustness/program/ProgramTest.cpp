@@ -27,20 +27,15 @@ struct Outcome {
 
 class Program : public testing::Test {
   protected:
-    Path folder_;
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = Path(testing::TempDir()) / ("shoal_" + std::to_string(getpid()) + "_" + info->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    tests::ScratchFolder scratch_;
+    Path folder_ = scratch_.path();
 
     Outcome run(const std::string& arguments) const {
         const Path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
         const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME=" + folder_.string() +
-                                    " timeout 120 '" + tests::program() + "' " + arguments + " >" +
-                                    out.string() + " 2>" + err.string() + " </dev/null";
+                                    " XDG_CONFIG_HOME=" + folder_.string() + " timeout 120 '" +
+                                    tests::program() + "' " + arguments + " >" + out.string() + " 2>" +
+                                    err.string() + " </dev/null";
         const int status = std::system(command.c_str());
         const auto text = [](const Path& file) {
             auto content = readText(file);

@@ -72,11 +72,9 @@ std::vector<std::string> slowed(const std::vector<std::string>& messages, double
 
 class TrackedHands : public testing::Test {
   protected:
-    Path folder_;
+    tests::ScratchFolder scratch_;
+    Path folder_ = scratch_.path();
     void SetUp() override {
-        folder_ = Path(testing::TempDir()) / (std::string("shoal_hands_") +
-                                              testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::remove_all(folder_);
         fs::create_directories(folder_ / "content" / "dives");
         const Path source = tests::sourceFolder();
         fs::create_directory_symlink(source / "shaders", folder_ / "shaders");
@@ -84,7 +82,6 @@ class TrackedHands : public testing::Test {
             if (entry.path().filename() != "dives")
                 fs::create_symlink(entry.path(), folder_ / "content" / entry.path().filename());
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     // A dive with clownfish in a narrow ring through the place where the fist closes, and no shark; and the
     // seed, of a hundred, with which one of them is nearest to that place at that time.

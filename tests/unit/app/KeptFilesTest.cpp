@@ -4,6 +4,7 @@
 #include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
 #include "game/settings/SettingsFile.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +15,11 @@ namespace {
 
 class KeptFiles : public testing::Test {
   protected:
-    Path folder_ = Path(testing::TempDir()) / "shoal_kept";
+    tests::ScratchFolder folder_;
     void SetUp() override {
-        std::filesystem::remove_all(folder_);
-        ::setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
-        ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+        ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+        ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     static PlayOptions load() {
         PlayOptions options;

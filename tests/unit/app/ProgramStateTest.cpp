@@ -2,6 +2,7 @@
 #include "game/app/FrameClock.h"
 #include "game/app/states/DivingState.h"
 #include "game/session/Scores.h"
+#include "tests/TestPaths.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ const SessionConfig& config() {
 
 class ProgramStates : public testing::Test {
   protected:
-    Path folder_ = Path(testing::TempDir()) / "shoal_states";
+    tests::ScratchFolder folder_;
     GameSession session_{config()};
     std::string dive_ = "reef";
     int best_ = 100;
@@ -26,8 +27,7 @@ class ProgramStates : public testing::Test {
     StateContext context_{session_, dive_, best_, true, leaving_};
     StateMachine states_{std::make_unique<DivingState>()};
 
-    void SetUp() override { ::setenv("XDG_DATA_HOME", folder_.c_str(), 1); }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void SetUp() override { ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
 
     void press(std::vector<int> keys) { states_.input(context_, {.keysPressed = std::move(keys)}, true); }
     void end(int score) {

@@ -1,5 +1,6 @@
 // Sound files, good and bad.
 #include "engine/audio/Clip.h"
+#include "tests/TestPaths.h"
 #include "tests/unit/Wav.h"
 
 #include <gtest/gtest.h>
@@ -11,13 +12,10 @@ namespace shoal::audio {
 namespace {
 
 Result<Clip> read(const std::string& bytes) {
-    const Path file =
-        Path(testing::TempDir()) /
-        (std::string("clip_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".bin");
+    const tests::ScratchFolder folder;
+    const Path file = folder / "clip.bin";
     std::ofstream(file, std::ios::binary) << bytes;
-    auto clip = readClip(file);
-    std::filesystem::remove(file);
-    return clip;
+    return readClip(file);
 }
 
 TEST(Clip, ReadsWhatWasWritten) {

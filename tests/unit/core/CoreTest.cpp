@@ -2,6 +2,7 @@
 #include "engine/core/Hash.h"
 #include "engine/core/Random.h"
 #include "engine/core/ThreadPool.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -85,11 +86,7 @@ TEST(Hash, IsFnv1a) {
 
 class Files : public testing::Test {
   protected:
-    Path folder_ = Path(testing::TempDir()) / "shoal_files";
-    void SetUp() override {
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-    }
+    tests::ScratchFolder folder_;
 };
 
 TEST_F(Files, WritesWholeAndReadsBack) {
@@ -111,12 +108,12 @@ TEST_F(Files, AFailedWriterLeavesTheOldFile) {
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().path, file.string());
     EXPECT_EQ(readText(file).value(), "old");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
 }
 
 TEST_F(Files, SaysWhyItCannotRead) {
     EXPECT_NE(readText(folder_ / "none").error().reason.find("no such file"), std::string::npos);
-    EXPECT_NE(readText(folder_).error().reason.find("folder"), std::string::npos);
+    EXPECT_NE(readText(folder_.path()).error().reason.find("folder"), std::string::npos);
     ASSERT_TRUE(writeFileWhole(folder_ / "big", std::string(100, 'x')));
     EXPECT_NE(readText(folder_ / "big", 99).error().reason.find("limit"), std::string::npos);
     EXPECT_TRUE(readText(folder_ / "big", 100));

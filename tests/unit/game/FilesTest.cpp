@@ -1,5 +1,6 @@
 // Species, dives and scripts as files: what is wrong is named with its line.
 #include "Fixture.h"
+#include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,9 +18,8 @@ class GameFiles : public testing::Test {
         EXPECT_TRUE(writeFileWhole(file_, text));
         return file_;
     }
-    Path file_ =
-        Path(testing::TempDir()) / (std::string("shoal_files_") +
-                                    testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml");
+    tests::ScratchFolder folder_;
+    Path file_ = folder_ / "a.toml";
 };
 
 const std::string kSpecies = "[[species]]\nname = \"perch\"\nmodel = \"models/perch.glb\"\nlength = 0.2\n";

@@ -6,6 +6,7 @@
 #include "game/rules/Schooling.h"
 #include "game/rules/SharkBehaviour.h"
 #include "game/rules/SharkTuning.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -193,15 +194,13 @@ TEST(SharkBehaviour, StrikesOnlyAfterItHasAimedAtAStrugglingFish) {
 }
 
 TEST(Script, NamesADiveFileBesideIt) {
-    const Path folder = Path(testing::TempDir()) / "shoal_script";
-    std::filesystem::create_directories(folder);
+    const tests::ScratchFolder folder;
     const std::string step = "[[step]]\ndo = \"wait\"\n";
     ASSERT_TRUE(writeFileWhole(folder / "s.toml", "dive = \"./own/cove.toml\"\n" + step));
     const auto script = loadScript(folder / "s.toml");
     ASSERT_TRUE(script) << script.error().message();
     EXPECT_EQ(Path(script->dive), folder / "own/cove.toml");
     EXPECT_FALSE(loadDiveFiles(script->dive)) << "there is no such file";
-    std::filesystem::remove_all(folder);
     EXPECT_EQ(cove().dive.name, (dataRoot() / "tests/playthrough/dive/cove.toml").string())
         << "by which a recording finds it again";
 }

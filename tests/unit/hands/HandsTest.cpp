@@ -1,5 +1,6 @@
 #include "input/hands/HandRig.h"
 #include "input/hands/MouseHands.h"
+#include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,7 +101,8 @@ TEST(HandRig, AFistBendsTowardsThePalmAndGripsAll) {
 }
 
 TEST(HandRig, RefusesWhatIsNoSkeleton) {
-    const Path file = Path(testing::TempDir()) / "shoal_skeleton.json";
+    const tests::ScratchFolder folder;
+    const Path file = folder / "skeleton.json";
     const std::string good = readText(dataRoot() / "content/models/hand_skeleton.json").value();
     const auto load = [&](const std::string& text) {
         EXPECT_TRUE(writeFileWhole(file, text));

@@ -7,6 +7,7 @@
 #include "engine/panorama/PartialPanorama.h"
 #include "engine/panorama/PolarCaps.h"
 #include "engine/panorama/WrapBlend.h"
+#include "tests/TestPaths.h"
 #include "tests/bench/panorama/Scenes.h"
 
 #include <glm/geometric.hpp>
@@ -279,8 +280,7 @@ TEST(Panorama, LightInACornerAtEitherEndOfFieldsOfView) {
 
 // What the reader makes of odd files is a photo like any other.
 TEST(Panorama, SixteenBitsGreyAndAlpha) {
-    const Path folder = Path(testing::TempDir()) / ("shoal_panorama_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    const tests::ScratchFolder folder;
     for (const int type : {CV_8UC1, CV_8UC4, CV_16UC3}) {
         cv::Mat made(24, 32, type, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 100 : 25700));
         cv::rectangle(made, {20, 4, 4, 4}, cv::Scalar::all(CV_MAT_DEPTH(type) == CV_8U ? 255 : 65535),
@@ -293,7 +293,6 @@ TEST(Panorama, SixteenBitsGreyAndAlpha) {
         EXPECT_NEAR(grown->lightInPhoto.x, 22, 0.5) << type;
         EXPECT_NEAR(grown->latLong.at(0, grown->latLong.height / 2)[0], 100, 12) << type;
     }
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Panorama, HighDynamicRangeIsKept) {

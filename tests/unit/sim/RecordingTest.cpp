@@ -1,6 +1,7 @@
 #include "engine/sim/Recording.h"
 
 #include "engine/core/Random.h"
+#include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,15 +29,10 @@ Recording sample(size_t ticks) {
 
 class RecordingFile : public testing::Test {
   protected:
-    void SetUp() override {
-        file_ =
-            Path(testing::TempDir()) /
-            (std::string("shoal_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".rec");
-    }
-    void TearDown() override { std::filesystem::remove(file_); }
+    tests::ScratchFolder folder_;
     std::string bytes() { return readText(file_).value(); }
     void write(const std::string& text) { ASSERT_TRUE(writeFileWhole(file_, text)); }
-    Path file_;
+    Path file_ = folder_ / "a.rec";
 };
 
 TEST_F(RecordingFile, ComesBackEqual) {
