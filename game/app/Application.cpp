@@ -1,6 +1,7 @@
 // Runs the frames of a dive.
 #include "game/app/Application.h"
 
+#include "engine/core/Log.h"
 #include "engine/media/Pictures.h"
 #include "game/app/states/DivingState.h"
 
@@ -92,6 +93,11 @@ void Application::globalKey(int key) {
         options_.fullscreen = !options_.fullscreen;
         window_->toggleFullscreen();
     }
+#ifndef NDEBUG
+    if (key == GLFW_KEY_F5)
+        if (Status reloaded = sceneRenderer_->reloadShaders(); !reloaded)
+            log::warn("{}", reloaded.error().message());
+#endif
     if (!louder && !quieter) return;
     options_.volume = std::clamp(options_.volume + (louder ? 0.1f : -0.1f), 0.0f, 1.0f);
     soundAndHaptics_->setVolume(options_.volume);

@@ -1,30 +1,49 @@
 #include "game/views/SceneRenderer.h"
 
+#include "engine/core/Log.h"
+
+#include <utility>
+
 namespace shoal::app {
 
-Result<SceneRenderer> SceneRenderer::make(CreatureModels creatureModels, const SceneRendererSetup& setup) {
+Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();
-    SceneRenderer renderer(std::move(creatureModels), std::move(*objects));
-    renderer.skip_ = setup.skip;
+    Passes passes{std::move(*objects), {}, {}, {}};
     if (setup.snow) {
         auto snow = render::SnowPass::make();
         if (!snow) return snow.error();
-        renderer.snow_ = std::move(*snow);
+        passes.snow = std::move(*snow);
     }
     if (setup.shadows) {
         auto shadows = Shadows::make();
         if (!shadows) return shadows.error();
-        renderer.shadows_ = std::move(*shadows);
+        passes.shadows = std::move(*shadows);
     }
-    if (Status s = renderer.setCompositor(setup.compositor); !s) return s.error();
-    return renderer;
+    auto compositor = render::makeCompositor(setup.compositor);
+    if (!compositor) return compositor.error();
+    passes.compositor = std::move(*compositor);
+    return passes;
+}
+
+Result<SceneRenderer> SceneRenderer::make(CreatureModels creatureModels, const SceneRendererSetup& setup) {
+    auto passes = makePasses(setup);
+    if (!passes) return passes.error();
+    return SceneRenderer(std::move(creatureModels), setup, std::move(*passes));
 }
 
 Status SceneRenderer::setCompositor(const render::CompositorSetup& setup) {
     auto compositor = render::makeCompositor(setup);
     if (!compositor) return compositor.error();
-    compositor_ = std::move(*compositor);
+    passes_.compositor = std::move(*compositor);
+    setup_.compositor = setup;
+    return Done{};
+}
+
+Status SceneRenderer::reloadShaders() {
+    auto passes = makePasses(setup_);
+    if (!passes) return passes.error();
+    beforeReload_ = std::exchange(passes_, std::move(*passes));
     return Done{};
 }
 
@@ -35,13 +54,14 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     glossy_ = glossy;
     time_s_ = snapshot.time_s;
     headWorld_ = snapshot.headWorld;
-    objects_.begin();
-    if (!compositor_->drawsObjects()) return;
-    creatureModels_.show(snapshot, objects_);
-    if (shadows_)
-        shadows_->set(objects_.bodies(),
-                      floorLight(environment.shadowLight(), environment.envFromWorld(), snapshot.ground));
-    objects_.upload(environment.envFromWorld());
+    passes_.objects.begin();
+    if (!passes_.compositor->drawsObjects()) return;
+    creatureModels_.show(snapshot, passes_.objects);
+    if (passes_.shadows)
+        passes_.shadows->set(
+            passes_.objects.bodies(),
+            floorLight(environment.shadowLight(), environment.envFromWorld(), snapshot.ground));
+    passes_.objects.upload(environment.envFromWorld());
 }
 
 render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
@@ -53,13 +73,18 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
             .eye = eye.eye,
             .sharesFrame = environment_->eyesSeeTheSame(),
             .filmed = {environment_->cameraResponse(), environment_->frameIndex()},
-            .skip = skip_};
+            .skip = setup_.skip};
 }
 
 Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye) {
     pictures_.clear();
     for (const Eye& eye : eyes) pictures_.push_back(pictureOf(eye));
-    return compositor_->draw(pictures_, *this, afterEye);
+    Status drawn = passes_.compositor->draw(pictures_, *this, afterEye);
+    if (drawn || !beforeReload_) return drawn;
+    log::warn("{}", drawn.error().message());
+    passes_ = std::move(*beforeReload_); // they draw from the next frame on
+    beforeReload_.reset();
+    return Done{};
 }
 
 Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
@@ -70,11 +95,11 @@ Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
 }
 
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
-    if (skip_ == render::SkippedPass::Objects) return Done{};
+    if (setup_.skip == render::SkippedPass::Objects) return Done{};
     const gl::PassTimers::Scope scope(timers_, "objects");
     for (const auto part : {render::ObjectPass::Part::Opaque, render::ObjectPass::Part::Blended})
-        if (Status s = objects_.draw(part, picture.environment, picture.view, picture.envFromWorld,
-                                     picture.exposure, environment_->water(), glossy_);
+        if (Status s = passes_.objects.draw(part, picture.environment, picture.view, picture.envFromWorld,
+                                            picture.exposure, environment_->water(), glossy_);
             !s)
             return s;
     return Done{};
@@ -82,26 +107,27 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
 
 Status SceneRenderer::drawParticles(render::SnowPass::On on, const render::EyePicture& picture) {
     const water::Water water = environment_->water();
-    if (!snow_ || water.none() || skip_ == render::SkippedPass::Particles) return Done{};
+    if (!passes_.snow || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
     const gl::PassTimers::Scope scope(timers_, "particles");
-    return snow_->draw(on, picture.environment, picture.view, picture.envFromWorld, picture.exposure, water,
-                       time_s_);
+    return passes_.snow->draw(on, picture.environment, picture.view, picture.envFromWorld, picture.exposure,
+                              water, time_s_);
 }
 
 Status SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
-    if (!shadows_ || skip_ == render::SkippedPass::Shadows) return Done{};
+    if (!passes_.shadows || setup_.skip == render::SkippedPass::Shadows) return Done{};
     const gl::PassTimers::Scope scope(timers_, "shadows");
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     const glm::vec3 filmedFrom = picture.sharesFrame ? glm::vec3(0) : picture.view.eyeWorld - headWorld_;
-    return shadows_->draw(picture.view, filmedFrom, environment_->water(), cover);
+    return passes_.shadows->draw(picture.view, filmedFrom, environment_->water(), cover);
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
-    return objects_.visibleSpheres(view);
+    return passes_.objects.visibleSpheres(view);
 }
 
 int SceneRenderer::drawCount() const {
-    return objects_.drawCount() + 1 + (snow_ ? 1 : 0) + (shadows_ ? shadows_->drawCount() : 0);
+    return passes_.objects.drawCount() + 1 + (passes_.snow ? 1 : 0) +
+           (passes_.shadows ? passes_.shadows->drawCount() : 0);
 }
 
 } // namespace shoal::app

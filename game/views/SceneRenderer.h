@@ -33,6 +33,10 @@ class SceneRenderer final : private render::CompositorScene {
     // Between two frames.
     Status setCompositor(const render::CompositorSetup& setup);
 
+    // Compiles all shaders anew from their files, between two frames. Where one is broken the error says so
+    // and the last good ones stay, even if that shows only when an object first needs it.
+    Status reloadShaders();
+
     // Once a frame, before draw(), after timers().beginFrame(); the environment must live until then.
     void set(const game::Snapshot& snapshot, const Environment& environment, const render::Exposure& exposure,
              render::Glossy glossy = render::Glossy::Prefiltered);
@@ -51,11 +55,18 @@ class SceneRenderer final : private render::CompositorScene {
     gl::PassTimers& timers() override { return timers_; }
     const gl::PassTimers& timers() const { return timers_; }
     int drawCount() const;
-    int triangleCount() const { return objects_.triangleCount(); }
+    int triangleCount() const { return passes_.objects.triangleCount(); }
 
   private:
-    SceneRenderer(CreatureModels creatureModels, render::ObjectPass objects)
-        : creatureModels_(std::move(creatureModels)), objects_(std::move(objects)) {}
+    struct Passes { // what has shaders
+        render::ObjectPass objects;
+        std::optional<render::SnowPass> snow;
+        std::optional<Shadows> shadows;
+        std::unique_ptr<render::Compositor> compositor;
+    };
+    static Result<Passes> makePasses(const SceneRendererSetup& setup);
+    SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
+        : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
     render::EyePicture pictureOf(const Eye& eye) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::SnowPass::On on, const render::EyePicture& picture) override;
@@ -63,12 +74,10 @@ class SceneRenderer final : private render::CompositorScene {
     std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
 
     CreatureModels creatureModels_;
-    render::ObjectPass objects_;
+    SceneRendererSetup setup_;
+    Passes passes_;
+    std::optional<Passes> beforeReload_;
     gl::PassTimers timers_;
-    render::SkippedPass skip_ = render::SkippedPass::None;
-    std::optional<render::SnowPass> snow_;
-    std::optional<Shadows> shadows_;
-    std::unique_ptr<render::Compositor> compositor_;
     const Environment* environment_ = nullptr; // of the frame
     render::Exposure exposure_;
     render::Glossy glossy_ = render::Glossy::Prefiltered;

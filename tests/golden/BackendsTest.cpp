@@ -4,11 +4,14 @@
 #include "game/session/GameSession.h"
 #include "game/session/SessionConfig.h"
 #include "game/views/SceneRenderer.h"
+#include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
 
 namespace shoal::app {
@@ -117,6 +120,52 @@ TEST_F(Backends, DrawTheSameDives) {
                 }
             }
     }
+}
+
+// With a copy of the shaders, to change.
+class ShaderReload : public Backends {
+  protected:
+    tests::ScratchFolder data_;
+
+    void SetUp() override {
+        namespace fs = std::filesystem;
+        fs::copy(tests::sourceFolder() / "shaders", data_ / "shaders", fs::copy_options::recursive);
+        for (const char* folder : {"content", "tests"})
+            fs::create_directory_symlink(tests::sourceFolder() / folder, data_ / folder);
+        setenv("SHOAL_DATA", data_.path().c_str(), 1);
+        Backends::SetUp();
+    }
+
+    std::vector<uint8_t> picture(const game::Snapshot& shown) {
+        return draw(shown, 1, Composition::Plain, Backend::OpenGL)[0].pixels;
+    }
+};
+
+TEST_F(ShaderReload, KeepsTheLastThatWorked) {
+    GameSession session(*config_);
+    session.advance(4, false);
+    environment_->update(session.shown.time_s, true);
+    const Path file = data_ / "shaders/render/Object.vert";
+    const std::string good = readText(file).value();
+    const std::vector<uint8_t> before = picture(session.shown);
+
+    ASSERT_TRUE(writeFileWhole(file, good + "broken"));
+    const Status broken = renderer_->reloadShaders();
+    ASSERT_FALSE(broken);
+    EXPECT_NE(broken.error().message().find("render/Object.vert"), std::string::npos);
+    EXPECT_EQ(picture(session.shown), before);
+
+    // Only fish need this variant: it is compiled when the first is drawn.
+    ASSERT_TRUE(writeFileWhole(file, good + "#ifdef SKINNED\nbroken\n#endif\n"));
+    EXPECT_TRUE(renderer_->reloadShaders());
+    picture(session.shown);
+    EXPECT_EQ(picture(session.shown), before);
+
+    std::string moved = good;
+    moved.replace(moved.rfind("gl_Position ="), 13, "gl_Position = 1.1 *");
+    ASSERT_TRUE(writeFileWhole(file, moved));
+    EXPECT_TRUE(renderer_->reloadShaders());
+    EXPECT_NE(picture(session.shown), before);
 }
 
 } // namespace
