@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,6 +74,47 @@ class Program {
     };
     Object<Kind::Program> program_;
     std::vector<Slot> slots_; // every active uniform
+};
+
+// GLSL text of one shader stage: the file with its includes resolved, below the version and the defines.
+// Needs no context.
+
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string> files; // as #line numbers them
+};
+
+constexpr int kGlslEs300 = 300; // OpenGL ES 3.0 and WebGL 2
+
+// name: below shaders/, with ending ("render/Object.vert"). defines: names set to 1. glsl: the version, 330
+// or more, or kGlslEs300.
+Result<ShaderSource> readShader(const std::string& name, const std::vector<std::string>& defines, int glsl);
+
+// One shader pair compiled with different sets of features. Software renderers run both sides of every
+// branch, and graphics cards hold registers for both, so what is known before a draw is decided by the
+// preprocessor.
+
+class Variants {
+  public:
+    Variants() = default;
+    // names: of the features, bit by bit; must live as long as this. Nothing is compiled yet.
+    Variants(std::string stem, std::span<const char* const> names) : stem_(std::move(stem)), names_(names) {}
+
+    // Compiled when first asked for; the pointer stays good. glsl: as Program::load() has it.
+    Result<const Program*> get(unsigned features, int glsl = 330) {
+        if (const auto found = programs_.find(features); found != programs_.end()) return &found->second;
+        std::vector<std::string> defines;
+        for (size_t bit = 0; bit < names_.size(); ++bit)
+            if (features & (1u << bit)) defines.emplace_back(names_[bit]);
+        auto program = Program::load(stem_, defines, glsl);
+        if (!program) return program.error();
+        return &programs_.emplace(features, std::move(*program)).first->second;
+    }
+
+  private:
+    std::string stem_;
+    std::span<const char* const> names_;
+    std::map<unsigned, Program> programs_;
 };
 
 } // namespace shoal::gl

@@ -23,6 +23,11 @@ struct BackgroundCell {
     glm::vec2 mapHigh() const { return first + glm::max(right, 0.0f) + glm::max(up, 0.0f); }
 };
 
+struct CellToDraw {
+    const BackgroundCell* cell;
+    bool painted; // shows the frame with objects in it, else the environment's own
+};
+
 class BackgroundCells {
   public:
     // size: in pixels. Nothing allocates once there have been as many.

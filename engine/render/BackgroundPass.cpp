@@ -95,7 +95,7 @@ Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) 
     return drawCells(picture, drawn_, composite_.texture());
 }
 
-void BackgroundPass::upload(std::span<const Cell> cells, const glm::ivec2& size) {
+void BackgroundPass::upload(std::span<const CellToDraw> cells, const glm::ivec2& size) {
     for (std::vector<Corner>& each : corners_) each.clear();
     for (const auto& [cell, painted] : cells) {
         std::vector<Corner>& to =
@@ -125,7 +125,8 @@ void BackgroundPass::upload(std::span<const Cell> cells, const glm::ivec2& size)
                  indices.data(), GL_STATIC_DRAW);
 }
 
-Status BackgroundPass::drawCells(const EyePicture& picture, std::span<const Cell> cells, GLuint painted) {
+Status BackgroundPass::drawCells(const EyePicture& picture, std::span<const CellToDraw> cells,
+                                 GLuint painted) {
     if (cells.empty()) return Done{};
     glBindVertexArray(vertexArray_.name());
     upload(cells, picture.size());

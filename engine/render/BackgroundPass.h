@@ -4,7 +4,7 @@
 // instead.
 #pragma once
 
-#include "engine/gl/Variants.h"
+#include "engine/gl/Program.h"
 #include "engine/render/BackgroundCells.h"
 #include "engine/render/Composition.h"
 #include "engine/render/EquirectComposite.h"
@@ -44,29 +44,25 @@ class BackgroundPass {
     virtual Status draw(const EyePicture& picture, const TexelLayer* layer);
 
   protected:
-    struct Cell {
-        const BackgroundCell* cell;
-        bool painted; // shows the frame with objects in it, else the environment's own
-    };
     BackgroundPass() = default;
     Status setUp(bool withLayers);
     // painted: the frame with objects in it, of which only the tiles below painted cells need be defined; 0:
     // none.
-    Status drawCells(const EyePicture& picture, std::span<const Cell> cells, GLuint painted);
+    Status drawCells(const EyePicture& picture, std::span<const CellToDraw> cells, GLuint painted);
 
   private:
     struct Corner {
         glm::vec2 place, uv;
     };
     enum Kind { kPlain, kPolar, kPaintedPlain, kPaintedPolar, kKinds };
-    void upload(std::span<const Cell> cells, const glm::ivec2& size);
+    void upload(std::span<const CellToDraw> cells, const glm::ivec2& size);
 
     gl::Variants programs_;
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
     BackgroundCells cells_;
-    std::vector<Cell> drawn_;
+    std::vector<CellToDraw> drawn_;
     std::vector<bool> wanted_; // tiles
     std::array<std::vector<Corner>, kKinds> corners_;
     EquirectComposite composite_;

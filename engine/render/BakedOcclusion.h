@@ -4,6 +4,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/occlusion/FitEllipsoids.h"
+#include "engine/render/BodyOccluders.h"
 #include "engine/scene/Model.h"
 
 #include <string>
@@ -35,5 +36,18 @@ BakedOcclusion bakedOcclusionOf(const scene::Model& model, std::vector<occlusion
 
 // Gives the model its self-occlusion. False, and nothing changed, if the baked is another model's.
 bool applyBakedOcclusion(const BakedOcclusion& baked, scene::Model& model);
+
+// A model's self-occlusion, found by rays from its surface.
+
+// Fills Primitive::self-occlusion of every mesh, as it hides itself in this pose, which should be the rest
+// pose: self-occlusion go with the joints that move them. What is blended neither hides nor self-occlusion.
+// Meshes hung up more than once keep what the last place says. Not where a material brings a map of its
+// occlusion. rays: from each of three points in a triangle.
+void bakeSelfOcclusion(scene::Model& model, const scene::Pose& rest, int rays);
+
+// Likewise Primitive::selfOcclusionBesideOwn, which take the place of the others once the body's own parts
+// count in full (BodyOccluders.h): in a pose so bent.
+void bakeSelfOcclusionBesideOwn(scene::Model& model, const scene::Pose& bent, const BodyOccluders& body,
+                                int rays);
 
 } // namespace shoal::render

@@ -1,6 +1,7 @@
 #include "engine/render/BodyOccluders.h"
 
 #include "engine/scene/Surface.h"
+#include "shaders/render/Attributes.glsl"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -11,6 +12,26 @@
 namespace shoal::render {
 
 namespace {
+
+// Of the cosine-weighted hemisphere: less is not worth a look, and twice as much counts in full.
+constexpr float kMinShare = 0.01f;
+
+float smoothstep(float from, float to, float x) {
+    const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
+
+PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFromWorld, float strength,
+                    const glm::vec3& albedo) {
+    glm::mat3 scaled = lightFromWorld * shape.worldFromAxes;
+    const glm::vec3& a = shape.semiAxes;
+    for (int k = 0; k < 3; ++k) scaled[k] /= a[k];
+    const glm::mat3 square = scaled * glm::transpose(scaled);
+    return {.centreStrength = {lightFromWorld * shape.centre, strength},
+            .diagonalVolume = {square[0][0], square[1][1], square[2][2], a.x * a.y * a.z},
+            .mixed = {square[1][2], square[2][0], square[0][1], 0},
+            .albedo = {albedo, 0}};
+}
 
 // Of the body's length that a part has moved against the first: an idle hand's fingers 0.12, one that holds a
 // fish more than 0.3.
@@ -32,6 +53,67 @@ glm::vec3 seenFrom(const occlusion::Ellipsoid& part, const glm::vec3& place) {
 }
 
 } // namespace
+
+void NearBodies::clear() {
+    shapes_.clear();
+    sizes_.clear();
+    bodies_.clear();
+}
+
+size_t NearBodies::add(const BodyOccluders& body, const scene::Pose& pose, const glm::mat4& worldFromModel,
+                       const Sphere& bound) {
+    const size_t first = shapes_.size();
+    for (const BodyOccluders::Part& part : body.parts) {
+        const occlusion::Ellipsoid& shape = shapes_.emplace_back(placed(part, pose, worldFromModel));
+        const glm::vec3& a = shape.semiAxes;
+        const float minimum = std::min({a.x, a.y, a.z});
+        sizes_.push_back({std::max({a.x, a.y, a.z}), std::sqrt(a.x * a.y * a.z / std::max(minimum, 1e-9f))});
+    }
+    bodies_.push_back(
+        {bound, first, body.parts.size(), body.albedo, ownStrength(body, std::span(shapes_).subspan(first))});
+    return bodies_.size() - 1;
+}
+
+NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWorld) {
+    found_.clear();
+    packed_.clear();
+    const Body& self = bodies_[receiver];
+    const std::span own = ellipsoids(receiver);
+    for (size_t b = 0; b < bodies_.size(); ++b) {
+        const Body& body = bodies_[b];
+        // Beyond this even all of it takes less than is worth a look.
+        const float apart = glm::distance(body.bound.centre, self.bound.centre) - self.bound.radius;
+        if (b == receiver || apart * apart * kMinShare > body.bound.radius * body.bound.radius) continue;
+        for (size_t p = body.first; p < body.first + body.count; ++p) {
+            const Size& part = sizes_[p];
+            float nearest = INFINITY;
+            for (size_t mine = 0; mine < own.size(); ++mine)
+                nearest = std::min(nearest, glm::distance(shapes_[p].centre, own[mine].centre) -
+                                                sizes_[self.first + mine].reach);
+            // Counted from its middle, so that it goes on growing once they touch.
+            const float away = std::max(nearest + part.size, 0.2f * part.size);
+            const float share = part.size * part.size / (away * away);
+            if (share > kMinShare) found_.push_back({share, p, b});
+        }
+    }
+    constexpr size_t kMax = MAX_OTHERS;
+    float minimum = kMinShare;
+    if (found_.size() > kMax) {
+        std::partial_sort(found_.begin(), found_.begin() + kMax + 1, found_.end(),
+                          [](const Found& a, const Found& b) { return a.share > b.share; });
+        minimum = found_[kMax].share;
+        found_.resize(kMax);
+    }
+    if (self.ownStrength > 0)
+        for (const auto& mine : own.first(std::min<size_t>(own.size(), MAX_OCCLUDERS - MAX_OTHERS)))
+            packed_.push_back(pack(mine, lightFromWorld, self.ownStrength, self.albedo));
+    const size_t ownCount = packed_.size();
+    for (const Found& found : found_)
+        packed_.push_back(pack(shapes_[found.part], lightFromWorld,
+                               smoothstep(minimum, std::max(2 * kMinShare, 1.3f * minimum), found.share),
+                               bodies_[found.body].albedo));
+    return {packed_, ownCount, self.ownStrength};
+}
 
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
                                 size_t maximum) {

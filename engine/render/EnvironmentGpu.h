@@ -6,6 +6,7 @@
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"
 #include "engine/render/DisplayFrame.h"
+#include "engine/water/Water.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -62,5 +63,11 @@ class EnvironmentGpu {
     std::vector<float> mirrorRoughness_;
     occlusion::SmoothLight smooth_;
 };
+
+// Hands water to a program in use. Pairs with shaders/render/Water.glsl.
+inline void setWater(const gl::Program& program, const water::Water& water) {
+    program.setArray("waterVeil[0]", water.veil);
+    program.set("attenuation_perM", water.attenuation_perM);
+}
 
 } // namespace shoal::render

@@ -6,7 +6,7 @@
 // equirectangular map, where straight edges bend and a pole tears them apart: seam and poles need no care.
 #pragma once
 
-#include "engine/gl/Variants.h"
+#include "engine/gl/Program.h"
 #include "engine/render/CameraComposite.h"
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/FrameTiles.h"

@@ -3,7 +3,6 @@
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
 #include "engine/occlusion/gpu/Storage.h"
-#include "engine/render/SetWater.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>

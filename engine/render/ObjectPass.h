@@ -4,12 +4,12 @@
 // have grown.
 #pragma once
 
-#include "engine/gl/Variants.h"
+#include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
+#include "engine/render/BodyOccluders.h"
 #include "engine/render/Composition.h"
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/ModelGpu.h"
-#include "engine/render/NearBodies.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 

@@ -5,7 +5,7 @@
 // so that a wrong guess at the ground or the light is a faint mistake.
 #pragma once
 
-#include "engine/gl/Variants.h"
+#include "engine/gl/Program.h"
 #include "engine/render/FloorShadow.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"

@@ -1,7 +1,5 @@
 #include "engine/render/SnowPass.h"
 
-#include "engine/render/SetWater.h"
-
 #include <array>
 #include <cmath>
 #include <numbers>

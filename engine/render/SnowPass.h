@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/gl/Objects.h"
-#include "engine/gl/Variants.h"
+#include "engine/gl/Program.h"
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"

@@ -1,22 +1,24 @@
-#include "engine/xr/Actions.h"
+#include "engine/xr/OpenXr.h"
 
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 
 #include <cstring>
 
 namespace shoal::xr {
 
+// What closes the hand, what bends the index finger, what pauses. Where there is but one button, it does
+// both.
+struct Actions::InteractionProfile {
+    const char* name;
+    const char* squeeze;
+    const char* trigger;
+    const char* menu;
+    bool menuOnRight; // there is one on each hand
+};
+
 namespace {
 
 constexpr std::array<const char*, 2> kHands = {"/user/hand/left", "/user/hand/right"};
-
-constexpr std::array<InteractionProfile, 5> kProfiles = {{
-    {"khr/simple_controller", "select/click", "select/click", "menu/click", true},
-    {"oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
-    {"valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
-    {"htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
-    {"microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
-}};
 
 XrPath pathOf(XrInstance instance, const std::string& text) {
     XrPath path = XR_NULL_PATH;
@@ -58,7 +60,14 @@ Actions Actions::make(XrInstance instance, XrSession session) {
         SHOAL_XR(xrCreateAction(made.set_.name(), &info, row.action));
     }
 
-    for (const InteractionProfile& profile : kProfiles) made.suggest(instance, profile);
+    for (const InteractionProfile& profile : std::initializer_list<InteractionProfile>{
+             {"khr/simple_controller", "select/click", "select/click", "menu/click", true},
+             {"oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
+             {"valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
+             {"htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
+             {"microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
+         })
+        made.suggest(instance, profile);
     for (size_t i = 0; i < 2; ++i) {
         const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, made.grip_,
                                            made.hands_[i], poseTo({})};

@@ -1,6 +1,6 @@
-#include "engine/xr/HandTrackers.h"
+#include "engine/xr/OpenXr.h"
 
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 
 namespace shoal::xr {
 

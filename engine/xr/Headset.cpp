@@ -1,9 +1,7 @@
 #include "engine/xr/Headset.h"
 
-#include "engine/xr/Actions.h"
-#include "engine/xr/Geometry.h"
-#include "engine/xr/HandTrackers.h"
-#include "engine/xr/Swapchain.h"
+#include "engine/xr/OpenXr.h"
+#include "engine/xr/Tracked.h"
 
 namespace shoal::xr {
 

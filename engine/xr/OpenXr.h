@@ -1,8 +1,9 @@
-// Private to this folder: OpenXR's calls, handles and types. A call that fails throws a Failure, which the
-// functions of Headset turn into an Error.
+// Private to this folder: OpenXR's calls, handles and types, and what Headset is made of. A call that fails
+// throws a Failure, which the functions of Headset turn into an Error.
 #pragma once
 
 #include "engine/core/Result.h"
+#include "engine/gl/Objects.h"
 #include "engine/xr/Tracked.h"
 
 #include <epoxy/gl.h>
@@ -14,6 +15,7 @@
 #include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <string>
 #include <utility>
@@ -121,5 +123,67 @@ inline bool both(XrSpaceLocationFlags flags, XrSpaceLocationFlags a, XrSpaceLoca
 inline bool valid(XrSpaceLocationFlags flags) {
     return both(flags, XR_SPACE_LOCATION_POSITION_VALID_BIT, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT);
 }
+
+// A swapchain: the images that the runtime shows one after another.
+class Swapchain {
+  public:
+    Swapchain() = default;
+    // Pictures for display-coded values (sRGB's format, written raw), one sample a pixel.
+    static Swapchain make(XrSession session, glm::ivec2 size);
+
+    // A framebuffer on the next picture, once the runtime has done with it; release() hands it over.
+    GLuint acquire();
+    void release();
+
+    XrSwapchain name() const { return handle_.name(); }
+    glm::ivec2 size() const { return size_; }
+
+  private:
+    Handle<XrSwapchain, xrDestroySwapchain> handle_;
+    std::vector<gl::Framebuffer> framebuffers_; // one a picture
+    glm::ivec2 size_{0};
+    bool acquired_ = false;
+};
+
+// Hands without controllers, tracked through XR_EXT_hand_tracking.
+class HandTrackers {
+  public:
+    HandTrackers() = default;
+    HandTrackers(HandTrackers&&) noexcept;
+    HandTrackers& operator=(HandTrackers&&) noexcept;
+    ~HandTrackers();
+
+    // Without the extension: hands that are never active.
+    static HandTrackers make(const Instance& instance, XrSession session);
+    void locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const;
+
+  private:
+    std::array<XrHandTrackerEXT, 2> trackers_{};
+    PFN_xrLocateHandJointsEXT locate_ = nullptr;
+    PFN_xrDestroyHandTrackerEXT destroy_ = nullptr;
+};
+
+// Input and vibration of controllers: OpenXR's actions, bound for the common controllers.
+class Actions {
+  public:
+    Actions() = default;
+    static Actions make(XrInstance instance, XrSession session);
+
+    void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
+    // amplitude 0 to 1; 0 stops. Runs until the next call, but no longer than kVibration_ns.
+    void vibrate(XrSession session, int hand, float amplitude, float frequency_Hz) const;
+
+    // Longer than a frame, so that it does not stutter; short, so that it ends by itself if the game does.
+    static constexpr XrDuration kVibration_ns = 100'000'000;
+
+  private:
+    struct InteractionProfile;
+    void suggest(XrInstance instance, const InteractionProfile& profile) const;
+
+    Handle<XrActionSet, xrDestroyActionSet> set_;
+    XrAction grip_{}, squeeze_{}, trigger_{}, menu_{}, haptic_{}; // owned by the set
+    std::array<XrPath, 2> hands_{};
+    std::array<Handle<XrSpace, xrDestroySpace>, 2> gripSpaces_;
+};
 
 } // namespace shoal::xr

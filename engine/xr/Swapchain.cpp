@@ -1,4 +1,4 @@
-#include "engine/xr/Swapchain.h"
+#include "engine/xr/OpenXr.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #include "game/app/HeadsetDisplay.h"
 
 #include "engine/core/Log.h"
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 #include "input/hands/OpenXrHands.h"
 
 #include <algorithm>

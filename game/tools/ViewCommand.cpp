@@ -9,7 +9,7 @@
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
-#include "engine/render/BakeSelfOcclusion.h"
+#include "engine/render/BakedOcclusion.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Roughness.h"

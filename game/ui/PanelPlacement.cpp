@@ -1,6 +1,6 @@
 #include "game/ui/PanelPlacement.h"
 
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 
 #include <cmath>
 #include <numbers>

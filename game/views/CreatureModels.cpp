@@ -1,6 +1,5 @@
 #include "game/views/CreatureModels.h"
 
-#include "engine/render/BakeSelfOcclusion.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Roughness.h"
 #include "input/hands/HandRig.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/light/LightOverTime.h"
-#include "engine/render/NearBodies.h"
+#include "engine/render/BodyOccluders.h"
 #include "engine/render/ShadowPass.h"
 #include "game/rules/Snapshot.h"
 

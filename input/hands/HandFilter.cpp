@@ -6,24 +6,54 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <numbers>
 
 namespace shoal::hands {
 
 namespace {
 
-using namespace tuning;
-
-template <class Filter, size_t... I>
-std::array<Filter, sizeof...(I)> each(const OneEuroTuning& tuning, std::index_sequence<I...>) {
-    return {((void)I, Filter(tuning))...};
+// The way from a to b: of quaternions the shorter one, as axis times angle in a's frame.
+glm::vec3 wayBetween(const glm::vec3& a, const glm::vec3& b) { return b - a; }
+glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
+    glm::quat d = glm::conjugate(a) * b;
+    if (d.w < 0) d = -d;
+    const glm::vec3 v(d.x, d.y, d.z);
+    const float sine = glm::length(v);
+    if (sine < 1e-7f) return 2.0f * v;
+    return v * (2 * std::atan2(sine, d.w) / sine);
 }
 
-template <class Filter> std::array<Filter, kJointCount> perJoint(const OneEuroTuning& tuning) {
-    return each<Filter>(tuning, std::make_index_sequence<kJointCount>());
+glm::vec3 moved(const glm::vec3& from, const glm::vec3& way) { return from + way; }
+glm::quat moved(const glm::quat& from, const glm::vec3& way) {
+    const float angle = glm::length(way);
+    if (angle < 1e-7f) return from;
+    return glm::normalize(from * glm::angleAxis(angle, way / angle));
 }
 
 } // namespace
+
+using namespace tuning;
+
+float smoothing(float cutoff_Hz, float dt_s) {
+    const float r = 2 * std::numbers::pi_v<float> * cutoff_Hz * dt_s;
+    return r / (r + 1);
+}
+
+template <class Value> void OneEuro<Value>::reset(const Value& value) {
+    value_ = raw_ = value;
+    speed_ = glm::vec3(0);
+}
+
+template <class Value> const Value& OneEuro<Value>::step(const Value& value, float dt_s) {
+    if (!(dt_s > 0)) return value_;
+    speed_ += (wayBetween(raw_, value) / dt_s - speed_) * smoothing(tuning_.speedCutoff_Hz, dt_s);
+    raw_ = value;
+    const float cutoff_Hz = tuning_.minCutoff_Hz + tuning_.slope * glm::length(speed_);
+    return value_ = moved(value_, wayBetween(value_, value) * smoothing(cutoff_Hz, dt_s));
+}
+
+template class OneEuro<glm::vec3>;
+template class OneEuro<glm::quat>;
 
 Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
     const float share = begun_ ? 1 - std::exp(-std::max(dt_s, 0.0f) / kStrengthTau_s) : 1.0f;
@@ -55,8 +85,8 @@ Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
 }
 
 HandFilter::HandFilter()
-    : palm_(kPosition), palmTurn_(kOrientation), palmFromJoint_(perJoint<OneEuroPoint>(kFinger)),
-      palmFromJointTurn_(perJoint<OneEuroTurn>(kOrientation)) {}
+    : palm_(kPosition), palmTurn_(kOrientation), palmFromJoint_(kJointCount, OneEuroPoint(kFinger)),
+      palmFromJointTurn_(kJointCount, OneEuroTurn(kOrientation)) {}
 
 bool HandFilter::continues(const HandPose& seen, int64_t identity, float dt_s) const {
     return pose_.tracked && identity == identity_ && dt_s >= 0 && dt_s <= kGap_s &&
@@ -68,37 +98,33 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
         pose_.tracked = false;
         return;
     }
-    const float dt_s = static_cast<float>(time_us - raw_.time_us) * 1e-6f;
+    float dt_s = static_cast<float>(time_us - raw_.time_us) * 1e-6f;
     const bool goesOn = continues(seen, identity, dt_s);
+    if (!goesOn) dt_s = 0; // every filter begins anew
     raw_ = seen;
     raw_.time_us = time_us;
     identity_ = identity;
+    const auto filtered = [&](auto& filter, const auto& value) {
+        if (!goesOn) filter.reset(value);
+        return filter.step(value, dt_s);
+    };
 
     const Joint& palm = seen.joints[0];
     const glm::quat palmFromView = glm::conjugate(palm.orientation);
     if (!goesOn) {
         ++stretch_;
         latch_.reset();
-        palm_.reset(palm.position);
-        palmTurn_.reset(palm.orientation);
     }
-    const glm::vec3 palmAt = goesOn ? palm_.step(palm.position, dt_s) : palm.position;
-    const glm::quat palmTurn = goesOn ? palmTurn_.step(palm.orientation, dt_s) : palm.orientation;
+    const glm::vec3 palmAt = filtered(palm_, palm.position);
+    const glm::quat palmTurn = filtered(palmTurn_, palm.orientation);
 
     pose_ = raw_;
     for (int i = 0; i < kJointCount; ++i) {
         const Joint& joint = seen.joints[i];
-        const glm::vec3 offset = palmFromView * (joint.position - palm.position);
-        const glm::quat turn = palmFromView * joint.orientation;
-        if (!goesOn) {
-            palmFromJoint_[i].reset(offset);
-            palmFromJointTurn_[i].reset(turn);
-        } else {
-            palmFromJoint_[i].step(offset, dt_s);
-            palmFromJointTurn_[i].step(turn, dt_s);
-        }
-        pose_.joints[i].position = palmAt + palmTurn * palmFromJoint_[i].value();
-        pose_.joints[i].orientation = glm::normalize(palmTurn * palmFromJointTurn_[i].value());
+        pose_.joints[i].position =
+            palmAt + palmTurn * filtered(palmFromJoint_[i], palmFromView * (joint.position - palm.position));
+        pose_.joints[i].orientation =
+            glm::normalize(palmTurn * filtered(palmFromJointTurn_[i], palmFromView * joint.orientation));
     }
     // The filter cuts corners, and so bones. The palm stays; the wrist and what hangs from it follow.
     const auto keepLength = [&](int from, int to) {
@@ -109,7 +135,7 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
     };
     keepLength(0, 1);
     for (int i = 2; i < kJointCount; ++i) keepLength(kJointParent[i], i);
-    gesture_ = latch_.step(pose_.grip, pose_.pinch, goesOn ? dt_s : 0);
+    gesture_ = latch_.step(pose_.grip, pose_.pinch, dt_s);
 }
 
 } // namespace shoal::hands

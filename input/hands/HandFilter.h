@@ -2,9 +2,39 @@
 #pragma once
 
 #include "input/hands/HandTracker.h"
-#include "input/hands/OneEuro.h"
+#include "input/hands/HandTuning.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
 
 namespace shoal::hands {
+
+// Share of the way to a new value that a first-order low-pass goes in dt_s: equations 3 to 5 of the paper
+// below.
+float smoothing(float cutoff_Hz, float dt_s);
+
+// The one-euro filter: a low-pass whose cut-off grows with speed, so that a still hand does not tremble and a
+// moving one does not lag. Casiez, Roussel, Vogel 2012, "1 Euro Filter: A Simple Speed-based Low-pass Filter
+// for Noisy Input in Interactive Systems", algorithm 1. Departs from the paper in one thing: the three
+// coordinates share the cut-off that follows from the length of their speed, so that a motion's direction is
+// kept. Value: a point (m, m/s), or a unit quaternion, whose way is the great arc (rad/s in the turning
+// frame).
+template <class Value> class OneEuro {
+  public:
+    explicit OneEuro(const OneEuroTuning& tuning) : tuning_(tuning) {}
+    void reset(const Value& value);
+    const Value& step(const Value& value, float dt_s); // dt_s <= 0: nothing new
+    const Value& value() const { return value_; }
+
+  private:
+    OneEuroTuning tuning_;
+    Value value_{}, raw_{};
+    glm::vec3 speed_{0}; // itself low-passed
+};
+using OneEuroPoint = OneEuro<glm::vec3>;
+using OneEuroTurn = OneEuro<glm::quat>;
 
 enum class Gesture { Open, Pinch, Fist };
 
@@ -44,8 +74,8 @@ class HandFilter {
     HandPose pose_, raw_;
     OneEuroPoint palm_;
     OneEuroTurn palmTurn_;
-    std::array<OneEuroPoint, kJointCount> palmFromJoint_;
-    std::array<OneEuroTurn, kJointCount> palmFromJointTurn_;
+    std::vector<OneEuroPoint> palmFromJoint_; // by joint
+    std::vector<OneEuroTurn> palmFromJointTurn_;
     GestureLatch latch_;
     Gesture gesture_ = Gesture::Open;
     int64_t identity_ = 0;

@@ -2,7 +2,7 @@
 #include "Spheres.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
-#include "engine/render/NearBodies.h"
+#include "engine/render/BodyOccluders.h"
 
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <glm/gtc/matrix_transform.hpp>

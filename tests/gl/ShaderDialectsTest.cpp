@@ -1,6 +1,6 @@
 // The shaders of a dive are valid GLSL 3.30 and GLSL ES 3.00, by Khronos' reference compiler.
 #include "engine/core/Files.h"
-#include "engine/gl/ShaderSource.h"
+#include "engine/gl/Program.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -4,14 +4,45 @@
 
 #include "engine/core/ThreadPool.h"
 #include "engine/render/BackgroundCells.h"
+#include "engine/render/DisplayFrame.h"
+#include "engine/render/FrameTiles.h"
 #include "engine/render/software/FrameSampler.h"
-#include "engine/render/software/PaintedFrame.h"
+#include "engine/render/software/PaintTexels.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace shoal::render {
+
+// A copy of a frame in memory with objects in its texels, of which only the tiles asked for are written.
+
+class PaintedFrame {
+  public:
+    struct Run {                         // of wanted tiles,
+        int row = 0, first = 0, end = 0; // of columns, as FrameTiles counts them
+        glm::ivec2 low{0}, high{0};      // and in texels
+    };
+
+    // wanted: tiles as FrameTiles counts them. Those of them that are chosen are painted, others copied. By
+    // one thread, with the thread pool's help. Nothing allocates once it has been as large.
+    void paint(const DisplayFrame& frame, const FrameTiles& tiles, const std::vector<bool>& wanted,
+               const TexelPaint& paint, ThreadPool& threadPool);
+
+    // All of it as it lies in memory, where only tiles that were wanted mean anything. Those beyond were
+    // perhaps never written.
+    DisplayFrame frame() const { return {pixels(), size_.x, size_.y, size_.x}; }
+    std::span<const Run> runs() const { return runs_; }
+
+  private:
+    const uint8_t* pixels() const { return reinterpret_cast<const uint8_t*>(texels_.get()); }
+
+    glm::ivec2 size_{0};
+    // Not a vector, which would touch all of its memory: objects are in few places.
+    std::unique_ptr<uint32_t[]> texels_;
+    std::vector<Run> runs_;
+};
 
 // A frame and the view of it.
 struct SampledView {
@@ -38,12 +69,8 @@ class BackgroundSampler {
     const uint32_t* picture() const { return picture_.data(); }
     int stride() const { return seen_.size.x; }
 
-    struct Left {
-        const BackgroundCell* cell;
-        bool painted; // shows what is in painted(), else the frame
-    };
     // Cells that are not sampled, for OpenGL to draw: polar ones, and those at the frame's edges.
-    std::span<const Left> left() const { return left_; }
+    std::span<const CellToDraw> left() const { return left_; }
     bool sampledAny() const { return left_.size() < cells_.all().size(); }
     const PaintedFrame& painted() const { return painted_; }
 
@@ -69,7 +96,7 @@ class BackgroundSampler {
     std::vector<uint32_t> picture_;
     std::vector<size_t> due_;    // cells to be sampled
     std::vector<size_t> dueRow_; // where in them each row of cells begins, and their end
-    std::vector<Left> left_;
+    std::vector<CellToDraw> left_;
     std::vector<bool> wanted_; // tiles
     PaintedFrame painted_;
     SampleRow sampleRow_{};

@@ -72,14 +72,8 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, picture.canvas.width(), picture.canvas.height(), GL_BGRA,
                         GL_UNSIGNED_BYTE, sampler_.picture());
     }
-    left_.clear();
-    bool painted = false;
-    for (const BackgroundSampler::Left& left : sampler_.left()) {
-        left_.push_back({left.cell, left.painted});
-        painted = painted || left.painted;
-    }
-    if (painted) uploadPainted();
-    return drawCells(picture, left_, painted_.name());
+    if (std::ranges::any_of(sampler_.left(), &CellToDraw::painted)) uploadPainted();
+    return drawCells(picture, sampler_.left(), painted_.name());
 }
 
 // Only the runs of tiles that hold anything.

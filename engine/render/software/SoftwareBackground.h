@@ -27,7 +27,6 @@ class SoftwareBackground final : public BackgroundPass {
     BackgroundSampler sampler_;
     std::vector<uint32_t> layer_; // scratch: the layer's pixels
     std::vector<uint8_t> grain_;  // once something is filmed
-    std::vector<Cell> left_;      // scratch
     gl::Texture painted_;         // of cells that the sampler leaves; once there is one
     glm::ivec2 paintedSize_{0};
 };

@@ -1,6 +1,6 @@
 // A hand that closes on a fish darkens it smoothly, though what takes light from it is chosen anew each tick.
 #include "Truth.h"
-#include "engine/render/NearBodies.h"
+#include "engine/render/BodyOccluders.h"
 
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,7 @@
 // A headset through the real loader, down to a runtime that only tests have.
 #include "engine/xr/Headset.h"
 #include "engine/platform/Window.h"
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 #include "tests/gl/xr/Fixture.h"
 
 #include <gtest/gtest.h>

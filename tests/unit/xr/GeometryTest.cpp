@@ -1,5 +1,5 @@
 // A headset's poses and angles as the renderer takes them.
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "content/make/models/occlusion/HandOcclusion.h"
 
 #include "content/make/models/occlusion/FitToHidden.h"
-#include "engine/render/BakeSelfOcclusion.h"
+#include "engine/render/BakedOcclusion.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Surface.h"
 

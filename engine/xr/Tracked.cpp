@@ -1,4 +1,4 @@
-#include "engine/xr/Geometry.h"
+#include "engine/xr/Tracked.h"
 
 #include <glm/geometric.hpp>
 
