@@ -59,7 +59,8 @@ in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
 out vec4 colour;
 
-void main() {
+// Linear, with its coverage; where vertices are lit, times the light and exposed. Discards what the mask cuts out.
+vec4 baseColour() {
 #ifdef VERTEX_LIT
     vec4 base = perMapExposed;
 #else
@@ -77,20 +78,31 @@ void main() {
 #ifndef ALPHA_BLEND
     base.a = 1.0;
 #endif
-#ifdef VERTEX_LIT
-    vec3 exposed = base.rgb + besidesExposed;
+    return base;
+}
+
+vec3 emitted() {
 #ifdef EMISSIVE_MAP
-    exposed += emissiveLin * exposureScale * texture(emissiveMap, uvOf(emissiveUv)).rgb;
-#endif
+    return emissiveLin * texture(emissiveMap, uvOf(emissiveUv)).rgb;
 #else
-    float metal = metallic, rough = roughness;
-#ifdef METALLIC_ROUGHNESS_MAP
-    vec4 mr = texture(metallicRoughnessMap, uvOf(metallicRoughnessUv));
-    rough *= mr.g;
-    metal *= mr.b;
+    return emissiveLin;
 #endif
+}
+
+vec3 throughWater(vec3 display) {
+#ifdef WATER
+    return sqrt(display * display * waterLeft + waterVeiled);
+#else
+    return display;
+#endif
+}
+
+#ifndef VERTEX_LIT
+// With the normal map; on the side that the eye sees. geometric: without it.
+vec3 shadingNormal(out vec3 geometric) {
     vec3 n = normalize(worldNormal);
     float facing = gl_FrontFacing ? 1.0 : -1.0;
+    geometric = n * facing;
 #ifdef NORMAL_MAP
     vec3 bump = texture(normalMap, uvOf(normalUv)).xyz * 2.0 - 1.0;
     bump.xy *= normalScale;
@@ -98,41 +110,60 @@ void main() {
     t *= inversesqrt(max(dot(t, t), 1e-12));
     n = normalize(bump.x * t + bump.y * (worldTangent.w * cross(n, t)) + bump.z * n);
 #endif
-    n *= facing;
+    return n * facing;
+}
 
-    vec3 toEye = eyeWorld - worldPosition;
-    vec3 v = normalize(toEye);
-    float nv = clamp(dot(n, v), 1e-3, 1.0);
+// Radiance that arrives, filtered: around the normal for diffuse reflection, unoccluded and with what bodies take, and
+// around the mirror direction for glossy.
+struct Incoming {
+    vec3 unoccluded, around, mirrored;
+};
+
+Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough, Reflectance reflectance) {
+    Incoming light;
     vec3 r = envFromWorld * reflect(-v, n);
-
-    Reflectance reflectance = reflectanceOf(base.rgb, metal, rough, nv);
 #ifdef PHONG_RINGS
-    vec3 mirrored = phongRings(r, rough);
+    light.mirrored = phongRings(r, rough);
 #else
-    vec3 mirrored = glossyRadiance(r, rough);
+    light.mirrored = glossyRadiance(r, rough);
 #endif
 #ifdef VERTEX_DIFFUSE
-    vec3 around = diffuseLin;
+    light.around = diffuseLin;
 #else
-    vec3 around = diffuseRadiance(envFromWorld * n);
+    light.around = diffuseRadiance(envFromWorld * n);
 #endif
-#ifdef SHOW_OCCLUSION
-    vec3 unoccluded = around;
-#endif
+    light.unoccluded = light.around;
 #ifdef OCCLUDED
 #ifndef VERTEX_DIFFUSE
     Shaded shaded = occludeByEllipsoids(envFromWorld * worldPosition, envFromWorld * n, r, rough, gl_FrontFacing ? envSelfOcclusion : vec4(0.0));
-    around = max(around - shaded.taken, 0.0);
+    light.around = max(light.around - shaded.taken, 0.0);
     vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.lobeVisibility);
 #endif
-    mirrored = mirrored * bodiesInLobe.a + bodiesInLobe.rgb;
+    light.mirrored = light.mirrored * bodiesInLobe.a + bodiesInLobe.rgb;
 #endif
 #ifdef LAYERS
-    vec3 geometric = normalize(worldNormal) * facing;
     if (max(max(reflectance.around.r, reflectance.around.g), reflectance.around.b) > 0.02)
-        around = diffuseWithLayers(worldPosition, n, geometric, around);
-    mirrored = glossyWithLayers(worldPosition, reflect(-v, n), geometric, mirrored, metal, rough);
+        light.around = diffuseWithLayers(worldPosition, n, geometric, light.around);
+    light.mirrored = glossyWithLayers(worldPosition, reflect(-v, n), geometric, light.mirrored, metal, rough);
 #endif
+    return light;
+}
+
+// The pixel's display values in the light of the environment.
+vec3 litByPixel(vec3 base) {
+    float metal = metallic, rough = roughness;
+#ifdef METALLIC_ROUGHNESS_MAP
+    vec4 mr = texture(metallicRoughnessMap, uvOf(metallicRoughnessUv));
+    rough *= mr.g;
+    metal *= mr.b;
+#endif
+    vec3 geometric;
+    vec3 n = shadingNormal(geometric);
+    vec3 toEye = eyeWorld - worldPosition;
+    vec3 v = normalize(toEye);
+    float nv = clamp(dot(n, v), 1e-3, 1.0);
+    Reflectance reflectance = reflectanceOf(base, metal, rough, nv);
+    Incoming light = incomingLight(n, geometric, v, metal, rough, reflectance);
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
@@ -140,30 +171,37 @@ void main() {
     // Physically Based Rendering", listing 26.
     openMirrored = clamp(pow(nv + open, exp2(-16.0 * rough - 1.0)) - 1.0 + open, 0.0, 1.0);
 #endif
-    vec3 radiance = reflectance.mirrored * mirrored * openMirrored + reflectance.around * around * open;
-    vec3 emitted = emissiveLin;
-#ifdef EMISSIVE_MAP
-    emitted *= texture(emissiveMap, uvOf(emissiveUv)).rgb;
-#endif
-    vec3 exposed = (radiance + emitted) * exposureScale;
-#endif
-    vec3 display = displayOfExposed(exposed);
-#ifdef WATER
-    display = sqrt(display * display * waterLeft + waterVeiled);
-#endif
-// SHOW_...: one quantity instead, see render::ShownQuantity.
-#ifndef VERTEX_LIT
+    // SHOW_...: one quantity instead, see render::ShownQuantity.
 #if defined(SHOW_NORMALS)
-    display = 0.5 + 0.5 * n;
+    return 0.5 + 0.5 * n;
 #elif defined(SHOW_ROUGHNESS)
-    display = vec3(rough);
+    return vec3(rough);
 #elif defined(SHOW_OCCLUSION)
-    display = around * open / max(unoccluded, vec3(1e-4));
+    return light.around * open / max(light.unoccluded, vec3(1e-4));
 #elif defined(SHOW_DIFFUSE)
-    display = displayOfExposed(around * open * exposureScale);
+    return displayOfExposed(light.around * open * exposureScale);
 #elif defined(SHOW_DEPTH)
-    display = vec3(1.0 / (1.0 + length(toEye)));
+    return vec3(1.0 / (1.0 + length(toEye)));
 #endif
+    vec3 radiance = reflectance.mirrored * light.mirrored * openMirrored + reflectance.around * light.around * open;
+    return throughWater(displayOfExposed((radiance + emitted()) * exposureScale));
+}
+#else
+vec3 litByVertex(vec3 baseExposed) {
+    vec3 exposed = baseExposed + besidesExposed;
+#ifdef EMISSIVE_MAP
+    exposed += emitted() * exposureScale;
+#endif
+    return throughWater(displayOfExposed(exposed));
+}
+#endif
+
+void main() {
+    vec4 base = baseColour();
+#ifdef VERTEX_LIT
+    vec3 display = litByVertex(base.rgb);
+#else
+    vec3 display = litByPixel(base.rgb);
 #endif
 #ifdef ALPHA_BLEND
     colour = vec4(display * base.a, base.a);

@@ -77,13 +77,17 @@ out vec4 vertexUv; // set 0 in xy, set 1 in zw
 out vec2 vertexUv;
 #endif
 
-void main() {
+mat4 worldFromVertex() {
 #ifdef SKINNED
-    mat4 worldFromMesh = weights.x * worldFromJoint[joints.x] + weights.y * worldFromJoint[joints.y] +
-                         weights.z * worldFromJoint[joints.z] + weights.w * worldFromJoint[joints.w];
+    return weights.x * worldFromJoint[joints.x] + weights.y * worldFromJoint[joints.y] +
+           weights.z * worldFromJoint[joints.z] + weights.w * worldFromJoint[joints.w];
 #else
-    mat4 worldFromMesh = worldFromJoint[0];
+    return worldFromJoint[0];
 #endif
+}
+
+void main() {
+    mat4 worldFromMesh = worldFromVertex();
     vec4 world = worldFromMesh * vec4(position, 1.0);
     mat3 m = mat3(worldFromMesh);
     // The cofactor matrix turns normals rightly under any scale, without a division.
