@@ -48,14 +48,14 @@ void HapticFeedback::strike(int hand, int finger, const Pulse& pulse) {
 
 void HapticFeedback::startPulse(const Event& event) {
     using Where = HapticPulse::Where;
-    const HapticPulse& row = rowOf(event).pulse;
-    const float speed = std::clamp(closingSpeedOf(event) / kFullSpeed_mps, 0.0f, 1.0f);
-    const float share = partOf(event) >= 0 ? speed : 1;
+    const HapticPulse& row = rowOf(event.kind).pulse;
+    const float speed = std::clamp(event.closing_mps / kFullSpeed_mps, 0.0f, 1.0f);
+    const float share = event.part >= 0 ? speed : 1;
     const Pulse pulse{row.amplitudeLow + (row.amplitude - row.amplitudeLow) * share,
                       row.frequencyLow_Hz + (row.frequency_Hz - row.frequencyLow_Hz) * share, row.decay_s};
-    if (row.where == Where::Part) strike(handOf(event), partOf(event), pulse);
+    if (row.where == Where::Part) strike(event.hand, event.part, pulse);
     if (row.where == Where::Hand || row.where == Where::HandAndBody)
-        for (int part = 0; part < haptics::kActuatorsPerHand; ++part) strike(handOf(event), part, pulse);
+        for (int part = 0; part < haptics::kActuatorsPerHand; ++part) strike(event.hand, part, pulse);
     if (row.where == Where::Body || row.where == Where::HandAndBody) strike(body_, pulse);
 }
 

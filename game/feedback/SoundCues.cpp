@@ -100,19 +100,19 @@ void SoundCues::passing(const CreatureView& creature, float& quiet_s) {
 }
 
 void SoundCues::happened(const Event& event) {
-    const EventRow& row = rowOf(event);
-    if (is<events::Touch>(event)) {
+    const EventRow& row = rowOf(event.kind);
+    if (event.kind == EventKind::Touch) {
         const bool again = touchQuiet_s_ > 0;
         touchQuiet_s_ = kTouchQuiet_s;
         if (again) return;
     }
-    const std::optional<glm::vec3> position = positionOf(event);
-    const float gain = std::clamp(row.gain + row.gainPerMps * closingSpeedOf(event), 0.0f, 1.0f);
+    const float gain = std::clamp(row.gain + row.gainPerMps * event.closing_mps, 0.0f, 1.0f);
     // Music keeps its pitch; nothing else in the sea sounds twice the same.
-    const bool music = !position || row.sound == Sound::Catch;
+    const bool music = !event.position || row.sound == Sound::Catch;
     const float pitch = music ? 1.0f : random_.between(0.94f, 1.06f);
-    play(row.sound, position.value_or(glm::vec3(0)), gain, !position, pitch);
-    caption(row.caption, position.value_or(glm::vec3(0)));
+    const glm::vec3 position = event.position.value_or(glm::vec3(0));
+    play(row.sound, position, gain, !event.position, pitch);
+    caption(row.caption, position);
 }
 
 void SoundCues::breathe(const Snapshot& shown, float dt_s) {

@@ -27,6 +27,14 @@ enum class Sound {
     DiveOver,
 };
 
+// Whether a table has one row for each value of an enumeration, in its order.
+template <class Rows, class Row, class E>
+constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
+    for (size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].*key != static_cast<E>(i)) return false;
+    return rows.size() == static_cast<size_t>(last) + 1;
+}
+
 struct SoundRow {
     Sound sound;
     const char* file; // in content/sounds, without .flac
@@ -52,13 +60,7 @@ constexpr std::array kSounds = std::to_array<SoundRow>({
     {Sound::DiveStart, "dive_start", 0.8f},
     {Sound::DiveOver, "dive_over", 1},
 });
-static_assert(
-    [] {
-        for (size_t i = 0; i < kSounds.size(); ++i)
-            if (kSounds[i].sound != static_cast<Sound>(i)) return false;
-        return kSounds.size() == static_cast<size_t>(Sound::DiveOver) + 1;
-    }(),
-    "one row for each sound, in the order of the enumeration");
+static_assert(oneRowEach(kSounds, &SoundRow::sound, Sound::DiveOver));
 
 constexpr const SoundRow& rowOf(Sound sound) { return kSounds[static_cast<size_t>(sound)]; }
 

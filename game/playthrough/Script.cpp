@@ -9,75 +9,40 @@ namespace shoal::game {
 
 namespace {
 
-constexpr size_t kMaxSteps = 1000, kMaxExpects = 200;
+constexpr int kMaxSteps = 1000, kMaxExpects = 200;
 
 constexpr std::array<const char*, 13> kDoNames = {"reach",   "close", "hold",  "open",  "look",
                                                   "wait",    "wave",  "hover", "offer", "rest",
                                                   "restart", "pause", "again"};
 
-template <class Names> int indexOf(const Names& names, std::string_view name) {
-    const auto found = std::find(std::begin(names), std::end(names), name);
-    return found == std::end(names) ? -1 : static_cast<int>(found - std::begin(names));
-}
+constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"},
+                                     kAtNames = {"shark", "fish"};
 
-template <class Names> std::string listed(const Names& names) {
-    std::string all;
-    for (const char* name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-    return all;
-}
+constexpr auto kEventNames = [] {
+    std::array<const char*, kEventRows.size()> names{};
+    for (size_t i = 0; i < names.size(); ++i) names[i] = kEventRows[i].name;
+    return names;
+}();
 
-std::string eventNames() {
-    std::vector<const char*> names;
-    for (const EventRow& row : kEventRows) names.push_back(row.name);
-    return listed(names);
-}
-
-void readEvent(TomlTable& table, std::string_view key, std::optional<EventKind>& value) {
-    if (!table.has(key)) return;
-    std::string name;
-    table.text(key, name);
-    value = findEvent(name);
-    if (!value) table.complain(key, "must be one of " + eventNames());
-}
-
-void readPhase(TomlTable& table, std::optional<Phase>& value) {
-    if (!table.has("phase")) return;
-    std::string name;
-    table.text("phase", name);
-    if (name == "diving")
-        value = Phase::Diving;
-    else if (name == "results")
-        value = Phase::Results;
-    else
-        table.complain("phase", "must be \"diving\" or \"results\"");
+template <class E>
+void readChoice(TomlTable& table, std::string_view key, std::span<const char* const> names,
+                std::optional<E>& value) {
+    if (const auto index = table.choice(key, names)) value = static_cast<E>(*index);
 }
 
 void readCount(TomlTable& table, std::string_view key, std::optional<int>& value) {
     if (!table.has(key)) return;
-    int64_t count = 0;
-    table.whole(key, count, 0, 1'000'000);
-    value = static_cast<int>(count);
+    table.whole(key, value.emplace(), 0, 1'000'000);
 }
 
-ScriptStep readStep(TomlFile& file, const toml::table& entry, int number) {
-    TomlTable table(file, entry);
+ScriptStep readStep(TomlTable& table, int number) {
     ScriptStep step;
     step.line = table.line();
-    std::string what, hand = "right";
     table.need("do");
-    table.text("do", what);
-    const int index = indexOf(kDoNames, what);
-    if (index < 0)
-        table.complain("do", "must be one of " + listed(kDoNames));
-    else
-        step.what = static_cast<ScriptStep::Do>(index);
-    table.text("hand", hand);
-    if (hand != "left" && hand != "right") table.complain("hand", "must be \"left\" or \"right\"");
-    step.hand = hand == "left" ? 0 : 1;
+    if (const auto what = table.choice("do", kDoNames)) step.what = static_cast<ScriptStep::Do>(*what);
+    if (const auto hand = table.choice("hand", kHandNames)) step.hand = static_cast<int>(*hand);
     table.text("kind", step.kind);
-    table.text("at", step.at);
-    if (!step.at.empty() && step.at != "shark" && step.at != "fish")
-        table.complain("at", "must be \"shark\" or \"fish\"");
+    readChoice(table, "at", kAtNames, step.at);
     constexpr float kDegree = std::numbers::pi_v<float> / 180;
     float yaw_deg = 0, pitch_deg = 0;
     table.number("seconds", step.seconds, 0, 600);
@@ -87,91 +52,65 @@ ScriptStep readStep(TomlFile& file, const toml::table& entry, int number) {
     step.yaw = yaw_deg * kDegree;
     step.pitch = pitch_deg * kDegree;
     table.number("timeout", step.timeout_s, 0, 3600);
-    readEvent(table, "until", step.until);
-    readEvent(table, "unless", step.unless);
-    readPhase(table, step.phase);
-    int64_t from = 1, times = 1;
-    table.whole("from", from, 1, static_cast<int64_t>(kMaxSteps));
-    table.whole("times", times, 1, 1000);
-    step.from = static_cast<int>(from);
-    step.times = static_cast<int>(times);
+    readChoice(table, "until", kEventNames, step.until);
+    readChoice(table, "unless", kEventNames, step.unless);
+    readChoice(table, "phase", kPhaseNames, step.phase);
+    table.whole("from", step.from, 1, kMaxSteps);
+    table.whole("times", step.times, 1, 1000);
     if (step.what == ScriptStep::Do::Again && step.from >= number)
         table.complain("from", "must name an earlier step");
     table.flag("optional", step.optional);
-    table.finish();
     return step;
 }
 
-ScriptExpect readExpect(TomlFile& file, const toml::table& entry) {
-    TomlTable table(file, entry);
+ScriptExpect readExpect(TomlTable& table) {
     ScriptExpect expect;
     expect.line = table.line();
     readCount(table, "caught", expect.caught);
     readCount(table, "caught_at_least", expect.caughtAtLeast);
     readCount(table, "score_at_least", expect.scoreAtLeast);
     readCount(table, "lost", expect.lost);
-    readEvent(table, "event", expect.event);
-    readEvent(table, "never", expect.never);
-    readPhase(table, expect.phase);
-    int64_t count = 1;
-    table.whole("count", count, 1, 1'000'000);
-    expect.count = static_cast<int>(count);
+    readChoice(table, "event", kEventNames, expect.event);
+    readChoice(table, "never", kEventNames, expect.never);
+    readChoice(table, "phase", kPhaseNames, expect.phase);
+    table.whole("count", expect.count, 1, 1'000'000);
     table.number("after", expect.after_s, 0, 3600);
     table.number("before", expect.before_s, 0, 3600);
     if (const auto* order = table.list("order"))
         for (const toml::node& node : *order) {
             const auto kind = findEvent(node.value<std::string>().value_or(""));
             if (!kind) {
-                table.complain("order", "must list names of events: " + eventNames());
+                table.complain("order", "must list names of events");
                 break;
             }
             expect.order.push_back(*kind);
         }
-    table.finish();
     return expect;
 }
 
 } // namespace
 
 Result<Script> loadScript(const Path& path) {
-    auto opened = TomlFile::open(path);
-    if (!opened) return opened.error();
-    TomlFile& file = *opened;
-    TomlTable root(file, file.root());
     Script script;
     script.name = path.stem().string();
-    root.text("name", script.name);
-    root.text("dive", script.dive);
-    if (script.dive.starts_with("./") && script.dive.ends_with(".toml"))
-        script.dive = (path.parent_path() / script.dive.substr(2)).string();
-    else if (script.dive.empty() || script.dive.find_first_of("/\\.") != std::string::npos)
-        root.complain("dive", "must be the name of a dive, or \"./\" and the path of a dive file from here");
-    int64_t seed = 1;
-    root.whole("seed", seed, 0, INT64_MAX);
-    script.seed = static_cast<uint64_t>(seed);
-    root.number("timeout", script.timeout_s, 1, 3600);
-    root.need("step");
-    if (const auto* steps = root.list("step"))
-        for (const toml::node& node : *steps) {
-            if (!node.is_table() || script.steps.size() == kMaxSteps) {
-                file.complain(&node, node.is_table() ? "more than 1000 steps"
-                                                     : "each step must be a table [[step]]");
-                break;
-            }
-            script.steps.push_back(
-                readStep(file, *node.as_table(), static_cast<int>(script.steps.size()) + 1));
-        }
-    if (const auto* expects = root.list("expect"))
-        for (const toml::node& node : *expects) {
-            if (!node.is_table() || script.expects.size() == kMaxExpects) {
-                file.complain(&node, node.is_table() ? "more than 200 expectations"
-                                                     : "each expectation must be a table [[expect]]");
-                break;
-            }
-            script.expects.push_back(readExpect(file, *node.as_table()));
-        }
-    root.finish();
-    if (auto status = file.status(); !status) return status.error();
+    const Status read = readToml(path, [&](TomlTable& root) {
+        root.text("name", script.name);
+        root.text("dive", script.dive);
+        if (script.dive.starts_with("./") && script.dive.ends_with(".toml"))
+            script.dive = (path.parent_path() / script.dive.substr(2)).string();
+        else if (script.dive.empty() || script.dive.find_first_of("/\\.") != std::string::npos)
+            root.complain("dive",
+                          "must be the name of a dive, or \"./\" and the path of a dive file from here");
+        root.whole("seed", script.seed, 0, INT64_MAX);
+        root.number("timeout", script.timeout_s, 1, 3600);
+        root.need("step");
+        root.tables("step", kMaxSteps, [&](TomlTable& table) {
+            script.steps.push_back(readStep(table, static_cast<int>(script.steps.size()) + 1));
+        });
+        root.tables("expect", kMaxExpects,
+                    [&](TomlTable& table) { script.expects.push_back(readExpect(table)); });
+    });
+    if (!read) return read.error();
     return script;
 }
 

@@ -32,7 +32,8 @@ struct ScriptStep {
     int line = 0; // in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    std::string at;
+    enum class At { Shark, Fish };
+    std::optional<At> at; // what to look at; empty: yaw and pitch
     float seconds = 0;
     float speed = 1.5f;
     float yaw = 0, pitch = 0; // radians; yaw to the right, pitch up
@@ -74,7 +75,7 @@ class ScriptRun {
     // Input of the next tick, from the snapshot after the last one.
     void next(const Snapshot&, TickInput& out);
     // Events of the tick just stepped, and the snapshot after it.
-    void observe(const std::vector<Event>&, const Snapshot&);
+    void observe(const Events&, const Snapshot&);
 
     bool finished() const { return finished_; }
     // After the end: success, or the first step that timed out or expectation unmet, as a sentence.
@@ -103,7 +104,7 @@ class ScriptRun {
     void wave(const ScriptStep&, const Snapshot&, float spent_s);
     void meetShark(const ScriptStep&, const Snapshot&);
     void advance(size_t to);
-    void moveHand(int hand, glm::vec3 goalWorld, float speed, const Snapshot&);
+    void moveHand(int hand, glm::vec3 goalWorld, float speed);
     void lookTowards(glm::vec3 directionWorld);
     int chooseFish(const ScriptStep&, const Snapshot&) const;
     bool follow(int hand, const Snapshot&);

@@ -50,7 +50,7 @@ ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species)
     seen_.reserve(4096);
 }
 
-void ScriptRun::moveHand(int h, glm::vec3 goalWorld, float speed, const Snapshot&) {
+void ScriptRun::moveHand(int h, glm::vec3 goalWorld, float speed) {
     ScriptHand& hand = hands_[h];
     hand.graspWorld += limited(withinReach(goalWorld) - hand.graspWorld, speed * kDt);
 }
@@ -97,7 +97,7 @@ bool ScriptRun::follow(int h, const Snapshot& now) {
     const float speed =
         std::min(kHandSpeed_mps, std::clamp(1.8f * distance, 0.2f, 1.2f) + glm::length(fish.velocity));
     lookTowards(fish.position);
-    moveHand(h, goal, speed, now);
+    moveHand(h, goal, speed);
     return glm::distance(fish.position, hand.graspWorld) < kThere_m;
 }
 
@@ -118,9 +118,9 @@ bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
 bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s) {
     glm::vec3 direction(std::sin(step.yaw) * std::cos(step.pitch), std::sin(step.pitch),
                         -std::cos(step.yaw) * std::cos(step.pitch));
-    if (step.at == "shark") {
+    if (step.at == ScriptStep::At::Shark) {
         if (const CreatureView* shark = sharkOf(now, species_)) direction = shark->position;
-    } else if (step.at == "fish") {
+    } else if (step.at == ScriptStep::At::Fish) {
         const int fish = chooseFish(step, now);
         if (fish >= 0) direction = now.creatures[fish].position;
     }
@@ -151,7 +151,7 @@ void ScriptRun::meetShark(const ScriptStep& step, const Snapshot& now) {
     if (!shark) return;
     lookTowards(shark->position);
     const glm::vec3 aim = step.what == ScriptStep::Do::Hover ? shark->position : mouthOf(*shark);
-    moveHand(step.hand, aim, kHandSpeed_mps, now);
+    moveHand(step.hand, aim, kHandSpeed_mps);
 }
 
 // True when the step is done.
@@ -185,7 +185,7 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
     case Do::Rest: {
         hand.target = -1;
         const glm::vec3 goal = now.worldFromView * restingView(step.hand);
-        moveHand(step.hand, goal, kHandSpeed_mps, now);
+        moveHand(step.hand, goal, kHandSpeed_mps);
         return glm::distance(hand.graspWorld, withinReach(goal)) < 0.01f;
     }
     case Do::Restart:
@@ -262,12 +262,9 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     ++tick_;
 }
 
-void ScriptRun::observe(const std::vector<Event>& events, const Snapshot& after) {
-    for (const Event& event : events) seen_.push_back({kindOf(event), static_cast<float>(tick_) * kDt});
-    last_.score = after.score;
-    last_.caught = after.caught;
-    last_.lost = after.lost;
-    last_.phase = after.phase;
+void ScriptRun::observe(const Events& events, const Snapshot& after) {
+    for (const Event& event : events) seen_.push_back({event.kind, static_cast<float>(tick_) * kDt});
+    last_ = after;
 }
 
 Status ScriptRun::verdict() const {
@@ -277,7 +274,7 @@ Status ScriptRun::verdict() const {
     };
     if (!failure_.empty()) return fail(nullptr, failure_);
     if (!finished_) return fail(nullptr, "the script has not ended");
-    const auto name = [](EventKind kind) { return std::string(kEventRows[kind].name); };
+    const auto name = [](EventKind kind) { return std::string(rowOf(kind).name); };
     const auto text = [](auto number) { return std::to_string(number); };
     for (const ScriptExpect& e : script_.expects) {
         if (e.caught && last_.caught != *e.caught)

@@ -1,10 +1,9 @@
 #include "game/rules/Catching.h"
 
 #include "engine/physics/ContactModel.h"
-#include "game/rules/Bones.h"
-#include "game/rules/FingerWrap.h"
+#include "game/rules/Hand.h"
 #include "game/rules/HandContacts.h"
-#include "game/rules/HeldFish.h"
+#include "game/rules/Holding.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -58,7 +57,7 @@ void wrapAround(const Fish& f, const Species& kind, Hand& hand) {
     wrapFingers(capsuleOf(f, kind, physics::kEnclosed_m), hand);
 }
 
-void grab(Fish& f, int id, Hand& hand, int h, EventSink& events) {
+void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     hand.grasp.holds = hand.grasp.encloses = id;
     hand.grasp.window = 0;
     hand.grasp.firmest = 1; // it takes hold anew only after it has opened
@@ -78,7 +77,7 @@ void grab(Fish& f, int id, Hand& hand, int h, EventSink& events) {
     const glm::vec3 heading = f.palmFromBody * glm::vec3(0, 0, 1), back = f.palmFromBody * kUp;
     const glm::vec3 z(heading.x < 0 ? -1.0f : 1.0f, 0, 0), y(0, 0, back.z < 0 ? -1.0f : 1.0f);
     f.palmFromBodyGoal = glm::quat_cast(glm::mat3(glm::cross(y, z), y, z));
-    events.emit(events::Grab{id, h, f.position});
+    events.push_back({EventKind::Grab, id, h, f.position});
 }
 
 // Out of the hand, away from the player, the way it looks if that will do.
@@ -115,7 +114,7 @@ void readGrip(Hand& hand) {
 
 // Two hands that press on one fish from both sides hold it too.
 void takeBetweenHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
-                      std::span<const physics::Contact> contacts, EventSink& events) {
+                      std::span<const physics::Contact> contacts, Events& events) {
     if (hands[0].grasp.holds >= 0 || hands[1].grasp.holds >= 0) return;
     bool taken = false;
     forEachCreature(contacts, [&](int id, std::span<const physics::Contact> own) {
@@ -131,19 +130,16 @@ void takeBetweenHands(Hands& hands, const SpeciesTable& species, std::span<Fish>
 
 } // namespace
 
-void drop(Hand& hand, int h, const SpeciesTable& species, std::span<Fish> fish, EventSink& events) {
+void drop(Hand& hand, int h, const SpeciesTable& species, std::span<Fish> fish, Events& events) {
     const int id = hand.grasp.holds;
     hand.grasp.holds = hand.grasp.encloses = -1;
     Fish& f = fish[id];
     swimOff(f, species[f.species], hand);
-    if (f.counted)
-        events.emit(events::Release{id, h, f.position});
-    else
-        events.emit(events::Escape{id, h, f.position});
+    events.push_back({f.counted ? EventKind::Release : EventKind::Escape, id, h, f.position});
 }
 
 void closeHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
-                std::span<const physics::Contact> contacts, uint32_t tick, bool takes, EventSink& events) {
+                std::span<const physics::Contact> contacts, uint32_t tick, bool takes, Events& events) {
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         Grasp& grasp = hand.grasp;
@@ -170,13 +166,14 @@ void closeHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
             }
             drawIn(f, kind, hand);
         }
-        if (--grasp.window == 0 && grasp.closed) events.emit(events::Miss{h, hand.graspCentre});
+        if (--grasp.window == 0 && grasp.closed)
+            events.push_back({.kind = EventKind::Miss, .hand = h, .position = hand.graspCentre});
     }
     if (takes) takeBetweenHands(hands, species, fish, contacts, events);
 }
 
 void countCatches(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
-                  std::span<const physics::Contact> contacts, Score& score, EventSink& events) {
+                  std::span<const physics::Contact> contacts, Score& score, Events& events) {
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         if (hand.grasp.holds < 0) continue;
@@ -196,7 +193,7 @@ void countCatches(Hands& hands, const SpeciesTable& species, std::span<Fish> fis
             f.counted = true;
             ++score.caught;
             score.points += kind.points;
-            events.emit(events::Catch{id, h, f.position});
+            events.push_back({EventKind::Catch, id, h, f.position});
         }
         if (f.counted && f.held_s >= kHoldToCatch_s + kShowCatch_s) drop(hand, h, species, fish, events);
     }

@@ -29,13 +29,13 @@ bool onPalmSide(const Fish&, const Hand&);
 // Reads each hand's closing and opening, and takes hold of a fish that lies between fingers, or between both
 // hands, and is held from opposing sides. takes: false once the dive is over.
 void closeHands(Hands&, const SpeciesTable&, std::span<Fish>, std::span<const physics::Contact>,
-                uint32_t tick, bool takes, EventSink&);
+                uint32_t tick, bool takes, Events&);
 
 // What a hand holds is let go: a Release if it has counted as a catch, else an Escape.
-void drop(Hand&, int h, const SpeciesTable&, std::span<Fish>, EventSink&);
+void drop(Hand&, int h, const SpeciesTable&, std::span<Fish>, Events&);
 
 // After everything has moved: held fish may slip out, become a catch, and are let go after it.
 void countCatches(Hands&, const SpeciesTable&, std::span<Fish>, std::span<const physics::Contact>, Score&,
-                  EventSink&);
+                  Events&);
 
 } // namespace shoal::game

@@ -1,11 +1,8 @@
 #include "game/rules/Dive.h"
 
-#include "game/rules/FingerWrap.h"
-#include "game/rules/FishSwimming.h"
-#include "game/rules/Fright.h"
-#include "game/rules/HeldFish.h"
+#include "game/rules/FishBehaviour.h"
+#include "game/rules/Holding.h"
 #include "game/rules/SharkBehaviour.h"
-#include "game/rules/Spawn.h"
 #include "game/rules/StateHash.h"
 
 namespace shoal::game {
@@ -44,7 +41,7 @@ void Dive::begin(uint64_t seed) {
     state_.shark = spawnShark(files_, state_.random);
 }
 
-void Dive::step(const TickInput& input, std::vector<Event>& out) {
+void Dive::step(const TickInput& input, Events& events) {
     DiveState& s = state_;
     const bool restart = input.restart && !s.restartHeld;
     s.restartHeld = input.restart;
@@ -54,10 +51,9 @@ void Dive::step(const TickInput& input, std::vector<Event>& out) {
 
     ++s.totalTicks;
     ++s.tick;
-    EventSink events(s.totalTicks, out);
     if (!s.begun) {
         s.begun = true;
-        events.emit(events::DiveStart{});
+        events.push_back({EventKind::DiveStart});
     }
     const bool diving = s.phase == Phase::Diving;
     trackHands(input, s.view, s.hands);
@@ -73,7 +69,7 @@ void Dive::step(const TickInput& input, std::vector<Event>& out) {
     if (diving) endWhenOver(events);
 }
 
-void Dive::touch(EventSink& events) {
+void Dive::touch(Events& events) {
     DiveState& s = state_;
     handContacts_.collide(s.hands, files_.species, s.fish, s.shark, s.contacts);
     forEachCreature(s.contacts, [&](int id, std::span<const physics::Contact> own) {
@@ -87,7 +83,7 @@ void Dive::touch(EventSink& events) {
     for (Fish& fish : s.fish) fish.nervous_s = std::max(0.0f, fish.nervous_s - 0.1f * kDt);
 }
 
-void Dive::advanceShark(EventSink& events) {
+void Dive::advanceShark(Events& events) {
     DiveState& s = state_;
     if (!s.shark.present) return;
     const SharkView view{files_.dive,
@@ -101,13 +97,21 @@ void Dive::advanceShark(EventSink& events) {
     bite(s.shark, files_.species, s.hands, s.fish, s.score, events);
 }
 
-void Dive::endWhenOver(EventSink& events) {
+void Dive::endWhenOver(Events& events) {
     DiveState& s = state_;
     if (s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
     for (int h = 0; h < 2; ++h)
         if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, files_.species, s.fish, events);
     s.phase = Phase::Results;
-    events.emit(events::DiveOver{});
+    events.push_back({EventKind::DiveOver});
+}
+
+sim::RecordingHeader recordingHeader(const Dive& dive) {
+    sim::RecordingHeader header;
+    header.seed = dive.seed();
+    header.dive = dive.file().name;
+    header.inputBytes = kTickInputBytes;
+    return header;
 }
 
 uint64_t Dive::stateHash() const {

@@ -2,11 +2,12 @@
 // seed and its inputs alone; no clock, no global state. One thread.
 #pragma once
 
+#include "engine/sim/Recording.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/DiveState.h"
 #include "game/rules/Events.h"
+#include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
-#include "game/rules/Schooling.h"
 #include "game/rules/Snapshot.h"
 #include "game/rules/TickInput.h"
 
@@ -18,9 +19,9 @@ class Dive {
   public:
     Dive(SpeciesTable, DiveFile, uint64_t seed);
 
-    // One tick of 1/120 s. Appends what happened to out. Joints that are not finite or absurd are not
+    // One tick of 1/120 s. Appends what happened. Joints that are not finite or absurd are not
     // believed: the hand's last good pose stays for that tick.
-    void step(const TickInput&, std::vector<Event>& out);
+    void step(const TickInput&, Events& events);
 
     // Overwrites out; allocates only the first time.
     void snapshot(Snapshot& out) const;
@@ -37,9 +38,9 @@ class Dive {
 
   private:
     void begin(uint64_t seed);
-    void touch(EventSink&);
-    void advanceShark(EventSink&);
-    void endWhenOver(EventSink&);
+    void touch(Events&);
+    void advanceShark(Events&);
+    void endWhenOver(Events&);
 
     DiveFiles files_;
     DiveState state_;
@@ -47,6 +48,8 @@ class Dive {
     HandContacts handContacts_;
     std::vector<Neighbours> neighbours_;
 };
+
+sim::RecordingHeader recordingHeader(const Dive&);
 
 // What lies between two snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are not smeared.
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);

@@ -22,22 +22,17 @@ int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     return index;
 }
 
-School readSchool(TomlFile& file, const toml::table& entry, const SpeciesTable& known) {
-    TomlTable table(file, entry);
+School readSchool(TomlTable& table, const SpeciesTable& known) {
     School school;
     school.species = speciesNamed(table, known, false);
-    int64_t count = school.count;
     table.need("count");
-    table.whole("count", count, 1, kMaxFish);
-    school.count = static_cast<int>(count);
+    table.whole("count", school.count, 1, kMaxFish);
     table.range("radius", school.radiusLow_m, school.radiusHigh_m, 0.6f, 6);
     table.range("height", school.heightLow_m, school.heightHigh_m, -2, 2);
-    table.finish();
     return school;
 }
 
-SharkPlan readShark(TomlFile& file, const toml::table& entry, const SpeciesTable& known) {
-    TomlTable table(file, entry);
+SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
     SharkPlan shark;
     shark.species = speciesNamed(table, known, true);
     table.number("radius", shark.radius_m, 3, 8);
@@ -55,98 +50,70 @@ SharkPlan readShark(TomlFile& file, const toml::table& entry, const SpeciesTable
             shark.visits_s.push_back(at);
         }
     }
-    table.finish();
     return shark;
 }
 
-void readStretch(TomlTable& table, float& from_s, float& to_s) {
+template <class Mark> void readStretch(TomlTable& table, Mark& mark) {
     table.need("from_s");
     table.need("to_s");
-    table.number("from_s", from_s, 0, 36000);
-    table.number("to_s", to_s, 0, 36000);
-    if (to_s <= from_s) table.complain("to_s", "must come after \"from_s\"");
+    table.number("from_s", mark.from_s, 0, 36000);
+    table.number("to_s", mark.to_s, 0, 36000);
+    if (mark.to_s <= mark.from_s) table.complain("to_s", "must come after \"from_s\"");
 }
 
-Enclosure readEnclosure(TomlFile& file, const toml::table& entry) {
-    TomlTable table(file, entry);
-    Enclosure enclosure;
-    readStretch(table, enclosure.from_s, enclosure.to_s);
-    table.number("amount", enclosure.amount, 0, 1);
-    table.finish();
-    return enclosure;
-}
-
-GroundMark readGround(TomlFile& file, const toml::table& entry) {
-    TomlTable table(file, entry);
-    GroundMark ground;
-    readStretch(table, ground.from_s, ground.to_s);
-    table.need("height");
-    table.number("height", ground.height_m, -10, -0.3f);
-    table.finish();
-    return ground;
-}
-
-// Of a list of tables [[name]], each read by `read`.
-template <class TimeRange>
-void readMarks(TomlFile& file, TomlTable& root, const char* name,
-               TimeRange (*read)(TomlFile&, const toml::table&), std::vector<TimeRange>& out) {
-    const auto* marks = root.list(name);
-    if (!marks) return;
-    for (const toml::node& node : *marks) {
-        if (!node.is_table()) {
-            file.complain(&node, "each " + std::string(name) + " must be a table [[" + name + "]]");
-            return;
-        }
-        if (out.size() == kMaxMarks) {
-            file.complain(&node, "more than 100 of " + std::string(name));
-            return;
-        }
-        out.push_back(read(file, *node.as_table()));
-    }
+void readSchools(TomlTable& root, const SpeciesTable& known, DiveFile& dive) {
+    root.need("school");
+    int fish = 0;
+    root.tables("school", kMaxFish, [&](TomlTable& table) {
+        const School& school = dive.schools.emplace_back(readSchool(table, known));
+        if (school.heightLow_m < dive.floor_m + 0.1f) table.complain("height", "reaches into the floor");
+        fish += school.count;
+    });
+    if (fish > kMaxFish) root.complain("school", "has more than " + std::to_string(kMaxFish) + " fish");
 }
 
 } // namespace
 
 Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
-    auto opened = TomlFile::open(path);
-    if (!opened) return opened.error();
-    TomlFile& file = *opened;
-    TomlTable root(file, file.root());
     DiveFile dive;
-    dive.name = path.stem().string();
-    dive.title = dive.name;
-    root.text("title", dive.title);
-    root.text("video", dive.video);
-    root.number("duration", dive.duration_s, 5, 3600);
-    root.number("exposure", dive.exposure_ev, -10, 10);
-    root.number("floor", dive.floor_m, -3, -0.5f);
-    root.flag("water", dive.water);
-    if (dive.video.find("..") != std::string::npos || dive.video.starts_with('/'))
-        root.complain("video", "must name a file below content/");
-
-    root.need("school");
-    int fish = 0;
-    if (const auto* schools = root.list("school"))
-        for (const toml::node& node : *schools) {
-            if (!node.is_table()) {
-                file.complain(&node, "each school must be a table [[school]]");
-                break;
-            }
-            dive.schools.push_back(readSchool(file, *node.as_table(), known));
-            fish += dive.schools.back().count;
-            if (dive.schools.back().heightLow_m < dive.floor_m + 0.1f)
-                file.complain(&node, "\"height\" reaches into the floor");
-            if (fish > kMaxFish) {
-                file.complain(&node, "more than " + std::to_string(kMaxFish) + " fish");
-                break;
-            }
-        }
-    if (const auto* shark = root.table("shark")) dive.shark = readShark(file, *shark, known);
-    readMarks(file, root, "shelter", readEnclosure, dive.enclosure);
-    readMarks(file, root, "ground", readGround, dive.ground);
-    root.finish();
-    if (auto status = file.status(); !status) return status.error();
+    dive.name = dive.title = path.stem().string();
+    const Status read = readToml(path, [&](TomlTable& root) {
+        root.text("title", dive.title);
+        root.text("video", dive.video);
+        root.number("duration", dive.duration_s, 5, 3600);
+        root.number("exposure", dive.exposure_ev, -10, 10);
+        root.number("floor", dive.floor_m, -3, -0.5f);
+        root.flag("water", dive.water);
+        if (dive.video.find("..") != std::string::npos || dive.video.starts_with('/'))
+            root.complain("video", "must name a file below content/");
+        readSchools(root, known, dive);
+        root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
+        root.tables("shelter", kMaxMarks, [&](TomlTable& table) {
+            Enclosure& enclosure = dive.enclosure.emplace_back();
+            readStretch(table, enclosure);
+            table.number("amount", enclosure.amount, 0, 1);
+        });
+        root.tables("ground", kMaxMarks, [&](TomlTable& table) {
+            GroundMark& ground = dive.ground.emplace_back();
+            readStretch(table, ground);
+            table.need("height");
+            table.number("height", ground.height_m, -10, -0.3f);
+        });
+    });
+    if (!read) return read.error();
     return dive;
+}
+
+Result<DiveFiles> loadDiveFiles(const std::string& name, const Path& content) {
+    const bool isFile = name.ends_with(".toml");
+    const Path root = content.empty() ? dataRoot() / "content" : content;
+    const Path file = isFile ? Path(name) : root / "dives" / (name + ".toml");
+    auto species = loadSpecies((isFile ? file.parent_path() : root) / "species.toml");
+    if (!species) return species.error();
+    auto dive = loadDive(file, *species);
+    if (!dive) return dive.error();
+    dive->name = name; // by which a recording finds it again
+    return DiveFiles{*std::move(species), *std::move(dive)};
 }
 
 } // namespace shoal::game

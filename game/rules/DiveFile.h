@@ -1,9 +1,8 @@
 // One dive (a level): content/dives/NAME.toml.
 #pragma once
 
-#include "game/rules/Enclosure.h"
-#include "game/rules/Ground.h"
 #include "game/rules/Species.h"
+#include "game/rules/VideoMarks.h"
 
 #include <vector>
 
@@ -14,8 +13,6 @@ struct School {
     int count = 1;
     float radiusLow_m = 0.7f, radiusHigh_m = 3;     // from the vertical axis through the viewer
     float heightLow_m = -0.5f, heightHigh_m = 0.5f; // against the viewer's eyes
-
-    bool operator==(const School&) const = default;
 };
 
 struct SharkPlan {
@@ -25,8 +22,6 @@ struct SharkPlan {
     std::vector<float> visits_s; // when it comes close, seconds since the dive began, rising
     float visitLength_s = 10;    // how long it prowls around the player then
     float prowlRadius_m = 1.7f;
-
-    bool operator==(const SharkPlan&) const = default;
 };
 
 struct DiveFile {
@@ -44,8 +39,6 @@ struct DiveFile {
     // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
     // video, or another.
     double videoLength_s = 0;
-
-    bool operator==(const DiveFile&) const = default;
 };
 
 // A dive and the species that swim in it; constant while it is played.
@@ -55,5 +48,9 @@ struct DiveFiles {
 };
 
 Result<DiveFile> loadDive(const Path& file, const SpeciesTable&);
+
+// dive: a name, for dives/NAME.toml and species.toml below content (dataRoot()/content if empty); or the path
+// of a dive file, NAME.toml, beside which lies its species.toml.
+Result<DiveFiles> loadDiveFiles(const std::string& dive, const Path& content = {});
 
 } // namespace shoal::game

@@ -6,7 +6,6 @@
 #include "game/rules/Catching.h"
 #include "game/rules/Fish.h"
 #include "game/rules/Hand.h"
-#include "game/rules/HandTracking.h"
 #include "game/rules/Shark.h"
 
 #include <tuple>

@@ -1,8 +1,8 @@
-#include "game/rules/FishSwimming.h"
+#include "game/rules/FishBehaviour.h"
 
-#include "game/rules/BodyWave.h"
-#include "game/rules/HeldFish.h"
+#include "game/rules/Holding.h"
 #include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 
 #include <algorithm>
 

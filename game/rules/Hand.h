@@ -2,10 +2,13 @@
 // they rest on a fish. World frame unless a comment says otherwise; metres, seconds.
 #pragma once
 
+#include "engine/physics/Capsule.h"
 #include "engine/physics/Grip.h"
 #include "engine/scene/HandPose.h"
 #include "game/rules/Snapshot.h"
+#include "game/rules/TickInput.h"
 
+#include <algorithm>
 #include <array>
 #include <tuple>
 
@@ -74,5 +77,38 @@ using Hands = std::array<Hand, 2>; // left, right
 constexpr float kGripCloses = 0.55f;
 constexpr float kGripOpens = 0.35f;
 constexpr int kHandDropTicks = 36; // a hand untracked for longer: what it holds swims off
+
+// Finger, or the palm, that the bone from kJointParent[joint] to the joint belongs to. The bones of the back
+// of the hand are the palm's.
+inline int partOfBone(int joint) {
+    const int finger = hands::fingerOfJoint(joint);
+    if (finger < 0) return hands::kPalmPart;
+    const hands::FingerJoints& joints = hands::kFingerJoints[finger];
+    const bool thumb = finger == 0; // whose proximal bone moves on its own
+    return joint <= (thumb ? joints.metacarpal : joints.proximal) ? hands::kPalmPart : finger;
+}
+
+inline physics::Capsule bone(const std::array<hands::Joint, hands::kJointCount>& joints, int joint) {
+    const hands::Joint& from = joints[hands::kJointParent[joint]];
+    const hands::Joint& to = joints[joint];
+    return {from.position, to.position, std::min(from.radius, to.radius)};
+}
+
+// Where a fish of that radius lies in a hand, given the palm joint.
+inline glm::vec3 hollowOf(const hands::Joint& palm, float radius_m) {
+    return palm.position + palm.orientation * glm::vec3(0, -0.008f - radius_m, -0.030f);
+}
+
+// The player's head.
+struct Viewpoint {
+    glm::quat worldFromView{1, 0, 0, 0};
+    glm::vec3 headWorld{0}; // between the eyes
+
+    auto fields() const { return std::tie(worldFromView, headWorld); }
+};
+
+// Updates view and hands by this tick's input. Values that are not finite or absurd are ignored: the last
+// good ones stay.
+void trackHands(const TickInput&, Viewpoint&, Hands&);
 
 } // namespace shoal::game

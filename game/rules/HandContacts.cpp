@@ -1,8 +1,8 @@
 #include "game/rules/HandContacts.h"
 
 #include "engine/physics/Push.h"
-#include "game/rules/Bones.h"
 #include "game/rules/Catching.h"
+#include "game/rules/Hand.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -80,12 +80,12 @@ void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {
 }
 
 void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Contact> own, const Hands& hands,
-              uint32_t tick, Random& random, EventSink& events) {
+              uint32_t tick, Random& random, Events& events) {
     f.nervous_s += kDt;
     for (const physics::Contact& contact : own) {
         const int h = contact.group, part = partOfBone(contact.tag);
         if (tick > f.touchedUntil[h][part])
-            events.emit(events::Touch{id, h, part, contact.closingSpeed, contact.point});
+            events.push_back({EventKind::Touch, id, h, contact.point, part, contact.closingSpeed});
         f.touchedUntil[h][part] = tick + kTouchKept;
         const Hand& hand = hands[h];
         const float palmClosing = glm::dot(hand.velocity - f.velocity, contact.normal);

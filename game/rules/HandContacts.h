@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/physics/ContactWorld.h"
-#include "game/rules/Fright.h"
+#include "game/rules/FishBehaviour.h"
 #include "game/rules/Shark.h"
 
 #include <algorithm>
@@ -45,6 +45,6 @@ void feel(const physics::Contact&, const Fish&, Hands&);
 
 // Pushes a fish that nobody holds, by all contacts with it, and startles it when they are too rough.
 void pushFish(Fish&, int id, const Species&, std::span<const physics::Contact>, const Hands&, uint32_t tick,
-              Random&, EventSink&);
+              Random&, Events&);
 
 } // namespace shoal::game

@@ -16,7 +16,7 @@ struct Shark : Swimmer {
     int species = -1;
     float sense = 1; // +1 circles to the left of looking outward, -1 to the right
     State state = State::Circle;
-    float state_s = 0;       // since it changed
+    float state_s = 0;      // since it changed
     float visit_s = 0;      // left of the present visit
     float interest = 0;     // grows while a fish struggles
     uint32_t nextVisit = 0; // index into SharkPlan::visits_s

@@ -1,7 +1,6 @@
 #include "game/rules/SharkBehaviour.h"
 
-#include "game/rules/Bones.h"
-#include "game/rules/SharkTuning.h"
+#include "game/rules/Hand.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -42,7 +41,7 @@ int strugglingFish(const SharkView& view) {
     return struggling;
 }
 
-void decideCircling(Shark& shark, const SharkView& view, EventSink& events) {
+void decideCircling(Shark& shark, const SharkView& view, Events& events) {
     const auto& visits = view.dive.shark.visits_s;
     const bool due = shark.nextVisit < visits.size() && view.time_s >= visits[shark.nextVisit];
     if (due) ++shark.nextVisit;
@@ -51,7 +50,7 @@ void decideCircling(Shark& shark, const SharkView& view, EventSink& events) {
     shark.threatRest_s = 0;
     shark.visit_s = view.dive.shark.visitLength_s;
     shark.interest = 0;
-    events.emit(events::SharkNear{idOf(view), shark.position});
+    events.push_back({.kind = EventKind::SharkNear, .creature = idOf(view), .position = shark.position});
 }
 
 void decideProwling(Shark& shark, const SharkView& view, int struggling) {
@@ -100,7 +99,7 @@ void decideLeaving(Shark& shark, const SharkView& view) {
     if (away > view.dive.shark.radius_m - 0.6f || shark.state_s > 15) shark.set(State::Circle);
 }
 
-void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, EventSink& events) {
+void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& events) {
     const int h = f.heldBy;
     hands[h].grasp.holds = -1;
     f.heldBy = -1;
@@ -108,7 +107,7 @@ void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, EventSink&
     shark.mouth = id;
     shark.prey = -1;
     ++score.lost;
-    events.emit(events::SharkSteal{id, h, f.position});
+    events.push_back({EventKind::SharkSteal, id, h, f.position});
     shark.set(State::Leave);
     shark.visit_s = 0;
     shark.gait.set(Motion::Bite);
@@ -141,7 +140,7 @@ void breakFree(Shark& shark, Fish& f) {
 
 } // namespace
 
-void decide(Shark& shark, const SharkView& view, EventSink& events) {
+void decide(Shark& shark, const SharkView& view, Events& events) {
     shark.bumpRest_s = std::max(0.0f, shark.bumpRest_s - kDt);
     shark.state_s += kDt;
     const int struggling = strugglingFish(view);
@@ -161,7 +160,7 @@ void decide(Shark& shark, const SharkView& view, EventSink& events) {
 }
 
 void bite(Shark& shark, const SpeciesTable& species, Hands& hands, std::span<Fish> fish, Score& score,
-          EventSink& events) {
+          Events& events) {
     const glm::vec3 mouth = mouthOf(shark, species);
     if (shark.state == State::Strike && glm::distance(mouth, fish[shark.prey].position) < kJaws_m)
         steal(shark, fish[shark.prey], shark.prey, hands, score, events);
@@ -177,7 +176,7 @@ void bite(Shark& shark, const SpeciesTable& species, Hands& hands, std::span<Fis
 }
 
 void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physics::Contact> own, Hands& hands,
-               std::span<Fish> fish, EventSink& events) {
+               std::span<Fish> fish, Events& events) {
     for (const physics::Contact& contact : own) {
         const int h = contact.group;
         if (shark.bumpRest_s > 0) return;
@@ -185,8 +184,8 @@ void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physic
         if (striking) continue; // its jaws come first; see bite()
         shark.bumpRest_s = 0.8f;
         shark.visit_s = std::min(shark.visit_s, 1.0f); // it has had enough
-        events.emit(events::SharkBump{static_cast<int>(fish.size()), h, partOfBone(contact.tag),
-                                      contact.closingSpeed, contact.point});
+        events.push_back({EventKind::SharkBump, static_cast<int>(fish.size()), h, contact.point,
+                          partOfBone(contact.tag), contact.closingSpeed});
         if (hands[h].grasp.holds >= 0) drop(hands[h], h, species, fish, events);
     }
 }

@@ -1,7 +1,6 @@
-#include "game/rules/BodyWave.h"
 #include "game/rules/SharkBehaviour.h"
-#include "game/rules/SharkTuning.h"
 #include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/scene/HandPose.h"
-#include "game/rules/Ground.h"
+#include "game/rules/VideoMarks.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>

@@ -1,4 +1,4 @@
-#include "game/rules/Spawn.h"
+#include "game/rules/FishBehaviour.h"
 
 #include "game/rules/Steering.h"
 

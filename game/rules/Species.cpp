@@ -8,8 +8,7 @@ namespace shoal::game {
 
 namespace {
 
-Species readOne(TomlFile& file, const toml::table& entry) {
-    TomlTable table(file, entry);
+Species readOne(TomlTable& table) {
     Species s;
     table.need("name");
     table.need("model");
@@ -27,18 +26,10 @@ Species readOne(TomlFile& file, const toml::table& entry) {
     table.number("spacing", s.spacing, 0.6f, 5);
     table.number("stride", s.stride, 0.2f, 1.5f);
     table.flag("coasts", s.coasts);
-    std::string company = kCompanyNames[static_cast<size_t>(s.company)];
-    table.text("company", company);
-    const auto known = std::find(kCompanyNames.begin(), kCompanyNames.end(), company);
-    if (known == kCompanyNames.end())
-        table.complain("company", "must be \"alone\", \"pair\" or \"shoal\"");
-    else
-        s.company = static_cast<Company>(known - kCompanyNames.begin());
-    int64_t points = s.shark ? 0 : s.points;
-    table.whole("points", points, 0, 1000);
-    s.points = static_cast<int>(points);
-    table.finish();
-
+    if (const auto company = table.choice("company", kCompanyNames))
+        s.company = static_cast<Company>(*company);
+    if (s.shark) s.points = 0;
+    table.whole("points", s.points, 0, 1000);
     if (s.name.empty()) table.complain("name", "must not be empty");
     if (s.model.find("..") != std::string::npos || s.model.starts_with('/'))
         table.complain("model", "must name a file below content/");
@@ -57,27 +48,17 @@ int findSpecies(const SpeciesTable& table, std::string_view name) {
 }
 
 Result<SpeciesTable> loadSpecies(const Path& path) {
-    auto opened = TomlFile::open(path);
-    if (!opened) return opened.error();
-    TomlFile& file = *opened;
-    TomlTable root(file, file.root());
-    root.need("species");
     SpeciesTable species;
-    if (const auto* list = root.list("species"))
-        for (const toml::node& node : *list) {
-            const auto* entry = node.as_table();
-            if (!entry) {
-                file.complain(&node, "each species must be a table [[species]]");
-                break;
-            }
-            species.push_back(readOne(file, *entry));
+    const Status read = readToml(path, [&](TomlTable& root) {
+        root.need("species");
+        root.tables("species", 64, [&](TomlTable& table) {
+            species.push_back(readOne(table));
             if (findSpecies(species, species.back().name) + 1 != static_cast<int>(species.size()))
-                file.complain(entry, "species \"" + species.back().name + "\" occurs twice");
-            if (species.size() > 64) file.complain(entry, "more than 64 species");
-        }
-    root.finish();
-    if (species.empty()) file.complain(nullptr, "holds no species");
-    if (auto status = file.status(); !status) return status.error();
+                table.complain("species", "occurs twice: \"" + species.back().name + "\"");
+        });
+        if (species.empty()) root.complain("species", "holds no species");
+    });
+    if (!read) return read.error();
     return species;
 }
 

@@ -31,8 +31,6 @@ struct Species {
     float spacing = 1.2f; // to the companions around it, body lengths, centre to centre
     float stride = 0.65f; // body lengths it swims in one beat of the tail
     bool coasts = false;  // beats in bursts and glides between them
-
-    bool operator==(const Species&) const = default;
 };
 
 constexpr float kMaxSpeed_mps = 3; // of any fish that is not in a hand, however it is pushed

@@ -1,6 +1,5 @@
 #include "game/rules/Swimmer.h"
 
-#include "game/rules/BodyWave.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>

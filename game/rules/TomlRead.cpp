@@ -13,28 +13,26 @@ std::string compact(float value) {
 }
 } // namespace
 
-Result<TomlFile> TomlFile::open(const Path& path) {
-    auto text = readText(path, 1u << 20);
-    if (!text) return text.error();
-    TomlFile file;
-    file.path_ = path;
-    try {
-        file.root_ = toml::parse(*text, path.string());
-    } catch (const toml::parse_error& error) {
-        return Error{path.string(), "line " + std::to_string(error.source().begin.line) + ": " +
-                                        std::string(error.description())};
-    }
-    return file;
-}
-
-void TomlFile::complain(const toml::node* where, std::string reason) {
-    if (first_) return;
+void TomlMistake::complain(const toml::node* where, std::string reason) {
+    if (first) return;
     const auto line = where ? where->source().begin.line : 0;
-    first_ = Error{path_.string(), line ? "line " + std::to_string(line) + ": " + reason : reason};
+    first = Error{file.string(), line ? "line " + std::to_string(line) + ": " + reason : reason};
 }
 
-Status TomlFile::status() const {
-    if (first_) return *first_;
+Status readToml(const Path& file, const TomlTable::Read& read) {
+    const auto text = readText(file, 1u << 20);
+    if (!text) return text.error();
+    TomlMistake mistake{file, {}};
+    try {
+        const toml::table root = toml::parse(*text, file.string());
+        TomlTable table(mistake, root);
+        read(table);
+        table.finish();
+    } catch (const toml::parse_error& error) {
+        mistake.complain(nullptr, "line " + std::to_string(error.source().begin.line) + ": " +
+                                      std::string(error.description()));
+    }
+    if (mistake.first) return *mistake.first;
     return Done{};
 }
 
@@ -45,7 +43,7 @@ const toml::node* TomlTable::at(std::string_view key) {
 
 void TomlTable::complain(std::string_view key, std::string reason) {
     const toml::node* node = table_.get(key);
-    file_.complain(node ? node : &table_, "\"" + std::string(key) + "\" " + reason);
+    mistake_.complain(node ? node : &table_, "\"" + std::string(key) + "\" " + reason);
 }
 
 void TomlTable::need(std::string_view key) {
@@ -62,14 +60,13 @@ void TomlTable::number(std::string_view key, float& value, float low, float high
         value = static_cast<float>(*read);
 }
 
-void TomlTable::whole(std::string_view key, int64_t& value, int64_t low, int64_t high) {
+std::optional<int64_t> TomlTable::readWhole(std::string_view key, int64_t low, int64_t high) {
     const toml::node* node = at(key);
-    if (!node) return;
+    if (!node) return std::nullopt;
     const auto read = node->is_integer() ? node->value<int64_t>() : std::nullopt;
-    if (!read || *read < low || *read > high)
-        complain(key, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-    else
-        value = *read;
+    if (read && *read >= low && *read <= high) return read;
+    complain(key, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return std::nullopt;
 }
 
 void TomlTable::flag(std::string_view key, bool& value) {
@@ -88,6 +85,18 @@ void TomlTable::text(std::string_view key, std::string& value) {
         value = read->get();
     else
         complain(key, "must be a string");
+}
+
+std::optional<size_t> TomlTable::choice(std::string_view key, std::span<const char* const> names) {
+    if (!has(key)) return std::nullopt;
+    std::string given, listed;
+    text(key, given);
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (given == names[i]) return i;
+        listed += (i == 0 ? "" : ", ") + std::string(names[i]);
+    }
+    complain(key, "must be one of " + listed);
+    return std::nullopt;
 }
 
 void TomlTable::range(std::string_view key, float& first, float& second, float low, float high) {
@@ -111,17 +120,34 @@ const toml::array* TomlTable::list(std::string_view key) {
     return node->as_array();
 }
 
-const toml::table* TomlTable::table(std::string_view key) {
+void TomlTable::table(std::string_view key, const Read& read) {
     const toml::node* node = at(key);
-    if (!node) return nullptr;
-    if (!node->is_table()) complain(key, "must be a table");
-    return node->as_table();
+    if (!node) return;
+    if (!node->is_table()) return complain(key, "must be a table");
+    TomlTable inner(mistake_, *node->as_table());
+    read(inner);
+    inner.finish();
+}
+
+void TomlTable::tables(std::string_view key, size_t maximum, const Read& read) {
+    const toml::array* all = list(key);
+    if (!all) return;
+    if (all->size() > maximum) return complain(key, "holds more than " + std::to_string(maximum) + " tables");
+    for (const toml::node& node : *all) {
+        if (!node.is_table()) {
+            const std::string name(key);
+            return mistake_.complain(&node, "each " + name + " must be a table [[" + name + "]]");
+        }
+        TomlTable inner(mistake_, *node.as_table());
+        read(inner);
+        inner.finish();
+    }
 }
 
 void TomlTable::finish() {
     for (const auto& [key, node] : table_)
         if (!read_.contains(key.str()))
-            file_.complain(&node, "unknown key \"" + std::string(key.str()) + "\"");
+            mistake_.complain(&node, "unknown key \"" + std::string(key.str()) + "\"");
 }
 
 } // namespace shoal::game

@@ -8,55 +8,63 @@
 
 #include <toml++/toml.h>
 
+#include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace shoal::game {
 
-class TomlFile {
-  public:
-    static Result<TomlFile> open(const Path& file);
+// The error of the first mistake in a file.
+struct TomlMistake {
+    Path file;
+    std::optional<Error> first;
 
-    const toml::table& root() const { return root_; }
     void complain(const toml::node* where, std::string reason);
-    Status status() const;
-    const Path& path() const { return path_; }
-
-  private:
-    Path path_;
-    toml::table root_;
-    std::optional<Error> first_;
 };
 
-// One table of the file: each read names its key, finish() complains about keys that nobody read.
+// One table of the file. Optional keys keep the default.
 class TomlTable {
   public:
-    TomlTable(TomlFile& file, const toml::table& table) : file_(file), table_(table) {}
+    using Read = std::function<void(TomlTable&)>;
+
+    TomlTable(TomlMistake& mistake, const toml::table& table) : mistake_(mistake), table_(table) {}
 
     bool has(std::string_view key) const { return table_.contains(key); }
     int line() const { return static_cast<int>(table_.source().begin.line); }
 
-    // Optional keys keep the default.
     void number(std::string_view key, float& value, float low, float high);
-    void whole(std::string_view key, int64_t& value, int64_t low, int64_t high);
+    template <class Integer> void whole(std::string_view key, Integer& value, int64_t low, int64_t high) {
+        if (const auto read = readWhole(key, low, high)) value = static_cast<Integer>(*read);
+    }
     void flag(std::string_view key, bool& value);
     void text(std::string_view key, std::string& value);
+    // The place of the text among these; empty: the key is missing, or it is none of them.
+    std::optional<size_t> choice(std::string_view key, std::span<const char* const> names);
     // [low, high], low <= high
     void range(std::string_view key, float& first, float& second, float low, float high);
     const toml::array* list(std::string_view key);
-    const toml::table* table(std::string_view key);
+    // The table [key], and the list of at most `maximum` tables [[key]].
+    void table(std::string_view key, const Read& read);
+    void tables(std::string_view key, size_t maximum, const Read& read);
+
     void need(std::string_view key);
     void complain(std::string_view key, std::string reason);
+    // Complains about keys that nobody has read.
     void finish();
 
   private:
     const toml::node* at(std::string_view key);
+    std::optional<int64_t> readWhole(std::string_view key, int64_t low, int64_t high);
 
-    TomlFile& file_;
+    TomlMistake& mistake_;
     const toml::table& table_;
     std::set<std::string, std::less<>> read_;
 };
+
+// Reads a file by its root table.
+Status readToml(const Path& file, const TomlTable::Read& read);
 
 } // namespace shoal::game

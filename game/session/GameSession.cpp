@@ -1,7 +1,5 @@
 #include "game/session/GameSession.h"
 
-#include "game/playthrough/Playback.h"
-
 #include <algorithm>
 #include <array>
 
@@ -20,7 +18,7 @@ HandSource makeSource(const SessionConfig& config) {
 
 GameSession::GameSession(const SessionConfig& config)
     : source(makeSource(config)), dive(config.species, config.dive, config.seed),
-      recording(game::headerFor(dive), 16384) {
+      recording(game::recordingHeader(dive), 16384) {
     if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
         tracked.emplace(config.handSource, config.hands, config.rig, config.live);
     events.reserve(256);

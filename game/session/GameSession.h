@@ -26,7 +26,7 @@ struct GameSession {
     sim::FixedStep clock;
     sim::Recording recording;
     game::Snapshot before, after, shown;
-    std::vector<game::Event> events; // of this frame's ticks
+    game::Events events; // of this frame's ticks
     uint64_t ticks = 0;
     std::optional<xr::Pose> head; // of a headset; empty: the source has the head's pose
     bool paused = false, restart = false;
@@ -38,7 +38,7 @@ struct GameSession {
     // this one.
     void tick(bool record, float share, int ticksLeft);
     std::optional<xr::Pose> headBefore_; // in the last frame
-    std::vector<game::Event> tickEvents_;
+    game::Events tickEvents_;
 };
 
 } // namespace shoal::app

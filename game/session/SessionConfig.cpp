@@ -1,6 +1,5 @@
 #include "game/session/SessionConfig.h"
 
-#include "game/playthrough/Playback.h"
 #include "game/rules/TickInput.h"
 #include "game/session/TrackedHands.h"
 

@@ -1,6 +1,6 @@
 // Somebody with a mouse and nothing but the picture: points at a fish, clicks when the hand is there.
-#include "game/playthrough/Playback.h"
 #include "input/hands/MouseHands.h"
+#include "tests/playthrough/Play.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
         hands::MouseHands mouse(*rig);
         hands::MouseInput pointer;
         Snapshot now;
-        std::vector<Event> events;
+        Events events;
         TickInput input;
         dive.snapshot(now);
         int target = -1, since = 0, held = 0;

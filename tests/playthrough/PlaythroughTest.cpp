@@ -1,8 +1,8 @@
 // Every script of this folder plays headless, meets its expectations at every display rate, and its recording
 // replays tick for tick.
 #include "engine/sim/FixedStep.h"
-#include "game/playthrough/Playback.h"
 #include "tests/TestPaths.h"
+#include "tests/playthrough/Play.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::pair<uint64_t, Status> playAt(int framesPerSecond, const Script& script, co
     ScriptRun run(script, rig, files.species);
     sim::FixedStep clock;
     Snapshot before, now, shown;
-    std::vector<Event> events;
+    Events events;
     TickInput input;
     dive.snapshot(now);
     for (int frame = 0; !run.finished() && frame < 100'000; ++frame) {
@@ -57,20 +57,20 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
 
     std::string story;
     double sharkNear_s = -1e9;
-    const auto watch = [&](const Snapshot& now, const std::vector<Event>& events) {
+    const auto watch = [&](const Snapshot& now, const Events& events) {
         for (const Event& event : events) {
-            if (is<events::DiveStart>(event)) sharkNear_s = -1e9;
-            if (is<events::SharkNear>(event)) sharkNear_s = now.time_s;
+            if (event.kind == EventKind::DiveStart) sharkNear_s = -1e9;
+            if (event.kind == EventKind::SharkNear) sharkNear_s = now.time_s;
             // Nobody is taken by surprise: a second's notice, of this visit.
-            if (is<events::SharkSteal>(event) || is<events::SharkBump>(event)) {
+            if (event.kind == EventKind::SharkSteal || event.kind == EventKind::SharkBump) {
                 EXPECT_GE(now.time_s - sharkNear_s, 1);
                 EXPECT_LE(now.time_s - sharkNear_s, files->dive.shark.visitLength_s + 15);
             }
         }
         for (const Event& event : events)
-            if (!is<events::Touch>(event) && !is<events::Startle>(event))
-                story += std::to_string(now.time_s) + " " + rowOf(event).name + " hand " +
-                         std::to_string(handOf(event)) + "\n";
+            if (event.kind != EventKind::Touch && event.kind != EventKind::Startle)
+                story += std::to_string(now.time_s) + " " + rowOf(event.kind).name + " hand " +
+                         std::to_string(event.hand) + "\n";
     };
     const Played played = playScript(*script, *rig, *files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());

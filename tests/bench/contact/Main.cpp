@@ -1,6 +1,6 @@
 // Processor time of a tick of forty fish, user's share alone: without hands, with two hands that swing and
 // close among them, and with all forty piled into two fists again every half second.
-#include "game/playthrough/Playback.h"
+#include "tests/playthrough/Play.h"
 #include "game/rules/Dive.h"
 #include "input/hands/MouseHands.h"
 

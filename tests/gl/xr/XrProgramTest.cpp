@@ -2,7 +2,7 @@
 #include "engine/core/Log.h"
 #include "engine/xr/Headset.h"
 #include "game/app/Play.h"
-#include "game/playthrough/Playback.h"
+#include "tests/playthrough/Play.h"
 #include "game/rules/TickInput.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"

@@ -1,7 +1,7 @@
 // Plays playthroughs without a display and prints the state hash that each ends with: playthrough_hashes
 // FILE... Exits 1 if one does not meet its expectations.
 #include "engine/core/Hash.h"
-#include "game/playthrough/Playback.h"
+#include "tests/playthrough/Play.h"
 
 #include <cinttypes>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // The program with a tracking service that behaves as services do: a hand over the device closes on a fish;
 // the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time is that
 // of the frames' stamps, so nothing waits for a clock.
-#include "game/playthrough/Playback.h"
+#include "tests/playthrough/Play.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "input/hands/leap/LeapTracks.h"
@@ -153,7 +153,7 @@ class TrackedHands : public testing::Test {
     }
     static bool grabbed(const Story& story) {
         for (const game::Event& event : story.events)
-            if (const auto* grab = game::as<game::events::Grab>(event); grab && grab->hand == 1) return true;
+            if (event.kind == game::EventKind::Grab && event.hand == 1) return true;
         return false;
     }
 

@@ -10,7 +10,7 @@ namespace {
 TEST(Allocation, ATickTakesNoMemory) {
     Dive dive(test::cove().species, test::cove().dive, 2);
     Snapshot a, b, shown;
-    std::vector<Event> events;
+    Events events;
     events.reserve(1000);
     TickInput input;
     dive.snapshot(a);

@@ -1,8 +1,8 @@
 // How bodies bend and beat: against what is known of fish.
 #include "Fixture.h"
 
-#include "game/rules/BodyWave.h"
 #include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ DiveFile calm() {
 // A beat carries a body on by its stride, whatever its speed (Bainbridge 1958).
 TEST(Tail, BeatsOnceForEachStrideSwum) {
     test::OpenDive world(cove().species, calm(), 6);
-    std::vector<Event> events;
+    Events events;
     std::vector<double> swum_m(world.fish.size(), 0);
     for (int i = 0; i < 30 * 120; ++i) {
         world.step({}, events);
@@ -56,7 +56,7 @@ TEST(Tail, SwingsWiderTheFasterItSwimsUpToATenthOfTheLength) {
 
 TEST(Tail, RestsWhileItsKindGlides) {
     test::OpenDive world(cove().species, calm(), 3);
-    std::vector<Event> events;
+    Events events;
     std::vector<int> gliding(world.fish.size(), 0);
     for (int i = 0; i < 20 * 120; ++i) {
         world.step({}, events);
@@ -75,7 +75,7 @@ TEST(Tail, RestsWhileItsKindGlides) {
 // Headings have inertia, bodies lie along their curved ways, and lean into them.
 TEST(Turning, IsSmoothAndBendsAndBanksTheBodyInwards) {
     test::OpenDive world(cove().species, calm(), 2);
-    std::vector<Event> events;
+    Events events;
     std::vector<glm::vec3> forward, turned;
     int inwards = 0, outwards = 0, leaning = 0, upright = 0;
     for (int i = 0; i < 40 * 120; ++i) {
@@ -108,7 +108,7 @@ TEST(Facing, FishLookWhereTheyGo) {
     double off = 0, all = 0, sum = 0;
     for (uint64_t seed : {1, 2, 3}) {
         test::OpenDive world(cove().species, cove().dive, seed); // shark and all
-        std::vector<Event> events;
+        Events events;
         for (int i = 0; i < 60 * 120; ++i) {
             world.step({}, events);
             for (const Fish& fish : world.fish) {
@@ -129,7 +129,7 @@ TEST(Facing, FishLookWhereTheyGo) {
 TEST(Facing, NothingComesNearTheEyes) {
     for (uint64_t seed : {1, 2, 3, 4}) {
         test::OpenDive world(cove().species, cove().dive, seed);
-        std::vector<Event> events;
+        Events events;
         float nearest = 10;
         for (int i = 0; i < 90 * 120; ++i) {
             world.step({}, events);

@@ -26,7 +26,8 @@ float checkAll(const test::OpenDive& world, const char* where) {
     for (const Fish& f : world.fish) {
         EXPECT_TRUE(finite(f.position) && finite(f.velocity) && finite(f.forward)) << where;
         EXPECT_NEAR(glm::length(f.worldFromBody), 1, 1e-3f) << where;
-        if (f.heldBy < 0 && f.state != Fish::State::Mouth) fastest = std::max(fastest, glm::length(f.velocity));
+        if (f.heldBy < 0 && f.state != Fish::State::Mouth)
+            fastest = std::max(fastest, glm::length(f.velocity));
     }
     EXPECT_LE(fastest, kMaxSpeed_mps + 1e-3f) << where;
     return fastest;
@@ -56,7 +57,7 @@ TEST(Contact, AHandThatJumpsThroughAFishBetweenTwoTicksPushesIt) {
             one.events.clear();
             one.input.hands[1] = handAt(kPlace + way * (1 - offset), 1);
             one.step();
-            EXPECT_GE(count<events::Touch>(one.events), 1) << speed << " m/s, offset " << offset;
+            EXPECT_GE(count<EventKind::Touch>(one.events), 1) << speed << " m/s, offset " << offset;
             EXPECT_GT(glm::length(one.fish().push), 0.2f) << speed << " m/s, offset " << offset;
             checkAll(one.world, "jump");
         }
@@ -80,7 +81,7 @@ TEST(Contact, AHandAt20MetresASecondNeitherMissesNorFlingsAFish) {
                 one.step();
                 checkAll(one.world, "20 m/s");
             }
-            touched += count<events::Touch>(one.events) > 0;
+            touched += count<EventKind::Touch>(one.events) > 0;
             ++rounds;
             for (int i = 0; i < 60; ++i) {
                 one.step();
@@ -150,7 +151,7 @@ TEST(Contact, TwoPalmsHoldAFishBetweenThem) {
 TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
     test::OpenDive world(cove().species, crowd(40), 5);
     TickInput input;
-    std::vector<Event> events;
+    Events events;
     input.hands[1] = handAt(kPlace);
     world.step(input, events);
     Random random(11, 1);
@@ -167,7 +168,7 @@ TEST(Contact, FortyFishInOneFistAreOneCatchAndNoExplosion) {
         for (const Fish& f : world.fish) held += f.heldBy >= 0;
         ASSERT_LE(held, 1);
     }
-    EXPECT_EQ(count<events::Grab>(events), 1);
+    EXPECT_EQ(count<EventKind::Grab>(events), 1);
     EXPECT_EQ(world.score.caught, 1);
     // The others have left the fist.
     int inside = 0;
@@ -193,7 +194,7 @@ TEST(Contact, AFistClosedOnAnEmptyPlaceCatchesNothingThatSwimsIn) {
                 one.step();
                 checkAll(one.world, "swims in");
             }
-            EXPECT_EQ(count<events::Grab>(one.events), 0) << closed << " from side " << from;
+            EXPECT_EQ(count<EventKind::Grab>(one.events), 0) << closed << " from side " << from;
         }
 }
 
@@ -263,7 +264,7 @@ TEST(Contact, NoAbsurdJointsReachTheFish) {
     EXPECT_FALSE(one.world.hands[1].visible) << "for so long without a sound pose it counts as untracked";
     one.step();
     EXPECT_TRUE(one.world.hands[1].visible) << "the first sound pose brings it back";
-    EXPECT_EQ(count<events::Touch>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Touch>(one.events), 0);
 }
 
 TEST(Contact, BothHandsInTheSamePlaceShareNothingAndBreakNothing) {
@@ -278,7 +279,7 @@ TEST(Contact, BothHandsInTheSamePlaceShareNothingAndBreakNothing) {
         checkAll(one.world, "same place");
         EXPECT_FALSE(one.world.hands[0].grasp.holds == 0 && one.world.hands[1].grasp.holds == 0);
     }
-    EXPECT_GE(count<events::Grab>(one.events), 1);
+    EXPECT_GE(count<EventKind::Grab>(one.events), 1);
     EXPECT_EQ(one.world.score.caught, 1);
 }
 
@@ -299,7 +300,7 @@ TEST(Contact, AHandThatIsNotSolidTouchesNothing) {
         EXPECT_EQ(gliding.fish().push, glm::vec3(0));
         EXPECT_EQ(gliding.fish().parting, glm::vec3(0));
     }
-    EXPECT_TRUE(gliding.events.empty()) << rowOf(gliding.events[0]).name;
+    EXPECT_TRUE(gliding.events.empty()) << rowOf(gliding.events[0].kind).name;
     EXPECT_EQ(gliding.fish().heldBy, -1);
     EXPECT_EQ(gliding.fish().state, Fish::State::Cruise);
 }
@@ -325,7 +326,7 @@ TEST(Contact, AHandThatBecomesSolidInsideAFishLetsItOutGently) {
         // Its own speed and the parting; a fish at rest turns and starts at 3 m/s2 at most.
         EXPECT_LE(glm::distance(was, one.fish().position) * 120, 1.1f * physics::kPartMax_mps + 0.1f) << i;
     }
-    EXPECT_EQ(count<events::Grab>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 0);
 }
 
 TEST(Contact, ALooseGripLosesABigFishAndAFirmOneKeepsIt) {
@@ -379,14 +380,14 @@ TEST(Contact, ATremblingGripHasHysteresis) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 0.7f);
-    ASSERT_EQ(count<events::Grab>(one.events), 1);
+    ASSERT_EQ(count<EventKind::Grab>(one.events), 1);
     for (int i = 0; i < 100; ++i) {
         one.input.hands[1] = handAt(kPlace, 0.7f);
         for (hands::Joint& joint : one.input.hands[1].joints) joint.position += somewhere(random, 0.002f);
         one.step();
     }
-    EXPECT_EQ(count<events::Grab>(one.events), 1);
-    EXPECT_EQ(count<events::Escape>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Escape>(one.events), 0);
 }
 
 TEST(Contact, FingersRestOnAHeldFishAndDoNotEnterIt) {
@@ -494,7 +495,7 @@ TEST(Contact, EnergyNeverGrowsFromNothingInTenMinutesOfThrashing) {
     std::array<glm::vec3, 2> at{kPlace, kPlace}, goal{kPlace, kPlace};
     std::array<float, 10> minutes{};
     TickInput input;
-    std::vector<Event> events;
+    Events events;
     for (int tick = 0; tick < 10 * 60 * 120; ++tick) {
         for (int h = 0; h < 2; ++h) {
             if (tick % 40 == 20 * h) goal[h] = somewhere(random, 1.1f) * glm::vec3(1, 0.5f, 1);
@@ -535,9 +536,9 @@ TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
         return input;
     };
     Dive first(cove().species, cove().dive, 6), second(cove().species, cove().dive, 6);
-    sim::Recording recording(headerFor(first));
+    sim::Recording recording(recordingHeader(first));
     Snapshot now;
-    std::vector<Event> events;
+    Events events;
     std::array<uint8_t, kTickInputBytes> bytes;
     for (int tick = 0; tick < 3600; ++tick) {
         first.snapshot(now);
@@ -548,8 +549,8 @@ TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
         toBytes(input, bytes);
         recording.add(bytes, first.stateHash());
     }
-    EXPECT_GT(count<events::Touch>(events), 50);
-    EXPECT_GT(count<events::Grab>(events), 0);
+    EXPECT_GT(count<EventKind::Touch>(events), 50);
+    EXPECT_GT(count<EventKind::Grab>(events), 0);
     const Status same = replay(recording, cove());
     EXPECT_TRUE(same) << same.error().message();
 }

@@ -20,7 +20,7 @@ Script busyScript() {
 TEST(Determinism, TwoDivesWithTheSameSeedAgreeAtEveryTickAndOthersDoNot) {
     Dive a(cove().species, cove().dive, 11), b(cove().species, cove().dive, 11),
         c(cove().species, cove().dive, 12);
-    std::vector<Event> events;
+    Events events;
     EXPECT_EQ(a.stateHash(), b.stateHash());
     for (int i = 0; i < 2400; ++i) {
         TickInput input;
@@ -94,7 +94,7 @@ TEST(TickInput, ComesBackFromBytesExactly) {
 
 TEST(Interpolate, LiesBetweenAndDoesNotSmearJumps) {
     Dive dive(cove().species, cove().dive, 4);
-    std::vector<Event> events;
+    Events events;
     Snapshot a, b, mid;
     for (int i = 0; i < 30; ++i) dive.step({}, events);
     dive.snapshot(a);

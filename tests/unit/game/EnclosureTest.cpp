@@ -51,7 +51,7 @@ TEST(Enclosure, TheSnapshotCarriesItAndARestartBeginsAnew) {
     file.videoLength_s = 10;
     Dive dive(test::cove().species, file, 3);
     Snapshot now;
-    std::vector<Event> events;
+    Events events;
     for (int i = 0; i < 180; ++i) dive.step({}, events);
     dive.snapshot(now);
     EXPECT_EQ(now.enclosure, 1);

@@ -1,11 +1,11 @@
 // The dive of the playthroughs, and hands to put into it.
 #pragma once
 
-#include "game/playthrough/Playback.h"
 #include "game/rules/Dive.h"
-#include "game/rules/Fright.h"
+#include "game/rules/FishBehaviour.h"
 #include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
+#include "tests/playthrough/Play.h"
 
 #include <gtest/gtest.h>
 
@@ -36,21 +36,15 @@ inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {
     return hands::reachingHand(rig(), side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
 }
 
-template <class E> int count(const std::vector<Event>& events) {
-    return static_cast<int>(std::ranges::count_if(events, [](const Event& event) { return is<E>(event); }));
+template <EventKind K> int count(const Events& events) {
+    return static_cast<int>(
+        std::ranges::count_if(events, [](const Event& event) { return event.kind == K; }));
 }
 
-template <class E> const E* first(const std::vector<Event>& events) {
+template <EventKind K> const Event* first(const Events& events) {
     for (const Event& event : events)
-        if (is<E>(event)) return as<E>(event);
+        if (event.kind == K) return &event;
     return nullptr;
-}
-
-// Tick of the first event of that kind, 0 if there is none.
-template <class E> uint64_t tickOfFirst(const std::vector<Event>& events) {
-    for (const Event& event : events)
-        if (is<E>(event)) return event.tick;
-    return 0;
 }
 
 // A dive whose state tests look at and change.
@@ -61,8 +55,7 @@ struct OpenDive : Dive {
     Hands& hands = state().hands;
     const Score& score = state().score;
 
-    void startle(int id, glm::vec3 from, std::vector<Event>& out) {
-        EventSink events(state().totalTicks, out);
+    void startle(int id, glm::vec3 from, Events& events) {
         game::startle(fish[id], id, from, state().random, events);
     }
 };
@@ -71,7 +64,8 @@ struct OpenDive : Dive {
 struct OneFish {
     OpenDive world;
     TickInput input;
-    std::vector<Event> events;
+    Events events;
+    std::vector<uint64_t> eventTicks; // when each occurred
 
     explicit OneFish(bool withShark = false) : world(cove().species, lonely(withShark), 5) { rest(); }
 
@@ -97,7 +91,16 @@ struct OneFish {
         fish().height = at.y;
     }
     void step(int ticks = 1) {
-        for (int i = 0; i < ticks; ++i) world.step(input, events);
+        for (int i = 0; i < ticks; ++i) {
+            world.step(input, events);
+            eventTicks.resize(events.size(), world.state().totalTicks);
+        }
+    }
+    // Tick of the first event of that kind, 0 if there is none.
+    template <EventKind K> uint64_t tickOfFirst() const {
+        for (size_t i = 0; i < events.size(); ++i)
+            if (events[i].kind == K) return eventTicks[i];
+        return 0;
     }
     // Closes (or opens) the right hand over 0.12 s at a place.
     void moveGrip(glm::vec3 at, float from, float to) {

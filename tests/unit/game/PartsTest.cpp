@@ -2,10 +2,9 @@
 #include "Fixture.h"
 
 #include "game/rules/Catching.h"
-#include "game/rules/FingerWrap.h"
-#include "game/rules/Schooling.h"
+#include "game/rules/FishBehaviour.h"
+#include "game/rules/Holding.h"
 #include "game/rules/SharkBehaviour.h"
-#include "game/rules/SharkTuning.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
@@ -107,15 +106,15 @@ TEST(ClosingHands, AnEmptyOneMissesOnceAfterItsWindow) {
     TickInput input;
     Viewpoint view;
     Hands hands;
-    std::vector<Event> out;
-    EventSink events(1, out);
+    Events out;
+    Events& events = out;
     std::vector<Fish> none;
     for (int tick = 0; tick < 60; ++tick) {
         input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(tick) / 15));
         trackHands(input, view, hands);
         closeHands(hands, cove().species, none, {}, 0, true, events);
     }
-    EXPECT_EQ(count<events::Miss>(out), 1);
+    EXPECT_EQ(count<EventKind::Miss>(out), 1);
     EXPECT_TRUE(hands[1].grasp.closed);
     out.clear();
     input.hands[1] = handAt(kPlace, 0);
@@ -145,7 +144,7 @@ struct SharkBeforeHand {
     Hands hands;
     std::vector<Fish> fish{Fish{}};
     Shark shark;
-    std::vector<Event> out;
+    Events out;
 
     SharkBeforeHand() {
         shark.present = true;
@@ -156,7 +155,7 @@ struct SharkBeforeHand {
         shark.forward = {0, 0, 1}; // its mouth is 1.6 m away from the hand
     }
     void decideAt(float time_s, int ticks = 1, bool over = false) {
-        EventSink events(1, out);
+        Events& events = out;
         for (int i = 0; i < ticks; ++i)
             decide(shark, {dive, cove().species, hands, fish, time_s, over}, events);
     }
@@ -168,7 +167,7 @@ TEST(SharkBehaviour, VisitsAtItsTimesButNotAfterTheDive) {
     EXPECT_EQ(one.shark.state, Shark::State::Circle);
     one.decideAt(one.dive.shark.visits_s[0]);
     EXPECT_EQ(one.shark.state, Shark::State::Prowl);
-    EXPECT_EQ(count<events::SharkNear>(one.out), 1);
+    EXPECT_EQ(count<EventKind::SharkNear>(one.out), 1);
     SharkBeforeHand late;
     late.decideAt(one.dive.shark.visits_s[0], 1, true);
     EXPECT_EQ(late.shark.state, Shark::State::Circle);

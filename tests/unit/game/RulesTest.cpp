@@ -14,7 +14,6 @@ using test::count;
 using test::first;
 using test::handAt;
 using test::OneFish;
-using test::tickOfFirst;
 
 constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
 
@@ -24,7 +23,7 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     one.step();
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    const events::Grab* grab = first<events::Grab>(one.events);
+    const Event* grab = first<EventKind::Grab>(one.events);
     ASSERT_NE(grab, nullptr);
     EXPECT_EQ(grab->hand, 1);
     EXPECT_EQ(grab->creature, 0);
@@ -34,16 +33,16 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     EXPECT_EQ(now.creatures[0].heldBy, 1);
     EXPECT_EQ(now.creatures[0].motion, Motion::Struggle);
 
-    const uint64_t grabbed = tickOfFirst<events::Grab>(one.events);
+    const uint64_t grabbed = one.tickOfFirst<EventKind::Grab>();
     while (one.world.state().totalTicks < grabbed + 119) one.step();
-    EXPECT_EQ(count<events::Catch>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Catch>(one.events), 0);
     one.step();
-    EXPECT_EQ(count<events::Catch>(one.events), 1) << "120 ticks after the grab";
+    EXPECT_EQ(count<EventKind::Catch>(one.events), 1) << "120 ticks after the grab";
     EXPECT_EQ(one.world.score.caught, 1);
     EXPECT_EQ(one.world.score.points, one.world.species()[one.fish().species].points);
     one.step(30);
-    EXPECT_EQ(count<events::Release>(one.events), 1);
-    EXPECT_EQ(count<events::Escape>(one.events) + count<events::Miss>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Release>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Escape>(one.events) + count<EventKind::Miss>(one.events), 0);
     EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
 
     // It swims off, and for two seconds nobody catches it again.
@@ -52,8 +51,8 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     one.rest();
     one.moveGrip(kPlace, 0, 1);
     one.step(kCloseWindow);
-    EXPECT_EQ(count<events::Grab>(one.events), 1);
-    EXPECT_EQ(count<events::Miss>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Miss>(one.events), 1);
 }
 
 TEST(Catching, OpeningEarlyLetsItEscape) {
@@ -61,11 +60,11 @@ TEST(Catching, OpeningEarlyLetsItEscape) {
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    ASSERT_EQ(count<events::Grab>(one.events), 1);
+    ASSERT_EQ(count<EventKind::Grab>(one.events), 1);
     one.step(60);
     one.moveGrip(kPlace, 1, 0);
-    EXPECT_EQ(count<events::Escape>(one.events), 1);
-    EXPECT_EQ(count<events::Catch>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Escape>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Catch>(one.events), 0);
     EXPECT_EQ(one.world.score.points, 0);
 }
 
@@ -75,8 +74,8 @@ TEST(Catching, ClosingOnNothingIsOneMiss) {
     one.moveGrip(elsewhere, 0, 0);
     one.moveGrip(elsewhere, 0, 1);
     one.step(120);
-    EXPECT_EQ(count<events::Miss>(one.events), 1);
-    EXPECT_EQ(count<events::Grab>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Miss>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 0);
 }
 
 TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
@@ -92,10 +91,10 @@ TEST(Catching, AFistThatMeetsAFishOnlyStartlesIt) {
             handAt(glm::mix(aside, kPlace - glm::vec3(0, 0, 0.05f), static_cast<float>(i) / 60), 1);
         one.step();
     }
-    EXPECT_EQ(count<events::Grab>(one.events), 0);
-    EXPECT_GE(count<events::Touch>(one.events), 1);
-    EXPECT_EQ(count<events::Startle>(one.events), 1);
-    EXPECT_EQ(count<events::Miss>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 0);
+    EXPECT_GE(count<EventKind::Touch>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Startle>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Miss>(one.events), 0);
 }
 
 TEST(Catching, GripNeedsToCrossWithHysteresis) {
@@ -109,8 +108,8 @@ TEST(Catching, GripNeedsToCrossWithHysteresis) {
         one.input.hands[1].grip = i % 2 ? kGripOpens + 0.02f : kGripCloses + 0.02f;
         one.step();
     }
-    EXPECT_EQ(count<events::Escape>(one.events), 0);
-    EXPECT_EQ(count<events::Grab>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Escape>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
 }
 
 TEST(Catching, EachHandHoldsItsOwn) {
@@ -126,7 +125,7 @@ TEST(Catching, EachHandHoldsItsOwn) {
     }
     EXPECT_EQ(one.world.hands[0].grasp.holds, -1);
     EXPECT_EQ(one.world.hands[1].grasp.holds, 0);
-    EXPECT_EQ(count<events::Grab>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 1);
 }
 
 TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
@@ -140,7 +139,7 @@ TEST(Catching, AHandThatVanishesKeepsItsFishForAMomentOnly) {
     EXPECT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(60);
     EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
-    EXPECT_EQ(count<events::Escape>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Escape>(one.events), 1);
 }
 
 TEST(Touching, AFastHandThatJumpsThroughAFishBetweenTwoTicksTouchesIt) {
@@ -154,8 +153,8 @@ TEST(Touching, AFastHandThatJumpsThroughAFishBetweenTwoTicksTouchesIt) {
         one.events.clear();
         one.input.hands[1] = handAt(kPlace + half, 1);
         one.step();
-        EXPECT_GE(count<events::Touch>(one.events), 1) << speed << " m/s";
-        EXPECT_EQ(count<events::Startle>(one.events), 1) << speed << " m/s";
+        EXPECT_GE(count<EventKind::Touch>(one.events), 1) << speed << " m/s";
+        EXPECT_EQ(count<EventKind::Startle>(one.events), 1) << speed << " m/s";
     }
 }
 
@@ -186,17 +185,17 @@ TEST(Touching, AGentleTouchPushesAway) {
     one.input.hands[1] = handAt(left);
     one.step();
     one.rest();
-    for (int i = 0; i <= 120 && !first<events::Touch>(one.events); ++i) { // 0.2 m/s
+    for (int i = 0; i <= 120 && !first<EventKind::Touch>(one.events); ++i) { // 0.2 m/s
         one.input.hands[1] = handAt(left + glm::vec3(0.2f * static_cast<float>(i) / 120, 0, 0));
         one.rest();
         one.step();
     }
-    const events::Touch* touch = first<events::Touch>(one.events);
+    const Event* touch = first<EventKind::Touch>(one.events);
     ASSERT_NE(touch, nullptr);
     EXPECT_LT(touch->closing_mps, 0.25f);
     EXPECT_GE(touch->part, 0);
     EXPECT_LE(touch->part, hands::kPalmPart);
-    EXPECT_EQ(count<events::Startle>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Startle>(one.events), 0);
     EXPECT_GT(one.fish().push.x, 0.03f) << "away from the hand";
     EXPECT_LT(glm::length(one.fish().push), 0.3f) << "gently";
 }
@@ -210,13 +209,13 @@ TEST(Fright, AFastHandFrightensOnceAndTheFishCalmsDown) {
         one.input.hands[1] = handAt(kPlace + glm::vec3(0.45f - 2.0f * static_cast<float>(i) / 120, 0, 0));
         one.step();
     }
-    EXPECT_EQ(count<events::Startle>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Startle>(one.events), 1);
     EXPECT_EQ(one.fish().state, Fish::State::Dart);
     one.input.hands[1].tracked = false;
     one.step(480);
     EXPECT_EQ(one.fish().state, Fish::State::Cruise);
     EXPECT_LT(one.fish().speed, 0.3f);
-    EXPECT_EQ(count<events::Startle>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Startle>(one.events), 1);
 }
 
 TEST(Fright, ASlowHandDoesNotFrighten) {
@@ -227,7 +226,7 @@ TEST(Fright, ASlowHandDoesNotFrighten) {
             handAt(kPlace + glm::vec3(0.05f, -0.36f + 0.3f * static_cast<float>(i) / 90, 0.04f));
         one.step();
     }
-    EXPECT_EQ(count<events::Startle>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Startle>(one.events), 0);
 }
 
 // Hands are given as the viewer has them: a head that leans takes them along.
@@ -281,21 +280,21 @@ TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
     const int ticks = static_cast<int>(one.world.file().duration_s * 120);
     one.step(ticks - 1);
     EXPECT_EQ(one.world.state().phase, Phase::Diving);
-    EXPECT_EQ(count<events::DiveStart>(one.events), 1);
+    EXPECT_EQ(count<EventKind::DiveStart>(one.events), 1);
     one.step(2);
     EXPECT_EQ(one.world.state().phase, Phase::Results);
-    EXPECT_EQ(count<events::DiveOver>(one.events), 1);
+    EXPECT_EQ(count<EventKind::DiveOver>(one.events), 1);
     // In the results nothing is caught.
     one.moveGrip(kPlace, 0, 0);
     one.rest();
     one.moveGrip(kPlace, 0, 1);
-    EXPECT_EQ(count<events::Grab>(one.events), 0);
+    EXPECT_EQ(count<EventKind::Grab>(one.events), 0);
     one.input.restart = true;
     one.step(50); // held down: one restart
     EXPECT_EQ(one.world.seed(), 6u);
     EXPECT_EQ(one.world.state().phase, Phase::Diving);
     EXPECT_EQ(one.world.state().tick, 50u);
-    EXPECT_EQ(count<events::DiveStart>(one.events), 2);
+    EXPECT_EQ(count<EventKind::DiveStart>(one.events), 2);
     EXPECT_EQ(one.world.score.points, 0);
 }
 
@@ -345,7 +344,7 @@ TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
     one.moveGrip(kPlace, 0, 1);
     ASSERT_EQ(one.world.hands[1].grasp.holds, 0);
     one.step(115);
-    const events::SharkSteal* steal = first<events::SharkSteal>(one.events);
+    const Event* steal = first<EventKind::SharkSteal>(one.events);
     ASSERT_NE(steal, nullptr);
     EXPECT_EQ(steal->hand, 1);
     EXPECT_EQ(one.world.score.lost, 1);
@@ -356,7 +355,7 @@ TEST(SharkRules, TakesAStrugglingFishOutOfAHandAndLeaves) {
     one.step(1800);
     EXPECT_EQ(one.world.shark.mouth, -1);
     EXPECT_EQ(one.fish().state, Fish::State::Cruise) << "it got away and came back";
-    EXPECT_EQ(count<events::SharkSteal>(one.events), 1);
+    EXPECT_EQ(count<EventKind::SharkSteal>(one.events), 1);
 }
 
 // Whoever holds one fish after the other before a shark: it points at the hand for a second before each
@@ -400,21 +399,22 @@ TEST(SharkRules, ABumpDropsWhatTheHandHolds) {
     one.world.shark.forward = {0, 0, -1};
     one.world.shark.set(Shark::State::Leave);
     one.step();
-    EXPECT_EQ(count<events::SharkBump>(one.events), 1);
-    EXPECT_EQ(count<events::Escape>(one.events), 1);
+    EXPECT_EQ(count<EventKind::SharkBump>(one.events), 1);
+    EXPECT_EQ(count<EventKind::Escape>(one.events), 1);
     EXPECT_EQ(one.world.hands[1].grasp.holds, -1);
     one.step(60);
-    EXPECT_EQ(count<events::SharkBump>(one.events), 1) << "one bump, not one a tick";
+    EXPECT_EQ(count<EventKind::SharkBump>(one.events), 1) << "one bump, not one a tick";
 }
 
 TEST(SharkRules, VisitsAreAnnounced) {
     OneFish one(true);
     one.step(90 * 120);
-    EXPECT_EQ(count<events::SharkNear>(one.events), static_cast<int>(one.world.file().shark.visits_s.size()));
-    const events::SharkNear* near = first<events::SharkNear>(one.events);
+    EXPECT_EQ(count<EventKind::SharkNear>(one.events),
+              static_cast<int>(one.world.file().shark.visits_s.size()));
+    const Event* near = first<EventKind::SharkNear>(one.events);
     ASSERT_NE(near, nullptr);
     EXPECT_EQ(near->creature, 1);
-    EXPECT_NEAR(static_cast<float>(tickOfFirst<events::SharkNear>(one.events)) / 120,
+    EXPECT_NEAR(static_cast<float>(one.tickOfFirst<EventKind::SharkNear>()) / 120,
                 one.world.file().shark.visits_s[0], 0.02f);
 }
 

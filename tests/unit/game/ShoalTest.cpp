@@ -54,7 +54,7 @@ DiveFile calm() { // nothing to fear
 }
 
 void run(test::OpenDive& world, float seconds, const TickInput& input = {}) {
-    std::vector<Event> events;
+    Events events;
     for (int i = 0; i < static_cast<int>(seconds * 120); ++i) world.step(input, events);
 }
 
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Companions, testing::Values(1, 2, 3));
 TEST(Shoal, ScatteredByAFrightComesTogetherAgain) {
     test::OpenDive world(cove().species, calm(), 4);
     run(world, 5);
-    std::vector<Event> events;
+    Events events;
     int school = 0;
     for (size_t i = 0; i < world.fish.size(); ++i) {
         const Fish& fish = world.fish[i];

@@ -27,7 +27,7 @@ Statistics swimFor(const DiveFiles& files, uint64_t seed, int seconds) {
     Dive dive(files.species, files.dive, seed);
     const Dive layout(files.species, files.dive, seed);
     Snapshot now, before;
-    std::vector<Event> events;
+    Events events;
     Statistics s;
     int frames = 0;
     dive.snapshot(before);

@@ -10,7 +10,7 @@ namespace {
 constexpr float kTick_s = 1.0f / 120;
 
 Event touch(int hand, int finger, float speed_mps) {
-    return {0, events::Touch{.hand = hand, .part = finger, .closing_mps = speed_mps}};
+    return {.kind = EventKind::Touch, .hand = hand, .part = finger, .closing_mps = speed_mps};
 }
 
 float amplitude(const haptics::HapticFrame& frame, int hand, int finger) {
@@ -107,7 +107,7 @@ TEST(HapticFeedback, PressingDeeperIsFeltStronger) {
 
 TEST(HapticFeedback, StaysWithinBoundsAndObeysTheSetting) {
     HapticFeedback feel;
-    std::vector<Event> storm(50, touch(0, 0, 100));
+    Events storm(50, touch(0, 0, 100));
     for (int i = 0; i < 10; ++i)
         for (const auto& actuator : feel.frame({}, storm, kTick_s, 1).actuators)
             ASSERT_LE(actuator.amplitude, 1);
@@ -116,8 +116,9 @@ TEST(HapticFeedback, StaysWithinBoundsAndObeysTheSetting) {
 }
 
 TEST(HapticFeedback, TheSharkIsFeltByTheBody) {
-    for (const Event& event : {Event{0, events::SharkNear{}}, Event{0, events::SharkBump{.hand = 0}},
-                               Event{0, events::SharkSteal{.hand = 0}}}) {
+    for (const Event& event :
+         {Event{.kind = EventKind::SharkNear}, Event{.kind = EventKind::SharkBump, .hand = 0},
+          Event{.kind = EventKind::SharkSteal, .hand = 0}}) {
         HapticFeedback feel;
         EXPECT_GT(feel.frame({}, {&event, 1}, kTick_s, 1).body.amplitude, 0.2f);
         haptics::HapticFrame later;

@@ -2,8 +2,8 @@
 // printed, not asserted: other programs share the machine.
 #include "engine/core/Files.h"
 #include "game/feedback/HapticFeedback.h"
-#include "game/playthrough/Playback.h"
 #include "input/haptics/HapticOutput.h"
+#include "tests/playthrough/Play.h"
 
 #include <gtest/gtest.h>
 
@@ -59,9 +59,9 @@ TEST(Latency, FromTheTickOfContactToTheBytesWritten) {
         haptics::HapticOutput output(device.bus());
         HapticFeedback feel;
         Clock::time_point tickBegan = Clock::now();
-        playScript(*script, *rig, *files, [&](const Snapshot& now, const std::vector<Event>& events) {
+        playScript(*script, *rig, *files, [&](const Snapshot& now, const Events& events) {
             const bool touch = std::any_of(events.begin(), events.end(),
-                                           [](const Event& event) { return is<events::Touch>(event); });
+                                           [](const Event& event) { return event.kind == EventKind::Touch; });
             if (touch) touched.push_back(tickBegan);
             output.submit(feel.frame(now, events, sim::kTick_s, 1));
             tickBegan +=

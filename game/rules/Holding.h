@@ -1,7 +1,9 @@
-// How a fish in a hand goes with the hand, struggles, and slips out of it.
+// A fish in a hand: how the fingers lie on it, how hard they press and what force they can bear together (see
+// engine/physics/ContactModel.h, steps 4 and 5), how it goes with the hand, struggles, and slips out.
 #pragma once
 
 #include "engine/core/Random.h"
+#include "engine/physics/Capsule.h"
 #include "engine/physics/ContactWorld.h"
 #include "game/rules/Fish.h"
 #include "game/rules/Hand.h"
@@ -9,6 +11,15 @@
 #include <span>
 
 namespace shoal::game {
+
+// Wraps the hand's fingers around the body: sets the shown joints and the presses.
+void wrapFingers(const physics::Capsule& body, Hand&);
+
+// Eases the shown joints towards where the fingers rest: the last step of a tick.
+void easeFingers(Hand&);
+
+// Whether all that presses on the fish, of both hands, bears the force that is asked of it.
+physics::Hold holdOn(int fish, const Hands&, std::span<const physics::Contact>, glm::vec3 asked_N);
 
 // Moves the held fish with the hands that hold them.
 void followHands(const Hands&, std::span<Fish>);

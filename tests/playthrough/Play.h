@@ -1,0 +1,60 @@
+// Playing scripts and recordings without a display, as fast as the processor can.
+#pragma once
+
+#include "game/playthrough/Script.h"
+
+#include <functional>
+
+namespace shoal::game {
+
+struct Played {
+    sim::Recording recording;
+    Status verdict;
+    Snapshot end;
+};
+using Watch = std::function<void(const Snapshot&, const Events&)>; // sees every tick; may be empty
+
+// Runs a script against a new dive until it has finished, after script.timeout_s at the latest.
+inline Played playScript(const Script& script, const hands::HandRig& rig, const DiveFiles& files,
+                         const Watch& watch = {}) {
+    Dive dive(files.species, files.dive, script.seed);
+    ScriptRun run(script, rig, files.species);
+    Played played{sim::Recording(recordingHeader(dive)), Done{}, {}};
+    std::array<uint8_t, kTickInputBytes> bytes;
+    Events events;
+    TickInput input;
+    dive.snapshot(played.end);
+    const auto maximum = static_cast<uint64_t>((script.timeout_s + 1) * sim::kTickRate_Hz);
+    while (!run.finished() && run.ticks() < maximum) {
+        run.next(played.end, input);
+        events.clear();
+        dive.step(input, events);
+        dive.snapshot(played.end);
+        run.observe(events, played.end);
+        toBytes(input, bytes);
+        played.recording.add(bytes, dive.stateHash());
+        if (watch) watch(played.end, events);
+    }
+    played.verdict = run.verdict();
+    return played;
+}
+
+// Steps a new dive through the recording; fails at the first tick whose state differs.
+inline Status replay(const sim::Recording& recording, const DiveFiles& files, const Watch& watch = {}) {
+    if (recording.header().inputBytes != kTickInputBytes || recording.header().dive != files.dive.name)
+        return Error{"", "the recording is of another dive or version of the game"};
+    Dive dive(files.species, files.dive, recording.header().seed);
+    Events events;
+    Snapshot snapshot;
+    for (size_t tick = 0; tick < recording.ticks(); ++tick) {
+        events.clear();
+        dive.step(fromBytes(recording.input(tick).first<kTickInputBytes>()), events);
+        if (auto same = recording.compare(tick, dive.stateHash()); !same) return same;
+        if (!watch) continue;
+        dive.snapshot(snapshot);
+        watch(snapshot, events);
+    }
+    return Done{};
+}
+
+} // namespace shoal::game
