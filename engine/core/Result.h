@@ -17,6 +17,9 @@ struct Error {
     std::string message() const { return path.empty() ? reason : path + ": " + reason; }
 };
 
+// Success without a value.
+struct Done {};
+
 template <class T> class [[nodiscard]] Result {
   public:
     Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
@@ -36,12 +39,17 @@ template <class T> class [[nodiscard]] Result {
 
     const Error& error() const { return assert(!ok()), *std::get_if<1>(&state_); }
 
+    // Moves the value, if there is one, to a variable or an optional.
+    template <class Place> Result<Done> moveTo(Place& place) && {
+        if (!ok()) return error();
+        place = std::move(**this);
+        return Done{};
+    }
+
   private:
     std::variant<T, Error> state_;
 };
 
-// Success without a value.
-struct Done {};
 using Status = Result<Done>;
 
 } // namespace shoal

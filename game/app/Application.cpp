@@ -3,7 +3,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/media/Pictures.h"
-#include "game/app/states/DivingState.h"
+#include "game/app/states/DiveStates.h"
 
 #include <GLFW/glfw3.h>
 
@@ -20,6 +20,7 @@ struct Application::Frame {
     FrameClock& clock;
     double elapsed_s = 0;
     const platform::WindowInput* input = nullptr; // null: there is no window
+    bool freshVideo = false;                      // a new frame of the video is shown
 };
 
 FrameClock::Mode Application::clockMode() const {
@@ -32,7 +33,7 @@ Status Application::runSession(bool measured) {
     StateContext context{session, config_.dive.name, bestScore_, !options_.headless, leaving_};
     StateMachine states(std::make_unique<DivingState>());
     FrameClock clock(clockMode(), static_cast<double>(options_.fps));
-    measurements_.beginSession(measured);
+    statistics_ = {.renderer = std::move(statistics_.renderer)};
     while (!leaving_) {
         if (Status begun = display_->begin(); !begun) return begun;
         clock.beginFrame();
@@ -42,7 +43,8 @@ Status Application::runSession(bool measured) {
         if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done)
             return done;
         states.update(context);
-        updateEnvironment(frame);
+        // The video begins with the dive, pauses with it, and begins anew with it.
+        frame.freshVideo = environment_->update(clock.video_s(session.shown.time_s), clock.exactVideo());
         const Result<bool> drawn = draw(frame);
         if (!drawn) return drawn.error();
         if (*drawn) {
@@ -51,11 +53,14 @@ Status Application::runSession(bool measured) {
             display_->present();
         }
         glFinish();
-        measurements_.frameDone(*environment_, clock.sinceBegin_ms(), clock.frame() == 0);
+        measure(frame);
         if (measured && environment_->live()) clock.waitForLiveVideo();
         if (isOver(frame)) break;
     }
-    measurements_.endSession(session);
+    statistics_.caught = session.after.caught;
+    statistics_.score = session.after.score;
+    statistics_.stateHash = session.dive.stateHash();
+    statistics_.ticks = session.ticks;
     if (measured && !options_.record.empty())
         if (Status written = sim::writeRecording(options_.record, session.recording); !written)
             return written;
@@ -108,19 +113,12 @@ void Application::simulate(Frame& frame) {
     GameSession& session = frame.session;
     const auto began = std::chrono::steady_clock::now();
     session.advance(frame.elapsed_s, !options_.record.empty());
-    measurements_.simulated(
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
+    statistics_.sim_ms =
+        std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
     const bool attended =
         display_->audience() == Audience::HeadsetPlayer || !frame.input || frame.input->focused;
     soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(frame.elapsed_s), attended,
                             environment_->videoPosition_s());
-}
-
-// The video begins with the dive, pauses with it, and begins anew with it.
-void Application::updateEnvironment(const Frame& frame) {
-    const bool fresh =
-        environment_->update(frame.clock.video_s(frame.session.shown.time_s), frame.clock.exactVideo());
-    measurements_.environmentUpdated(*environment_, fresh);
 }
 
 Result<bool> Application::draw(const Frame& frame) {
@@ -143,8 +141,25 @@ Result<bool> Application::draw(const Frame& frame) {
                  drawHud(frame, part, audience, view, size);
              }},
         shown, quality.scale);
-    measurements_.drawn(sceneRenderer_->drawCount(), sceneRenderer_->triangleCount(), quality);
+    statistics_.draws = sceneRenderer_->drawCount();
+    statistics_.triangles = sceneRenderer_->triangleCount();
     return drawn;
+}
+
+void Application::measure(const Frame& frame) {
+    const bool first = frame.clock.frame() == 0;
+    if (!first) statistics_.frame_ms.add(frame.clock.sinceBegin_ms());
+    if (frame.freshVideo) {
+        statistics_.light_ms.add(static_cast<double>(environment_->light_ms()));
+        statistics_.decode_ms.add(static_cast<double>(environment_->decode_ms()));
+        statistics_.upload_ms.add(static_cast<double>(environment_->upload_ms()));
+    }
+    const media::LivePlayer* live = environment_->live();
+    if (!live) return;
+    statistics_.live = live->counts();
+    if (!frame.freshVideo || first) return;
+    statistics_.liveLatency_ms.add(1e3 * live->age_s());
+    statistics_.liveDisplayFrames.add(live->displayFrames());
 }
 
 void Application::drawHud(const Frame& frame, HudPart part, Audience audience, const render::View& view,
@@ -160,10 +175,10 @@ void Application::drawHud(const Frame& frame, HudPart part, Audience audience, c
          .captions = options_.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),
          .overlay = [&](const Pen& pen) { frame.states.drawOverlay(frame.context, pen); },
          .showTimes = options_.frameTimes && !onHeadsetsEye,
-         .times = &measurements_.times(),
+         .statistics = &statistics_,
+         .quality = quality_ ? quality_->quality() : Quality(),
          .passes = sceneRenderer_->timers().times(),
-         .lightName = environment_->lightName(),
-         .renderer = measurements_.statistics().renderer,
+         .environment = &*environment_,
          .notice = notice.empty() && session.tracked ? session.tracked->caption() : notice,
          .volume = options_.volume,
          .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},
@@ -176,7 +191,7 @@ void Application::adjustQuality(const FrameClock& clock) {
     glFinish();
     quality_->frame(clock.sinceBegin_ms());
     environment_->setLightEvery(quality_->quality().lightEvery);
-    measurements_.qualityChosen(quality_->quality());
+    statistics_.minScale = std::min(statistics_.minScale, quality_->quality().scale);
 }
 
 bool Application::isOver(const Frame& frame) const {

@@ -6,10 +6,10 @@
 #include "engine/platform/Window.h"
 #include "game/app/Display.h"
 #include "game/app/FrameClock.h"
-#include "game/app/FrameMeasurements.h"
 #include "game/app/states/ProgramState.h"
-#include "game/session/SessionConfig.h"
+#include "game/session/GameSession.h"
 #include "game/session/SoundAndHaptics.h"
+#include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"
@@ -26,13 +26,13 @@ class Application {
 
     Status open();
 
-    // One session from start to end. measured: its frames go into the statistics.
+    // One session from start to end. measured: not only to warm up.
     Status runSession(bool measured);
 
     bool hasPicture() const { return !display_->pictures().empty(); }
     Status saveScreenshot() const;
     const PlayOptions& options() const { return options_; } // with what the player has changed by keys
-    const Statistics& statistics() const { return measurements_.statistics(); }
+    const Statistics& statistics() const { return statistics_; }
     bool showsLiveVideo() const { return environment_->live(); }
 
   private:
@@ -40,17 +40,16 @@ class Application {
     Status openContext();
     Status openDisplay(int samples);
     Status openScene(bool software);
-    void openSoundAndHaptics();
     FrameClock::Mode clockMode() const;
 
     void readInput(Frame& frame);
     void globalKey(int key);
     void simulate(Frame& frame);
-    void updateEnvironment(const Frame& frame);
     Result<bool> draw(const Frame& frame);
     void drawHud(const Frame& frame, HudPart part, Audience audience, const render::View& view,
                  glm::ivec2 size);
     void adjustQuality(const FrameClock& clock);
+    void measure(const Frame& frame);
     bool isOver(const Frame& frame) const;
 
     PlayOptions options_;
@@ -58,12 +57,12 @@ class Application {
     std::optional<platform::Headless> headless_; // the context first: it dies last
     std::optional<platform::Window> window_;
     std::unique_ptr<Display> display_;
-    std::optional<Environment> environment_;
+    std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> sceneRenderer_;
     std::optional<Hud> hud_;
     std::optional<SoundAndHaptics> soundAndHaptics_;
     std::optional<DynamicQuality> quality_; // while somebody looks on and the quality is not fixed
-    FrameMeasurements measurements_;
+    Statistics statistics_;                 // of the present session
     double volumeShown_s_ = -10;
     int bestScore_ = 0;
     bool leaving_ = false;

@@ -22,25 +22,25 @@ render::View FlatDisplay::viewOf(int eye, const game::Snapshot& shown, glm::ivec
                                  float aspect) const {
     render::View view;
     view.worldFromEye = shown.worldFromView;
-    const float side = options_.sideBySide ? (eye == 0 ? -0.5f : 0.5f) * options_.eyeDistance_m : 0.0f;
+    const float side = sideBySide() ? (eye == 0 ? -0.5f : 0.5f) * options_.eyeDistance_mm * 1e-3f : 0.0f;
     view.eyeWorld = shown.headWorld + view.worldFromEye * glm::vec3(side, 0, 0);
-    view.verticalFov = options_.verticalFov;
+    view.verticalFov = glm::radians(options_.fov_deg);
     view.aspect = aspect;
     view.heightPixels = drawnSize.y;
     return view;
 }
 
 Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& shown, float scale) {
-    const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.size;
+    const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;
     if (size.x <= 0 || size.y <= 0) return false; // minimised
-    const int eyes = options_.sideBySide ? 2 : 1;
+    const int eyes = sideBySide() ? 2 : 1;
     const glm::ivec2 eyeSize(std::max(1, size.x / eyes), size.y);
     const glm::ivec2 drawnSize(glm::max(glm::vec2(eyeSize) * scale + 0.5f, 1.0f));
-    resize(targets_, eyes, eyeSize, options_.samples);
+    resize(targets_, eyes, eyeSize, samples_);
     if (scale == 1)
         reducedTargets_.clear();
     else
-        resize(reducedTargets_, eyes, drawnSize, options_.samples);
+        resize(reducedTargets_, eyes, drawnSize, samples_);
     const std::vector<gl::Target>& canvases = reducedTargets_.empty() ? targets_ : reducedTargets_;
     const float aspect = static_cast<float>(eyeSize.x) / static_cast<float>(eyeSize.y);
     std::vector<SceneRenderer::Eye> toDraw;

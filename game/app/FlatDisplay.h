@@ -3,24 +3,17 @@
 
 #include "engine/platform/Window.h"
 #include "game/app/Display.h"
+#include "game/settings/PlayOptions.h"
 
 #include <vector>
 
 namespace shoal::app {
 
-struct FlatDisplayOptions {
-    glm::ivec2 size{0}; // pixels, without a window
-    bool sideBySide = false;
-    float verticalFov = 1; // radians
-    float eyeDistance_m = 0.064f;
-    int samples = 1; // for anti-aliasing
-};
-
 class FlatDisplay : public Display {
   public:
-    // window: null off screen; must outlive this.
-    FlatDisplay(platform::Window* window, const FlatDisplayOptions& options)
-        : window_(window), options_(options) {}
+    // window: null off screen; it and the options must outlive this. samples: for anti-aliasing.
+    FlatDisplay(platform::Window* window, const PlayOptions& options, int samples)
+        : window_(window), options_(options), samples_(samples) {}
 
     Status begin() override { return Done{}; }
     double period_s() const override;
@@ -29,10 +22,12 @@ class FlatDisplay : public Display {
     std::span<const gl::Target> pictures() const override { return targets_; }
 
   private:
+    bool sideBySide() const { return options_.stereo == StereoOutput::SideBySide; }
     render::View viewOf(int eye, const game::Snapshot& shown, glm::ivec2 drawnSize, float aspect) const;
 
     platform::Window* window_;
-    FlatDisplayOptions options_;
+    const PlayOptions& options_;
+    int samples_;
     std::vector<gl::Target> targets_;        // one per eye
     std::vector<gl::Target> reducedTargets_; // what those are enlarged from, while `scale` is below 1
 };

@@ -1,3 +1,155 @@
-#include "game/app/CommandLine.h"
+// The program: its command line, generated from the tables of settings, and its commands. The only file that
+// includes CLI11, which takes 15 seconds to compile. Exit status: 0 success, 1 the command failed or an
+// expectation was not met, 2 the command line was wrong.
+#include "engine/core/Log.h"
+#include "game/settings/SettingsFile.h"
+#include "game/tools/Commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <sstream>
+
+namespace shoal::app {
+
+namespace {
+
+// Adds one row of a table to a command.
+struct AddOption {
+    CLI::App& command;
+    const Setting& row;
+
+    template <class T> CLI::Option* operator()(T* value) const {
+        CLI::Option* option = command.add_option(row.option, *value, row.help);
+        limit<T>(*option);
+        if constexpr (std::is_arithmetic_v<T>) return option->capture_default_str();
+        if constexpr (std::is_same_v<T, std::string>)
+            if (!value->empty()) option->capture_default_str();
+        return option;
+    }
+    template <class T> CLI::Option* operator()(std::optional<T>* value) const {
+        CLI::Option* option = command.add_option(row.option, *value, row.help);
+        limit<T>(*option);
+        return option;
+    }
+    CLI::Option* operator()(bool* value) const { return command.add_flag(row.option, *value, row.help); }
+    CLI::Option* operator()(const ChoiceSetting& choice) const {
+        return command.add_option_function<std::string>(row.option, choice.set, row.help)
+            ->check(CLI::IsMember(choice.names))
+            ->default_str(choice.get());
+    }
+    CLI::Option* operator()(const TextSetting& text) const {
+        const auto set = [name = row.option, set = text.set, wants = text.wants](const std::string& given) {
+            if (!set(given)) throw CLI::ValidationError(name, wants);
+        };
+        return command.add_option_function<std::string>(row.option, set, row.help);
+    }
+
+    template <class T> void limit(CLI::Option& option) const {
+        if constexpr (std::is_arithmetic_v<T>)
+            if (row.range)
+                option.check(CLI::Range(static_cast<T>(row.range->low), static_cast<T>(row.range->high)));
+    }
+};
+
+void addSettings(CLI::App& command, const SettingsTable& table) {
+    for (const Setting& row : table.rows) {
+        CLI::Option* option = std::visit(AddOption{command, row}, row.value);
+        option->group(enumName(row.category))->required(row.required);
+        if (!row.placeholder.empty()) option->type_name(row.placeholder);
+    }
+    for (const Setting& row : table.rows) { // once all are there
+        for (const std::string& other : row.excludes)
+            command.get_option(row.option)->excludes(command.get_option(other));
+        for (const std::string& other : row.needs)
+            command.get_option(row.option)->needs(command.get_option(other));
+    }
+}
+
+struct Command {
+    const char* name;
+    const char* about;
+    SettingsTable table;
+    bool readsFile; // the player's settings file
+    std::function<int()> run;
+};
+
+int parseAndRun(CLI::App& app, std::vector<std::string> words, const std::vector<Command>& commands) {
+    std::vector<CLI::App*> parsed;
+    bool verbose = false, headless = false;
+    app.add_flag("--verbose", verbose, "Say more on standard error");
+    for (const Command& command : commands) {
+        parsed.push_back(app.add_subcommand(command.name, command.about)->fallthrough());
+        addSettings(*parsed.back(), command.table);
+        if (!parsed.back()->get_option_no_throw("--headless"))
+            parsed.back()->add_flag("--headless", headless,
+                                    "Accepted by every command; this one opens no window in any case");
+    }
+    std::reverse(words.begin(), words.end()); // as CLI11 takes them
+    try {
+        app.parse(words);
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream out, err;
+        const int status = app.exit(error, out, err);
+        std::fputs(out.str().c_str(), stdout);
+        if (status == 0) return 0;
+        std::fprintf(stderr, "shoal: %s (shoal --help lists what there is)\n", error.what());
+        return 2;
+    }
+    if (verbose) log::setUp(true);
+    for (size_t i = 0; i < commands.size(); ++i)
+        if (*parsed[i]) return commands[i].run();
+    return commands.front().run();
+}
+
+int exitStatus(const Status& status) {
+    if (status) return 0;
+    log::error("{}", status.error().message());
+    return 1;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Shoal: catch fish inside a 360-degree video that lights them.\n"
+                 "Without a command it plays: `shoal` is `shoal play`.",
+                 "shoal"};
+    app.set_version_flag("--version", SHOAL_VERSION);
+    app.require_subcommand(0, 1);
+
+    PlayOptions playOptions;
+    ViewOptions viewOptions;
+    LightOptions lightOptions;
+    PanoramaOptions panoramaOptions;
+    CheckOptions checkOptions;
+    DevicesOptions devicesOptions;
+    const std::vector<Command> commands = {
+        {"play", "Play a dive (the default)", settingsOf(playOptions), true,
+         [&] { return exitStatus(play(playOptions)); }},
+        {"view", "Light any glTF model in any surroundings", settingsOf(viewOptions), false,
+         [&] { return exitStatus(view(viewOptions)); }},
+        {"light", "Write the light of an environment, for other engines", settingsOf(lightOptions), false,
+         [&] { return exitStatus(light(lightOptions)); }},
+        {"panorama", "Grow an ordinary photo to a full environment", settingsOf(panoramaOptions), false,
+         [&] { return exitStatus(panorama(panoramaOptions)); }},
+        {"check", "Is this video, photo, model, dive, playthrough or replay usable?",
+         settingsOf(checkOptions), false, [&] { return check(checkOptions); }},
+        {"devices", "List hands, cameras, haptic devices and sound outputs", settingsOf(devicesOptions), true,
+         [&] { return devices(devicesOptions); }},
+    };
+
+    // `shoal --size 640x360` means `shoal play --size 640x360`.
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const auto isNamed = [&](const Command& command) { return !words.empty() && words[0] == command.name; };
+    const auto named = std::ranges::find_if(commands, isNamed);
+    const bool global = !words.empty() && (words[0] == "--help" || words[0] == "-h" ||
+                                           words[0] == "--version" || words[0] == "--verbose");
+    const Command& command = named == commands.end() ? commands.front() : *named;
+    if (named == commands.end() && !global) words.insert(words.begin(), command.name);
+    log::setUp(false);
+    if (command.readsFile) loadSettings(command.table); // first: the command line overrides the file
+    return parseAndRun(app, std::move(words), commands);
+}
+
+} // namespace
+} // namespace shoal::app
 
 int main(int argc, char** argv) { return shoal::app::run(argc, argv); }

@@ -1,10 +1,7 @@
-#include "game/app/Play.h"
-
 #include "engine/core/Log.h"
 #include "game/app/Application.h"
 #include "game/settings/SettingsFile.h"
-
-#include <cstdio>
+#include "game/tools/Commands.h"
 
 namespace shoal::app {
 
@@ -16,7 +13,7 @@ void keepChanges(const PlayOptions& before, const PlayOptions& after) {
         after.frameTimes == before.frameTimes)
         return;
     PlayOptions kept;
-    const SettingsTable table = kept.settings();
+    const SettingsTable table = settingsOf(kept);
     loadSettings(table);
     if (after.volume != before.volume) kept.volume = after.volume;
     if (after.fullscreen != before.fullscreen) kept.fullscreen = after.fullscreen;
@@ -24,14 +21,9 @@ void keepChanges(const PlayOptions& before, const PlayOptions& after) {
     if (Status saved = saveSettings(table); !saved) log::warn("{}", saved.error().message());
 }
 
-void printTimes(const Statistics& statistics, bool live) {
-    std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
-                statistics.renderer.c_str(), statistics.frame_ms.count(), statistics.frame_ms.quantile(0.5),
-                statistics.frame_ms.quantile(0.99), statistics.frame_ms.quantile(1));
-    if (live) std::printf("%s\n", describe(statistics.live).c_str());
-}
+} // namespace
 
-Status run(const PlayOptions& options) {
+Status play(const PlayOptions& options) {
     Application application(options);
     if (Status opened = application.open(); !opened) return opened;
     Status verdict = Done{};
@@ -46,15 +38,6 @@ Status run(const PlayOptions& options) {
             return written;
     if (options.timedemo) printTimes(application.statistics(), application.showsLiveVideo());
     return verdict;
-}
-
-} // namespace
-
-int play(const PlayOptions& options) {
-    const Status status = run(options);
-    if (status) return 0;
-    log::error("{}", status.error().message());
-    return 1;
 }
 
 } // namespace shoal::app

@@ -37,15 +37,6 @@ haptics::Actuation underFinger(const TouchView& touch, bool held) {
 
 } // namespace
 
-void HapticFeedback::strike(Pulse& own, const Pulse& pulse) {
-    if (pulse.amplitude >= own.amplitude) own = pulse;
-}
-
-void HapticFeedback::strike(int hand, int finger, const Pulse& pulse) {
-    if (hand < 0 || hand > 1 || finger < 0 || finger >= haptics::kActuatorsPerHand) return;
-    strike(pulses_[static_cast<size_t>(hand * haptics::kActuatorsPerHand + finger)], pulse);
-}
-
 void HapticFeedback::startPulse(const Event& event) {
     using Where = HapticPulse::Where;
     const HapticPulse& row = rowOf(event.kind).pulse;
@@ -53,10 +44,14 @@ void HapticFeedback::startPulse(const Event& event) {
     const float share = event.part >= 0 ? speed : 1;
     const Pulse pulse{row.amplitudeLow + (row.amplitude - row.amplitudeLow) * share,
                       row.frequencyLow_Hz + (row.frequency_Hz - row.frequencyLow_Hz) * share, row.decay_s};
-    if (row.where == Where::Part) strike(event.hand, event.part, pulse);
-    if (row.where == Where::Hand || row.where == Where::HandAndBody)
-        for (int part = 0; part < haptics::kActuatorsPerHand; ++part) strike(event.hand, part, pulse);
-    if (row.where == Where::Body || row.where == Where::HandAndBody) strike(body_, pulse);
+    const auto strike = [&](Pulse& own) {
+        if (pulse.amplitude >= own.amplitude) own = pulse;
+    };
+    if (row.where == Where::Body || row.where == Where::HandAndBody) strike(body_);
+    if (row.where == Where::Nowhere || row.where == Where::Body || event.hand < 0) return;
+    for (int part = 0; part < haptics::kActuatorsPerHand; ++part)
+        if (row.where != Where::Part || part == event.part)
+            strike(pulses_[static_cast<size_t>(event.hand * haptics::kActuatorsPerHand + part)]);
 }
 
 haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<const Event> events, float dt_s,

@@ -23,8 +23,6 @@ class HapticFeedback {
         float frequency_Hz = 0;
         float decay_s = 1; // to 1/e
     };
-    static void strike(Pulse& own, const Pulse& pulse);
-    void strike(int hand, int finger, const Pulse& pulse);
     void startPulse(const Event&);
 
     std::array<Pulse, haptics::kActuatorCount> pulses_{};

@@ -28,8 +28,7 @@ enum class Sound {
 };
 
 // Whether a table has one row for each value of an enumeration, in its order.
-template <class Rows, class Row, class E>
-constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
+template <class Rows, class Row, class E> constexpr bool oneRowEach(const Rows& rows, E Row::*key, E last) {
     for (size_t i = 0; i < rows.size(); ++i)
         if (rows[i].*key != static_cast<E>(i)) return false;
     return rows.size() == static_cast<size_t>(last) + 1;

@@ -2,7 +2,6 @@
 
 #include "game/rules/TomlRead.h"
 
-#include <algorithm>
 #include <numbers>
 
 namespace shoal::game {

@@ -2,8 +2,6 @@
 #include "game/rules/Dive.h"
 #include "game/rules/Steering.h"
 
-#include <cmath>
-
 namespace shoal::game {
 
 namespace {

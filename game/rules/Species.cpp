@@ -2,8 +2,6 @@
 
 #include "game/rules/TomlRead.h"
 
-#include <algorithm>
-
 namespace shoal::game {
 
 namespace {

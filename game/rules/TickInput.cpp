@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstring>
+#include <type_traits>
 
 namespace shoal::game {
 
@@ -9,74 +10,50 @@ static_assert(std::endian::native == std::endian::little, "recordings are little
 
 namespace {
 
-// Visits every field in the order of the file; Put writes it, Take reads it.
-template <class Visit, class Input> void visit(Input& input, Visit& io) {
+// Visits every field but the flags of the last byte, in the order of the file.
+template <class Input, class Visit> void visit(Input& input, Visit&& io) {
+    const auto vector = [&](auto& v) { io(v.x), io(v.y), io(v.z); };
+    const auto quaternion = [&](auto& q) { io(q.w), io(q.x), io(q.y), io(q.z); };
     for (auto& hand : input.hands) {
-        io.flag(hand.tracked);
-        io.flag(hand.solid);
-        io.number(hand.confidence);
-        io.number(hand.grip);
-        io.number(hand.pinch);
-        io.time(hand.time_us);
+        io(hand.tracked);
+        io(hand.solid);
+        io(hand.confidence);
+        io(hand.grip);
+        io(hand.pinch);
+        io(hand.time_us);
         for (auto& joint : hand.joints) {
-            for (int i = 0; i < 3; ++i) io.number(joint.position[i]);
-            io.number(joint.orientation.w);
-            io.number(joint.orientation.x);
-            io.number(joint.orientation.y);
-            io.number(joint.orientation.z);
-            io.number(joint.radius);
+            vector(joint.position);
+            quaternion(joint.orientation);
+            io(joint.radius);
         }
     }
-    io.number(input.worldFromView.w);
-    io.number(input.worldFromView.x);
-    io.number(input.worldFromView.y);
-    io.number(input.worldFromView.z);
-    for (int i = 0; i < 3; ++i) io.number(input.headWorld[i]);
-    io.flags(input.pause, input.restart);
+    quaternion(input.worldFromView);
+    vector(input.headWorld);
 }
-
-struct Put {
-    uint8_t* at;
-    void number(float value) {
-        std::memcpy(at, &value, sizeof value);
-        at += sizeof value;
-    }
-    void time(int64_t value) {
-        std::memcpy(at, &value, sizeof value);
-        at += sizeof value;
-    }
-    void flag(bool value) { *at++ = value; }
-    void flags(bool a, bool b) { *at++ = static_cast<uint8_t>((a ? 1 : 0) | (b ? 2 : 0)); }
-};
-
-struct Take {
-    const uint8_t* at;
-    void number(float& value) {
-        std::memcpy(&value, at, sizeof value);
-        at += sizeof value;
-    }
-    void time(int64_t& value) {
-        std::memcpy(&value, at, sizeof value);
-        at += sizeof value;
-    }
-    void flag(bool& value) { value = *at++ != 0; }
-    void flags(bool& a, bool& b) {
-        a = (*at & 1) != 0;
-        b = (*at++ & 2) != 0;
-    }
-};
 
 } // namespace
 
 void toBytes(const TickInput& input, std::span<uint8_t, kTickInputBytes> out) {
-    Put put{out.data()};
-    visit(input, put);
+    uint8_t* at = out.data();
+    visit(input, [&](const auto& value) {
+        std::memcpy(at, &value, sizeof value);
+        at += sizeof value;
+    });
+    *at = static_cast<uint8_t>((input.pause ? 1 : 0) | (input.restart ? 2 : 0));
 }
 
 TickInput fromBytes(std::span<const uint8_t, kTickInputBytes> bytes) {
     TickInput input;
-    Take take{bytes.data()};
-    visit(input, take);
+    const uint8_t* at = bytes.data();
+    visit(input, [&]<class T>(T& value) {
+        if constexpr (std::is_same_v<T, bool>)
+            value = *at != 0; // whatever a file holds
+        else
+            std::memcpy(&value, at, sizeof value);
+        at += sizeof value;
+    });
+    input.pause = (*at & 1) != 0;
+    input.restart = (*at & 2) != 0;
     return input;
 }
 

@@ -1,7 +1,5 @@
 #include "game/rules/TomlRead.h"
 
-#include <cmath>
-
 namespace shoal::game {
 
 namespace {

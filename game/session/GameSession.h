@@ -6,13 +6,28 @@
 #include "engine/xr/Tracked.h"
 #include "game/rules/Dive.h"
 #include "game/session/HandSource.h"
-#include "game/session/SessionConfig.h"
 #include "game/session/TrackedHands.h"
+#include "game/settings/PlayOptions.h"
 
 #include <optional>
-#include <vector>
 
 namespace shoal::app {
+
+// Dive, seed and source of input.
+struct SessionConfig {
+    game::SpeciesTable species;
+    game::DiveFile dive;
+    hands::HandRig rig;
+    uint64_t seed = 1;
+    HandSourceChoice handSource;
+    HandOptions hands; // of the tracking devices
+    bool live = true;  // in real time, for somebody who looks on
+    std::optional<game::Script> script;
+    std::optional<sim::Recording> replay;
+};
+
+// Reads the files that the options name. A script or replay brings its own dive and seed.
+Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 
 struct GameSession {
     explicit GameSession(const SessionConfig& config);

@@ -1,5 +1,7 @@
 #include "game/session/HandSource.h"
 
+#include "input/hands/HandSourceSelector.h"
+
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -15,9 +17,6 @@ constexpr float kDragTurn_rad = 0.0032f; // a pixel
 constexpr float kPitchMax = 1.45f;
 
 } // namespace
-
-MouseSource::MouseSource(hands::HandRig rig, game::SpeciesTable species)
-    : hands_(std::move(rig)), species_(std::move(species)) {}
 
 void MouseSource::frame(platform::Window* window, const platform::WindowInput* input,
                         const game::Snapshot& shown, float dt_s, float verticalFov, float aspect) {
@@ -60,23 +59,11 @@ void MouseSource::next(game::TickInput& out) const {
         glm::angleAxis(-yaw_, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0));
 }
 
-void OpenXrSource::frame(const std::array<hands::HandPose, 2>& poses) {
-    before_ = poses_;
-    poses_ = poses;
-}
-
 void OpenXrSource::next(game::TickInput& out, float share) const {
     out.hands = poses_;
-    for (size_t side = 0; side < 2; ++side) {
-        if (!before_[side].tracked || !poses_[side].tracked) continue;
-        for (size_t j = 0; j < poses_[side].joints.size(); ++j) {
-            const hands::Joint &from = before_[side].joints[j], &to = poses_[side].joints[j];
-            const xr::Pose at =
-                xr::between({from.position, from.orientation}, {to.position, to.orientation}, share);
-            out.hands[side].joints[j].position = at.position;
-            out.hands[side].joints[j].orientation = at.orientation;
-        }
-    }
+    for (size_t side = 0; side < 2; ++side)
+        if (before_[side].tracked && poses_[side].tracked)
+            out.hands[side] = hands::between(before_[side], poses_[side], share);
 }
 
 } // namespace shoal::app

@@ -4,13 +4,11 @@
 #include "engine/core/Result.h"
 #include "engine/platform/Window.h"
 #include "engine/sim/Recording.h"
-#include "engine/xr/Tracked.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
 #include "input/hands/MouseHands.h"
 
-#include <memory>
-#include <optional>
+#include <utility>
 #include <variant>
 
 namespace shoal::app {
@@ -18,7 +16,8 @@ namespace shoal::app {
 // Mouse and keys. Poses change once a frame and are the same for all its ticks.
 class MouseSource {
   public:
-    MouseSource(hands::HandRig rig, game::SpeciesTable species);
+    MouseSource(hands::HandRig rig, game::SpeciesTable species)
+        : hands_(std::move(rig)), species_(std::move(species)) {}
 
     // window: null when headless, where the hands rest and the head looks ahead.
     void frame(platform::Window* window, const platform::WindowInput* input, const game::Snapshot& shown,
@@ -42,7 +41,7 @@ struct ReplaySource {
 // Hands that a headset tracks, predicted for the display time of its next frame; see HeadsetDisplay.
 class OpenXrSource {
   public:
-    void frame(const std::array<hands::HandPose, 2>& poses);
+    void frame(const std::array<hands::HandPose, 2>& poses) { before_ = std::exchange(poses_, poses); }
     // share: the tick's time between the frame before (0) and this one (1).
     void next(game::TickInput& out, float share) const;
 

@@ -2,50 +2,47 @@
 #pragma once
 
 #include "engine/audio/Audio.h"
-#include "engine/core/Files.h"
+#include "engine/media/SoundTrack.h"
+#include "game/feedback/HapticFeedback.h"
 #include "game/feedback/SoundCues.h"
-#include "game/rules/Snapshot.h"
-#include "input/haptics/HapticFrame.h"
+#include "game/settings/PlayOptions.h"
+#include "input/haptics/HapticOutput.h"
 
-#include <memory>
-#include <span>
-#include <vector>
+#include <optional>
 
 namespace shoal::app {
 
-struct SoundAndHapticsOptions {
-    bool sound = true;   // false: no device is opened
-    bool haptics = true; // likewise
-    bool headphones = false;
-    float volume = 0.8f;
-    float hapticStrength = 1;
-    float doppler = audio::kDopplerAsInAir;
-    Path video; // whose sound is played in step with it; empty: none
-    double videoLength_s = 0;
-    float videoSound = 0.8f; // 0 to 1; 0: it is not opened
-};
-
 class SoundAndHaptics {
   public:
-    // Never fails: without a sound device it is silent, which is logged.
-    static SoundAndHaptics open(const SoundAndHapticsOptions& options);
-    SoundAndHaptics(SoundAndHaptics&&) noexcept;
-    SoundAndHaptics& operator=(SoundAndHaptics&&) noexcept;
-    ~SoundAndHaptics();
+    // Without a sound device it is silent, which is logged.
+    // video: whose sound is played in step with it; empty: none.
+    SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s);
+    SoundAndHaptics(const SoundAndHaptics&) = delete; // the audio knows where the track is
+    SoundAndHaptics& operator=(const SoundAndHaptics&) = delete;
 
     // attended: false while another window has the focus, which stops all haptics.
     // videoPosition_s: of the frame that is shown, since the video's first.
-    void frame(const game::Snapshot& shown, std::span<const game::Event> events, float dt_s, bool attended,
+    void frame(const game::Snapshot& shown, const game::Events& events, float dt_s, bool attended,
                double videoPosition_s);
-    void setVolume(float volume); // 0 to 1
+    void setVolume(float volume) { // 0 to 1
+        if (audio_) audio_->setVolume(volume);
+    }
 
-    const haptics::HapticFrame& hapticFrame() const; // sent to haptic devices by the last frame()
-    std::span<const game::Caption> captions() const; // newest first; valid until the next frame()
+    const haptics::HapticFrame& hapticFrame() const { return hapticFrame_; } // as sent by the last frame()
+    // Newest first; valid until the next frame().
+    std::span<const game::Caption> captions() const { return sounds_.captions(); }
 
   private:
-    struct State;
-    explicit SoundAndHaptics(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    Status openSound(const PlayOptions& options);
+    void openVideoSound(const Path& video, double videoLength_s);
+
+    game::SoundCues sounds_;
+    game::HapticFeedback hapticFeedback_;
+    float hapticStrength_, videoSound_;
+    std::optional<media::SoundTrack> track_; // before the audio, which reads it
+    std::optional<audio::Audio> audio_;
+    std::optional<haptics::HapticOutput> haptics_;
+    haptics::HapticFrame hapticFrame_;
 };
 
 } // namespace shoal::app

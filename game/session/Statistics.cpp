@@ -17,29 +17,17 @@ double Series::quantile(double q) const {
     return static_cast<double>(sorted[rank]);
 }
 
-void LiveStatistics::add(const media::LivePlayer& live, bool fresh) {
-    counts = live.counts();
-    if (!fresh) return;
-    latency_ms.add(1e3 * live.age_s());
-    displayFrames.add(live.displayFrames());
-}
-
-std::string describe(const LiveStatistics& live) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
-                  "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f",
-                  static_cast<long long>(live.counts.shown), static_cast<long long>(live.counts.passedOver),
-                  live.latency_ms.quantile(0.5), live.latency_ms.quantile(0.99),
-                  live.displayFrames.quantile(0.5), live.displayFrames.quantile(0.99),
-                  live.displayFrames.quantile(1));
-    return line;
-}
-
-double peakResident_MiB() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024;
+void printTimes(const Statistics& s, bool live) {
+    std::printf("%s: %zu frames, median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n",
+                s.renderer.c_str(), s.frame_ms.count(), s.frame_ms.quantile(0.5), s.frame_ms.quantile(0.99),
+                s.frame_ms.quantile(1));
+    if (!live) return;
+    std::printf("live: %lld frames shown, %lld passed over; from arrival to picture median %.1f ms, 99th "
+                "percentile %.1f ms; in pictures of the display %.0f and %.0f, at most %.0f\n",
+                static_cast<long long>(s.live.shown), static_cast<long long>(s.live.passedOver),
+                s.liveLatency_ms.quantile(0.5), s.liveLatency_ms.quantile(0.99),
+                s.liveDisplayFrames.quantile(0.5), s.liveDisplayFrames.quantile(0.99),
+                s.liveDisplayFrames.quantile(1));
 }
 
 Status writeStatistics(const Path& file, const Statistics& s) {
@@ -47,6 +35,8 @@ Status writeStatistics(const Path& file, const Statistics& s) {
         return nlohmann::ordered_json{
             {"median", series.quantile(0.5)}, {"p99", series.quantile(0.99)}, {"max", series.quantile(1)}};
     };
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
     char hash[17];
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.stateHash));
     nlohmann::ordered_json json = {
@@ -63,17 +53,17 @@ Status writeStatistics(const Path& file, const Statistics& s) {
         {"score", s.score},
         {"state_hash", hash},
         {"ticks", s.ticks},
-        {"peak_rss_mb", peakResident_MiB()},
+        {"peak_rss_mb", static_cast<double>(usage.ru_maxrss) / 1024},
     };
-    if (s.live.counts.shown > 0)
-        json["live"] = {{"latency_ms", summary(s.live.latency_ms)},
-                        {"display_frames", summary(s.live.displayFrames)},
-                        {"shown", s.live.counts.shown},
-                        {"made", s.live.counts.made},
-                        {"passed_over", s.live.counts.passedOver},
-                        {"stops", s.live.counts.stops},
-                        {"losses", s.live.counts.losses},
-                        {"resized", s.live.counts.resized}};
+    if (s.live.shown > 0)
+        json["live"] = {{"latency_ms", summary(s.liveLatency_ms)},
+                        {"display_frames", summary(s.liveDisplayFrames)},
+                        {"shown", s.live.shown},
+                        {"made", s.live.made},
+                        {"passed_over", s.live.passedOver},
+                        {"stops", s.live.stops},
+                        {"losses", s.live.losses},
+                        {"resized", s.live.resized}};
     return writeFileWhole(file, json.dump(2) + "\n");
 }
 

@@ -1,4 +1,4 @@
-// Frame times, counts and the state hash of a session, as --stats writes them.
+// Frame times, counts and the state hash of a session: for the developer's panel and for --stats.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -6,49 +6,42 @@
 #include "engine/media/live/LivePlayer.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace shoal::app {
 
-// Milliseconds, in the order they came.
+// Values in the order they came.
 class Series {
   public:
-    explicit Series(size_t reserve = 16384) { values_.reserve(reserve); }
-    void add(double ms) { values_.push_back(static_cast<float>(ms)); }
-    void clear() { values_.clear(); }
+    Series() { values_.reserve(16384); }
+    void add(double value) { values_.push_back(static_cast<float>(value)); }
     size_t count() const { return values_.size(); }
+    std::span<const float> last(size_t n) const { return std::span(values_).last(std::min(n, count())); }
     double quantile(double q) const; // 0 to 1; nearest rank; 0 when empty
 
   private:
     std::vector<float> values_;
 };
 
-// Latency of a live video: from the arrival of a frame's last byte until the picture that first shows it is
-// drawn.
-struct LiveStatistics {
-    Series latency_ms, displayFrames; // see LivePlayer::displayFrames()
-    media::LiveCounts counts;
-
-    // fresh: this picture is the first to show its frame.
-    void add(const media::LivePlayer& live, bool fresh);
-};
-
-// One line.
-std::string describe(const LiveStatistics& live);
-
 struct Statistics {
-    LiveStatistics live;
     std::string renderer;
-    Series frame_ms, light_ms, decode_ms, upload_ms; // the last three per frame of the video
-    int draws = 0, triangles = 0;                    // of the last frame
+    Series frame_ms;                       // without the first frame
+    Series light_ms, decode_ms, upload_ms; // per frame of the video
+    // Of a live video: from the arrival of a frame's last byte until the picture that first shows it is
+    // drawn; and see LivePlayer::displayFrames().
+    Series liveLatency_ms, liveDisplayFrames;
+    media::LiveCounts live;
+    float sim_ms = 0; // of the last frame, as these
+    int draws = 0, triangles = 0;
     float minScale = 1; // of the picture's size that it was drawn at, see DynamicQuality.h
     int caught = 0, score = 0;
     uint64_t stateHash = 0, ticks = 0;
 };
 
-// Maximum resident memory of this process so far, MiB.
-double peakResident_MiB();
+// For a person to read; one line, or two where there was a live video.
+void printTimes(const Statistics& statistics, bool live);
 
 Status writeStatistics(const Path& file, const Statistics& statistics);
 

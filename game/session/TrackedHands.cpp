@@ -30,64 +30,36 @@ hands::WebcamOptions webcamFrom(const std::string& which, bool live) {
 
 TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& options,
                            const hands::HandRig& rig, bool live)
-    : singleDevice_(source.kind != HandSourceKind::Auto) {
-    const auto time = live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps;
-    const auto add = [&](std::unique_ptr<hands::HandTracker> tracker) {
-        devices_.push_back(
-            std::make_unique<Device>(Device{std::move(tracker), hands::DeviceHands(time), {}, 0}));
-        order_.push_back(&devices_.back()->hands);
-    };
-    if (source.kind == HandSourceKind::Leap || source.kind == HandSourceKind::Auto)
-        add(hands::makeLeapTracker({options.leapHost, options.leapPort, options.leapMount == LeapMount::Head},
-                                   rig));
-    // A camera looks at people: it is only ever opened when it is asked for, never by auto.
-    if (source.kind == HandSourceKind::Webcam)
-        add(hands::makeWebcamTracker(webcamFrom(source.argument, live), rig));
-}
-
-// Which of the devices is there, and what they want.
-void TrackedHands::updateStates() {
-    bool changed = false;
-    for (const auto& device : devices_) {
-        hands::HandStream& stream = device->tracker->stream();
-        const uint64_t changes = stream.stateChanges();
-        if (changes == device->stateChanges) continue;
-        device->stateChanges = changes;
-        device->state = stream.state();
-        changed = true;
-    }
-    if (!changed) return;
-    present_ = hands::HandSourceSelector::kMouse;
-    instruction_.clear();
-    for (size_t i = 0; i < devices_.size(); ++i) {
-        if (instruction_.empty()) instruction_ = devices_[i]->state.instruction;
-        if (present_ == hands::HandSourceSelector::kMouse && devices_[i]->state.present)
-            present_ = static_cast<int>(i);
-    }
-}
+    : asked_(source.kind != HandSourceKind::Auto),
+      tracker_(source.kind == HandSourceKind::Webcam
+                   ? hands::makeWebcamTracker(webcamFrom(source.argument, live), rig)
+                   : hands::makeLeapTracker(
+                         {options.leapHost, options.leapPort, options.leapMount == LeapMount::Head}, rig)),
+      hands_(live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps) {}
 
 void TrackedHands::announce() {
-    announced_ = present_;
+    announced_ = state_.present;
     announcedAt_s_ = played_s_;
+    const std::string name(tracker_->name());
     announcement_ = "Hands: mouse";
-    if (present_ != hands::HandSourceSelector::kMouse) {
-        const Device& device = *devices_[static_cast<size_t>(present_)];
-        announcement_ = "Hands: " + std::string(device.tracker->name()) + ", " + device.state.description;
-    } else if (singleDevice_) { // why not the one asked for
-        for (const auto& device : devices_)
-            announcement_ += "; " + std::string(device->tracker->name()) + ": " + device->state.description;
-    }
+    if (state_.present)
+        announcement_ = "Hands: " + name + ", " + state_.description;
+    else if (asked_) // why not this one
+        announcement_ += "; " + name + ": " + state_.description;
     log::info("{}", announcement_);
 }
 
 void TrackedHands::frame(double elapsed_s) {
-    for (const auto& device : devices_) device->hands.advance(device->tracker->stream(), elapsed_s);
+    hands::HandStream& stream = tracker_->stream();
+    hands_.advance(stream, elapsed_s);
     played_s_ += elapsed_s;
-    updateStates();
-    if (present_ != announced_ &&
-        (present_ != hands::HandSourceSelector::kMouse || played_s_ > kFindDevices_s))
-        announce();
-    choice_.frame(order_);
+    if (const uint64_t changes = stream.stateChanges(); changes != stateChanges_) {
+        stateChanges_ = changes;
+        state_ = stream.state();
+    }
+    if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
+    const hands::DeviceHands* const device = &hands_;
+    choice_.frame({&device, 1});
 }
 
 void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
@@ -95,7 +67,7 @@ void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
 }
 
 std::string_view TrackedHands::caption() const {
-    if (!instruction_.empty()) return instruction_;
+    if (!state_.instruction.empty()) return state_.instruction;
     return played_s_ - announcedAt_s_ < kCaption_s ? std::string_view(announcement_) : std::string_view();
 }
 

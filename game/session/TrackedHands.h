@@ -1,5 +1,5 @@
-// Hand tracking devices of a session, and the choice of the one whose hands are used. Main thread; the
-// devices have threads of their own.
+// The hand tracking device of a session; where it sees no hands, the mouse has them. Main thread; the device
+// has threads of its own.
 #pragma once
 
 #include "game/rules/TickInput.h"
@@ -8,14 +8,16 @@
 #include "input/hands/HandSourceSelector.h"
 
 #include <memory>
-#include <vector>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace shoal::app {
 
 class TrackedHands {
   public:
-    // live: time is the clock's; else frames count by their time stamps. Opens the devices that `source`
-    // names.
+    // live: time is the clock's; else frames count by their time stamps. source: Leap, Webcam, or Auto, which
+    // never means a camera: that looks at people and is opened only when it is asked for.
     TrackedHands(const HandSourceChoice& source, const HandOptions& options, const hands::HandRig& rig,
                  bool live);
 
@@ -29,23 +31,16 @@ class TrackedHands {
     std::string_view caption() const;
 
   private:
-    struct Device {
-        std::unique_ptr<hands::HandTracker> tracker;
-        hands::DeviceHands hands;
-        hands::DeviceState state;
-        uint64_t stateChanges = 0;
-    };
-    void updateStates();
     void announce();
 
-    std::vector<std::unique_ptr<Device>> devices_; // the best first
-    std::vector<const hands::DeviceHands*> order_;
-    hands::HandSourceSelector choice_;
-    bool singleDevice_; // for one device, not for whichever is there
-    static constexpr int kNothing = -2;
-    int present_ = hands::HandSourceSelector::kMouse; // the best device that is there
-    int announced_ = kNothing;
-    std::string announcement_, instruction_;
+    bool asked_; // for this device, not for whichever is there
+    std::unique_ptr<hands::HandTracker> tracker_;
+    hands::DeviceHands hands_;
+    hands::DeviceState state_;
+    uint64_t stateChanges_ = 0;
+    hands::HandSourceSelector choice_; // between its hands and the mouse's
+    std::optional<bool> announced_;    // that it is there, or that it is not
+    std::string announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "game/settings/Setting.h"
 
 #include <cstdio>
-#include <iterator>
 
 namespace shoal::app {
 
@@ -49,15 +48,6 @@ TextSetting vectorSetting(std::optional<glm::vec3>& value) {
         return std::to_string(value->x) + "," + std::to_string(value->y) + "," + std::to_string(value->z);
     };
     return {get, set, "wants three numbers with commas between"};
-}
-
-void append(SettingsTable& table, SettingsTable rows) {
-    table.insert(table.end(), std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()));
-}
-
-SettingsTable inCategory(Category category, SettingsTable rows) {
-    for (Setting& row : rows) row.category = category;
-    return rows;
 }
 
 std::string Setting::key() const {

@@ -62,20 +62,16 @@ struct Setting {
 
     std::string option; // "--name"; "!--no-name": a flag that turns `name` off; "NAME": a positional argument
     Value value;
-    std::string help;
+    std::string help; // with the unit, if there is one
     Category category = Category::General;
-    std::optional<Range> range; // of numbers
-    std::string placeholder;    // in --help, for what follows the option
-    bool kept = false;          // in the settings file
+    std::optional<Range> range{}; // of numbers
+    std::string placeholder{};    // in --help, for what follows the option
+    bool kept = false;            // in the settings file
     bool required = false;
-    std::vector<std::string> excludes, needs; // other options
+    std::vector<std::string> excludes{}, needs{}; // other options
 
-    Setting(std::string o, Value v, std::string h)
-        : option(std::move(o)), value(std::move(v)), help(std::move(h)) {}
-    Setting& in(const std::string& unit) { return help += ", " + unit, *this; }
     Setting& between(double low, double high) { return range = {low, high}, *this; }
     Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
-    Setting& keep() { return kept = true, *this; }
     Setting& mustBeGiven() { return required = true, *this; }
     Setting& without(std::vector<std::string> others) { return excludes = std::move(others), *this; }
     Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }
@@ -83,10 +79,27 @@ struct Setting {
     std::string key() const; // its name in the settings file: the option's, without dashes and "no"
 };
 
-using SettingsTable = std::vector<Setting>;
+struct SettingsTable {
+    std::vector<Setting> rows;
+    Category category = Category::General; // of the rows to come
 
-void append(SettingsTable& table, SettingsTable rows);
-SettingsTable inCategory(Category category, SettingsTable rows);
+    Setting& add(std::string option, Setting::Value value, std::string help) {
+        return rows.emplace_back(Setting{std::move(option), std::move(value), std::move(help), category});
+    }
+    // One that belongs in the settings file.
+    Setting& addKept(std::string option, Setting::Value value, std::string help) {
+        Setting& row = add(std::move(option), std::move(value), std::move(help));
+        row.kept = true;
+        return row;
+    }
+};
+
+// The table of a struct of options.
+template <class Options> SettingsTable settingsOf(Options& options) {
+    SettingsTable table;
+    options.addTo(table);
+    return table;
+}
 
 } // namespace shoal::app
 

@@ -61,7 +61,7 @@ void loadSettings(const SettingsTable& table) {
     const auto json = text ? Json::parse(*text, nullptr, false) : Json();
     if (!json.is_object())
         return log::warn("{}: cannot be used; move it away to start anew", settingsFile().string());
-    for (const Setting& row : table) {
+    for (const Setting& row : table.rows) {
         const auto entry = json.find(row.key());
         if (row.kept && entry != json.end()) std::visit(ReadEntry{*entry, row}, row.value);
     }
@@ -69,7 +69,7 @@ void loadSettings(const SettingsTable& table) {
 
 Status saveSettings(const SettingsTable& table) {
     Json json = Json::object();
-    for (const Setting& row : table)
+    for (const Setting& row : table.rows)
         if (row.kept) json[row.key()] = std::visit(MakeEntry(), row.value);
     return writeFileWhole(settingsFile(), json.dump(2) + "\n");
 }

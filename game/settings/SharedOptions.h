@@ -7,7 +7,6 @@
 #include "game/settings/Setting.h"
 
 #include <string>
-#include <utility>
 
 namespace shoal::app {
 
@@ -18,27 +17,21 @@ struct EnvironmentOptions {
 
     bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); } // the dive's
 
-    SettingsTable settings() {
-        return inCategory(
-            Category::Environment,
-            {
-                Setting(
-                    "--video", &video,
-                    "A 360-degree video, lat-long: a file; or live: camera:NUMBER, a named pipe, or a URL "
-                    "(rtsp, http, https, tcp, udp)")
-                    .takes("FILE")
-                    .without({"--photo", "--env"}),
-                Setting("--photo", &photo, "A 360-degree photo, lat-long; an ordinary one is grown to one")
-                    .takes("FILE")
-                    .without({"--env"}),
-                Setting("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm")
-                    .takes("FILE"),
-                Setting("--layout", choice(layout),
-                        "Where a stereo picture keeps its eyes; auto reads the file's metadata"),
-                Setting("--env-yaw", &envYaw_deg, "Turns the environment to the right")
-                    .in("degrees")
-                    .between(-360, 360),
-            });
+    void addTo(SettingsTable& table) {
+        table.category = Category::Environment;
+        table
+            .add("--video", &video,
+                 "A 360-degree video, lat-long: a file; or live: camera:NUMBER, a named pipe, or a URL "
+                 "(rtsp, http, https, tcp, udp)")
+            .takes("FILE")
+            .without({"--photo", "--env"});
+        table.add("--photo", &photo, "A 360-degree photo, lat-long; an ordinary one is grown to one")
+            .takes("FILE")
+            .without({"--env"});
+        table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
+        table.add("--layout", choice(layout),
+                  "Where a stereo picture keeps its eyes; auto reads the file's metadata");
+        table.add("--env-yaw", &envYaw_deg, "Turns the environment to the right, degrees").between(-360, 360);
     }
 };
 
@@ -54,48 +47,42 @@ struct LookOptions {
     render::SkippedPass skip = render::SkippedPass::None;
 
     // oneBody: the command shows a single model at rest, which has more ways of occlusion.
-    SettingsTable settings(bool oneBody) {
+    void addTo(SettingsTable& table, bool oneBody) {
         std::vector<Occlusion> occlusions = {Occlusion::Ellipsoids, Occlusion::Off};
-        if (oneBody) occlusions.insert(occlusions.end(), {Occlusion::Ollfb, Occlusion::OllfbThesis});
-        return inCategory(
-            Category::Picture,
-            {
-                Setting("--size", sizeSetting(size), "Picture size in pixels").takes("WxH"),
-                Setting("--exposure", &exposure_ev, "Brightens objects and background alike")
-                    .in("stops (EV)")
-                    .between(-10, 10)
-                    .keep(),
-                Setting(
-                    "--tone", choice(tone),
-                    "Display curve: auto undoes the video's own, or aces for HDR environments; aces; linear"),
-                Setting("--glossy", choice(glossy),
-                        "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples"),
-                Setting("--occlusion", choice(occlusion, occlusions, {{"on", Occlusion::Ellipsoids}}),
-                        std::string("ellipsoids (also called on): bodies take light from each other, and "
-                                    "their folds from themselves; with any OpenGL from 3.3") +
-                            (oneBody ? "; ollfb: the model shadows and reflects itself, by rays through "
-                                       "layered fragment buffers, while it is still; ollfb-thesis: as the "
-                                       "thesis has them; both need OpenGL 4.3"
-                                     : ""))
-                    .keep(),
-                Setting("--samples", &samples,
-                        "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or 1 without a graphics card")
-                    .between(0, 16)
-                    .keep(),
-                Setting("--backend", choice(backend),
-                        "What samples the background and puts objects into it: opengl; software, on the "
-                        "processor, with the same pictures but for rounding (OpenGL draws the objects in "
-                        "either case); auto: software where the OpenGL driver itself renders on the "
-                        "processor"),
-                Setting("--show", choice(shown),
-                        "Draws objects as one quantity of their light, to see where it comes from; "
-                        "occlusion: the "
-                        "share of diffuse light that is left; depth: 1 / (1 + metres)"),
-                Setting(
-                    "--skip", choice(skip),
-                    "Leaves a pass out, to see what it draws; composed into the video's texels, objects go "
-                    "with the background"),
-            });
+        std::string occlusionHelp = "ellipsoids (also called on): bodies take light from each other, and "
+                                    "their folds from themselves; with any OpenGL from 3.3";
+        if (oneBody) {
+            occlusions.insert(occlusions.end(), {Occlusion::Ollfb, Occlusion::OllfbThesis});
+            occlusionHelp +=
+                "; ollfb: the model shadows and reflects itself, by rays through layered "
+                "fragment buffers, while it is still; ollfb-thesis: as the thesis has them; both "
+                "need OpenGL 4.3";
+        }
+        table.category = Category::Picture;
+        table.add("--size", sizeSetting(size), "Picture size in pixels").takes("WxH");
+        table.addKept("--exposure", &exposure_ev, "Brightens objects and background alike, stops (EV)")
+            .between(-10, 10);
+        table.add("--tone", choice(tone),
+                  "Display curve: auto undoes the video's own, or aces for HDR environments; aces; linear");
+        table.add("--glossy", choice(glossy),
+                  "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples");
+        table.addKept("--occlusion", choice(occlusion, occlusions, {{"on", Occlusion::Ellipsoids}}),
+                      occlusionHelp);
+        table
+            .addKept("--samples", &samples,
+                     "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or 1 without a graphics card")
+            .between(0, 16);
+        table.add("--backend", choice(backend),
+                  "What samples the background and puts objects into it: opengl; software, on the processor, "
+                  "with the same pictures but for rounding (OpenGL draws the objects in either case); auto: "
+                  "software where the OpenGL driver itself renders on the processor");
+        table.add("--show", choice(shown),
+                  "Draws objects as one quantity of their light, to see where it comes from; occlusion: the "
+                  "share of diffuse light that is left; depth: 1 / (1 + metres)");
+        table.add(
+            "--skip", choice(skip),
+            "Leaves a pass out, to see what it draws; composed into the video's texels, objects go with "
+            "the background");
     }
 };
 
@@ -111,28 +98,25 @@ struct HandOptions {
     uint16_t leapPort = 6437;
     LeapMount leapMount = LeapMount::Desk;
 
-    SettingsTable settings() {
-        SettingsTable table = {
-            Setting("--hands", &source,
-                    "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
-                    "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
-                    "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
-                    "Where a device sees no hands, the mouse has them")
-                .takes("SOURCE")
-                .keep(),
-        };
-        append(table, leapSettings());
-        table.push_back(Setting("--leap-mount", choice(leapMount),
-                                "desk: the device lies on the desk and looks up; head: it is on a headset "
-                                "and looks ahead")
-                            .keep());
-        return inCategory(Category::Hands, std::move(table));
+    void addTo(SettingsTable& table) {
+        table.category = Category::Hands;
+        table
+            .addKept("--hands", &source,
+                     "mouse; leap (Leap Motion, Ultraleap); auto: the best of these that is there, which is "
+                     "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
+                     "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
+                     "Where a device sees no hands, the mouse has them")
+            .takes("SOURCE");
+        addLeapTo(table);
+        table.addKept(
+            "--leap-mount", choice(leapMount),
+            "desk: the device lies on the desk and looks up; head: it is on a headset and looks ahead");
     }
-    SettingsTable leapSettings() { // where a tracking service listens, for `shoal devices` too
-        return {Setting("--leap", addressSetting(leapHost, leapPort),
-                        "Where the Leap / Ultraleap tracking service listens; 127.0.0.1:6437 if not given")
-                    .takes("HOST:PORT")
-                    .keep()};
+    void addLeapTo(SettingsTable& table) { // where a tracking service listens, for `shoal devices` too
+        table
+            .addKept("--leap", addressSetting(leapHost, leapPort),
+                     "Where the Leap / Ultraleap tracking service listens; 127.0.0.1:6437 if not given")
+            .takes("HOST:PORT");
     }
 };
 

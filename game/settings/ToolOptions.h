@@ -25,30 +25,30 @@ struct ViewOptions {
     std::string out;
     bool headless = false;
 
-    SettingsTable settings() {
-        SettingsTable table = {Setting("MODEL", &model, "A glTF 2.0 model: .glb or .gltf").mustBeGiven()};
-        append(table, environment.settings());
-        append(table, look.settings(true));
-        append(
-            table,
-            {Setting("--diffuse", choice(diffuse),
-                     "Diffuse light: default, exact; thesis: a map of 64x32 texels, each the sum over all"),
-             Setting("--orbit", vectorSetting(orbit),
-                     "Camera around the target: degrees around, degrees from straight up, metres away; "
-                     "0,90 looks along -Z")
-                 .takes("THETA,PHI,RADIUS"),
-             Setting("--target", vectorSetting(target),
-                     "What the camera looks at, metres; the model's middle if not given")
-                 .takes("X,Y,Z"),
-             Setting("--fov", &fov_deg, "Vertical field of view").in("degrees").between(1, 150),
-             Setting("--background", choice(background), "env, or none: transparent"),
-             Setting("--animation", &animation, "Poses the model at that second of an animation")
-                 .takes("NAME@SECONDS"),
-             Setting("--variant", &variant, "Shows the model with one of its material variants"),
-             Setting("--at", &at_s, "Second of the video to stand in").between(0, 36000),
-             Setting("--out", &out, "Writes a picture instead of opening a window").takes("FILE.png"),
-             Setting("--headless", &headless, "Opens no window, which --out never does").with({"--out"})});
-        return table;
+    void addTo(SettingsTable& table) {
+        table.add("MODEL", &model, "A glTF 2.0 model: .glb or .gltf").mustBeGiven();
+        environment.addTo(table);
+        look.addTo(table, true);
+        table.category = Category::General;
+        table.add("--diffuse", choice(diffuse),
+                  "Diffuse light: default, exact; thesis: a map of 64x32 texels, each the sum over all");
+        table
+            .add("--orbit", vectorSetting(orbit),
+                 "Camera around the target: degrees around, degrees from straight up, metres away; 0,90 "
+                 "looks along -Z")
+            .takes("THETA,PHI,RADIUS");
+        table
+            .add("--target", vectorSetting(target),
+                 "What the camera looks at, metres; the model's middle if not given")
+            .takes("X,Y,Z");
+        table.add("--fov", &fov_deg, "Vertical field of view, degrees").between(1, 150);
+        table.add("--background", choice(background), "env, or none: transparent");
+        table.add("--animation", &animation, "Poses the model at that second of an animation")
+            .takes("NAME@SECONDS");
+        table.add("--variant", &variant, "Shows the model with one of its material variants");
+        table.add("--at", &at_s, "Second of the video to stand in").between(0, 36000);
+        table.add("--out", &out, "Writes a picture instead of opening a window").takes("FILE.png");
+        table.add("--headless", &headless, "Opens no window, which --out never does").with({"--out"});
     }
 };
 
@@ -59,18 +59,19 @@ struct LightOptions {
     bool ldrAsIs = false;
     float at_s = 0;
 
-    SettingsTable settings() {
-        return {Setting("FILE", &file, "A lat-long HDR picture, photo or video").mustBeGiven(),
-                Setting("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json")
-                    .takes("FOLDER")
-                    .mustBeGiven(),
-                Setting("--method", choice(method),
-                        "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, "
-                        "glossy light by 36 samples of a Phong lobe"),
-                Setting("--format", choice(format), "Of the pictures: 32-bit pfm, exr, or Radiance hdr"),
-                Setting("--ldr-as-is", &ldrAsIs,
-                        "Take a photo's or video's values as linear light: no inverse tone mapping"),
-                Setting("--at", &at_s, "Second of the video").between(0, 36000)};
+    void addTo(SettingsTable& table) {
+        table.add("FILE", &file, "A lat-long HDR picture, photo or video").mustBeGiven();
+        table.add("-o,--out", &out, "Folder for diffuse, glossy_<roughness> and sh.json")
+            .takes("FOLDER")
+            .mustBeGiven();
+        table.add(
+            "--method", choice(method),
+            "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy light "
+            "by 36 samples of a Phong lobe");
+        table.add("--format", choice(format), "Of the pictures: 32-bit pfm, exr, or Radiance hdr");
+        table.add("--ldr-as-is", &ldrAsIs,
+                  "Take a photo's or video's values as linear light: no inverse tone mapping");
+        table.add("--at", &at_s, "Second of the video").between(0, 36000);
     }
 };
 
@@ -78,35 +79,35 @@ struct PanoramaOptions {
     std::string photo, out;
     std::optional<double> fov_deg; // horizontal, of the photo
 
-    SettingsTable settings() {
-        return {Setting("PHOTO", &photo, "JPEG, PNG, WebP, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven(),
-                Setting("-o,--out", &out,
-                        "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or "
-                        ".pfm for a high dynamic range photo")
-                    .takes("FILE")
-                    .mustBeGiven(),
-                Setting("--fov", &fov_deg,
-                        "Horizontal field of view of the photo, degrees; 65 along its longer side if not "
-                        "given. Given, a photo that is twice as wide as high is taken for an ordinary one "
-                        "too")
-                    .between(panorama::kMinFov_deg, panorama::kMaxFov_deg)};
+    void addTo(SettingsTable& table) {
+        table.add("PHOTO", &photo, "JPEG, PNG, WebP, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
+        table
+            .add("-o,--out", &out,
+                 "The environment, lat-long, up to 4096x2048 pixels: .png or .jpg; .hdr, .exr or .pfm for a "
+                 "high dynamic range photo")
+            .takes("FILE")
+            .mustBeGiven();
+        table
+            .add("--fov", &fov_deg,
+                 "Horizontal field of view of the photo, degrees; 65 along its longer side if not given. "
+                 "Given, a photo that is twice as wide as high is taken for an ordinary one too")
+            .between(panorama::kMinFov_deg, panorama::kMaxFov_deg);
     }
 };
 
 struct CheckOptions {
     std::vector<std::string> files;
 
-    SettingsTable settings() { return {Setting("FILE", &files, "Files to look at").mustBeGiven()}; }
+    void addTo(SettingsTable& table) { table.add("FILE", &files, "Files to look at").mustBeGiven(); }
 };
 
 struct DevicesOptions {
     HandOptions hands;
     bool test = false;
 
-    SettingsTable settings() {
-        SettingsTable table = hands.leapSettings();
-        table.push_back(Setting("--test", &test, "Pulse each haptic device and play a sound"));
-        return table;
+    void addTo(SettingsTable& table) {
+        hands.addLeapTo(table);
+        table.add("--test", &test, "Pulse each haptic device and play a sound");
     }
 };
 

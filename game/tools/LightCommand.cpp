@@ -14,7 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 
 namespace shoal::app {
@@ -73,20 +72,24 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     return made;
 }
 
+// Fills a lat-long map by a function of direction.
+template <class F> void fill(ImageRgbF& map, F&& radianceIn) {
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const glm::vec3 value =
+                radianceIn(directionFromLatLong(glm::dvec2((x + 0.5) / map.width, (y + 0.5) / map.height)));
+            for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value[c];
+        }
+}
+
 // Replaces what the thesis has methods of its own for. Levels narrower than a texel of the pyramid stay the
 // pyramid's own.
 void makeAsTheThesis(light::EnvironmentLight& made) {
     light::BruteForceDiffuse().make(made.radiance, made.diffuse);
-    for (light::GlossyLevel& level : made.glossy) {
-        ImageRgbF& map = level.radianceLin;
-        for (int y = 0; y < map.height; ++y)
-            for (int x = 0; x < map.width; ++x) {
-                const glm::dvec2 uv((x + 0.5) / map.width, (y + 0.5) / map.height);
-                const glm::vec3 value = light::phongRingsRadiance(made.radiance, directionFromLatLong(uv),
-                                                                  static_cast<double>(level.roughness));
-                for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value[c];
-            }
-    }
+    for (light::GlossyLevel& level : made.glossy)
+        fill(level.radianceLin, [&](const glm::dvec3& direction) {
+            return light::phongRingsRadiance(made.radiance, direction, static_cast<double>(level.roughness));
+        });
 }
 
 std::string harmonics(const light::EnvironmentLight& made) {
@@ -101,24 +104,14 @@ std::string harmonics(const light::EnvironmentLight& made) {
     return json.dump(2) + "\n";
 }
 
-// 64x32, as the thesis has it: what engines take. Values at texel centres.
-ImageRgbF smallDiffuse(const light::EnvironmentLight& made) {
-    ImageRgbF small(64, 32);
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) {
-            const glm::dvec2 uv((x + 0.5) / small.width, (y + 0.5) / small.height);
-            const glm::vec3 value = light::lookUp(made.diffuse, directionFromLatLong(uv));
-            for (int c = 0; c < 3; ++c) small.at(x, y)[c] = value[c];
-        }
-    return small;
-}
-
 Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
     const Path folder = options.out;
     const auto put = [&](const std::string& name, const ImageRgbF& image) {
         return media::writeHdr(folder / (name + "." + enumName(options.format)), image);
     };
-    if (Status s = put("diffuse", smallDiffuse(made)); !s) return s;
+    ImageRgbF small(64, 32); // as the thesis has it: what engines take
+    fill(small, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
+    if (Status s = put("diffuse", small); !s) return s;
     for (size_t k = 0; k < made.glossy.size(); ++k) {
         char name[32];
         std::snprintf(name, sizeof name, "glossy_%.2f", static_cast<double>(made.glossy[k].roughness));
@@ -129,13 +122,11 @@ Status writeAll(const LightOptions& options, const light::EnvironmentLight& made
 
 } // namespace
 
-int light(const LightOptions& options) {
+Status light(const LightOptions& options) {
     auto made = makeLight(options);
-    if (made && options.method == light::DiffuseMethod::Thesis) makeAsTheThesis(*made);
-    Status status = made ? writeAll(options, *made) : Status(made.error());
-    if (status) return 0;
-    log::error("{}", status.error().message());
-    return 1;
+    if (!made) return made.error();
+    if (options.method == light::DiffuseMethod::Thesis) makeAsTheThesis(*made);
+    return writeAll(options, *made);
 }
 
 } // namespace shoal::app

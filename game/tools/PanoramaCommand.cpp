@@ -1,7 +1,6 @@
 // shoal panorama: grows an ordinary photo to a full environment.
 #include "game/tools/Commands.h"
 
-#include "engine/core/Log.h"
 #include "engine/media/Pictures.h"
 #include "game/views/PhotoEnvironment.h"
 
@@ -41,14 +40,11 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
 
 } // namespace
 
-int panorama(const PanoramaOptions& options) {
+Status panorama(const PanoramaOptions& options) {
     const auto made = makePanorama(options);
-    if (made) {
-        std::printf("%s: %s\n", options.out.c_str(), made->c_str());
-        return 0;
-    }
-    log::error("{}", made.error().message());
-    return 1;
+    if (!made) return made.error();
+    std::printf("%s: %s\n", options.out.c_str(), made->c_str());
+    return Done{};
 }
 
 } // namespace shoal::app

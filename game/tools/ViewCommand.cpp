@@ -1,7 +1,6 @@
 // shoal view: any glTF model in any surroundings, as a picture or in a window to turn it in.
 #include "game/tools/Commands.h"
 
-#include "engine/core/Log.h"
 #include "engine/gl/Renderer.h"
 #include "engine/gl/Target.h"
 #include "engine/media/Pictures.h"
@@ -87,8 +86,9 @@ class Viewer {
     Status showWindow();
 
   private:
-    Status draw(const gl::Target& target, const Orbit& orbit);
-    void pose(const Clip& clip);
+    Status draw(const gl::Target& target);
+    void pose();
+    void uploadMorphed();
     void bakeOcclusion();
     Status seeLayers();
     Status followPose(bool moving);
@@ -106,7 +106,7 @@ class Viewer {
     Clip clip_;
     render::ModelGpu gpu_;
     render::BodyOccluders body_; // without parts: alone in the world
-    std::optional<Environment> environment_;
+    std::unique_ptr<Environment> environment_;
     std::unique_ptr<render::BackgroundPass> background_;
     std::optional<render::ObjectPass> objects_;
     std::optional<occlusion::LayersGpu> layers_; // of the pose, if it is still
@@ -114,10 +114,13 @@ class Viewer {
     Orbit orbit_;
 };
 
-void Viewer::pose(const Clip& clip) {
+void Viewer::pose() {
     scene::restPose(model_, pose_);
-    if (clip.animation >= 0) scene::animate(model_, clip.animation, clip.time_s, pose_);
+    if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, pose_);
     scene::updateGlobals(model_, pose_);
+}
+
+void Viewer::uploadMorphed() {
     for (size_t n = 0; n < model_.nodes.size(); ++n) {
         const int mesh = model_.nodes[n].mesh;
         if (mesh >= 0 && !pose_.morphWeights[n].empty())
@@ -128,15 +131,11 @@ void Viewer::pose(const Clip& clip) {
 
 // What the model hides of itself in its first pose, which of a picture is the only one.
 void Viewer::bakeOcclusion() {
-    scene::Pose first;
-    scene::restPose(model_, first);
-    if (clip_.animation >= 0) scene::animate(model_, clip_.animation, clip_.time_s, first);
-    scene::updateGlobals(model_, first);
     size_t indices = 1;
     for (const scene::Mesh& mesh : model_.meshes)
         for (const scene::Primitive& primitive : mesh.primitives) indices += primitive.indices.size();
     const auto rays = static_cast<int>(std::min<size_t>(kMaxRays / indices, kSelfOcclusionRays));
-    if (rays >= kFewestRays) render::bakeSelfOcclusion(model_, first, rays);
+    if (rays >= kFewestRays) render::bakeSelfOcclusion(model_, pose_, rays);
 }
 
 // Layered fragment buffers of the posed model.
@@ -171,18 +170,14 @@ void Viewer::aim() {
 }
 
 Status Viewer::open() {
-    auto loaded = scene::loadModel(options_.model);
-    if (!loaded) return loaded.error();
-    model_ = std::move(*loaded);
+    if (Status s = scene::loadModel(options_.model).moveTo(model_); !s) return s;
     if (!options_.variant.empty() && !scene::applyVariant(model_, options_.variant))
         return Error{options_.model, "has no variant named " + options_.variant};
     auto clip = findClip(model_, options_.animation, options_.model);
     if (!clip) return clip.error();
     clip_ = *clip;
     if (!options_.out.empty()) {
-        auto context = platform::Headless::open();
-        if (!context) return context.error();
-        headless_ = std::move(*context);
+        if (Status s = platform::Headless::open().moveTo(headless_); !s) return s;
     } else {
         auto opened =
             platform::Window::open({"Shoal: " + options_.model, options_.look.size.x, options_.look.size.y});
@@ -192,16 +187,18 @@ Status Viewer::open() {
     }
     if (wantsLayers())
         if (Status can = occlusion::canKeepLayers(); !can) return Error{"--occlusion", can.error().message()};
-    auto environment = Environment::open({.options = options_.environment,
-                                          .defaultVideo = dataRoot() / "content/video/reef.mp4",
-                                          .still = true,
-                                          .pyramid = options_.look.glossy == render::Glossy::PhongRings,
-                                          .diffuse = options_.diffuse,
-                                          .minRoughness = scene::minRoughness(model_),
-                                          .wait = [this] { return !window_ || !window_->poll().closing; }});
+    auto environment =
+        Environment::open({.options = options_.environment,
+                           .defaultVideo = dataRoot() / "content/video/reef.mp4",
+                           .analysis = {.pyramid = options_.look.glossy == render::Glossy::PhongRings,
+                                        .minRoughness = scene::minRoughness(model_),
+                                        .quality = light::LightQuality::Still,
+                                        .diffuse = options_.diffuse},
+                           .wait = [this] { return !window_ || !window_->poll().closing; }});
     if (!environment) return environment.error();
     environment_ = std::move(*environment);
     environment_->update(static_cast<double>(options_.at_s), true);
+    pose();
     if (options_.look.occlusion == Occlusion::Ellipsoids) bakeOcclusion();
     if (options_.look.occlusion != Occlusion::Off) {
         body_.albedo = scene::meanBaseColour(model_);
@@ -209,31 +206,30 @@ Status Viewer::open() {
             body_.albedo = glm::pow(body_.albedo, glm::vec3(1 / 2.2f));
     }
     gpu_ = render::uploadModel(model_, reflectanceIn(options_.environment));
-    pose(clip_);
-    auto background = render::makeBackgroundPass(options_.look.backend, false);
-    if (!background) return background.error();
-    background_ = std::move(*background);
-    auto objects = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion != Occlusion::Off,
-                                            options_.look.shown);
-    if (!objects) return objects.error();
-    objects_ = std::move(*objects);
+    uploadMorphed();
+    if (Status s = render::makeBackgroundPass(options_.look.backend, false).moveTo(background_); !s) return s;
+    if (Status s = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion != Occlusion::Off,
+                                            options_.look.shown)
+                       .moveTo(objects_);
+        !s)
+        return s;
     aim();
     return Done{};
 }
 
-Status Viewer::draw(const gl::Target& target, const Orbit& orbit) {
+Status Viewer::draw(const gl::Target& target) {
     target.bind();
     glClearColor(0, 0, 0, 0);
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const render::View view =
-        orbit.view(glm::radians(options_.fov_deg),
-                   static_cast<float>(target.width()) / static_cast<float>(target.height()));
+        orbit_.view(glm::radians(options_.fov_deg),
+                    static_cast<float>(target.width()) / static_cast<float>(target.height()));
     const render::Exposure exposure{environment_->toneCurve(options_.look.tone), options_.look.exposure_ev};
     const render::Glossy glossy = options_.look.glossy;
     objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
     objects_->begin();
-    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit.target, orbit.modelRadius}, &body_);
+    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit_.target, orbit_.modelRadius}, &body_);
     objects_->upload(environment_->envFromWorld());
     using Part = render::ObjectPass::Part;
     const glm::mat3 turn = environment_->envFromWorld();
@@ -288,7 +284,7 @@ Status Viewer::writePicture() {
     if (size.x > maximum || size.y > maximum)
         return Error{"--size", "is more than the graphics driver can draw"};
     const gl::Target target(size.x, size.y, options_.look.samples > 0 ? options_.look.samples : 4);
-    if (Status drawn = draw(target, orbit_); !drawn) return drawn;
+    if (Status drawn = draw(target); !drawn) return drawn;
     return media::writePng(options_.out, reduced(target.read()));
 }
 
@@ -334,7 +330,8 @@ Status Viewer::showWindow() {
             const float duration = model_.animations[static_cast<size_t>(clip_.animation)].duration_s;
             clip_.time_s =
                 duration > 0 ? static_cast<float>(std::fmod(glfwGetTime() - clipStart, duration)) : 0;
-            pose(clip_);
+            pose();
+            uploadMorphed();
         }
         if (Status shown = followPose(moving && clip_.animation >= 0); !shown) return shown;
         const bool relit = environment_->update(glfwGetTime() + static_cast<double>(options_.at_s), false);
@@ -347,7 +344,7 @@ Status Viewer::showWindow() {
             // Rays take a software renderer seconds a picture: it draws them once the camera rests.
             withLayers_ = !(turns && gl::rendersInSoftware());
             if (turns || turned || moving || relit || resized || !input.keysPressed.empty())
-                if (Status drawn = draw(target, orbit_); !drawn) return drawn;
+                if (Status drawn = draw(target); !drawn) return drawn;
             turned = turns;
             target.blitTo(0, 0, size.x, size.y);
         }
@@ -357,13 +354,10 @@ Status Viewer::showWindow() {
 
 } // namespace
 
-int view(const ViewOptions& options) {
+Status view(const ViewOptions& options) {
     Viewer viewer(options);
-    Status status = viewer.open();
-    if (status) status = options.out.empty() ? viewer.showWindow() : viewer.writePicture();
-    if (status) return 0;
-    log::error("{}", status.error().message());
-    return 1;
+    if (Status opened = viewer.open(); !opened) return opened;
+    return options.out.empty() ? viewer.showWindow() : viewer.writePicture();
 }
 
 } // namespace shoal::app

@@ -82,30 +82,33 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
 }
 
 void drawTimes(const HudInfo& info) {
-    const FrameTimes& times = *info.times;
+    const Statistics& statistics = *info.statistics;
+    const Environment& environment = *info.environment;
     ImGui::SetNextWindowPos(ImVec2(12, 110), ImGuiCond_Always);
     ImGui::SetNextWindowBgAlpha(0.7f);
     ImGui::Begin("Frame", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
     ImGui::SetWindowFontScale(0.4f);
-    std::array<float, 120> sorted = times.frame_ms;
+    const std::span<const float> recent = statistics.frame_ms.last(120);
+    std::vector<float> sorted(recent.begin(), recent.end());
     std::sort(sorted.begin(), sorted.end());
-    ImGui::Text("%.*s", static_cast<int>(info.renderer.size()), info.renderer.data());
-    ImGui::Text("frame %.1f ms median, %.1f worst of 120", static_cast<double>(sorted[60]),
-                static_cast<double>(sorted[119]));
-    ImGui::PlotLines("##frames", times.frame_ms.data(), static_cast<int>(times.frame_ms.size()), times.next,
-                     nullptr, 0, 50, ImVec2(260, 50));
-    ImGui::Text("light %.1f ms, decode %.1f ms (own thread)", static_cast<double>(times.light_ms),
-                static_cast<double>(times.decode_ms));
-    ImGui::Text("upload %.2f ms, simulation %.2f ms", static_cast<double>(times.upload_ms),
-                static_cast<double>(times.sim_ms));
+    ImGui::Text("%s", statistics.renderer.c_str());
+    if (!sorted.empty())
+        ImGui::Text("frame %.1f ms median, %.1f worst of 120", static_cast<double>(sorted[sorted.size() / 2]),
+                    static_cast<double>(sorted.back()));
+    ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0, 50,
+                     ImVec2(260, 50));
+    ImGui::Text("light %.1f ms, decode %.1f ms (own thread)", static_cast<double>(environment.light_ms()),
+                static_cast<double>(environment.decode_ms()));
+    ImGui::Text("upload %.2f ms, simulation %.2f ms", static_cast<double>(environment.upload_ms()),
+                static_cast<double>(statistics.sim_ms));
     for (const gl::PassTimers::Time& time : info.passes)
         ImGui::Text("%s %.2f ms on the graphics side", time.pass, static_cast<double>(time.gpu_ms));
-    ImGui::Text("draws %d, triangles %d", times.draws, times.triangles);
+    ImGui::Text("draws %d, triangles %d", statistics.draws, statistics.triangles);
     ImGui::Text("drawn at %.0f %% of the size, light every %d of the video's frames",
-                static_cast<double>(100 * times.quality.scale), times.quality.lightEvery);
-    ImGui::Text("light: %.*s", static_cast<int>(info.lightName.size()), info.lightName.data());
+                static_cast<double>(100 * info.quality.scale), info.quality.lightEvery);
+    ImGui::Text("light: %s", environment.lightName());
     ImGui::End();
 }
 
@@ -121,52 +124,39 @@ void drawText(const Pen& pen, const HudInfo& info) {
     }
     if (!info.notice.empty())
         pen.text(pen.size.x / 2, pen.line * 2.4f, 0.5f, 0.75f, kGold, std::string(info.notice).c_str());
-    if (info.showTimes && info.times) drawTimes(info);
+    if (info.showTimes) drawTimes(info);
 }
 
 } // namespace
 
-struct Hud::State {
-    ImGuiContext* context = nullptr;
-    ImFont* font = nullptr;
-    bool glReady = false;
-
-    ~State() {
-        if (!context) return;
-        ImGui::SetCurrentContext(context);
-        if (glReady) ImGui_ImplOpenGL3_Shutdown();
-        ImGui::DestroyContext(context);
-    }
-};
-
-Hud::Hud(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Hud::Hud(Hud&&) noexcept = default;
-Hud& Hud::operator=(Hud&&) noexcept = default;
-Hud::~Hud() = default;
+void Hud::DestroyContext::operator()(ImGuiContext* context) const {
+    ImGui::SetCurrentContext(context);
+    if (ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(context);
+}
 
 Result<Hud> Hud::make() {
-    auto state = std::make_unique<State>();
-    state->context = ImGui::CreateContext();
-    ImGui::SetCurrentContext(state->context);
+    Hud hud;
+    hud.context_.reset(ImGui::CreateContext());
+    ImGui::SetCurrentContext(hud.context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     static constexpr ImWchar kRanges[] = {0x20, 0xFF, 0x25B6, 0x25C0, 0};
     if (std::filesystem::exists(kFontFile))
-        state->font = io.Fonts->AddFontFromFileTTF(kFontFile, kFontPixels, nullptr, kRanges);
-    if (!state->font) {
+        hud.font_ = io.Fonts->AddFontFromFileTTF(kFontFile, kFontPixels, nullptr, kRanges);
+    if (!hud.font_) {
         ImFontConfig config;
         config.SizePixels = 26;
-        state->font = io.Fonts->AddFontDefault(&config);
+        hud.font_ = io.Fonts->AddFontDefault(&config);
     }
-    state->glReady = ImGui_ImplOpenGL3_Init("#version 330 core");
-    if (!state->glReady || !ImGui_ImplOpenGL3_CreateDeviceObjects())
+    if (!ImGui_ImplOpenGL3_Init("#version 330 core") || !ImGui_ImplOpenGL3_CreateDeviceObjects())
         return Error{"", "the on-screen display could not be set up"};
     io.Fonts->ClearTexData(); // on the graphics side from now on
-    return Hud(std::move(state));
+    return hud;
 }
 
 void Hud::draw(const HudInfo& info, glm::ivec2 size) {
-    ImGui::SetCurrentContext(state_->context);
+    ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
     io.DeltaTime = 1.0f / 60; // nothing here moves by itself
@@ -174,7 +164,7 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
     ImGui::NewFrame();
     // Lines of text that would fill the picture; a headset shows fewer pixels.
     const float lines = info.audience == Audience::HeadsetPlayer ? 22 : 30;
-    const Pen pen{ImGui::GetBackgroundDrawList(), state_->font, size,
+    const Pen pen{ImGui::GetBackgroundDrawList(), font_, size,
                   std::clamp(static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines, 9.0f, 60.0f),
                   info.audience};
     if (info.part != HudPart::Panel) drawHold(pen, info);

@@ -2,7 +2,6 @@
 
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Roughness.h"
-#include "input/hands/HandRig.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -27,27 +26,6 @@ float clipTime(const scene::Animation& clip, float phase_s) {
     return wrapped < 0 ? wrapped + clip.duration_s : wrapped;
 }
 
-int biteOf(const scene::Model& model) {
-    return model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
-}
-
-size_t maxParts(const scene::Model& model, occlusion::Parts parts) {
-    return parts == occlusion::Parts::ByJoint ? kHandParts : biteOf(model) < 0 ? kBodyParts : kHunterParts;
-}
-
-constexpr int kSelfOcclusionRays = 6, kGripRays = 12; // per point; more where self-occlusion is strong
-
-// Self-occlusion in the rest pose; of what bites with its mouth open, whose inside must not glow.
-void bakeRestPose(scene::Model& model) {
-    const int bite = biteOf(model);
-    scene::Pose pose;
-    scene::restPose(model, pose);
-    if (bite >= 0)
-        scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
-    scene::updateGlobals(model, pose);
-    render::bakeSelfOcclusion(model, pose, kSelfOcclusionRays);
-}
-
 void placeJoints(std::span<const hands::Joint> joints, std::span<const int> nodes, scene::Pose& pose) {
     for (size_t k = 0; k < joints.size(); ++k)
         pose.modelFromNode[static_cast<size_t>(nodes[k])] =
@@ -56,21 +34,22 @@ void placeJoints(std::span<const hands::Joint> joints, std::span<const int> node
 
 } // namespace
 
-Status CreatureModels::makeOcclusion(const ModelRequest& request, ModelInstance& instance) {
-    const auto parts = request.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape;
-    instance.body =
-        render::makeBodyOccluders(instance.model, instance.pose, parts, maxParts(instance.model, parts));
-    bakeRestPose(instance.model);
-    if (!request.side) return Done{};
-    // Half closed: a hand occludes itself most between there and a fist.
-    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    if (!rig) return rig.error();
-    hands::HandShape half;
-    half.curl.fill(0.45f);
-    scene::Pose bent = instance.pose;
-    placeJoints(rig->pose(*request.side, half, {}).joints, instance.jointNodes, bent);
-    render::bakeSelfOcclusionBesideOwn(instance.model, bent, instance.body, kGripRays);
-    return Done{};
+// Ellipsoids, and self-occlusion in the rest pose; of what bites with its mouth open, whose inside must not
+// glow.
+void CreatureModels::makeOcclusion(occlusion::Parts parts, ModelInstance& instance) {
+    constexpr int kRays = 6; // per point
+    scene::Model& model = instance.model;
+    const int bite = model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
+    const size_t maxParts = parts == occlusion::Parts::ByJoint ? kHandParts
+                            : bite < 0                         ? kBodyParts
+                                                               : kHunterParts;
+    instance.body = render::makeBodyOccluders(model, instance.pose, parts, maxParts);
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    if (bite >= 0)
+        scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
+    scene::updateGlobals(model, pose);
+    render::bakeSelfOcclusion(model, pose, kRays);
 }
 
 Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRequest& request,
@@ -92,8 +71,8 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     if (baked && render::applyBakedOcclusion(*baked, instance.model))
         instance.body =
             render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.side.has_value());
-    else if (const auto made = makeOcclusion(request, instance); !made)
-        return made.error();
+    else
+        makeOcclusion(request.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape, instance);
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
     const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
@@ -126,13 +105,13 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     for (scene::Mesh& mesh : instance.model.meshes) mesh.primitives.clear();
 }
 
-Result<CreatureModels> CreatureModels::load(std::span<const Path> speciesModels, const Path& leftHand,
-                                            const Path& rightHand, const std::string& handVariant,
+Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, const std::string& handVariant,
                                             render::Reflectance reflectance, render::Detail detail) {
+    const Path content = dataRoot() / "content";
     std::vector<ModelRequest> requests;
-    for (const Path& file : speciesModels) requests.push_back({file, {}, {}});
-    requests.push_back({leftHand, handVariant, hands::Side::Left});
-    requests.push_back({rightHand, handVariant, hands::Side::Right});
+    for (const game::Species& kind : species) requests.push_back({content / kind.model, {}, {}});
+    requests.push_back({content / "models/hand_left.glb", handVariant, hands::Side::Left});
+    requests.push_back({content / "models/hand_right.glb", handVariant, hands::Side::Right});
     // Each is read while the one before it is uploaded; not all at once, to save memory.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
@@ -144,10 +123,10 @@ Result<CreatureModels> CreatureModels::load(std::span<const Path> speciesModels,
         if (!instance) return instance.error();
         if (i + 1 < requests.size()) next = read(i + 1);
         models.upload(*instance, reflectance, detail);
-        if (i < speciesModels.size())
+        if (i < species.size())
             models.species_.push_back(std::move(*instance));
         else
-            models.hands_[i - speciesModels.size()] = std::move(*instance);
+            models.hands_[i - species.size()] = std::move(*instance);
     }
     models.lastImages_ = {};
     return models;

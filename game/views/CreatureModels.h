@@ -9,20 +9,19 @@
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Spine.h"
 #include "game/rules/Snapshot.h"
+#include "game/rules/Species.h"
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace shoal::app {
 
 class CreatureModels {
   public:
-    // One model file per species, in the species table's order; handVariant: a variant of both hands' models,
-    // such as "glove". Needs a current GL context.
-    static Result<CreatureModels> load(std::span<const Path> speciesModels, const Path& leftHand,
-                                       const Path& rightHand, const std::string& handVariant,
+    // The species' models in the table's order; handVariant: a variant of both hands' models, such as
+    // "glove". Needs a current GL context.
+    static Result<CreatureModels> load(const game::SpeciesTable& species, const std::string& handVariant,
                                        render::Reflectance reflectance, render::Detail detail);
 
     float minRoughness() const { return minRoughness_; } // of all surfaces
@@ -52,8 +51,7 @@ class CreatureModels {
     };
     // On any thread; lacks what upload() makes.
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
-    // Ellipsoids and self-occlusion, where no file beside the model has them.
-    static Status makeOcclusion(const ModelRequest&, ModelInstance& instance);
+    static void makeOcclusion(occlusion::Parts parts, ModelInstance& instance); // where no file has it
     void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
 
     float minRoughness_ = 1;

@@ -2,14 +2,17 @@
 // OpenGL textures. The thread of the OpenGL context; a video's frames are analysed on its decode thread.
 #pragma once
 
-#include "engine/camera/CameraResponse.h"
+#include "engine/camera/CameraResponseOverTime.h"
 #include "engine/core/Files.h"
 #include "engine/light/LightOverTime.h"
+#include "engine/media/VideoPlayer.h"
+#include "engine/media/live/LivePlayer.h"
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/View.h"
-#include "engine/water/Water.h"
+#include "engine/water/WaterOverTime.h"
 #include "game/settings/SharedOptions.h"
+#include "game/views/FrameAnalysis.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -20,28 +23,15 @@
 #include <string>
 #include <string_view>
 
-namespace shoal::media {
-class LivePlayer;
-}
-
 namespace shoal::app {
-
-// Whether the environment is under water.
-enum class Immersed { No, IfItLooksSo, Yes };
 
 struct EnvironmentSetup {
     EnvironmentOptions options;
-    Path defaultVideo;     // played where the options name nothing
-    bool bothEyes = false; // a stereo picture shows each eye its own half; else all see the left one
-    bool still = false;    // one picture for good: as much light quality as a second buys
-    bool pyramid = false;  // keep the radiance pyramid too, for the thesis' glossy lookup
-    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
-    float minRoughness = 0;           // of all that will be drawn: no light is made for smoother things
-    Immersed immersed = Immersed::No; // an HDR picture never is
-    bool cameraResponse = false;      // estimates it
-    std::optional<float> eyeHeight_m; // of the camera above the floor, where known
-    bool findLights = false;          // of a video, for shadows
-    std::function<bool()> wait;       // false: stop waiting for the first frame of a live video
+    Path defaultVideo;          // played where the options name nothing
+    bool bothEyes = false;      // a stereo picture shows each eye its own half; else all see the left one
+    bool waterIsCertain = true; // where the analysis looks for it; false: as far as the picture shows it
+    AnalysisOptions analysis;
+    std::function<bool()> wait; // false: stop waiting for the first frame of a live video
 };
 
 // How reflectance is represented for the light of these; known before anything is opened.
@@ -50,56 +40,92 @@ render::Reflectance reflectanceIn(const EnvironmentOptions& options);
 class Environment {
   public:
     // Needs a current GL context. The first picture is there on return.
-    static Result<Environment> open(const EnvironmentSetup& setup);
-    Environment(Environment&&) noexcept;
-    Environment& operator=(Environment&&) noexcept;
-    ~Environment();
+    static Result<std::unique_ptr<Environment>> open(const EnvironmentSetup& setup);
 
     // Shows what is due at this time of the video, seconds (it repeats for ever). exact: waits for just that
     // frame, so that equal times give equal pictures; else takes the newest complete one. Of what is live
     // always the newest, whatever the time. True if the picture changed.
     bool update(double time_s, bool exact);
 
-    // As of the last update(); none where the environment is dry.
-    water::Water water() const;
-
-    // Light that casts shadows, as of the last update(); env frame. None unless asked for.
-    const light::ShadowLight& shadowLight() const;
-
-    // As of the last update(); neutral unless asked for, and for an HDR picture.
-    camera::CameraResponse cameraResponse() const;
-
+    // As of the last update(). Water: none where the environment is dry.
+    water::Water water() const { return water_.water(); }
+    // Light that casts shadows, env frame; none unless asked for.
+    const light::ShadowLight& shadowLight() const { return casting_; }
+    // Neutral unless asked for, and for an HDR picture.
+    camera::CameraResponse cameraResponse() const { return cameraResponse_.response(); }
     // Of the video's frame, which counts on as the video repeats; -1: a still.
-    int64_t frameIndex() const;
-
-    // Of a video, before it begins anew; 0: a still, or live.
-    double length_s() const;
-
+    int64_t frameIndex() const { return shownFrame_; }
     // Of the video, 0 for stills and what is live: what the last update() asked to be seen, counted from the
     // first picture of its pass.
-    double videoPosition_s() const;
+    double videoPosition_s() const { return videoPosition_s_; }
+
+    const Path& file() const { return file_; } // of the video; empty: a still, or live
+    // Of a video, before it begins anew; 0: a still, or live.
+    double length_s() const { return player_ ? player_->info().duration_s : 0; }
 
     // Makes light for every frame of the video (1), every second ...; the frames between keep the last.
-    void setLightEvery(int frames);
+    void setLightEvery(int frames) { analysis_->setLightEvery(frames); }
 
-    const render::EnvironmentGpu& gpu(int eye) const; // 0 left, 1 right
-    bool eyesSeeTheSame() const;                      // no picture for each
+    // eye: 0 left, 1 right.
+    const render::EnvironmentGpu& gpu(int eye) const {
+        return gpu_[twoPictures_ ? static_cast<size_t>(eye) : 0];
+    }
+    bool eyesSeeTheSame() const { return !twoPictures_; } // no picture for each
     glm::mat3 envFromWorld() const;
-    render::ToneCurve naturalTone() const; // the curve that `--tone auto` means here
     render::ToneCurve toneCurve(Tone chosen) const;
 
     // Of the newest frame; 0 for stills after the first.
-    float light_ms() const;
-    float decode_ms() const;
-    float upload_ms() const;
-    std::string_view lightName() const;
-    std::string_view notice() const;       // one sentence when the video broke or has stopped; else empty
-    const media::LivePlayer* live() const; // null: a file
+    float light_ms() const { return light_ms_; }
+    float decode_ms() const { return decode_ms_; }
+    float upload_ms() const { return upload_ms_; }
+    const char* lightName() const;
+    // One sentence when the video broke or has stopped; else empty.
+    std::string_view notice() const { return notice_; }
+    const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
 
   private:
-    struct State;
-    explicit Environment(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit Environment(const EnvironmentSetup& setup)
+        : setup_(setup), yaw_(glm::radians(setup.options.envYaw_deg)) {}
+    Environment(const Environment&) = delete; // the decode thread knows where it is
+    Environment& operator=(const Environment&) = delete;
+
+    Status openVideo(const std::string& name); // a file, or something live
+    Status openLive(const media::LiveAddress& address);
+    Status openFile(const Path& file);
+    Status openPhoto(const Path& file);
+    Status openEnv(const Path& file);
+    void prepareFor(light::LightQuality quality, size_t slots);
+    void prepare(const ImageRgb8& bgr, media::Layout layout, int slot);
+    bool updateLive(double time_s);
+    void setLayout(media::Layout layout);
+    void follow(const FrameFindings& now, double time_s);
+    template <class Frame> bool show(const Frame& frame, size_t slot);
+    void uploadPicture(size_t slot);
+    void uploadLight(const FrameFindings& now);
+
+    EnvironmentSetup setup_;
+    float yaw_; // radians, to the right
+    bool hdr_ = false;
+    std::array<render::EnvironmentGpu, 2> gpu_; // per eye; the second only where each eye has its own picture
+    bool twoPictures_ = false;
+    media::Layout layout_ = media::Layout::Mono;
+
+    std::optional<FrameAnalysis> analysis_;
+    // Made on the decode thread, slot by slot, and handed over with the frame. Before the player, whose
+    // thread writes them until it is gone.
+    std::vector<FrameFindings> found_;
+    std::vector<ImageRgba8> pictures_; // the frames as they are uploaded
+    Path file_;
+    std::optional<media::VideoPlayer> player_;
+    std::optional<media::LivePlayer> live_; // or this
+    int64_t shownFrame_ = -1;
+    water::WaterOverTime water_;
+    light::LightOverTime lights_;
+    light::ShadowLight casting_;
+    camera::CameraResponseOverTime cameraResponse_;
+    double lastUpdate_s_ = 0, videoPosition_s_ = 0;
+    float light_ms_ = 0, decode_ms_ = 0, upload_ms_ = 0;
+    std::string notice_;
 };
 
 } // namespace shoal::app

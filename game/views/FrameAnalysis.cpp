@@ -16,8 +16,10 @@ constexpr int kCameraResponseEvery = 24; // frames: a camera hardly changes
 
 } // namespace
 
-FrameAnalysis::FrameAnalysis(const Options& options)
-    : mirrors_(options.mirrors),
+FrameAnalysis::FrameAnalysis(const AnalysisOptions& options)
+    : mirrors_(options.pyramid                                       ? light::MirrorMaps::Pyramid
+               : options.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
+                                                                     : light::MirrorMaps::None),
       maker_({options.quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
               options.minRoughness, options.quality}) {
     if (options.diffuse == light::DiffuseMethod::Thesis) thesisDiffuse_.emplace();

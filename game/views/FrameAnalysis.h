@@ -20,26 +20,27 @@ namespace shoal::app {
 struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
-    // Empty unless FrameAnalysis::Options asks for it:
+    // Empty unless AnalysisOptions asks for it:
     water::WaterEstimate water;
     light::FoundLights lights;
     camera::CameraResponseEstimate cameraResponse;
     camera::Glare glare;
 };
 
+struct AnalysisOptions {
+    bool pyramid = false;   // keep the radiance pyramid too, for the thesis' glossy lookup
+    float minRoughness = 0; // of all that will be drawn: no light is made for smoother things
+    light::LightQuality quality = light::LightQuality::Video; // stills have their own
+    light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    bool water = false;
+    std::optional<float> eyeHeight_m; // of the camera above the floor, where known
+    bool lights = false;              // directions of the light sources, for shadows
+    bool cameraResponse = false;
+};
+
 class FrameAnalysis {
   public:
-    struct Options {
-        light::MirrorMaps mirrors = light::MirrorMaps::None;
-        float minRoughness = 0; // of all that will be drawn: no light is made for smoother things
-        light::LightQuality quality = light::LightQuality::Video;
-        light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
-        bool water = false;
-        std::optional<float> eyeHeight_m; // of the camera above the floor, where known
-        bool lights = false;              // directions of the light sources
-        bool cameraResponse = false;
-    };
-    explicit FrameAnalysis(const Options& options);
+    explicit FrameAnalysis(const AnalysisOptions& options);
 
     // Frames in the order of the video. Allocates nothing once the findings have grown.
     void analyse(const light::FrameView& frame, FrameFindings& out);

@@ -2,6 +2,11 @@
 
 #include "engine/core/Log.h"
 
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace shoal::app {
@@ -11,18 +16,12 @@ Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup
     if (!objects) return objects.error();
     Passes passes{std::move(*objects), {}, {}, {}};
     if (setup.snow) {
-        auto snow = render::SnowPass::make();
-        if (!snow) return snow.error();
-        passes.snow = std::move(*snow);
+        if (Status s = render::SnowPass::make().moveTo(passes.snow); !s) return s.error();
     }
     if (setup.shadows) {
-        auto shadows = Shadows::make();
-        if (!shadows) return shadows.error();
-        passes.shadows = std::move(*shadows);
+        if (Status s = render::ShadowPass::make().moveTo(passes.shadows); !s) return s.error();
     }
-    auto compositor = render::makeCompositor(setup.compositor);
-    if (!compositor) return compositor.error();
-    passes.compositor = std::move(*compositor);
+    if (Status s = render::makeCompositor(setup.compositor).moveTo(passes.compositor); !s) return s.error();
     return passes;
 }
 
@@ -57,11 +56,25 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     passes_.objects.begin();
     if (!passes_.compositor->drawsObjects()) return;
     creatureModels_.show(snapshot, passes_.objects);
-    if (passes_.shadows)
-        passes_.shadows->set(
-            passes_.objects.bodies(),
-            floorLight(environment.shadowLight(), environment.envFromWorld(), snapshot.ground));
+    if (passes_.shadows) castShadows(snapshot.ground);
     passes_.objects.upload(environment.envFromWorld());
+}
+
+// The light's share is 0 where light or ground is missing: nothing is cast then.
+void SceneRenderer::castShadows(const game::Ground& ground) {
+    constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
+    const light::ShadowLight& light = environment_->shadowLight();
+    render::FloorLight& floor = floorLight_;
+    floor.towards = glm::transpose(environment_->envFromWorld()) * light.light.direction;
+    floor.tangent = std::tan(std::min(light.light.radius, kWidest));
+    floor.height_m = ground.height_m;
+    const glm::vec3 all = glm::max(light.groundIrradiance, 1e-6f);
+    floor.share = glm::clamp(light.light.irradiance * std::max(floor.towards.y, 0.0f) / all, 0.0f, 1.0f) *
+                  (light.presence * ground.presence * floor.raised());
+    passes_.shadows->begin();
+    if (floor.share == glm::vec3(0)) return;
+    const render::NearBodies& bodies = passes_.objects.bodies();
+    for (size_t body = 0; body < bodies.count(); ++body) passes_.shadows->add(bodies.ellipsoids(body), floor);
 }
 
 render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
@@ -117,8 +130,9 @@ Status SceneRenderer::drawShadows(const render::EyePicture& picture, const rende
     if (!passes_.shadows || setup_.skip == render::SkippedPass::Shadows) return Done{};
     const gl::PassTimers::Scope scope(timers_, "shadows");
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
-    const glm::vec3 filmedFrom = picture.sharesFrame ? glm::vec3(0) : picture.view.eyeWorld - headWorld_;
-    return passes_.shadows->draw(picture.view, filmedFrom, environment_->water(), cover);
+    render::View filmed = picture.view;
+    filmed.eyeWorld = picture.sharesFrame ? glm::vec3(0) : picture.view.eyeWorld - headWorld_;
+    return passes_.shadows->draw(filmed, floorLight_, environment_->water(), cover);
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
@@ -127,7 +141,7 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
 
 int SceneRenderer::drawCount() const {
     return passes_.objects.drawCount() + 1 + (passes_.snow ? 1 : 0) +
-           (passes_.shadows ? passes_.shadows->drawCount() : 0);
+           (passes_.shadows && passes_.shadows->patches() > 0 ? 1 : 0);
 }
 
 } // namespace shoal::app

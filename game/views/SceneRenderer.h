@@ -4,10 +4,10 @@
 
 #include "engine/render/Compositor.h"
 #include "engine/render/ObjectPass.h"
+#include "engine/render/ShadowPass.h"
 #include "engine/render/SnowPass.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
-#include "game/views/Shadows.h"
 
 #include <memory>
 #include <optional>
@@ -61,12 +61,13 @@ class SceneRenderer final : private render::CompositorScene {
     struct Passes { // what has shaders
         render::ObjectPass objects;
         std::optional<render::SnowPass> snow;
-        std::optional<Shadows> shadows;
+        std::optional<render::ShadowPass> shadows;
         std::unique_ptr<render::Compositor> compositor;
     };
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
+    void castShadows(const game::Ground& ground);
     render::EyePicture pictureOf(const Eye& eye) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::SnowPass::On on, const render::EyePicture& picture) override;
@@ -79,6 +80,7 @@ class SceneRenderer final : private render::CompositorScene {
     std::optional<Passes> beforeReload_;
     gl::PassTimers timers_;
     const Environment* environment_ = nullptr; // of the frame
+    render::FloorLight floorLight_;            // that casts shadows
     render::Exposure exposure_;
     render::Glossy glossy_ = render::Glossy::Prefiltered;
     std::vector<render::EyePicture> pictures_; // scratch

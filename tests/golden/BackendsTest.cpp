@@ -2,7 +2,6 @@
 #include "engine/platform/Headless.h"
 #include "engine/render/software/FrameSampler.h"
 #include "game/session/GameSession.h"
-#include "game/session/SessionConfig.h"
 #include "game/views/SceneRenderer.h"
 #include "tests/TestPaths.h"
 
@@ -32,19 +31,15 @@ class Backends : public testing::Test {
         auto config = makeSessionConfig({.headless = true});
         ASSERT_TRUE(config) << config.error().message();
         config_ = std::move(*config);
-        std::vector<Path> models;
-        for (const game::Species& species : config_->species)
-            models.push_back(dataRoot() / "content" / species.model);
-        const Path folder = dataRoot() / "content/models";
-        auto creatures = CreatureModels::load(models, folder / "hand_left.glb", folder / "hand_right.glb",
-                                              "light", reflectanceIn({}), render::Detail::Lean);
+        auto creatures =
+            CreatureModels::load(config_->species, "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(creatures) << creatures.error().message();
         auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / config_->dive.video,
-                                              .minRoughness = creatures->minRoughness(),
-                                              .immersed = Immersed::Yes,
-                                              .cameraResponse = true,
-                                              .eyeHeight_m = -config_->dive.floor_m,
-                                              .findLights = true});
+                                              .analysis = {.minRoughness = creatures->minRoughness(),
+                                                           .water = true,
+                                                           .eyeHeight_m = -config_->dive.floor_m,
+                                                           .lights = true,
+                                                           .cameraResponse = true}});
         ASSERT_TRUE(environment) << environment.error().message();
         environment_ = std::move(*environment);
         auto renderer = SceneRenderer::make(std::move(*creatures), {.detail = render::Detail::Lean});
@@ -77,7 +72,7 @@ class Backends : public testing::Test {
 
     std::optional<platform::Headless> context_;
     std::optional<SessionConfig> config_;
-    std::optional<Environment> environment_;
+    std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> renderer_;
 };
 

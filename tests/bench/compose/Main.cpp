@@ -159,14 +159,14 @@ Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, R
     constexpr size_t kDrawn = std::size(kWays) + 1; // the last: the backdrop alone
     for (int round = 0; round < rounds; ++round) {
         runOn(run, 1.0 / 48); // the film has a new frame every other time
-        environment->update(run.shown.time_s, true);
+        (*environment)->update(run.shown.time_s, true);
         for (size_t turn = 0; turn < kDrawn; ++turn) {
             const size_t way = (turn + static_cast<size_t>(round)) % kDrawn;
             const bool backdropOnly = way == std::size(kWays);
             app::SceneRenderer& sceneRenderer = stages.ways[way];
             const Clock::time_point began = Clock::now();
             const double processorBegan_ms = processor_ms();
-            sceneRenderer.set(run.shown, *environment, {});
+            sceneRenderer.set(run.shown, **environment, {});
             if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0, kPicture.y), target); !s) return s;
             glFinish();
             const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();

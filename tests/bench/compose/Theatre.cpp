@@ -22,27 +22,20 @@ void runOn(GameSession& session, double seconds) {
 }
 
 Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Composition composition) {
-    std::vector<Path> models;
-    for (const game::Species& species : plan.species)
-        models.push_back(dataRoot() / "content" / species.model);
-    const Path folder = dataRoot() / "content/models";
     const bool software = gl::rendersInSoftware();
     const auto detail = software ? render::Detail::Lean : render::Detail::Full;
-    auto cast = CreatureModels::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
-                                     render::Reflectance::Coded, detail);
+    auto cast = CreatureModels::load(plan.species, "light", render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
     return SceneRenderer::make(std::move(*cast),
                                {.detail = detail, .snow = false, .compositor = {.composition = composition}});
 }
 
-Result<Environment> openVideo(const Path& file, const SessionConfig& plan) {
+Result<std::unique_ptr<Environment>> openVideo(const Path& file, const SessionConfig& plan) {
     EnvironmentSetup setup;
     setup.options.video = file.string();
-    setup.options.layout = "mono";
-    setup.minRoughness = 0.25f;
-    setup.immersed = Immersed::Yes;
-    setup.eyeHeight_m = -plan.dive.floor_m;
-    setup.cameraResponse = true;
+    setup.options.layout = media::Layout::Mono;
+    setup.analysis = {
+        .minRoughness = 0.25f, .water = true, .eyeHeight_m = -plan.dive.floor_m, .cameraResponse = true};
     return Environment::open(setup);
 }
 

@@ -3,7 +3,6 @@
 
 #include "engine/gl/Target.h"
 #include "game/session/GameSession.h"
-#include "game/session/SessionConfig.h"
 #include "game/views/Environment.h"
 #include "game/views/SceneRenderer.h"
 
@@ -29,7 +28,7 @@ app::GameSession runTo(const app::SessionConfig& plan, double time_s);
 void runOn(app::GameSession& session, double seconds);
 
 Result<app::SceneRenderer> makeSceneRenderer(const app::SessionConfig& plan, render::Composition composition);
-Result<app::Environment> openVideo(const Path& file, const app::SessionConfig& plan);
+Result<std::unique_ptr<app::Environment>> openVideo(const Path& file, const app::SessionConfig& plan);
 
 // yaw: to the right.
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels);

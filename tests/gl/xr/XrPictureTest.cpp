@@ -2,7 +2,7 @@
 #include "engine/core/Log.h"
 #include "engine/platform/Window.h"
 #include "game/app/HeadsetDisplay.h"
-#include "game/session/SessionConfig.h"
+#include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"
 #include "tests/gl/xr/Fixture.h"
 
@@ -17,7 +17,7 @@ class XrPicture : public test::WithFakeRuntime {
   protected:
     std::optional<platform::Window> window_;
     std::optional<SessionConfig> plan_;
-    std::optional<Environment> environment_;
+    std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> sceneRenderer_;
     std::optional<app::GameSession> run_;
 
@@ -30,16 +30,11 @@ class XrPicture : public test::WithFakeRuntime {
         auto plan = makeSessionConfig({.xr = true});
         ASSERT_TRUE(plan) << plan.error().message();
         plan_ = std::move(*plan);
-        std::vector<Path> models;
-        for (const game::Species& species : plan_->species)
-            models.push_back(dataRoot() / "content" / species.model);
-        const Path folder = dataRoot() / "content" / "models";
-        auto cast = CreatureModels::load(models, folder / "hand_left.glb", folder / "hand_right.glb", "light",
-                                         reflectanceIn({}), render::Detail::Lean);
+        auto cast = CreatureModels::load(plan_->species, "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(cast) << cast.error().message();
         auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
                                               .bothEyes = true,
-                                              .minRoughness = cast->minRoughness()});
+                                              .analysis = {.minRoughness = cast->minRoughness()}});
         ASSERT_TRUE(environment) << environment.error().message();
         environment_ = std::move(*environment);
         auto sceneRenderer = SceneRenderer::make(std::move(*cast), {.detail = render::Detail::Lean});
@@ -75,7 +70,7 @@ class XrPicture : public test::WithFakeRuntime {
             headset.feed(*run_);
             run_->advance(*headset.elapsed_s(), false);
             sceneRenderer_->set(run_->shown, *environment_,
-                                {environment_->naturalTone(), plan_->dive.exposure_ev});
+                                {environment_->toneCurve(Tone::Auto), plan_->dive.exposure_ev});
             const Result<bool> drawn = headset.draw(painter, run_->shown, scale);
             ASSERT_TRUE(drawn) << drawn.error().message();
             drew = *drawn;

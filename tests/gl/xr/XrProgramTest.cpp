@@ -1,7 +1,7 @@
 // `shoal --xr` from its start to its exit status, in a headset that does what the test says.
 #include "engine/core/Log.h"
 #include "engine/xr/Headset.h"
-#include "game/app/Play.h"
+#include "game/tools/Commands.h"
 #include "tests/playthrough/Play.h"
 #include "game/rules/TickInput.h"
 #include "input/hands/MouseHands.h"
@@ -59,7 +59,9 @@ class XrProgram : public test::WithFakeRuntime {
         };
         testing::internal::CaptureStderr();
         Outcome outcome;
-        outcome.status = play(o);
+        const Status played = play(o);
+        if (!played) std::fprintf(stderr, "%s\n", played.error().message().c_str());
+        outcome.status = played ? 0 : 1;
         outcome.said = testing::internal::GetCapturedStderr();
         // The validation layer greets.
         while (outcome.said.starts_with("Core Validation output"))

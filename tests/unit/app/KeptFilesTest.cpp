@@ -23,7 +23,7 @@ class KeptFiles : public testing::Test {
 
     static PlayOptions load() {
         PlayOptions options;
-        loadSettings(options.settings());
+        loadSettings(settingsOf(options));
         return options;
     }
 };
@@ -42,7 +42,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
                     .snow = false};
     set.hands.leapHost = "tracker";
     set.hands.leapPort = 7000;
-    ASSERT_TRUE(saveSettings(set.settings()));
+    ASSERT_TRUE(saveSettings(settingsOf(set)));
     const PlayOptions settings = load();
     EXPECT_EQ(settings.volume, 0.25f);
     EXPECT_EQ(settings.hapticStrength, 0.5f);
@@ -63,7 +63,7 @@ TEST_F(KeptFiles, SettingsOfOneRunAreNotKept) {
     PlayOptions set{.seed = 7, .record = "a.replay", .headless = true, .timedemo = true};
     set.environment.video = "mine.mp4";
     set.look.size = {64, 36};
-    ASSERT_TRUE(saveSettings(set.settings()));
+    ASSERT_TRUE(saveSettings(settingsOf(set)));
     const PlayOptions settings = load();
     EXPECT_EQ(settings.seed, PlayOptions().seed);
     EXPECT_EQ(settings.record, "");

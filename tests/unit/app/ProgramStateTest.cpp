@@ -1,6 +1,6 @@
 // What keys, clicks and the dive itself do in each state of the program.
 #include "game/app/FrameClock.h"
-#include "game/app/states/DivingState.h"
+#include "game/app/states/DiveStates.h"
 #include "game/session/Scores.h"
 #include "tests/TestPaths.h"
 
