@@ -1,9 +1,11 @@
 // The time that a frame of a dive is worth, and when it is drawn.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <thread>
 
 namespace shoal::app {
 
@@ -16,27 +18,48 @@ class FrameClock {
     };
     FrameClock(Mode mode, double fps) : mode_(mode), fps_(fps) {}
 
-    void beginFrame();
+    void beginFrame() {
+        const Clock::time_point now = Clock::now();
+        if (++frame_ == 0) start_ = frameStart_ = now;
+        wall_s_ = Seconds(now - frameStart_).count();
+        frameStart_ = now;
+    }
     uint64_t frame() const { return frame_; } // 0 is the first
-    double sinceBegin_ms() const;             // of this frame
+    double sinceBegin_ms() const {
+        return 1e3 * Seconds(Clock::now() - frameStart_).count();
+    } // of this frame
 
     // Of the dive since the frame before. display: what a display says that passed between two pictures.
-    double elapsed_s(std::optional<double> display) const;
-    double video_s(double dive_s) const;
+    double elapsed_s(std::optional<double> display) const {
+        constexpr double kMaximum_s = 0.5; // more is not made up for
+        if (display) return std::min(*display, kMaximum_s);
+        if (mode_ == Mode::RealTime) return std::min(wall_s_, kMaximum_s);
+        return frame_ == 0 ? 0 : 1 / fps_;
+    }
+    double video_s(double dive_s) const {
+        return mode_ == Mode::TimeDemo ? Seconds(Clock::now() - start_).count() : dive_s;
+    }
     bool exactVideo() const { return mode_ == Mode::FixedStep; }
 
     // At a frame's end, where a live video is shown, which has the clock's time: lets fixed steps go no
     // faster.
-    void waitForLiveVideo() const;
+    void waitForLiveVideo() const {
+        if (mode_ != Mode::FixedStep) return;
+        const Seconds due(static_cast<double>(frame_ + 1) / fps_);
+        std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
+    }
     // Until this frame has lasted so long.
-    void waste(double load_ms) const;
+    void waste(double load_ms) const {
+        while (sinceBegin_ms() < load_ms) {
+        }
+    }
 
   private:
     using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
     Mode mode_;
     double fps_;
-    uint64_t frame_ = 0;
-    bool begun_ = false;
+    uint64_t frame_ = ~uint64_t{0}; // before the first
     Clock::time_point start_, frameStart_;
     double wall_s_ = 0; // from the frame before to this one
 };

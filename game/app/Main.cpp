@@ -2,7 +2,7 @@
 // includes CLI11, which takes 15 seconds to compile. Exit status: 0 success, 1 the command failed or an
 // expectation was not met, 2 the command line was wrong.
 #include "engine/core/Log.h"
-#include "game/settings/SettingsFile.h"
+#include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 
 #include <CLI/CLI.hpp>

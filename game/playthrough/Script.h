@@ -89,7 +89,6 @@ class ScriptRun {
         float closed = 0;
         float closedGoal = 0;
         int target = -1; // creature followed
-        bool placed = false;
     };
     struct Seen {
         EventKind kind;

@@ -241,12 +241,10 @@ void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
 
 void ScriptRun::next(const Snapshot& now, TickInput& out) {
     out = TickInput{};
-    for (int h = 0; h < 2; ++h)
-        if (!hands_[h].placed) {
-            hands_[h].graspWorld = now.worldFromView * restingView(h);
-            hands_[h].placed = true;
-        }
-    if (tick_ == 0) advance(0);
+    if (tick_ == 0) {
+        for (int h = 0; h < 2; ++h) hands_[h].graspWorld = now.worldFromView * restingView(h);
+        advance(0);
+    }
 
     if (!finished_) performStep(now, out);
 

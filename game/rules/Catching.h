@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/physics/ContactWorld.h"
+#include "game/rules/Creatures.h"
 #include "game/rules/Events.h"
-#include "game/rules/Fish.h"
 #include "game/rules/Hand.h"
 
 #include <span>

@@ -2,18 +2,41 @@
 // seed and its inputs alone; no clock, no global state. One thread.
 #pragma once
 
+#include "engine/core/Random.h"
 #include "engine/sim/Recording.h"
+#include "game/rules/Catching.h"
 #include "game/rules/DiveFile.h"
-#include "game/rules/DiveState.h"
 #include "game/rules/Events.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
 #include "game/rules/Snapshot.h"
 #include "game/rules/TickInput.h"
 
+#include <tuple>
 #include <vector>
 
 namespace shoal::game {
+
+// All that the future depends on besides files and inputs. Plain data.
+struct DiveState {
+    uint64_t seed = 0;
+    Random random{};
+    uint32_t tick = 0; // since the dive began
+    uint64_t totalTicks = 0;
+    Phase phase = Phase::Diving;
+    bool begun = false, paused = false, restartHeld = false;
+    Score score;
+    Viewpoint view;
+    Hands hands;
+    std::vector<Fish> fish;
+    Shark shark;                            // its creature id is fish.size()
+    std::vector<physics::Contact> contacts; // of this tick; what lasts is next tick's past
+
+    auto fields() const {
+        return std::tie(seed, random, tick, totalTicks, phase, begun, paused, restartHeld, score, view, hands,
+                        fish, shark, contacts);
+    }
+};
 
 class Dive {
   public:

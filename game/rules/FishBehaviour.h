@@ -6,11 +6,10 @@
 #pragma once
 
 #include "engine/core/Random.h"
+#include "game/rules/Creatures.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Events.h"
-#include "game/rules/Fish.h"
 #include "game/rules/Hand.h"
-#include "game/rules/Shark.h"
 
 #include <span>
 

@@ -34,18 +34,6 @@ struct Desire {
     bool afraid = false;
 };
 
-// Its place against the vertical axis through the player.
-struct Place {
-    float radius;
-    glm::vec3 outward; // unit, level
-};
-
-Place placeOf(glm::vec3 position) {
-    const glm::vec3 flat(position.x, 0, position.z);
-    const float radius = glm::length(flat);
-    return {radius, radius > 1e-4f ? flat / radius : glm::vec3(0, 0, -1)};
-}
-
 Desire flee(const Fish& f, const Species& kind, const Place& place, const School& school) {
     Desire desire;
     desire.way = f.flee * kind.dart_mps + place.outward * (place.radius < 0.6f ? 0.8f : 0.0f);

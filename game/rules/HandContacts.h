@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/physics/ContactWorld.h"
+#include "game/rules/Creatures.h"
 #include "game/rules/FishBehaviour.h"
-#include "game/rules/Shark.h"
 
 #include <algorithm>
 #include <span>

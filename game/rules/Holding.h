@@ -5,7 +5,7 @@
 #include "engine/core/Random.h"
 #include "engine/physics/Capsule.h"
 #include "engine/physics/ContactWorld.h"
-#include "game/rules/Fish.h"
+#include "game/rules/Creatures.h"
 #include "game/rules/Hand.h"
 
 #include <span>

@@ -95,8 +95,8 @@ void decideStriking(Shark& shark, const SharkView& view) {
 }
 
 void decideLeaving(Shark& shark, const SharkView& view) {
-    const float away = glm::length(glm::vec3(shark.position.x, 0, shark.position.z));
-    if (away > view.dive.shark.radius_m - 0.6f || shark.state_s > 15) shark.set(State::Circle);
+    if (placeOf(shark.position).radius > view.dive.shark.radius_m - 0.6f || shark.state_s > 15)
+        shark.set(State::Circle);
 }
 
 void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& events) {
@@ -167,8 +167,7 @@ void bite(Shark& shark, const SpeciesTable& species, Hands& hands, std::span<Fis
     if (shark.mouth >= 0) {
         Fish& f = fish[shark.mouth];
         carryInMouth(shark, mouth, f);
-        const float away = glm::length(glm::vec3(f.position.x, 0, f.position.z));
-        if (away > kCarryTo_m || shark.state == State::Circle) breakFree(shark, f);
+        if (placeOf(f.position).radius > kCarryTo_m || shark.state == State::Circle) breakFree(shark, f);
     }
     if (shark.gait.motion != Motion::Bite || shark.state_s > 0.6f)
         shark.gait.set(shark.state == State::Strike ? Motion::Lunge : Motion::Cruise);

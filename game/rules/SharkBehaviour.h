@@ -4,11 +4,10 @@
 #include "engine/core/Random.h"
 #include "engine/physics/ContactWorld.h"
 #include "game/rules/Catching.h"
+#include "game/rules/Creatures.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Events.h"
-#include "game/rules/Fish.h"
 #include "game/rules/Hand.h"
-#include "game/rules/Shark.h"
 
 #include <span>
 

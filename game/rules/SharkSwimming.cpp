@@ -109,9 +109,7 @@ void bendAndBeat(Shark& shark, const Species& kind, glm::vec3 desiredSpin) {
 
 void swimShark(Shark& shark, const SharkView& view) {
     const Species& kind = view.species[shark.species];
-    const glm::vec3 flat(shark.position.x, 0, shark.position.z);
-    const float radius = glm::length(flat);
-    const glm::vec3 outward = radius > 1e-4f ? flat / radius : glm::vec3(0, 0, -1);
+    const auto [radius, outward] = placeOf(shark.position);
     Course course = courseOf(shark, kind, view, radius, outward);
     avoidHead(shark, kind, course);
 

@@ -17,6 +17,17 @@ inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
     return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
 }
 
+// Place against the vertical axis through the player.
+struct Place {
+    float radius;
+    glm::vec3 outward; // unit, level
+};
+inline Place placeOf(glm::vec3 position) {
+    const glm::vec3 flat(position.x, 0, position.z);
+    const float radius = glm::length(flat);
+    return {radius, radius > 1e-4f ? flat / radius : glm::vec3(0, 0, -1)};
+}
+
 inline glm::vec3 limited(glm::vec3 v, float length) {
     const float squared = glm::dot(v, v);
     return squared > length * length ? v * (length / std::sqrt(squared)) : v;

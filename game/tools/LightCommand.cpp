@@ -22,11 +22,6 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-bool isHdr(const Path& file) {
-    const std::string ending = file.extension().string();
-    return ending == ".hdr" || ending == ".exr" || ending == ".pfm" || ending == ".HDR" || ending == ".EXR";
-}
-
 // The coded values, 0 to 1, taken as radiance.
 ImageRgbF asIs(const ImageRgb8& picture, bool bgr) {
     ImageRgbF out(picture.width, picture.height);
@@ -50,7 +45,7 @@ Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still});
     light::EnvironmentLight made;
-    if (isHdr(options.file)) {
+    if (media::writtenAs(options.file) == media::WrittenAs::Hdr) {
         auto picture = media::readHdr(options.file);
         if (!picture) return picture.error();
         const size_t mended = static_cast<size_t>(picture->repaired) +

@@ -50,8 +50,11 @@ bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
 }
 
+} // namespace
+
 template <class Picture>
-Result<PhotoEnvironment<Picture>> make(const Path& file, Picture photo, std::optional<double> fov_deg) {
+Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
+                                                  std::optional<double> fov_deg) {
     const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
     if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
         const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
@@ -82,15 +85,7 @@ Result<PhotoEnvironment<Picture>> make(const Path& file, Picture photo, std::opt
     return PhotoEnvironment<Picture>{std::move(grown->latLong), what.data()};
 }
 
-} // namespace
-
-Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path& file, ImageRgb8 photo,
-                                                    std::optional<double> fov_deg) {
-    return make(file, std::move(photo), fov_deg);
-}
-Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path& file, ImageRgbF radianceLin,
-                                                    std::optional<double> fov_deg) {
-    return make(file, std::move(radianceLin), fov_deg);
-}
+template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>);
+template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>);
 
 } // namespace shoal::app

@@ -19,9 +19,8 @@ template <class Picture> struct PhotoEnvironment {
 // stereo, by its shape and content stays as it is; another is grown, which takes seconds and shows its
 // progress on a terminal. fov_deg, where given, means that it is an ordinary photo, whatever it looks like.
 // file: where it was read from.
-Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path& file, ImageRgb8 photo,
-                                                    std::optional<double> fov_deg);
-Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path& file, ImageRgbF radianceLin,
-                                                    std::optional<double> fov_deg);
+template <class Picture> // ImageRgb8, or ImageRgbF of linear light
+Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
+                                                  std::optional<double> fov_deg);
 
 } // namespace shoal::app

@@ -1,7 +1,7 @@
 #include "game/app/states/DiveStates.h"
 
 #include "engine/core/Log.h"
-#include "game/session/Scores.h"
+#include "game/settings/KeptFiles.h"
 
 #include <GLFW/glfw3.h>
 

@@ -1,9 +1,8 @@
 // Settings and scores survive between games, and a damaged file is neither believed nor overwritten.
 #include "engine/core/Files.h"
-#include "game/session/Scores.h"
+#include "game/settings/KeptFiles.h"
 #include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
-#include "game/settings/SettingsFile.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What keys, clicks and the dive itself do in each state of the program.
 #include "game/app/FrameClock.h"
 #include "game/app/states/DiveStates.h"
-#include "game/session/Scores.h"
+#include "game/settings/KeptFiles.h"
 #include "tests/TestPaths.h"
 
 #include <GLFW/glfw3.h>

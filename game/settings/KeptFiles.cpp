@@ -1,4 +1,4 @@
-#include "game/settings/SettingsFile.h"
+#include "game/settings/KeptFiles.h"
 
 #include "engine/core/Files.h"
 #include "engine/core/Log.h"
@@ -14,6 +14,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
+Path scoreFile() { return scoreFolder() / "scores.json"; } // an object of dive name to score
+
+// The object in a file; empty where there is no file.
+Result<Json> readObject(const Path& file) {
+    std::error_code code;
+    if (!std::filesystem::exists(file, code)) return Json::object();
+    const auto text = readText(file, 1u << 20);
+    auto json = text ? Json::parse(*text, nullptr, false) : Json();
+    if (!json.is_object()) return Error{file.string(), "cannot be used; move it away to start anew"};
+    return json;
+}
 
 // Sets one setting from its entry in the file, where that fits.
 struct ReadEntry {
@@ -55,15 +66,11 @@ struct MakeEntry {
 } // namespace
 
 void loadSettings(const SettingsTable& table) {
-    std::error_code code;
-    if (!std::filesystem::exists(settingsFile(), code)) return;
-    const auto text = readText(settingsFile(), 1u << 20);
-    const auto json = text ? Json::parse(*text, nullptr, false) : Json();
-    if (!json.is_object())
-        return log::warn("{}: cannot be used; move it away to start anew", settingsFile().string());
+    const auto json = readObject(settingsFile());
+    if (!json) return log::warn("{}", json.error().message());
     for (const Setting& row : table.rows) {
-        const auto entry = json.find(row.key());
-        if (row.kept && entry != json.end()) std::visit(ReadEntry{*entry, row}, row.value);
+        const auto entry = json->find(row.key());
+        if (row.kept && entry != json->end()) std::visit(ReadEntry{*entry, row}, row.value);
     }
 }
 
@@ -72,6 +79,23 @@ Status saveSettings(const SettingsTable& table) {
     for (const Setting& row : table.rows)
         if (row.kept) json[row.key()] = std::visit(MakeEntry(), row.value);
     return writeFileWhole(settingsFile(), json.dump(2) + "\n");
+}
+
+int bestScore(const std::string& dive) {
+    const auto scores = readObject(scoreFile());
+    if (!scores) {
+        log::warn("{}", scores.error().message());
+        return 0;
+    }
+    const auto entry = scores->find(dive);
+    return entry != scores->end() && entry->is_number_integer() ? entry->get<int>() : 0;
+}
+
+Status saveBestScore(const std::string& dive, int score) {
+    auto scores = readObject(scoreFile());
+    if (!scores) return scores.error();
+    (*scores)[dive] = score;
+    return writeFileWhole(scoreFile(), scores->dump(2) + "\n");
 }
 
 } // namespace shoal::app
