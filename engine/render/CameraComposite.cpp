@@ -21,8 +21,8 @@ constexpr float kMaxLift = 16.0f / 255, kMaxCut = 20.0f / 255, kMissing = 6.0f /
 
 } // namespace
 
-float layerTexels(const camera::CameraResponse& look, int samples) {
-    const float blur2 = 1 / 12.0f + look.blur_texels * look.blur_texels;
+float layerTexels(const camera::CameraResponse& response, int samples) {
+    const float blur2 = 1 / 12.0f + response.blur_texels * response.blur_texels;
     return samples > 1 ? std::max(std::sqrt(4 * blur2), kFinest) : std::max(std::sqrt(6 * blur2), 1.0f);
 }
 
@@ -56,25 +56,31 @@ gl::Texture makeGrainTexture() {
     return texture;
 }
 
-unsigned cameraFeatures(const camera::CameraResponse& look) {
+unsigned cameraFeatures(const camera::CameraResponse& response) {
     unsigned features = kFilmed;
     const auto seen = [](const auto& noise) { return *std::ranges::max_element(noise) > kUnseenNoise; };
-    if (seen(look.fineNoise) || seen(look.coarseNoise)) features |= kGrainy;
-    if (look.chromaTexels != glm::ivec2(1)) features |= kSharesColour;
+    if (seen(response.fineNoise) || seen(response.coarseNoise)) features |= kGrainy;
+    if (response.chromaTexels != glm::ivec2(1)) features |= kSharesColour;
     return features;
 }
 
 CameraUniforms cameraUniforms(const FilmedFrame& filmed) {
-    const camera::CameraResponse& look = filmed.look;
-    const bool shortRange = glm::all(glm::greaterThan(look.black, glm::vec3(kMissing))) &&
-                            glm::all(glm::lessThan(look.white, glm::vec3(1 - kMissing)));
-    const glm::vec3 black = shortRange ? glm::min(look.black, kMaxLift) : glm::vec3(0);
-    const glm::vec3 white = shortRange ? glm::max(look.white, 1 - kMaxCut) : glm::vec3(1);
+    const camera::CameraResponse& response = filmed.response;
+    const bool shortRange = glm::all(glm::greaterThan(response.black, glm::vec3(kMissing))) &&
+                            glm::all(glm::lessThan(response.white, glm::vec3(1 - kMissing)));
+    const glm::vec3 black = shortRange ? glm::min(response.black, kMaxLift) : glm::vec3(0);
+    const glm::vec3 white = shortRange ? glm::max(response.white, 1 - kMaxCut) : glm::vec3(1);
     Random random(static_cast<uint64_t>(filmed.index), 13);
     const auto step = [&] { return static_cast<int>(random.below(kGrainSize)); };
     const int x = step();
-    return {black,          white - black,    look.glare,  glm::vec2(look.chromaTexels - 1),
-            look.fineNoise, look.coarseNoise, {x, step()}, 0.5f / kGrainDeviation};
+    return {black,
+            white - black,
+            response.glare,
+            glm::vec2(response.chromaTexels - 1),
+            response.fineNoise,
+            response.coarseNoise,
+            {x, step()},
+            0.5f / kGrainDeviation};
 }
 
 void setCameraUniforms(const gl::Program& program, const FilmedFrame& filmed) {

@@ -23,7 +23,7 @@ namespace shoal::render {
 // it has several samples a pixel each is a mean over its square, k^2 / 12; the video's own texels are such
 // means, 1 / 12, and its camera's blur^2 comes on top. With one sample a pixel, as software renderers draw,
 // never finer than the video: twice the pixels took only a fifth off the distance to what is filmed.
-float layerTexels(const camera::CameraResponse& look, int samples);
+float layerTexels(const camera::CameraResponse& response, int samples);
 
 // The noise that films have: 256 x 256 texels that repeat, two bytes each, of single texels and of squares of
 // 2 x 2; 0.5 is none, a standard deviation is kGrainDeviation.
@@ -34,7 +34,7 @@ gl::Texture makeGrainTexture();
 
 // How the frame's camera would have seen what is painted into it.
 struct FilmedFrame {
-    camera::CameraResponse look;
+    camera::CameraResponse response;
     int64_t index = 0; // of the frame, whose grain is its own
 };
 
@@ -51,7 +51,7 @@ CameraUniforms cameraUniforms(const FilmedFrame& filmed);
 
 // What of a film shows, as bits for shaders/render/EquirectComposite.
 enum CameraFeature : unsigned { kFilmed = 1u << 0, kGrainy = 1u << 1, kSharesColour = 1u << 2 };
-unsigned cameraFeatures(const camera::CameraResponse& look);
+unsigned cameraFeatures(const camera::CameraResponse& response);
 
 // The program must be in use.
 void setCameraUniforms(const gl::Program& program, const FilmedFrame& filmed);

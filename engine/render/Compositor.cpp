@@ -138,7 +138,7 @@ class TexelCompositor final : public Compositor {
         drawn.view = widened(picture.view, kLayerWidth);
         drawn.exposure = {}; // objects in the frame are exposed with it
         auto rows = static_cast<float>(picture.environment.frameHeight());
-        if (filmed_) rows /= layerTexels(picture.filmed.look, samples_);
+        if (filmed_) rows /= layerTexels(picture.filmed.response, samples_);
         const glm::ivec2 size = sizeAsFine(drawn.view, picture.size(), static_cast<int>(rows));
         return drawObjectsInto(layers_[indexOf(picture)], drawn, size, samples_, scene);
     }

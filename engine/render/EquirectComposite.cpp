@@ -51,7 +51,7 @@ Status EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTi
     });
     if (corners_.empty()) return Done{};
 
-    auto found = programs_.get(filmed ? cameraFeatures(filmed->look) : 0);
+    auto found = programs_.get(filmed ? cameraFeatures(filmed->response) : 0);
     if (!found) return found.error();
     const gl::Program& program = **found;
     const GLuint frame = environment.frameTexture(); // before other textures are bound: it may upload

@@ -1,4 +1,4 @@
-// Dims the backdrop where bodies shade the ground that it shows. Pairs with shaders/render/Shadow.
+// Dims the background where bodies shade the ground that it shows. Pairs with shaders/render/Shadow.
 //
 // Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the picture is
 // multiplied by what the ground would send back shaded over what it sends back unshaded, never more than 1,
@@ -38,9 +38,9 @@ class ShadowPass {
         glm::ivec2 size{0};
     };
 
-    // After the backdrop, before objects; depth is neither asked nor changed. view: from where the ground was
-    // filmed, turned as the eye is. Nothing is drawn where nothing casts. cover: null where nothing covers.
-    // The program for a cover is compiled when first asked for.
+    // After the background, before objects; depth is neither asked nor changed. view: from where the ground
+    // was filmed, turned as the eye is. Nothing is drawn where nothing casts. cover: null where nothing
+    // covers. The program for a cover is compiled when first asked for.
     Status draw(const View& view, const FloorLight& light, const water::Water& water,
                 const Cover* cover = nullptr);
 

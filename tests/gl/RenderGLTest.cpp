@@ -1,5 +1,5 @@
-// What is drawn belongs to the picture: backdrop where the map says, matte and mirror spheres in the video's
-// own colours.
+// What is drawn belongs to the picture: background where the map says, matte and mirror spheres in the
+// video's own colours.
 #include "Spheres.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"

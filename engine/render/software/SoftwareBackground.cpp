@@ -52,7 +52,7 @@ void SoftwareBackground::finish(const EyePicture& picture, const TexelLayer& lay
         if (grain_.empty()) grain_ = makeGrain();
         uniforms = cameraUniforms(picture.filmed);
         paint.filmed = &uniforms;
-        paint.grainy = (cameraFeatures(picture.filmed.look) & kGrainy) != 0;
+        paint.grainy = (cameraFeatures(picture.filmed.response) & kGrainy) != 0;
         paint.grain = grain_.data();
         paint.scattered = &picture.environment.scatteredLight();
     }

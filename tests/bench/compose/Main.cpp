@@ -156,7 +156,7 @@ Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, R
     const gl::Target target(kPicture.x, kPicture.y, 1);
     app::GameSession run = runTo(plan, 10);
     using Clock = std::chrono::steady_clock;
-    constexpr size_t kDrawn = std::size(kWays) + 1; // the last: the backdrop alone
+    constexpr size_t kDrawn = std::size(kWays) + 1; // the last: the background alone
     for (int round = 0; round < rounds; ++round) {
         runOn(run, 1.0 / 48); // the film has a new frame every other time
         (*environment)->update(run.shown.time_s, true);
@@ -171,7 +171,7 @@ Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, R
             glFinish();
             const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
             if (round >= 5)
-                report.addTime(backdropOnly ? kBackdropAlone : kWays[way].name,
+                report.addTime(backdropOnly ? kBackgroundAlone : kWays[way].name,
                                {wall_ms, processor_ms() - processorBegan_ms});
         }
     }

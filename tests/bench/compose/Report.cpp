@@ -105,9 +105,9 @@ Status Report::write(const Path& folder) const {
         const bool halves = row.beyond <= plain.beyond / 2 && d.spectrum_db <= plain.distance.spectrum_db / 2;
         if (way && halves && (!best || row.overPlain.wall_ms < best->overPlain.wall_ms)) best = &row;
     }
-    if (const auto alone = costs_.find(kBackdropAlone); alone != costs_.end()) {
+    if (const auto alone = costs_.find(kBackgroundAlone); alone != costs_.end()) {
         const Cost cost = medians(alone->second, {});
-        std::snprintf(line, sizeof line, "\nThe backdrop alone: %.2f ms, of the processor %.2f ms.\n",
+        std::snprintf(line, sizeof line, "\nThe background alone: %.2f ms, of the processor %.2f ms.\n",
                       cost.wall_ms, cost.processor_ms);
         md += line;
     }

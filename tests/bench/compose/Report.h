@@ -15,7 +15,7 @@ namespace shoal::bench {
 // expected to come nearer) stand beside those of the ways.
 inline constexpr const char* kFilmed = "filmed";
 inline constexpr const char* kFilmedAgain = "filmed again";
-inline constexpr const char* kBackdropAlone = "backdrop alone"; // times only
+inline constexpr const char* kBackgroundAlone = "background alone"; // times only
 
 // Of one frame.
 struct Cost {

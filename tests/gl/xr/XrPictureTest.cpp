@@ -158,7 +158,7 @@ TEST_F(XrPicture, HiddenPixelsAreNotDrawnAndTheOthersAreTheSame) {
             const float place = left + (right - left) * (static_cast<float>(x) + 0.5f) / 200;
             const auto at = static_cast<size_t>(y * 200 + x) * 4;
             const bool hidden = place < 0;
-            // What has a mask is drawn by the graphics side where the other's backdrop is sampled by us: a
+            // What has a mask is drawn by the graphics side where the other's background is sampled by us: a
             // step of rounding.
             for (size_t c = 0; c < 3; ++c)
                 ASSERT_NEAR(rgba[at + c], hidden ? 0 : whole[at + c], hidden ? 0 : 1) << x << "," << y;

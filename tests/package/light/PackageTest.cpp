@@ -102,8 +102,8 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
     RecordProperty("rmse", std::to_string(difference));
     // 0.0063 here. 0.0043 of it, in squares: OpenCV, which the example reads its video with, decodes colours
     // 1.1 of 255 off what the standard says. Surfaces agree to a step of 8 bits; the rest is edges and fine
-    // relief, which OGRE draws with 4 samples a pixel and shoal view with 16, and the backdrop's coordinates,
-    // which are linear in cells there.
+    // relief, which OGRE draws with 4 samples a pixel and shoal view with 16, and the background's
+    // coordinates, which are linear in cells there.
     EXPECT_LT(difference, 0.0075);
 }
 
