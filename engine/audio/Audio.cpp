@@ -1,13 +1,19 @@
 #include "engine/audio/Audio.h"
 
-#include "engine/audio/Device.h"
 #include "engine/audio/StreamedTrack.h"
 #include "engine/audio/VoicePool.h"
 #include "engine/core/Log.h"
 
+#include <AL/alc.h>
+#include <AL/alext.h>
+
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <chrono>
+#include <fcntl.h>
+#include <unistd.h>
+#include <utility>
 
 namespace shoal::audio {
 
@@ -16,6 +22,105 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
 constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
+
+constexpr int kLoopbackRate_Hz = 48000;
+
+// Sound libraries below OpenAL write pages about a missing sound card straight to standard error; the caller
+// says it in one sentence instead. Only while a device is opened.
+class QuietStandardError {
+  public:
+    QuietStandardError() : kept_(::dup(STDERR_FILENO)) {
+        if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+            ::dup2(nowhere, STDERR_FILENO);
+            ::close(nowhere);
+        }
+    }
+    ~QuietStandardError() {
+        if (kept_ < 0) return;
+        ::dup2(kept_, STDERR_FILENO);
+        ::close(kept_);
+    }
+    QuietStandardError(const QuietStandardError&) = delete;
+    QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+  private:
+    int kept_;
+};
+
+// OpenAL output device, or loopback to memory.
+class Device {
+  public:
+    static Result<Device> open(bool loopback, bool headphones);
+    Device() = default; // none
+    Device(Device&&) noexcept = default;
+    Device& operator=(Device&& other) noexcept {
+        std::swap(device_, other.device_); // the other destroys its context before its device
+        std::swap(context_, other.context_);
+        return *this;
+    }
+
+    explicit operator bool() const { return context_ != nullptr; }
+
+    // OpenAL's context is global to the process; each method of Audio starts with this.
+    void makeCurrent() const {
+        if (context_ && alcGetCurrentContext() != context_.get()) alcMakeContextCurrent(context_.get());
+    }
+
+    // False once the device was unplugged.
+    bool connected() const { return device_ && integer(ALC_CONNECTED) != ALC_FALSE; }
+
+    bool headphones() const { return device_ && integer(ALC_HRTF_SOFT) != ALC_FALSE; }
+
+    // Seconds of sound rendered so far, to a device or to memory.
+    double played_s() const {
+        ALCint64SOFT clock_ns = 0;
+        alcGetInteger64vSOFT(device_.get(), ALC_DEVICE_CLOCK_SOFT, 1, &clock_ns);
+        return static_cast<double>(clock_ns) * 1e-9;
+    }
+
+    void render(std::span<float> stereo) { // loopback only
+        assert(stereo.size() % 2 == 0);
+        alcRenderSamplesSOFT(device_.get(), stereo.data(), static_cast<ALCsizei>(stereo.size() / 2));
+    }
+
+  private:
+    ALCint integer(ALCenum which) const {
+        ALCint value = ALC_FALSE;
+        alcGetIntegerv(device_.get(), which, 1, &value);
+        return value;
+    }
+
+    struct Close {
+        void operator()(ALCdevice* device) const { alcCloseDevice(device); }
+        void operator()(ALCcontext* context) const {
+            if (alcGetCurrentContext() == context) alcMakeContextCurrent(nullptr);
+            alcDestroyContext(context);
+        }
+    };
+    std::unique_ptr<ALCdevice, Close> device_;
+    std::unique_ptr<ALCcontext, Close> context_;
+};
+
+Result<Device> Device::open(bool loopback, bool headphones) {
+    const QuietStandardError quiet;
+    Device made;
+    made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
+    if (!made.device_) return Error{"", "there is no sound device"};
+    const ALCint hrtf = headphones ? ALC_TRUE : ALC_FALSE;
+    const std::array<ALCint, 3> live = {ALC_HRTF_SOFT, hrtf, 0};
+    const std::array<ALCint, 9> memory = {ALC_HRTF_SOFT,
+                                          hrtf,
+                                          ALC_FORMAT_CHANNELS_SOFT,
+                                          ALC_STEREO_SOFT,
+                                          ALC_FORMAT_TYPE_SOFT,
+                                          ALC_FLOAT_SOFT,
+                                          ALC_FREQUENCY,
+                                          kLoopbackRate_Hz,
+                                          0};
+    made.context_.reset(alcCreateContext(made.device_.get(), loopback ? memory.data() : live.data()));
+    if (!made.context_) return Error{"", "the sound device could not be set up"};
+    return made;
+}
 
 } // namespace
 
@@ -188,6 +293,16 @@ void Audio::render(std::span<float> stereo) {
         state_->device.render(stereo);
     else
         std::fill(stereo.begin(), stereo.end(), 0.0f);
+}
+
+std::vector<std::string> listOutputs() {
+    std::vector<std::string> names;
+    const ALCchar* list = alcGetString(nullptr, ALC_ALL_DEVICES_SPECIFIER);
+    while (list && *list) {
+        names.emplace_back(list);
+        list += names.back().size() + 1;
+    }
+    return names;
 }
 
 } // namespace shoal::audio

@@ -2,11 +2,13 @@
 // own; these calls belong to one thread. World frame: metres, +Y up, -Z ahead.
 #pragma once
 
-#include "engine/audio/Clip.h"
+#include "engine/core/Files.h"
+#include "engine/core/Result.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -14,6 +16,19 @@
 #include <vector>
 
 namespace shoal::audio {
+
+// A sound in memory.
+struct Clip {
+    int rate_Hz = 48000;
+    int channels = 1;             // 1 or 2; only mono sounds have a place in space
+    std::vector<int16_t> samples; // interleaved
+};
+
+constexpr int kMaxClip_s = 60;
+
+// WAV, FLAC, Ogg Vorbis and what else libsndfile reads; at most kMaxClip_s long, 1 or 2 channels, 8 to 192
+// kHz. What the file's head claims is checked before memory is taken.
+Result<Clip> readClip(const Path& file);
 
 // Exaggeration of the Doppler effect. At the speed of sound in water (1500 m/s) a shark at 3 m/s shifts
 // by 3.5 cents, which is inaudible; as in air (343 m/s) it shifts by 15 cents, which is just noticed.

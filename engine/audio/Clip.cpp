@@ -1,4 +1,4 @@
-#include "engine/audio/Clip.h"
+#include "engine/audio/Audio.h"
 
 #include <memory>
 #include <sndfile.h>

@@ -1,7 +1,5 @@
 #include "engine/audio/StreamedTrack.h"
 
-#include "engine/audio/Device.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +8,7 @@ namespace shoal::audio {
 namespace {
 
 constexpr int kRate_Hz = 48000;
+constexpr int kFrameBytes = 2 * sizeof(int16_t);
 constexpr double kMaxBend = 0.005;
 constexpr double kCorrection_s = 2;   // time constant of small corrections
 constexpr double kJump_s = 0.08;      // larger offsets, which would be seen, restart it
@@ -34,7 +33,6 @@ void StreamedTrack::setUp() {
     alGenBuffers(kBuffers, buffers_.data());
     alSourcei(source_, AL_SOURCE_RELATIVE, AL_TRUE);
     alSourcei(source_, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
-    getOffset_ = reinterpret_cast<LPALGETSOURCEI64VSOFT>(alGetProcAddress("alGetSourcei64vSOFT"));
     state_ = State::Stopped;
 }
 
@@ -66,23 +64,26 @@ void StreamedTrack::begin(const TrackSource& sound, double position_s) {
 
 // Fills and queues a spare buffer; false if nothing is ready.
 bool StreamedTrack::queue(const TrackSource& sound) {
-    const size_t frames = sound.read(piece_);
+    const auto frames = static_cast<int64_t>(sound.read(piece_));
     if (frames == 0) return false;
-    const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
-    alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(),
-                 static_cast<ALsizei>(frames * 2 * sizeof(int16_t)), kRate_Hz);
-    alSourceQueueBuffers(source_, 1, &buffer);
-    next_ += static_cast<int64_t>(frames);
+    queuePiece(frames);
+    next_ += frames;
     return true;
+}
+
+// The first frames of piece_.
+void StreamedTrack::queuePiece(int64_t frames) {
+    const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
+    alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(frames * kFrameBytes),
+                 kRate_Hz);
+    alSourceQueueBuffers(source_, 1, &buffer);
 }
 
 void StreamedTrack::queueSilence(int64_t frames) {
     std::fill(piece_.begin(), piece_.end(), int16_t{0});
     while (frames > 0) {
         const int64_t some = std::min<int64_t>(frames, kPieceFrames);
-        const ALuint buffer = spare_[static_cast<size_t>(--spares_)];
-        alBufferData(buffer, AL_FORMAT_STEREO16, piece_.data(), static_cast<ALsizei>(some * 4), kRate_Hz);
-        alSourceQueueBuffers(source_, 1, &buffer);
+        queuePiece(some);
         frames -= some;
     }
 }
@@ -118,7 +119,7 @@ void StreamedTrack::refill(const TrackSource& sound) {
         ALint bytes = 0;
         alSourceUnqueueBuffers(source_, 1, &buffer);
         alGetBufferi(buffer, AL_SIZE, &bytes);
-        queueBegins_ += bytes / static_cast<ALint>(2 * sizeof(int16_t));
+        queueBegins_ += bytes / kFrameBytes;
         spare_[static_cast<size_t>(spares_++)] = buffer;
     }
     while (spares_ > 0 && queue(sound)) {
@@ -127,16 +128,10 @@ void StreamedTrack::refill(const TrackSource& sound) {
 
 // The position in the track that leaves the device now.
 double StreamedTrack::heard_s() const {
-    if (getOffset_) {
-        std::array<ALint64SOFT, 2> offset{}; // frames as 32.32, and nanoseconds on the way to the ear
-        getOffset_(source_, AL_SAMPLE_OFFSET_LATENCY_SOFT, offset.data());
-        return static_cast<double>(queueBegins_) / kRate_Hz +
-               static_cast<double>(offset[0]) / (4294967296.0 * kRate_Hz) -
-               static_cast<double>(offset[1]) * 1e-9;
-    }
-    ALint offset = 0;
-    alGetSourcei(source_, AL_SAMPLE_OFFSET, &offset);
-    return static_cast<double>(queueBegins_ + offset) / kRate_Hz;
+    std::array<ALint64SOFT, 2> offset{}; // frames as 32.32, and nanoseconds on the way to the ear
+    alGetSourcei64vSOFT(source_, AL_SAMPLE_OFFSET_LATENCY_SOFT, offset.data());
+    return static_cast<double>(queueBegins_) / kRate_Hz +
+           static_cast<double>(offset[0]) / (4294967296.0 * kRate_Hz) - static_cast<double>(offset[1]) * 1e-9;
 }
 
 void StreamedTrack::update(const TrackSource& sound, double position_s, float gain, bool paused) {

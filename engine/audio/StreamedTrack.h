@@ -38,6 +38,7 @@ class StreamedTrack {
     void prime(const TrackSource& sound, double position_s);
     void refill(const TrackSource& sound);
     bool queue(const TrackSource& sound);
+    void queuePiece(int64_t frames);
     void queueSilence(int64_t frames);
     double heard_s() const;
 
@@ -45,7 +46,6 @@ class StreamedTrack {
     std::array<ALuint, kBuffers> buffers_{};
     std::array<ALuint, kBuffers> spare_{}; // those not queued
     int spares_ = 0;
-    LPALGETSOURCEI64VSOFT getOffset_ = nullptr;
     State state_ = State::Stopped;
     std::vector<int16_t> piece_ = std::vector<int16_t>(2 * kPieceFrames);
     int64_t queueBegins_ = 0; // position of the first frame still queued; may be negative: leading silence

@@ -1,10 +1,12 @@
 #include "engine/audio/VoicePool.h"
 
 #include <AL/alext.h>
+#include <AL/efx.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace shoal::audio {
 
@@ -18,6 +20,19 @@ constexpr double kEnding_s = 0.05;
 constexpr float kTakeOver = 1.3f;
 constexpr float kAmbientLoudness = 10; // sounds without a position are never replaced by placed ones
 
+// The water, chosen by ear: over the distances of this game real sea water would be inaudible.
+constexpr float kReference_m = 0.7f; // within this a sound keeps its level; beyond, it falls as 1 / distance
+constexpr float kSpeed_mps = 1500;   // of sound in water, 4.4 times that in air
+constexpr float kReverbOpen = 0.12f, kReverbTunnel = 0.8f; // reverberation gain
+constexpr float kHighNear = 0.6f;                          // gain above 5 kHz at distance 0
+constexpr float kHighFade_m = 4;                           // distance over which that falls to 1/e
+// Lower bound of that gain, -16 dB: frequencies above 5 kHz carry the directional cues of front and back,
+// above and below, which an equal filter on both ears leaves intact as long as they are audible.
+constexpr float kHighMin = 0.16f;
+
+// Gain of a sound at a distance: OpenAL's AL_INVERSE_DISTANCE_CLAMPED with a roll-off of 1.
+float distanceGain(float distance_m) { return kReference_m / std::max(distance_m, kReference_m); }
+
 bool plays(ALuint source) {
     ALint state = AL_STOPPED;
     alGetSourcei(source, AL_SOURCE_STATE, &state);
@@ -30,8 +45,51 @@ OneShot asOneShot(const Emitter& e) {
 
 } // namespace
 
+void VoicePool::setUpEffects(float doppler) {
+    alDistanceModel(AL_INVERSE_DISTANCE_CLAMPED);
+    alSpeedOfSound(kSpeed_mps);
+    alDopplerFactor(std::max(doppler, 0.0f));
+    alGenEffects(1, &reverb_);
+    alEffecti(reverb_, AL_EFFECT_TYPE, AL_EFFECT_REVERB);
+    alEffectf(reverb_, AL_REVERB_DECAY_TIME, 2.2f);
+    alEffectf(reverb_, AL_REVERB_DECAY_HFRATIO, 0.3f);
+    alEffectf(reverb_, AL_REVERB_GAINHF, 0.15f);
+    alGenAuxiliaryEffectSlots(1, &slot_);
+    alAuxiliaryEffectSloti(slot_, AL_EFFECTSLOT_EFFECT, static_cast<ALint>(reverb_));
+    applyReverbGain();
+}
+
+// Interpolated geometrically, because loudness is perceived on a logarithmic scale.
+void VoicePool::applyReverbGain() const {
+    alAuxiliaryEffectSlotf(slot_, AL_EFFECTSLOT_GAIN,
+                           silent_ ? 0 : kReverbOpen * std::pow(kReverbTunnel / kReverbOpen, enclosure_));
+}
+
+void VoicePool::setEnclosure(float enclosure) {
+    enclosure = std::clamp(enclosure, 0.0f, 1.0f);
+    if (enclosure == enclosure_) return;
+    enclosure_ = enclosure;
+    applyReverbGain();
+}
+
+void VoicePool::setSilent(bool silent) {
+    if (silent == silent_) return;
+    silent_ = silent;
+    applyReverbGain();
+}
+
+// Ambient sounds (everywhere) were recorded under water already.
+void VoicePool::applyWater(const Voice& voice, float distance_m) const {
+    const bool everywhere = voice.shot.everywhere;
+    const float high = std::max(kHighNear * std::exp(-distance_m / kHighFade_m), kHighMin);
+    alFilterf(voice.filter, AL_LOWPASS_GAINHF, everywhere ? 1.0f : high);
+    alSourcei(voice.source, AL_DIRECT_FILTER, static_cast<ALint>(voice.filter));
+    const ALuint send = everywhere ? static_cast<ALuint>(AL_EFFECTSLOT_NULL) : slot_;
+    alSource3i(voice.source, AL_AUXILIARY_SEND_FILTER, static_cast<ALint>(send), 0, AL_FILTER_NULL);
+}
+
 void VoicePool::setUp(float doppler) {
-    effects_.setUp(doppler);
+    setUpEffects(doppler);
     for (Voice& voice : voices_) {
         alGetError();
         alGenSources(1, &voice.source);
@@ -39,7 +97,8 @@ void VoicePool::setUp(float doppler) {
             voice.source = 0;
             break;
         }
-        voice.filter = effects_.makeFilter();
+        alGenFilters(1, &voice.filter);
+        alFilteri(voice.filter, AL_FILTER_TYPE, AL_FILTER_LOWPASS);
         alSourcef(voice.source, AL_REFERENCE_DISTANCE, kReference_m);
         alSourcef(voice.source, AL_ROLLOFF_FACTOR, 1);
     }
@@ -48,10 +107,12 @@ void VoicePool::setUp(float doppler) {
 void VoicePool::tearDown() {
     for (Voice& voice : voices_) {
         if (voice.source) alDeleteSources(1, &voice.source);
-        effects_.removeFilter(voice.filter);
+        if (voice.filter) alDeleteFilters(1, &voice.filter);
         voice = {};
     }
-    effects_.tearDown();
+    alDeleteAuxiliaryEffectSlots(1, &slot_);
+    alDeleteEffects(1, &reverb_);
+    slot_ = reverb_ = 0;
 }
 
 int VoicePool::sounding() const {
@@ -80,7 +141,7 @@ void VoicePool::place(Voice& voice, const glm::vec3& listener, double age_s) {
     alSourcei(voice.source, AL_SOURCE_RELATIVE, shot.everywhere ? AL_TRUE : AL_FALSE);
     alSource3f(voice.source, AL_POSITION, at.x, at.y, at.z);
     alSource3f(voice.source, AL_VELOCITY, velocity.x, velocity.y, velocity.z);
-    effects_.place(voice.source, voice.filter, glm::distance(position, listener), shot.everywhere);
+    applyWater(voice, glm::distance(position, listener));
     voice.loudness = loudnessOf({shot.clip, position, shot.gain, shot.pitch, shot.everywhere}, listener);
 }
 

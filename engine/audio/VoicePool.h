@@ -1,9 +1,11 @@
-// Fixed pool of OpenAL sources and their assignment to sounds. Internal to this folder. All calls require the
-// OpenAL context to be current.
+// Fixed pool of OpenAL sources, their assignment to sounds, and the effects of the water on them:
+// attenuation, low-pass filtering, reverberation. Internal to this folder. All calls require the OpenAL
+// context to be current.
 #pragma once
 
 #include "engine/audio/Audio.h"
-#include "engine/audio/UnderwaterEffects.h"
+
+#include <AL/al.h>
 
 #include <array>
 
@@ -11,7 +13,8 @@ namespace shoal::audio {
 
 class VoicePool {
   public:
-    void setUp(float doppler); // fewer than kSources where the device has fewer
+    // Fewer than kSources where the device has fewer. doppler: times water's own.
+    void setUp(float doppler);
     void tearDown();
 
     // One frame. now_s: the device's clock, less the time spent paused.
@@ -22,8 +25,10 @@ class VoicePool {
     void update(const Clips& clips, const glm::vec3& listener, std::span<const Emitter> emitters,
                 std::span<const OneShot> shots, double now_s);
 
-    void setEnclosure(float enclosure) { effects_.setEnclosure(enclosure); } // 0 to 1
-    void setSilent(bool silent) { effects_.setSilent(silent); } // no echo; the listener's gain does the rest
+    // Reverberation: 0 open water, where only ground and surface reflect, to 1 a tunnel. silent: none; the
+    // listener's gain does the rest.
+    void setEnclosure(float enclosure);
+    void setSilent(bool silent);
     void setPaused(bool paused);
     int sounding() const;
 
@@ -31,7 +36,7 @@ class VoicePool {
     enum class Use { Free, OneShot, Emitter, Ending };
     struct Voice {
         ALuint source = 0; // 0: the device has no more
-        ALuint filter = 0;
+        ALuint filter = 0; // its low-pass
         Use use = Use::Free;
         uint32_t id = 0;    // of the emitter
         OneShot shot;       // what plays, of an emitter likewise
@@ -45,7 +50,13 @@ class VoicePool {
     Voice* voiceFor(float loudness);
     static float loudnessOf(const OneShot& shot, const glm::vec3& listener);
 
-    UnderwaterEffects effects_;
+    void setUpEffects(float doppler);
+    void applyReverbGain() const;
+    void applyWater(const Voice& voice, float distance_m) const;
+
+    ALuint reverb_ = 0, slot_ = 0;
+    float enclosure_ = 0;
+    bool silent_ = false;
     std::array<Voice, Audio::kSources> voices_{};
 };
 

@@ -1,5 +1,7 @@
 #include "engine/camera/EstimateCameraResponse.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,6 +42,14 @@ constexpr float kRounding = 1.0f / 12; // variance of quantisation to whole leve
 constexpr float kColourEdge = 6; // minimum difference over three texels, of 255
 constexpr int kFewColourEdges = 200;
 constexpr double kAlternates = 0.62; // ratio of even and odd differences that tells interpolation
+
+// --- Over time.
+constexpr float kFollow_s = 2.2f; // time constant
+// Lenses scatter one to five percent, worn ports more; a higher bound only means that nothing dark was seen
+// in front of bright surroundings.
+constexpr float kUsualGlare = 0.03f, kMaxGlare = 0.1f;
+
+float shareOf(float dt_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / kFollow_s); }
 
 float quantile(std::vector<float>& values, double share) {
     const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -241,19 +251,18 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
         out.response.coarseNoise[band] = std::sqrt(coarseVariance) / 255;
     }
     // Bands with too few blocks take the values of the nearest that has enough.
+    const auto enough = [&](int band) {
+        return band >= 0 && band < kBrightnesses && out.flatBlocks[static_cast<size_t>(band)] >= kFewBlocks;
+    };
     for (int band = 0; band < kBrightnesses; ++band)
-        for (int away = 1; out.flatBlocks[static_cast<size_t>(band)] < kFewBlocks && away < kBrightnesses;
-             ++away)
-            for (const int near : {band - away, band + away})
-                if (near >= 0 && near < kBrightnesses &&
-                    out.flatBlocks[static_cast<size_t>(near)] >= kFewBlocks) {
-                    out.response.fineNoise[static_cast<size_t>(band)] =
-                        out.response.fineNoise[static_cast<size_t>(near)];
-                    out.response.coarseNoise[static_cast<size_t>(band)] =
-                        out.response.coarseNoise[static_cast<size_t>(near)];
-                    away = kBrightnesses;
-                    break;
-                }
+        for (int away = 1; !enough(band) && away < kBrightnesses; ++away) {
+            const int near = enough(band - away) ? band - away : band + away;
+            if (!enough(near)) continue;
+            const auto to = static_cast<size_t>(band), from = static_cast<size_t>(near);
+            out.response.fineNoise[to] = out.response.fineNoise[from];
+            out.response.coarseNoise[to] = out.response.coarseNoise[from];
+            break;
+        }
 
     measureBlur(out);
 
@@ -265,6 +274,41 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
             alternates(sums.first) || alternates(sums.second) || alternates(sums.third) ? 2 : 1;
     }
     return out;
+}
+
+void CameraResponseOverTime::follow(const CameraResponseEstimate& estimate, float dt_s) {
+    const auto shareIf = [&](bool known) { return known ? shareOf(dt_s) : 1.0f; };
+    const CameraResponse& seen = estimate.response;
+    const float all = shareIf(begun_);
+    begun_ = true;
+    for (size_t band = 0; band < kBrightnesses; ++band) {
+        response_.fineNoise[band] += (seen.fineNoise[band] - response_.fineNoise[band]) * all;
+        response_.coarseNoise[band] += (seen.coarseNoise[band] - response_.coarseNoise[band]) * all;
+    }
+    response_.black = glm::mix(response_.black, seen.black, all);
+    response_.white = glm::mix(response_.white, seen.white, all);
+    if (estimate.edges >= kFewEdges) {
+        response_.blur_texels += (seen.blur_texels - response_.blur_texels) * shareIf(edgesSeen_);
+        edgesSeen_ = true;
+    }
+    if (estimate.chromaKnown) {
+        chromaTexels_ = glm::mix(chromaTexels_, glm::vec2(seen.chromaTexels), shareIf(chromaSeen_));
+        chromaSeen_ = true;
+    }
+}
+
+void CameraResponseOverTime::followGlare(float maxShare, float dt_s) {
+    maxGlare_ = std::min(maxGlare_, maxShare);
+    const float glare = maxGlare_ > kMaxGlare ? kUsualGlare : maxGlare_;
+    response_.glare += (glare - response_.glare) * (glareSeen_ ? shareOf(dt_s) : 1.0f);
+    glareSeen_ = true;
+}
+
+CameraResponse CameraResponseOverTime::response() const {
+    if (!begun_) return {};
+    CameraResponse response = response_;
+    response.chromaTexels = glm::ivec2(chromaTexels_ + 0.5f);
+    return response;
 }
 
 } // namespace shoal::camera

@@ -16,6 +16,11 @@ template <class T, int kChannels> struct Image {
     Image() = default;
     Image(int w, int h) : width(w), height(h), pixels(static_cast<size_t>(w) * h * kChannels) {}
 
+    // Where it has another size it gets this one, all 0.
+    void fit(int w, int h) {
+        if (width != w || height != h) *this = Image(w, h);
+    }
+
     bool empty() const { return pixels.empty(); }
     T* at(int x, int y) { return pixels.data() + (static_cast<size_t>(y) * width + x) * kChannels; }
     const T* at(int x, int y) const {

@@ -4,6 +4,7 @@
 
 #include "engine/light/EnvironmentLight.h"
 
+#include <array>
 #include <vector>
 
 namespace shoal::light {
@@ -18,12 +19,13 @@ class BruteForceDiffuse {
     // Radiance leaving a white matte surface by its normal. Allocates nothing while out keeps its size.
     void make(const RadiancePyramid& pyramid, ImageRgbF& out);
 
+    // Of the map's texels: x, y and z of their directions; red, green and blue of their light.
+    using Planes = std::array<std::vector<float>, 3>;
+
   private:
-    // Planes of the texels of the map, for the vectoriser.
-    std::vector<float> x_, y_, z_;          // their directions, unit length
-    std::vector<float> solidAngleOverPi_;   // steradians / pi
-    std::vector<float> r_, g_, b_;          // radiance times that
-    std::vector<float> sumR_, sumG_, sumB_; // what arrives
+    Planes directions_;                   // unit length
+    std::vector<float> solidAngleOverPi_; // steradians / pi
+    Planes light_;                        // radiance times that
     int width_;
 };
 

@@ -1,6 +1,5 @@
 #include "engine/light/CentroidChain.h"
 
-#include "engine/light/HalveRow.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 

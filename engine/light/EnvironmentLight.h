@@ -24,7 +24,7 @@ struct GlossyLevel {
 
 // How the diffuse map is made.
 enum class DiffuseMethod {
-    Default, // exact lobes on the sphere: Filters.h
+    Default, // exact lobes on the sphere: ZonalFilter.h
     Thesis,  // every texel gathers every texel: BruteForceDiffuse.h
 };
 

@@ -1,25 +1,10 @@
 #include "engine/light/MakeLight.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace shoal::light {
 
 namespace {
-
-// Milliseconds since it was made or last asked.
-class Stopwatch {
-  public:
-    float lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<float, std::milli> passed = now - begin_;
-        begin_ = now;
-        return passed.count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 void cutToHalf(ImageRgbF& image) {
     for (float& value : image.pixels) value = std::min(value, kMaxHalf);
@@ -27,37 +12,59 @@ void cutToHalf(ImageRgbF& image) {
 
 } // namespace
 
-LightMaker::LightMaker(LightOptions options) : options_(options) {}
-
-LightReport LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
-    LightReport report;
-    Stopwatch watch;
+void LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
     pyramid_.make(frame, options_.baseWidth, out.radiance);
-    report.pyramid_ms = watch.lap();
-    finish(out, report);
-    return report;
+    filter(out);
 }
 
-LightReport LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
-    LightReport report;
-    Stopwatch watch;
-    report.repairedTexels = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
-    report.pyramid_ms = watch.lap();
-    finish(out, report);
+size_t LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
+    const size_t repaired = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
+    filter(out);
     // Display-coded frames end at 11.8.
     for (ImageRgbF& level : out.radiance.levels) cutToHalf(level);
     for (GlossyLevel& level : out.glossy) cutToHalf(level.radianceLin);
     cutToHalf(out.diffuse);
-    return report;
+    return repaired;
 }
 
-void LightMaker::finish(EnvironmentLight& out, LightReport& report) {
+void LightMaker::makeFilters(int baseWidth) {
+    filters_.emplace(glossyPlans(baseWidth, options_.minRoughness, options_.quality),
+                     CentroidChain(baseWidth, 64), std::vector<ZonalFilter>());
+    const std::vector<GlossyPlan>& plans = filters_->plans;
+    std::vector<double> alphas;
+    for (size_t k = 0; k < plans.size(); ++k) {
+        if (!plans[k].filtered) continue;
+        const double roughness = static_cast<double>(plans[k].roughness);
+        alphas.push_back(roughness * roughness);
+        const bool last = k + 1 == plans.size() || plans[k + 1].width != plans[k].width;
+        if (last) filters_->filters.emplace_back(filters_->chain.sampling(plans[k].width), alphas);
+        if (last) alphas.clear();
+    }
+}
+
+// From the radiance pyramid to what surfaces see: the diffuse map and every glossy level.
+void LightMaker::filter(EnvironmentLight& out) {
     const int baseWidth = out.radiance.levels[0].width;
-    if (!filters_ || filters_->baseWidth() != baseWidth)
-        filters_.emplace(baseWidth, options_.minRoughness, options_.quality);
-    Stopwatch watch;
-    filters_->make(out);
-    report.filter_ms = watch.lap();
+    if (!filters_ || filters_->plans[0].width != baseWidth) makeFilters(baseWidth);
+    auto& [plans, chain, filters] = *filters_;
+    chain.make(out.radiance.levels[0]);
+    out.glossy.resize(plans.size());
+    auto filter = filters.begin();
+    targets_.clear();
+    for (size_t k = 0; k < plans.size(); ++k) {
+        out.glossy[k].roughness = plans[k].roughness;
+        if (!plans[k].filtered) {
+            out.glossy[k].radianceLin = ImageRgbF();
+            continue;
+        }
+        targets_.push_back(&out.glossy[k].radianceLin);
+        if (k + 1 < plans.size() && plans[k + 1].width == plans[k].width) continue;
+        filter->apply(chain.level(filter->width()), targets_);
+        ++filter;
+        targets_.clear();
+    }
+    // A lobe of alpha 1 is a matte surface's.
+    out.diffuse = out.glossy.back().radianceLin;
 }
 
 } // namespace shoal::light

@@ -2,10 +2,12 @@
 // still.
 #pragma once
 
+#include "engine/light/CentroidChain.h"
 #include "engine/light/EnvironmentLight.h"
-#include "engine/light/Filters.h"
 #include "engine/light/FrameView.h"
+#include "engine/light/GlossyLevels.h"
 #include "engine/light/Pyramid.h"
+#include "engine/light/ZonalFilter.h"
 
 #include <optional>
 
@@ -19,12 +21,6 @@ struct LightOptions {
     LightQuality quality = LightQuality::Video;
 };
 
-struct LightReport {
-    float pyramid_ms = 0, filter_ms = 0;
-    size_t repairedTexels = 0; // of an HDR picture: NaN, infinite, negative or above kMaxRadianceIn
-    float total_ms() const { return pyramid_ms + filter_ms; }
-};
-
 // Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that
 // nothing is allocated while out keeps its buffers. One thread at a time; a maker for each thread.
 //
@@ -33,17 +29,28 @@ struct LightReport {
 // things.
 class LightMaker {
   public:
-    explicit LightMaker(LightOptions options = {});
+    explicit LightMaker(LightOptions options = {}) : options_(options) {}
 
-    LightReport make(const FrameView& frame, EnvironmentLight& out);
-    LightReport makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out);
+    void make(const FrameView& frame, EnvironmentLight& out);
+
+    // Returns how many texels were repaired: NaN, infinite, negative or above kMaxRadianceIn.
+    size_t makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out);
 
   private:
-    void finish(EnvironmentLight& out, LightReport& report);
+    // Filters for a base width.
+    struct Filters {
+        std::vector<GlossyPlan> plans;
+        CentroidChain chain;
+        std::vector<ZonalFilter>
+            filters; // narrow lobes on wide maps first; the last makes the diffuse map too
+    };
+    void makeFilters(int baseWidth);
+    void filter(EnvironmentLight& out);
 
     LightOptions options_;
     PyramidMaker pyramid_;
-    std::optional<LightFilters> filters_; // for the base width of the last frame
+    std::optional<Filters> filters_; // for the base width of the last frame
+    std::vector<ImageRgbF*> targets_;
 };
 
 } // namespace shoal::light

@@ -20,24 +20,14 @@ void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) 
     }
 }
 
-void fit(HalfImage& image, int width, int height) {
-    if (image.width == width && image.height == height) return;
-    image.width = width, image.height = height;
-    image.rgba.assign(static_cast<size_t>(width) * static_cast<size_t>(height) * 4, 0);
-}
-
 void packMirror(const ImageRgbF& map, HalfImage& out) {
-    fit(out, map.width, map.height);
-    packRow(map.pixels.data(), map.width * map.height, out.rgba.data());
+    out.fit(map.width, map.height);
+    packRow(map.pixels.data(), map.width * map.height, out.pixels.data());
 }
 
 // top: the atlas' row of the border above the map.
 void packBordered(const ImageRgbF& map, int top, HalfImage& atlas) {
-    const auto texels = [&](int x, int y) {
-        return atlas.rgba.data() + (static_cast<size_t>(top + 1 + y) * static_cast<size_t>(atlas.width) +
-                                    static_cast<size_t>(x + 1)) *
-                                       4;
-    };
+    const auto texels = [&](int x, int y) { return atlas.at(x + 1, top + 1 + y); };
     for (int y = 0; y < map.height; ++y) packRow(map.at(0, y), map.width, texels(0, y));
     const int half = map.width / 2;
     for (const int y : {0, map.height - 1}) { // beyond the poles: the other side
@@ -63,7 +53,7 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
         height += level.radianceLin.height + 2;
     }
     assert(unfiltered < light.glossy.size());
-    fit(out.atlas, width, height);
+    out.atlas.fit(width, height);
 
     out.places.clear();
     int top = 0;
@@ -78,10 +68,9 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
 
     out.mirrorRoughness.clear();
     for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);
-    out.complete = mirrors == MirrorMaps::Pyramid;
-    out.mirrors.resize(mirrors == MirrorMaps::None ? 0
-                       : out.complete              ? light.radiance.levels.size()
-                                                   : unfiltered);
+    out.mirrors.resize(mirrors == MirrorMaps::None      ? 0
+                       : mirrors == MirrorMaps::Pyramid ? light.radiance.levels.size()
+                                                        : unfiltered);
     for (size_t k = 0; k < out.mirrors.size(); ++k) packMirror(light.radiance.levels[k], out.mirrors[k]);
 }
 

@@ -11,10 +11,7 @@
 
 namespace shoal::light {
 
-struct HalfImage {
-    int width = 0, height = 0;
-    std::vector<uint16_t> rgba; // alpha 1
-};
+using HalfImage = Image<uint16_t, 4>; // half floats, alpha 1
 
 // What surfaces smoother than the filtered maps, or the thesis' glossy lookup, sample.
 enum class MirrorMaps {
@@ -32,7 +29,6 @@ struct PackedLight {
     std::vector<glm::vec4> places;
     std::vector<HalfImage> mirrors;     // mip levels
     std::vector<float> mirrorRoughness; // of the unfiltered levels, then of the smoothest filtered one
-    bool complete = false;              // mirrors are all of the pyramid
 };
 
 // Buffers of out are reused while sizes stay.

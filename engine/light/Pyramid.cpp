@@ -1,7 +1,6 @@
 #include "engine/light/Pyramid.h"
 
 #include "engine/light/BlockMeans.h"
-#include "engine/light/HalveRow.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
@@ -74,10 +73,6 @@ void halveRow(const float* __restrict top, const float* __restrict bottom, float
     }
 }
 
-void fit(ImageRgbF& image, int width, int height) {
-    if (image.width != width || image.height != height) image = ImageRgbF(width, height);
-}
-
 // Half of the sphere's height lies between the two: sine of the latitude of a row's edge, row counted from
 // the top.
 double edgeSine(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
@@ -98,7 +93,7 @@ int baseWidthFor(int sourceWidth, int askedWidth) {
 
 void halve(const ImageRgbF& in, ImageRgbF& out) {
     assert(in.width >= 4 && in.height >= 2);
-    fit(out, in.width / 2, in.height / 2);
+    out.fit(in.width / 2, in.height / 2);
     // A row's solid angle goes by the cosine of its middle's latitude; those of two whose border lies at m
     // have the shares (1 -+ tan m tan d) / 2, d half a row.
     const double half = std::tan(0.5 * std::numbers::pi / in.height);
@@ -114,7 +109,7 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
     const int width = baseWidthFor(sourceWidth, askedWidth), height = width / 2;
     const auto levelCount = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
     out.levels.resize(levelCount);
-    for (size_t k = 0; k < levelCount; ++k) fit(out.levels[k], width >> k, height >> k);
+    for (size_t k = 0; k < levelCount; ++k) out.levels[k].fit(width >> k, height >> k);
     if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
@@ -179,9 +174,16 @@ void PyramidMaker::narrowRow() {
     }
 }
 
-void PyramidMaker::addRow(size_t share, ImageRgbF& base) {
-    const RowShare& row = rows_[share];
-    addScaled(narrow_.data(), row.weight, base.width * 3, base.at(0, row.to));
+// decodeRow(y): puts row y of the source into the planes.
+template <class DecodeRow> void PyramidMaker::makeByRows(DecodeRow&& decodeRow, ImageRgbF& base) {
+    std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
+    size_t share = 0;
+    for (int y = 0; y < sourceHeight_; ++y) {
+        decodeRow(y);
+        narrowRow();
+        for (; share < rows_.size() && rows_[share].from == y; ++share)
+            addScaled(narrow_.data(), rows_[share].weight, base.width * 3, base.at(0, rows_[share].to));
+    }
 }
 
 // Where the frame is 4, 8, 16 .. times as wide and high as the base.
@@ -200,44 +202,39 @@ bool PyramidMaker::makeByBlocks(const FrameView& frame, ImageRgbF& base) {
     const auto steps = static_cast<size_t>(std::countr_zero(static_cast<unsigned>(times)) - 2);
     blocks_.resize(steps);
     ImageRgbF& first = steps ? blocks_[0] : base;
-    fit(first, frame.width / 4, frame.height / 4);
+    first.fit(frame.width / 4, frame.height / 4);
     makeBlockMeans(frame, blockRows_, first);
     for (size_t k = 0; k < steps; ++k) halve(blocks_[k], k + 1 < steps ? blocks_[k + 1] : base);
     return true;
 }
 
+static void halveAll(RadiancePyramid& pyramid) {
+    for (size_t k = 1; k < pyramid.levels.size(); ++k) halve(pyramid.levels[k - 1], pyramid.levels[k]);
+}
+
 void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
     prepare(frame.width, frame.height, askedWidth, out);
-    ImageRgbF& base = out.levels[0];
-    if (!makeByBlocks(frame, base)) {
-        std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
-        size_t share = 0;
-        for (int y = 0; y < frame.height; ++y) {
-            decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
-                      green_.data(), blue_.data());
-            narrowRow();
-            for (; share < rows_.size() && rows_[share].from == y; ++share) addRow(share, base);
-        }
-    }
-    for (size_t k = 1; k < out.levels.size(); ++k) halve(out.levels[k - 1], out.levels[k]);
+    const auto decode = [&](int y) {
+        decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
+                  green_.data(), blue_.data());
+    };
+    if (!makeByBlocks(frame, out.levels[0])) makeByRows(decode, out.levels[0]);
+    halveAll(out);
 }
 
 size_t PyramidMaker::make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out) {
     prepare(radianceLin.width, radianceLin.height, askedWidth, out);
-    ImageRgbF& base = out.levels[0];
-    std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
-    size_t share = 0, repaired = 0;
-    for (int y = 0; y < radianceLin.height; ++y) {
+    size_t repaired = 0;
+    const auto read = [&](int y) {
         const float* in = radianceLin.at(0, y);
         for (size_t x = 0; x < static_cast<size_t>(radianceLin.width); ++x, in += 3) {
             red_[x] = in[0], green_[x] = in[1], blue_[x] = in[2];
             const bool r = repair(red_[x]), g = repair(green_[x]), b = repair(blue_[x]);
             repaired += r || g || b;
         }
-        narrowRow();
-        for (; share < rows_.size() && rows_[share].from == y; ++share) addRow(share, base);
-    }
-    for (size_t k = 1; k < out.levels.size(); ++k) halve(out.levels[k - 1], out.levels[k]);
+    };
+    makeByRows(read, out.levels[0]);
+    halveAll(out);
     return repaired;
 }
 

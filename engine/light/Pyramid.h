@@ -52,7 +52,7 @@ class PyramidMaker {
 
     bool makeByBlocks(const FrameView& frame, ImageRgbF& base);
     void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
-    void addRow(size_t share, ImageRgbF& base);
+    template <class DecodeRow> void makeByRows(DecodeRow&& decodeRow, ImageRgbF& base);
     void narrowRow();
 
     int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;

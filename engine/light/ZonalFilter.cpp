@@ -170,44 +170,50 @@ ZonalFilter::Kernel ZonalFilter::kernelOf(double alpha, const Sampling& sampling
                             tile[static_cast<size_t>(m * kRows + in)];
             }
         }
-
-        // Frequency 0 is the sum over the columns: what a uniform environment gives. Its rows kept must sum
-        // to 1.
-        std::array<double, kRows> whole{}, kept{};
-        for (int in = 0; in < height_; ++in)
-            for (size_t out = 0; out < kRows; ++out)
-                whole[out] += static_cast<double>(lobes[static_cast<size_t>(in) * kRows + out]);
-        for (int in = 0; in < height_; ++in)
-            for (size_t out = 0; out < kRows; ++out) {
-                const double share = static_cast<double>(lobes[static_cast<size_t>(in) * kRows + out]);
-                if (std::abs(share) > kNegligible * whole[out]) kept[out] += share;
-            }
-
-        for (int m = 0; m < frequencies; ++m) {
-            const auto share = [&, gain = gains[static_cast<size_t>(m)]](int in, size_t out) {
-                const double value =
-                    static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
-                return std::abs(value) > kNegligible * whole[out]
-                           ? static_cast<float>(gain * value / kept[out])
-                           : 0.0f;
-            };
-            const auto reaches = [&](int in) {
-                for (size_t out = 0; out < kRows; ++out)
-                    if (share(in, out) != 0) return true;
-                return false;
-            };
-            int first = 0, last = height_ - 1;
-            while (first < height_ && !reaches(first)) ++first;
-            while (last > first && !reaches(last)) --last;
-            if (first == height_) first = 0, last = -1;
-            const Range range{first, last + 1 - first, kernel.values.size()};
-            kernel.ranges[static_cast<size_t>(m * blocks + block)] = range;
-            for (int in = first; in <= last; ++in)
-                for (size_t out = 0; out < kRows; ++out) kernel.values.push_back(share(in, out));
-        }
+        appendBlock(block, lobes, gains, kernel);
     }
     kernel.values.shrink_to_fit();
     return kernel;
+}
+
+// Adds the rows in that matter to a block of rows out. lobes: [frequency][row in][row out].
+void ZonalFilter::appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
+                              Kernel& kernel) const {
+    const int blocks = northernBlocks();
+    const auto lobe = [&](int m, int in, size_t out) {
+        return static_cast<double>(lobes[static_cast<size_t>(m * height_ + in) * kRows + out]);
+    };
+    // Frequency 0 is the sum over the columns: what a uniform environment gives. Its rows kept must sum
+    // to 1.
+    std::array<double, kRows> whole{}, kept{};
+    for (int in = 0; in < height_; ++in)
+        for (size_t out = 0; out < kRows; ++out) whole[out] += lobe(0, in, out);
+    for (int in = 0; in < height_; ++in)
+        for (size_t out = 0; out < kRows; ++out) {
+            const double share = lobe(0, in, out);
+            if (std::abs(share) > kNegligible * whole[out]) kept[out] += share;
+        }
+
+    for (int m = 0; m <= width_ / 2; ++m) {
+        const auto share = [&, gain = gains[static_cast<size_t>(m)]](int in, size_t out) {
+            const double value = lobe(m, in, out);
+            return std::abs(value) > kNegligible * whole[out] ? static_cast<float>(gain * value / kept[out])
+                                                              : 0.0f;
+        };
+        const auto reaches = [&](int in) {
+            for (size_t out = 0; out < kRows; ++out)
+                if (share(in, out) != 0) return true;
+            return false;
+        };
+        int first = 0, last = height_ - 1;
+        while (first < height_ && !reaches(first)) ++first;
+        while (last > first && !reaches(last)) --last;
+        if (first == height_) first = 0, last = -1;
+        const Range range{first, last + 1 - first, kernel.values.size()};
+        kernel.ranges[static_cast<size_t>(m * blocks + block)] = range;
+        for (int in = first; in <= last; ++in)
+            for (size_t out = 0; out < kRows; ++out) kernel.values.push_back(share(in, out));
+    }
 }
 
 void ZonalFilter::filter(const Kernel& kernel) {
@@ -242,7 +248,7 @@ void ZonalFilter::apply(const ImageRgbF& in, std::span<ImageRgbF* const> out) {
     transpose(in.pixels.data(), 3 * width_, height_, 1, columns_.data());
     hartley_.transform(columns_.data(), 3 * height_);
     for (size_t i = 0; i < out.size(); ++i) {
-        if (out[i]->width != width_ || out[i]->height != height_) *out[i] = ImageRgbF(width_, height_);
+        out[i]->fit(width_, height_);
         filter(kernels_[i]);
         hartley_.transform(filtered_.data(), 3 * height_);
         // Rounding may leave a hair below zero where no light comes from.

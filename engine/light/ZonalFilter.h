@@ -50,6 +50,8 @@ class ZonalFilter {
     };
 
     Kernel kernelOf(double alpha, const Sampling& sampling);
+    void appendBlock(int block, const std::vector<float>& lobes, const std::vector<double>& gains,
+                     Kernel& kernel) const;
     void filter(const Kernel& kernel);
     int northernBlocks() const { return (height_ / kBlock + 1) / 2; } // of rows out
 

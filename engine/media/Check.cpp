@@ -21,11 +21,9 @@ std::string shapeNote(int width, int height) {
 } // namespace
 
 Result<std::string> checkVideo(const Path& file) {
-    auto source = VideoSource::open(file);
+    auto source = VideoSource::open(file, Layout::Auto);
     if (!source) return source.error();
-    VideoInfo info;
-    if (!resolveLayout(*source, Layout::Auto, info))
-        return Error{file.string(), "its first frame cannot be decoded"};
+    const VideoInfo& info = source->info();
     const SphericalMetadata& m = info.metadata;
     if (m.projection == Projection::Cubemap || m.projection == Projection::Mesh)
         return Error{file.string(), fmt::format("is a {}; only lat-long video can be shown, so convert it",

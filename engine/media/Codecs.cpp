@@ -1,6 +1,6 @@
 #include "engine/media/Codecs.h"
 
-#include "engine/media/DecoderSetup.h"
+#include "engine/media/Ffmpeg.h"
 
 #include <dlfcn.h>
 

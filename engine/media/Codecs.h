@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,26 +20,20 @@ struct CameraRequest {
     int waiting = 0;           // length of the driver's queue; 0: its default
 };
 
-// Methods may throw as OpenCV does.
-class OpenCamera {
-  public:
-    virtual ~OpenCamera() = default;
-    virtual bool grab() = 0; // the next picture
-    virtual cv::Size size() const = 0;
-    virtual bool retrieve(cv::Mat& bgr) = 0; // the one grabbed last
-};
+// Null: waits for the next picture. Else converts that one, blue first. False where there is none any more.
+using CameraReader = std::function<bool(cv::Mat* bgr)>;
 
-// Each like OpenCV's function of that name, which may throw. Empty, false or null on failure.
+// OpenCV's functions of these names, which may throw. Empty, false or null on failure.
 struct Codecs {
-    cv::Mat (*imdecode)(const std::vector<uint8_t>& bytes, int flags);
+    cv::Mat (*imdecode)(cv::InputArray bytes, int flags);
     cv::Mat (*imread)(const std::string& file, int flags);
-    bool (*imencode)(const std::string& kind, const cv::Mat& bgr, std::vector<uint8_t>& bytes);
-    bool (*imwrite)(const std::string& file, const cv::Mat& bgr);
-    std::unique_ptr<OpenCamera> (*openCamera)(int index, const CameraRequest& request);
+    bool (*imencode)(const std::string& extension, cv::InputArray bgr, std::vector<uint8_t>& bytes,
+                     const std::vector<int>& parameters);
+    CameraReader (*openCamera)(int index, const CameraRequest& request);
 };
 
 // Loads the plug-in with the first call, from any thread: from beside the program, else from where it was
-// built. Error: it, or a library that it needs, is missing. Sets up OpenCV (DecoderSetup.h).
+// built. Error: it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h, setUpDecoders()).
 Result<const Codecs*> codecs();
 
 // Name of the plug-in's Codecs, with C linkage.

@@ -1,4 +1,5 @@
-// Owners of FFmpeg's objects, and how it opens a file. Internal to this folder.
+// Setup of FFmpeg and OpenCV for the process, owners of FFmpeg's objects, and how it opens a file. Internal
+// to this folder.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -27,21 +28,16 @@ using Input = std::unique_ptr<AVFormatContext, FreeAt<avformat_close_input>>;
 inline Packet makePacket() { return Packet(av_packet_alloc()); }
 inline Frame makeFrame() { return Frame(av_frame_alloc()); }
 
+// To be called before the first use of FFmpeg and of OpenCV's codecs (Codecs.h). Silences their logs on
+// standard error, bounds FFmpeg's allocations, enables the EXR codec. The first call should come before other
+// threads read the environment.
+void setUpDecoders();
+
 // container: null to find out. As a file and nothing else: neither a name nor a playlist may lead to a
 // server. Null if it cannot be opened.
-inline Input openInput(const Path& file, const AVInputFormat* container = nullptr) {
-    AVFormatContext* input = nullptr;
-    AVDictionary* options = nullptr;
-    av_dict_set(&options, "protocol_whitelist", "file", 0);
-    const int opened = avformat_open_input(&input, ("file:" + file.string()).c_str(), container, &options);
-    av_dict_free(&options);
-    return Input(opened < 0 ? nullptr : input);
-}
+Input openInput(const Path& file, const AVInputFormat* container = nullptr);
 
 // Of all streams only this one is read.
-inline void keepOnly(AVFormatContext& input, int stream) {
-    for (unsigned i = 0; i < input.nb_streams; ++i)
-        input.streams[i]->discard = static_cast<int>(i) == stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;
-}
+void keepOnly(AVFormatContext& input, int stream);
 
 } // namespace shoal::media

@@ -3,14 +3,9 @@
 #include "engine/media/VideoInfo.h"
 #include "engine/media/YuvToBgr.h"
 
-extern "C" {
-#include <libswscale/swscale.h>
-}
-
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace shoal::media {
 
@@ -25,21 +20,6 @@ Status checkPictureSize(int width, int height) {
 
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height) {
     return codec == AV_CODEC_ID_MJPEG ? ColourMatrix::Bt601 : colourMatrixOf(stated, width, height);
-}
-
-PictureDecoder::PictureDecoder() : frame_(makeFrame()) {}
-PictureDecoder::~PictureDecoder() { sws_freeContext(scaler_); }
-
-PictureDecoder::PictureDecoder(PictureDecoder&& other) noexcept
-    : codec_(std::move(other.codec_)), frame_(std::move(other.frame_)),
-      scaler_(std::exchange(other.scaler_, nullptr)), rows_(std::move(other.rows_)) {}
-
-PictureDecoder& PictureDecoder::operator=(PictureDecoder&& other) noexcept {
-    std::swap(codec_, other.codec_);
-    std::swap(frame_, other.frame_);
-    std::swap(scaler_, other.scaler_);
-    std::swap(rows_, other.rows_);
-    return *this;
 }
 
 Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase,
@@ -84,7 +64,7 @@ bool PictureDecoder::fullRange() const {
 Status PictureDecoder::convert(ImageRgb8& bgr) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
-    if (bgr.width != width || bgr.height != height) bgr = ImageRgb8(width, height);
+    bgr.fit(width, height);
     switch (frame_->format) {
     case AV_PIX_FMT_YUV420P:
     case AV_PIX_FMT_YUVJ420P:
@@ -116,23 +96,23 @@ void PictureDecoder::convertPlanes(int differenceRowShift, ImageRgb8& bgr) const
 Status PictureDecoder::convertBySwscale(ImageRgb8& bgr) {
     const Error unknown{"", "its picture is of an unknown form"};
     const int width = frame_->width, height = frame_->height;
-    scaler_ = sws_getCachedContext(
-        scaler_, width, height, static_cast<AVPixelFormat>(frame_->format), width, height, AV_PIX_FMT_BGR24,
-        SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr);
+    scaler_.reset(sws_getCachedContext(
+        scaler_.release(), width, height, static_cast<AVPixelFormat>(frame_->format), width, height,
+        AV_PIX_FMT_BGR24, SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr));
     if (!scaler_) return unknown;
     const ColourMatrix is = matrix();
     const int* from = sws_getCoefficients(is == ColourMatrix::Bt709    ? SWS_CS_ITU709
                                           : is == ColourMatrix::Bt2020 ? SWS_CS_BT2020
                                                                        : SWS_CS_ITU601);
     constexpr int kOne = 1 << 16;
-    sws_setColorspaceDetails(scaler_, from, fullRange(), sws_getCoefficients(SWS_CS_DEFAULT), 1, 0, kOne,
-                             kOne);
+    sws_setColorspaceDetails(scaler_.get(), from, fullRange(), sws_getCoefficients(SWS_CS_DEFAULT), 1, 0,
+                             kOne, kOne);
     constexpr int kMargin = 64;
     const int stride = (3 * width + 2 * kMargin) / kMargin * kMargin;
     rows_.resize(static_cast<size_t>(stride) * static_cast<size_t>(height + 1));
     uint8_t* rows[4] = {rows_.data(), nullptr, nullptr, nullptr};
     const int strides[4] = {stride, 0, 0, 0};
-    if (sws_scale(scaler_, frame_->data, frame_->linesize, 0, height, rows, strides) != height)
+    if (sws_scale(scaler_.get(), frame_->data, frame_->linesize, 0, height, rows, strides) != height)
         return unknown;
     for (int y = 0; y < height; ++y)
         std::copy_n(rows_.data() + ptrdiff_t{y} * stride, 3 * width, bgr.at(0, y));

@@ -3,12 +3,14 @@
 
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/ColourMatrix.h"
 #include "engine/media/Ffmpeg.h"
+#include "engine/media/YuvToBgr.h"
+
+extern "C" {
+#include <libswscale/swscale.h>
+}
 
 #include <vector>
-
-struct SwsContext;
 
 namespace shoal::media {
 
@@ -18,16 +20,15 @@ Status checkPictureSize(int width, int height);
 // Motion JPEG is BT.601 whatever its size (JFIF); else as colourMatrixOf() says, whose codes FFmpeg has too.
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
 
+struct FreeScaler {
+    void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+};
+
 // ByThreads: each thread decodes a picture of its own, which is faster but delays pictures by as many.
 enum class FrameThreading { None, ByThreads };
 
 class PictureDecoder {
   public:
-    PictureDecoder();
-    ~PictureDecoder();
-    PictureDecoder(PictureDecoder&& other) noexcept;
-    PictureDecoder& operator=(PictureDecoder&& other) noexcept;
-
     // threads: at least 1. Error: no such codec is installed, or it does not start.
     Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
                 int threads);
@@ -53,9 +54,9 @@ class PictureDecoder {
     Status convertBySwscale(ImageRgb8& bgr);
 
     Codec codec_;
-    Frame frame_;
-    SwsContext* scaler_ = nullptr; // of rare pixel formats
-    std::vector<uint8_t> rows_;    // its output, with a margin behind each row
+    Frame frame_ = makeFrame();
+    std::unique_ptr<SwsContext, FreeScaler> scaler_; // of rare pixel formats
+    std::vector<uint8_t> rows_;                      // its output, with a margin behind each row
 };
 
 } // namespace shoal::media

@@ -2,7 +2,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 
 namespace shoal::media {
@@ -111,39 +113,27 @@ std::optional<Size> exrSize(ByteSpan b) {
     return std::nullopt;
 }
 
-std::optional<PictureKind> kindOf(ByteSpan b) {
-    using enum PictureKind;
-    if (hasText(b, 0, "\xff\xd8\xff")) return Jpeg;
-    if (hasText(b, 0, "\x89PNG\r\n\x1a\n")) return Png;
-    if (hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP")) return Webp;
-    if (hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE")) return Radiance;
-    if (hasText(b, 0, "\x76\x2f\x31\x01")) return Exr;
-    if (hasText(b, 0, "PF") || hasText(b, 0, "Pf")) return Pfm;
-    if (b.size() > 2 && b[0] == 'P' && b[1] >= '1' && b[1] <= '6' && std::isspace(b[2])) return Pnm;
-    if (hasText(b, 0, "BM")) return Bmp;
-    return std::nullopt;
+bool isPnm(ByteSpan b) {
+    return b.size() > 2 && b[0] == 'P' && b[1] >= '1' && b[1] <= '6' && std::isspace(b[2]);
 }
 
-std::optional<Size> sizeOf(PictureKind kind, ByteSpan b) {
-    switch (kind) {
-    case PictureKind::Jpeg:
-        return jpegSize(b);
-    case PictureKind::Png:
-        return pngSize(b);
-    case PictureKind::Bmp:
-        return bmpSize(b);
-    case PictureKind::Webp:
-        return webpSize(b);
-    case PictureKind::Pnm:
-    case PictureKind::Pfm:
-        return pnmSize(b);
-    case PictureKind::Radiance:
-        return radianceSize(b);
-    case PictureKind::Exr:
-        return exrSize(b);
-    }
-    return std::nullopt;
-}
+struct Kind {
+    const char* name;
+    bool (*is)(ByteSpan);
+    std::optional<Size> (*size)(ByteSpan);
+};
+// By PictureKind.
+constexpr Kind kKinds[] = {
+    {"JPEG", [](ByteSpan b) { return hasText(b, 0, "\xff\xd8\xff"); }, jpegSize},
+    {"PNG", [](ByteSpan b) { return hasText(b, 0, "\x89PNG\r\n\x1a\n"); }, pngSize},
+    {"BMP", [](ByteSpan b) { return hasText(b, 0, "BM"); }, bmpSize},
+    {"WebP", [](ByteSpan b) { return hasText(b, 0, "RIFF") && hasText(b, 8, "WEBP"); }, webpSize},
+    {"PNM", isPnm, pnmSize},
+    {"Radiance HDR", [](ByteSpan b) { return hasText(b, 0, "#?RADIANCE") || hasText(b, 0, "#?RGBE"); },
+     radianceSize},
+    {"OpenEXR", [](ByteSpan b) { return hasText(b, 0, "\x76\x2f\x31\x01"); }, exrSize},
+    {"PFM", [](ByteSpan b) { return hasText(b, 0, "PF") || hasText(b, 0, "Pf"); }, pnmSize},
+};
 
 const char* damageInPng(ByteSpan b) {
     for (size_t at = 8; b.size() >= at && b.size() - at >= 12;) {
@@ -187,22 +177,19 @@ size_t walkJpeg(ByteSpan b, const std::function<bool(uint8_t marker, ByteSpan pa
     return at;
 }
 
-const char* nameOf(PictureKind kind) {
-    constexpr const char* kNames[] = {"JPEG", "PNG", "BMP", "WebP", "PNM", "Radiance HDR", "OpenEXR", "PFM"};
-    return kNames[static_cast<int>(kind)];
-}
+const char* nameOf(PictureKind kind) { return kKinds[static_cast<size_t>(kind)].name; }
 
 bool isHdr(PictureKind kind) { return kind >= PictureKind::Radiance; }
 
 Result<PictureHeader> readPictureHeader(ByteSpan bytes) {
-    const auto kind = kindOf(bytes);
-    if (!kind)
+    const auto kind = std::ranges::find_if(kKinds, [&](const Kind& each) { return each.is(bytes); });
+    if (kind == std::end(kKinds))
         return Error{"", "is not a picture of a known kind (JPEG, PNG, BMP, WebP, PNM, HDR, EXR, PFM)"};
-    const auto size = sizeOf(*kind, bytes);
+    const auto size = kind->size(bytes);
     if (!size || size->width <= 0 || size->height <= 0)
-        return Error{"", std::string("its ") + nameOf(*kind) +
+        return Error{"", std::string("its ") + kind->name +
                              " header is damaged, cut short or of an unread variant"};
-    return PictureHeader{*kind, size->width, size->height};
+    return PictureHeader{static_cast<PictureKind>(kind - kKinds), size->width, size->height};
 }
 
 const char* damageIn(PictureKind kind, ByteSpan bytes) {

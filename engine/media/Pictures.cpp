@@ -1,7 +1,6 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/media/Codecs.h"
-#include "engine/media/DecoderSetup.h"
 #include "engine/media/HdrFormats.h"
 #include "engine/media/PictureHeader.h"
 
@@ -11,7 +10,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cctype>
-#include <fstream>
+#include <iostream>
+#include <mutex>
 
 namespace shoal::media {
 
@@ -44,6 +44,30 @@ Result<PictureFile> readPictureFile(const Path& file, bool hdr, PictureLimits li
     return PictureFile{std::move(*bytes), *header};
 }
 
+// A view of the image's own memory.
+template <class T, int kChannels> cv::Mat viewOf(const Image<T, kChannels>& image) {
+    return {image.height, image.width, CV_MAKETYPE(cv::DataType<T>::depth, kChannels),
+            const_cast<T*>(image.pixels.data())};
+}
+
+// Silences std::cerr for its lifetime: OpenCV 4.6 prints exceptions of imread, imdecode and imencode there,
+// whatever the log level. Our own messages do not use it (engine/core/Log.h). One at a time.
+class QuietCerr {
+  public:
+    QuietCerr() : turn_(mutex()), before_(std::cerr.rdbuf(nullptr)) {}
+    ~QuietCerr() { std::cerr.rdbuf(before_); }
+    QuietCerr(const QuietCerr&) = delete;
+    QuietCerr& operator=(const QuietCerr&) = delete;
+
+  private:
+    static std::mutex& mutex() {
+        static std::mutex mutex;
+        return mutex;
+    }
+    std::unique_lock<std::mutex> turn_;
+    std::streambuf* before_;
+};
+
 // What OpenCV decodes, red first. decode: gives a matrix of `type`, empty if it cannot; may throw.
 template <class Picture, class Decode>
 Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& decode) {
@@ -56,8 +80,7 @@ Result<Picture> decoded(const Path& file, PictureKind kind, int type, Decode&& d
         const cv::Mat bgr = decode(**with);
         if (bgr.empty() || bgr.type() != type) return undecodable;
         Picture image(bgr.cols, bgr.rows);
-        cv::Mat rgb(bgr.rows, bgr.cols, type, image.pixels.data());
-        cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
+        cv::cvtColor(bgr, viewOf(image), cv::COLOR_BGR2RGB);
         return image;
     } catch (const std::exception&) {
         return undecodable;
@@ -81,24 +104,22 @@ int64_t repair(ImageRgbF& image) {
     return bad;
 }
 
-// extension: with its dot.
-template <int kChannels>
-Status writeColour(const Path& file, const Image<uint8_t, kChannels>& image, int toOpenCv,
-                   const char* extension, const char* uncodable) {
-    assert(!image.empty());
+// As the file's extension says. toOpenCv: the conversion that brings blue first.
+Status write(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
+             const char* uncodable) {
+    assert(!rgb.empty());
     const auto with = codecs();
     if (!with) return with.error();
+    std::vector<uint8_t> bytes;
     try {
-        const cv::Mat rgb(image.height, image.width, CV_8UC(kChannels),
-                          const_cast<uint8_t*>(image.pixels.data()));
+        const QuietCerr quiet;
         cv::Mat bgr;
         cv::cvtColor(rgb, bgr, toOpenCv);
-        std::vector<uint8_t> bytes;
-        if (!(*with)->imencode(extension, bgr, bytes)) return Error{file.string(), uncodable};
-        return writeFileWhole(file, asText(bytes));
+        if (!(*with)->imencode(extension, bgr, bytes, {})) return Error{file.string(), uncodable};
     } catch (const std::exception& failure) {
         return Error{file.string(), std::string(uncodable) + ": " + failure.what()};
     }
+    return writeFileWhole(file, asText(bytes));
 }
 
 constexpr const char* kNoPng = "the picture cannot be coded as PNG";
@@ -141,10 +162,10 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits) {
 }
 
 Status writePng(const Path& file, const ImageRgb8& image) {
-    return writeColour(file, image, cv::COLOR_RGB2BGR, ".png", kNoPng);
+    return write(file, viewOf(image), cv::COLOR_RGB2BGR, ".png", kNoPng);
 }
 Status writePng(const Path& file, const ImageRgba8& image) {
-    return writeColour(file, image, cv::COLOR_RGBA2BGRA, ".png", kNoPng);
+    return write(file, viewOf(image), cv::COLOR_RGBA2BGRA, ".png", kNoPng);
 }
 
 WrittenAs writtenAs(const Path& file) {
@@ -160,7 +181,7 @@ Status writePicture(const Path& file, const ImageRgb8& image) {
     if (kind == WrittenAs::Png) return writePng(file, image);
     if (kind != WrittenAs::Jpeg)
         return Error{file.string(), "is of no kind that photos are written as; use .png or .jpg"};
-    return writeColour(file, image, cv::COLOR_RGB2BGR, ".jpg", "the picture cannot be coded as JPEG");
+    return write(file, viewOf(image), cv::COLOR_RGB2BGR, ".jpg", "the picture cannot be coded as JPEG");
 }
 
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
@@ -168,31 +189,13 @@ Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
     if (writtenAs(file) != WrittenAs::Hdr)
         return Error{file.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
     if (extensionOf(file) == ".pfm") return writeFileWhole(file, encodePfm(radianceLin));
-    const auto with = codecs();
-    if (!with) return with.error();
-    return writeWhole(file, [&](const Path& temporary) -> Status {
-        const Error unwritable{temporary.string(),
-                               "cannot be written; is the disk full or the folder read-only?"};
-        // Tried first, because OpenCV would complain to standard error.
-        if (!std::ofstream(temporary, std::ios::binary)) return unwritable;
-        try {
-            const cv::Mat rgb(radianceLin.height, radianceLin.width, CV_32FC3,
-                              const_cast<float*>(radianceLin.pixels.data()));
-            cv::Mat bgr;
-            cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-            const QuietCerr quiet;
-            if ((*with)->imwrite(temporary.string(), bgr)) return Done{};
-        } catch (const std::exception&) {
-        }
-        return unwritable;
-    });
+    return write(file, viewOf(radianceLin), cv::COLOR_RGB2BGR, extensionOf(file),
+                 "the picture cannot be coded");
 }
 
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out) {
-    if (out.width != in.width || out.height != in.height) out = ImageRgba8(in.width, in.height);
-    const cv::Mat from(in.height, in.width, CV_8UC3, const_cast<uint8_t*>(in.pixels.data()));
-    cv::Mat to(out.height, out.width, CV_8UC4, out.pixels.data());
-    cv::cvtColor(from, to, bgr ? cv::COLOR_BGR2BGRA : cv::COLOR_RGB2BGRA);
+    out.fit(in.width, in.height);
+    cv::cvtColor(viewOf(in), viewOf(out), bgr ? cv::COLOR_BGR2BGRA : cv::COLOR_RGB2BGRA);
 }
 
 } // namespace shoal::media

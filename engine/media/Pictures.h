@@ -1,5 +1,5 @@
 // Reading and writing of picture files. Any thread; the first call before other threads are started
-// (DecoderSetup.h).
+// (Codecs.h).
 #pragma once
 
 #include "engine/core/Files.h"

@@ -1,11 +1,18 @@
 #include "engine/media/SoundTrack.h"
 
 #include "engine/core/Threads.h"
-#include "engine/media/SoundDecoder.h"
+#include "engine/media/Ffmpeg.h"
+
+extern "C" {
+#include <libavutil/channel_layout.h>
+#include <libswresample/swresample.h>
+}
 
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
+#include <cstdlib>
+#include <deque>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -17,6 +24,156 @@ namespace {
 
 // Bounds of a pass: shorter ones would only seek.
 constexpr double kShortest_s = 0.1, kLongest_s = 24 * 3600;
+constexpr int kMaxChannels = 64, kMinRate_Hz = 1000, kMaxRate_Hz = 384000;
+constexpr int kMaxBlock = 1 << 16; // samples of one decoded block
+constexpr int kMaxBadPackets = 64; // in a row; a few are passed over
+// A time stamp that far off, in frames, is believed; nearer ones are rounding.
+constexpr int64_t kHole = kSoundRate_Hz / 50;
+
+// Decoder of a file's sound stream: stereo samples at kSoundRate_Hz with their place in time.
+class SoundDecoder {
+  public:
+    static Result<SoundDecoder> open(const Path& file);
+
+    double length_s() const; // as the file says; 0 if it does not
+
+    // To this frame or somewhat before it; false if the file does not let itself be read there.
+    bool seek(int64_t frame);
+
+    // Replaces stereo by the next samples, of which the first is the frame returned; -1 at the end, or where
+    // nothing more can be decoded. At most some tenths of a second at a time.
+    int64_t next(std::vector<int16_t>& stereo);
+
+  private:
+    SoundDecoder() = default;
+    int64_t convert(std::vector<int16_t>& stereo);
+
+    Input input_;
+    Codec codec_;
+    std::unique_ptr<SwrContext, FreeAt<swr_free>> converter_{swr_alloc()}; // set up by the block it meets
+    Packet packet_ = makePacket();
+    Frame block_ = makeFrame(), converted_ = makeFrame();
+    int stream_ = -1;
+    double begins_s_ = 0;  // the first picture's time stamp
+    int64_t follows_ = -1; // the frame that the next samples should begin with; -1: as the time stamp says
+    bool draining_ = false;
+};
+
+Result<SoundDecoder> SoundDecoder::open(const Path& file) {
+    setUpDecoders();
+    const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code)) return failed("there is no such file");
+    SoundDecoder d;
+    d.input_ = openInput(file);
+    AVFormatContext* input = d.input_.get();
+    if (!input || avformat_find_stream_info(input, nullptr) < 0)
+        return failed("is not a file with sound that can be read");
+    const AVCodec* kind = nullptr;
+    d.stream_ = av_find_best_stream(input, AVMEDIA_TYPE_AUDIO, -1, -1, &kind, 0);
+    if (d.stream_ < 0 || !kind) return failed("has no sound");
+    keepOnly(*input, d.stream_);
+    const int picture = av_find_best_stream(input, AVMEDIA_TYPE_VIDEO, -1, d.stream_, nullptr, 0);
+    const AVStream& first = *input->streams[picture >= 0 ? picture : d.stream_];
+    if (first.start_time != AV_NOPTS_VALUE)
+        d.begins_s_ = static_cast<double>(first.start_time) * av_q2d(first.time_base);
+    const AVStream& sound = *input->streams[d.stream_];
+    d.codec_.reset(avcodec_alloc_context3(kind));
+    if (!d.codec_ || avcodec_parameters_to_context(d.codec_.get(), sound.codecpar) < 0)
+        return failed("has a sound that cannot be decoded");
+    d.codec_->pkt_timebase = sound.time_base;
+    d.codec_->thread_count = 1; // there is little to do
+    if (avcodec_open2(d.codec_.get(), kind, nullptr) < 0) return failed("has a sound that cannot be decoded");
+    return d;
+}
+
+double SoundDecoder::length_s() const {
+    return input_->duration > 0 ? static_cast<double>(input_->duration) / AV_TIME_BASE : 0;
+}
+
+bool SoundDecoder::seek(int64_t frame) {
+    const double seconds = static_cast<double>(frame) / kSoundRate_Hz + begins_s_;
+    const auto stamp =
+        static_cast<int64_t>(std::floor(seconds / av_q2d(input_->streams[stream_]->time_base)));
+    if (av_seek_frame(input_.get(), stream_, stamp, AVSEEK_FLAG_BACKWARD) < 0 &&
+        (frame > 0 || av_seek_frame(input_.get(), stream_, 0, AVSEEK_FLAG_BACKWARD | AVSEEK_FLAG_ANY) < 0))
+        return false;
+    avcodec_flush_buffers(codec_.get());
+    swr_close(converter_.get());
+    follows_ = -1;
+    draining_ = false;
+    return true;
+}
+
+// The decoded block as samples; their first frame, or -1 if it is nonsense.
+int64_t SoundDecoder::convert(std::vector<int16_t>& stereo) {
+    AVFrame& block = *block_;
+    if (block.sample_rate < kMinRate_Hz || block.sample_rate > kMaxRate_Hz || block.nb_samples < 1 ||
+        block.nb_samples > kMaxBlock || block.ch_layout.nb_channels < 1 ||
+        block.ch_layout.nb_channels > kMaxChannels)
+        return -1;
+    // A decoder may only know how many channels there are.
+    if (block.ch_layout.order == AV_CHANNEL_ORDER_UNSPEC)
+        av_channel_layout_default(&block.ch_layout, block.ch_layout.nb_channels);
+    int64_t begins = follows_;
+    const bool stamped = block.best_effort_timestamp != AV_NOPTS_VALUE;
+    if (stamped) {
+        const double seconds =
+            static_cast<double>(block.best_effort_timestamp) * av_q2d(codec_->pkt_timebase) - begins_s_;
+        if (!(std::abs(seconds) < 1e7)) return -1;
+        // What still waits in the converter comes out first.
+        const int64_t waiting =
+            swr_is_initialized(converter_.get()) ? swr_get_delay(converter_.get(), kSoundRate_Hz) : 0;
+        const int64_t stated = std::llround(seconds * kSoundRate_Hz) - waiting;
+        if (follows_ < 0 || std::llabs(stated - follows_) > kHole) begins = stated;
+    }
+    AVFrame& out = *converted_;
+    av_frame_unref(&out);
+    out.format = AV_SAMPLE_FMT_S16;
+    out.sample_rate = kSoundRate_Hz;
+    av_channel_layout_default(&out.ch_layout, 2);
+    int error = swr_convert_frame(converter_.get(), &out, &block);
+    if (error == AVERROR_INPUT_CHANGED) { // a stream may change its format on the way
+        swr_close(converter_.get());
+        error = swr_convert_frame(converter_.get(), &out, &block);
+    }
+    if (error < 0) return -1;
+    const auto* samples = reinterpret_cast<const int16_t*>(out.data[0]);
+    stereo.assign(samples, samples + ptrdiff_t{2} * out.nb_samples);
+    if (begins < 0 && follows_ < 0 && !stamped) begins = 0;
+    follows_ = begins + out.nb_samples;
+    return begins;
+}
+
+int64_t SoundDecoder::next(std::vector<int16_t>& stereo) {
+    stereo.clear();
+    for (int bad = 0; bad < kMaxBadPackets;) {
+        const int got = avcodec_receive_frame(codec_.get(), block_.get());
+        if (got == 0) {
+            const int64_t begins = convert(stereo);
+            // Before the first picture there is nothing to be heard: the priming of a codec, mostly.
+            const auto count = static_cast<int64_t>(stereo.size() / 2);
+            if (begins + count > 0 && count > 0) {
+                if (begins >= 0) return begins;
+                stereo.erase(stereo.begin(), stereo.begin() + static_cast<ptrdiff_t>(-begins) * 2);
+                return 0;
+            }
+            stereo.clear();
+            ++bad;
+            continue;
+        }
+        if (got == AVERROR_EOF || draining_) return -1;
+        if (got != AVERROR(EAGAIN)) ++bad;
+        if (av_read_frame(input_.get(), packet_.get()) < 0) {
+            draining_ = true;
+            avcodec_send_packet(codec_.get(), nullptr);
+            continue;
+        }
+        if (packet_->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet_.get()) < 0) ++bad;
+        av_packet_unref(packet_.get());
+    }
+    return -1;
+}
 
 } // namespace
 
@@ -24,9 +181,8 @@ struct SoundTrack::Impl {
     std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
-    std::vector<int16_t> ring = std::vector<int16_t>(2 * static_cast<size_t>(kSoundAhead));
-    size_t begins = 0, count = 0; // frames in it
-    int64_t wanted = 0;           // where the thread continues once the generation changes
+    std::deque<int16_t> ready; // interleaved; at most kSoundAhead frames
+    int64_t wanted = 0;        // where the thread continues once the generation changes
     int generation = 0;
     bool broken = false;
     bool stop = false;
@@ -46,27 +202,21 @@ struct SoundTrack::Impl {
         if (thread.joinable()) thread.join();
     }
 
-    // Writes frames (null: silence) to the ring as there is room. False if stopped or sought meanwhile.
+    // Appends frames (null: silence) as there is room. False if stopped or sought meanwhile.
     bool put(const int16_t* stereo, int64_t frames, int mine) {
         std::unique_lock lock(mutex);
-        if (stop || generation != mine) return false;
-        while (frames > 0) {
-            changed.wait(lock, [&] { return stop || generation != mine || count < kSoundAhead; });
-            if (stop || generation != mine) return false;
-            const size_t end = (begins + count) % kSoundAhead;
-            const size_t some =
-                std::min({static_cast<size_t>(frames), kSoundAhead - count, kSoundAhead - end});
-            if (stereo) {
-                std::copy_n(stereo, 2 * some, ring.begin() + static_cast<ptrdiff_t>(2 * end));
-                stereo += 2 * some;
-            } else {
-                std::fill_n(ring.begin() + static_cast<ptrdiff_t>(2 * end), 2 * some, int16_t{0});
-            }
-            count += some;
-            frames -= static_cast<int64_t>(some);
-            changed.notify_all();
+        while (!stop && generation == mine) {
+            const auto room = kSoundAhead - static_cast<int64_t>(ready.size() / 2);
+            const auto samples = static_cast<ptrdiff_t>(2 * std::min(frames, room));
+            if (stereo)
+                ready.insert(ready.end(), stereo, stereo + samples), stereo += samples;
+            else
+                ready.insert(ready.end(), static_cast<size_t>(samples), int16_t{0});
+            frames -= samples / 2;
+            if (frames == 0) return true;
+            changed.wait(lock);
         }
-        return true;
+        return false;
     }
 
     // Decodes from this frame on, looping, until stopped or sought.
@@ -90,7 +240,6 @@ struct SoundTrack::Impl {
         }
         const std::lock_guard lock(mutex);
         broken = true;
-        changed.notify_all();
     }
 
     void run() {
@@ -128,37 +277,26 @@ SoundTrack::~SoundTrack() = default;
 int64_t SoundTrack::passLength() const { return impl_->pass; }
 
 void SoundTrack::seek(int64_t frame) {
-    Impl& t = *impl_;
     {
-        const std::lock_guard lock(t.mutex);
-        ++t.generation;
-        t.wanted = std::max<int64_t>(frame, 0);
-        t.begins = t.count = 0;
+        const std::lock_guard lock(impl_->mutex);
+        ++impl_->generation;
+        impl_->wanted = std::max<int64_t>(frame, 0);
+        impl_->ready.clear();
     }
-    t.changed.notify_all();
+    impl_->changed.notify_all();
 }
 
-size_t SoundTrack::read(std::span<int16_t> stereo, bool wait) {
-    Impl& t = *impl_;
-    const size_t frames = stereo.size() / 2;
-    size_t got = 0;
-    std::unique_lock lock(t.mutex);
-    while (got < frames) {
-        if (wait) t.changed.wait(lock, [&] { return t.count > 0 || t.broken; });
-        if (t.count == 0 && t.broken) {
-            std::fill(stereo.begin() + static_cast<ptrdiff_t>(2 * got), stereo.end(), int16_t{0});
-            return frames;
-        }
-        const size_t some = std::min({frames - got, t.count, kSoundAhead - t.begins});
-        if (some == 0) break;
-        std::copy_n(t.ring.begin() + static_cast<ptrdiff_t>(2 * t.begins), 2 * some,
-                    stereo.begin() + static_cast<ptrdiff_t>(2 * got));
-        got += some;
-        t.begins = (t.begins + some) % kSoundAhead;
-        t.count -= some;
-        t.changed.notify_all();
-    }
-    return got;
+size_t SoundTrack::read(std::span<int16_t> stereo) {
+    const std::lock_guard lock(impl_->mutex);
+    std::deque<int16_t>& ready = impl_->ready;
+    const size_t samples = std::min(stereo.size() / 2 * 2, ready.size());
+    const auto end = ready.begin() + static_cast<ptrdiff_t>(samples);
+    const auto rest = std::copy(ready.begin(), end, stereo.begin());
+    ready.erase(ready.begin(), end);
+    impl_->changed.notify_all();
+    if (!impl_->broken) return samples / 2;
+    std::fill(rest, stereo.end(), int16_t{0});
+    return stereo.size() / 2;
 }
 
 } // namespace shoal::media

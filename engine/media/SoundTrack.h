@@ -31,8 +31,8 @@ class SoundTrack {
     void seek(int64_t frame);
 
     // Reads the next frames, interleaved, and returns their number: fewer than asked for where the thread has
-    // not decoded them yet, unless it is to wait. After damage in the file the rest is silence.
-    size_t read(std::span<int16_t> stereo, bool wait = false);
+    // not decoded them yet. After damage in the file the rest is silence. Does not wait.
+    size_t read(std::span<int16_t> stereo);
 
   private:
     struct Impl;

@@ -67,8 +67,7 @@ std::optional<PanoramaPlacement> placementIn(std::string_view text, const std::s
                               .left = pixels("CroppedAreaLeftPixels"),
                               .top = pixels("CroppedAreaTopPixels"),
                               .width = pixels("CroppedAreaImageWidthPixels"),
-                              .height = pixels("CroppedAreaImageHeightPixels"),
-                              .heading_deg = rdfNumber(text, prefix + "PoseHeadingDegrees").value_or(0)};
+                              .height = pixels("CroppedAreaImageHeightPixels")};
     if (p.left < 0 || p.top < 0 || p.width < 1 || p.height < 1) return std::nullopt;
     if (p.left + p.width > p.fullWidth || p.top + p.height > p.fullHeight) return std::nullopt;
     return p;
@@ -144,15 +143,6 @@ SphericalMetadata v2Of(Mp4Reader& mp4, const Box& entry) {
         if ((*b)[4] < 3) m.layout = kModes[(*b)[4]];
     }
     const Box projection = mp4.find(mp4.find(entry, "sv3d"), "proj");
-    if (const auto b = mp4.first<16>(mp4.find(projection, "prhd"))) { // 16.16 fixed point
-        const auto angle = [&](size_t at, float limit) {
-            return std::clamp(static_cast<float>(static_cast<int32_t>(big32(*b, at))) / 65536.0f, -limit,
-                              limit);
-        };
-        m.yaw_deg = angle(4, 180);
-        m.pitch_deg = angle(8, 90);
-        m.roll_deg = angle(12, 180);
-    }
     if (const Box equi = mp4.find(projection, "equi"); equi.end > 0) {
         m.projection = Projection::Equirect;
         if (const auto b = mp4.first<20>(equi)) { // 0.32 fixed point
@@ -231,8 +221,6 @@ SphericalMetadata matroskaMetadata(const AVStream& stream, ByteSpan fileBegin) {
     if (const auto* s = reinterpret_cast<const AVSphericalMapping*>(
             av_stream_get_side_data(&stream, AV_PKT_DATA_SPHERICAL, &size))) {
         m.projection = s->projection == AV_SPHERICAL_CUBEMAP ? Projection::Cubemap : Projection::Equirect;
-        const auto degrees = [](int32_t fixed) { return static_cast<float>(fixed) / 65536.0f; };
-        m.yaw_deg = degrees(s->yaw), m.pitch_deg = degrees(s->pitch), m.roll_deg = degrees(s->roll);
         const auto part = [](uint32_t fixed) { return fixed / 4294967296.0; };
         if (s->projection == AV_SPHERICAL_EQUIRECTANGULAR_TILE)
             setMissing(m, part(s->bound_top), part(s->bound_bottom), part(s->bound_left),

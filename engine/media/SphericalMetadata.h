@@ -25,10 +25,6 @@ struct SphericalMetadata {
     Projection projection = Projection::Unknown;
     Layout layout = Layout::Auto; // Auto: not stated
 
-    // Orientation of the camera (V2's prhd, Matroska's pose): degrees to undo, as stated. Yaw
-    // counter-clockwise about up, pitch about right upwards, roll clockwise about forward. V1 has none.
-    float yaw_deg = 0, pitch_deg = 0, roll_deg = 0;
-
     // Fractions of the full sphere's width or height that are missing at each side (V2's equi, V1's
     // cropping), 0..1; all 0 for a full environment.
     float missingTop = 0, missingBottom = 0, missingLeft = 0, missingRight = 0;
@@ -46,7 +42,6 @@ SphericalMetadata matroskaMetadata(const AVStream& stream, ByteSpan fileBegin);
 struct PanoramaPlacement {
     int fullWidth = 0, fullHeight = 0;
     int left = 0, top = 0, width = 0, height = 0;
-    double heading_deg = 0; // compass heading of the full picture's centre column; 0 if not stated
 };
 
 // Of a JPEG photo. Nothing if the file cannot be read, does not state it, or contradicts itself.

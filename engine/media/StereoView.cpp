@@ -1,6 +1,7 @@
 #include "engine/media/StereoView.h"
 
-#include <array>
+#include <opencv2/imgproc.hpp>
+
 #include <cassert>
 #include <cmath>
 
@@ -8,47 +9,36 @@ namespace shoal::media {
 
 namespace {
 
-constexpr int kCells = 32;
-using Cells = std::array<double, kCells * kCells>;
-
-// Means of the brightness in kCells x kCells cells of a part of the frame. Each cell takes at most 8 x 8
-// samples, enough for telling halves apart and independent of the frame's size.
-Cells averageOf(const ImageRgb8& frame, int left, int top, int width, int height) {
-    constexpr int kSamples = 8;
-    Cells cells{};
-    for (int i = 0; i < kCells * kSamples; ++i) {
-        const int y = top + static_cast<int>(int64_t{i} * height / (kCells * kSamples));
-        for (int j = 0; j < kCells * kSamples; ++j) {
-            const uint8_t* p = frame.at(left + static_cast<int>(int64_t{j} * width / (kCells * kSamples)), y);
-            cells[static_cast<size_t>(i / kSamples * kCells + j / kSamples)] += p[0] + p[1] + p[2];
-        }
-    }
-    return cells;
+// The brightness of a part of the frame, averaged over 32 x 32 cells. Each cell takes 8 x 8 samples, enough
+// for telling halves apart and independent of the frame's size.
+cv::Mat averageOf(const cv::Mat& frame, const cv::Rect& part) {
+    constexpr int kCells = 32, kSamples = 8;
+    cv::Mat samples, cells, brightness;
+    cv::resize(frame(part), samples, {kCells * kSamples, kCells * kSamples}, 0, 0, cv::INTER_NEAREST);
+    samples.convertTo(samples, CV_32F);
+    cv::resize(samples, cells, {kCells, kCells}, 0, 0, cv::INTER_AREA);
+    cv::transform(cells, brightness, cv::Matx13f(1 / 3.0f, 1 / 3.0f, 1 / 3.0f));
+    return brightness;
 }
 
 // Mean absolute difference over the standard deviation of both together.
-double difference(const Cells& a, const Cells& b) {
-    double sum = 0, squares = 0, apart = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        sum += a[i] + b[i];
-        squares += a[i] * a[i] + b[i] * b[i];
-        apart += std::abs(a[i] - b[i]);
-    }
-    const double n = 2.0 * static_cast<double>(a.size());
-    const double variance = squares / n - sum / n * (sum / n);
-    // Below one level of brightness per sample (192 samples a cell) there is nothing to compare.
-    if (variance < 192.0 * 192.0) return 1e9;
-    return apart / static_cast<double>(a.size()) / std::sqrt(variance);
+double difference(const cv::Mat& a, const cv::Mat& b) {
+    cv::Mat both;
+    cv::hconcat(a, b, both);
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(both, mean, deviation);
+    // Below one level of brightness there is nothing to compare.
+    if (deviation[0] < 1) return 1e9;
+    return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(a.total()) / deviation[0];
 }
 
 } // namespace
 
-EyeView eyeView(Layout layout, int eye) {
+EyePart eyePart(Layout layout, int eye, int width, int height) {
     assert(layout != Layout::Auto && (eye == 0 || eye == 1));
-    const float second = eye == 1 ? 0.5f : 0.0f;
-    if (layout == Layout::TopBottom) return {{0, second}, {1, 0.5f}};
-    if (layout == Layout::LeftRight) return {{second, 0}, {0.5f, 1}};
-    return {};
+    if (layout == Layout::TopBottom) return {0, eye * height / 2, width, height / 2};
+    if (layout == Layout::LeftRight) return {eye * width / 2, 0, width / 2, height};
+    return {0, 0, width, height};
 }
 
 Layout layoutFromShape(int width, int height) {
@@ -63,10 +53,12 @@ Layout layoutFromShape(int width, int height) {
 Layout layoutFromContent(const ImageRgb8& frame) {
     const int w = frame.width, h = frame.height;
     if (w < 2 || h < 2) return Layout::Mono;
-    const double apartV =
-        difference(averageOf(frame, 0, 0, w, h / 2), averageOf(frame, 0, h - h / 2, w, h / 2));
-    const double apartH =
-        difference(averageOf(frame, 0, 0, w / 2, h), averageOf(frame, w - w / 2, 0, w / 2, h));
+    const cv::Mat view(h, w, CV_8UC3, const_cast<uint8_t*>(frame.pixels.data()));
+    const auto apart = [&](const cv::Size& half) {
+        return difference(averageOf(view, {{0, 0}, half}),
+                          averageOf(view, {{w - half.width, h - half.height}, half}));
+    };
+    const double apartV = apart({w, h / 2}), apartH = apart({w / 2, h});
     if (apartV < kSameHalves && apartV <= apartH) return Layout::TopBottom;
     if (apartH < kSameHalves) return Layout::LeftRight;
     return Layout::Mono;

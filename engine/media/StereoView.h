@@ -4,8 +4,6 @@
 #include "engine/core/EnumNames.h"
 #include "engine/core/Image.h"
 
-#include <glm/vec2.hpp>
-
 #include <array>
 
 namespace shoal::media {
@@ -13,14 +11,13 @@ namespace shoal::media {
 // Auto only as a request ("detect"), never as a result. TopBottom: left eye above; LeftRight: left eye left.
 enum class Layout { Auto, Mono, TopBottom, LeftRight };
 
-// The part of the frame that an eye sees: frameUv = offset + scale * eyeUv, both with v = 0 at the top.
-struct EyeView {
-    glm::vec2 offset{0, 0};
-    glm::vec2 scale{1, 1};
+// The part of a frame that an eye sees: pixels. Of an odd size both eyes' halves fit in.
+struct EyePart {
+    int x = 0, y = 0, width = 0, height = 0;
 };
 
 // eye: 0 left, 1 right. Both eyes see the whole of a mono frame. layout is not Auto.
-EyeView eyeView(Layout layout, int eye);
+EyePart eyePart(Layout layout, int eye, int width, int height);
 
 // From the frame's shape alone, expecting 2:1 for each eye within 6 %: 2:1 is mono, 1:1 top-bottom, 4:1
 // left-right. Auto if the shape is ambiguous (16:9 is used for all three).

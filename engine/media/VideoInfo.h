@@ -3,9 +3,9 @@
 
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
-#include "engine/media/ColourMatrix.h"
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
+#include "engine/media/YuvToBgr.h"
 
 #include <string>
 
@@ -26,9 +26,5 @@ struct VideoInfo {
     Layout layout = Layout::Mono;  // never Auto
     const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"
 };
-
-// layout: Auto detects it from the metadata, else the frame's shape, else the first frame. Fails if the file
-// is not a regular one, not a video, larger than kMaxVideoSide, or if its first frame cannot be decoded.
-Result<VideoInfo> inspectVideo(const Path& file, Layout layout = Layout::Auto);
 
 } // namespace shoal::media

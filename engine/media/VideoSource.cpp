@@ -1,6 +1,5 @@
 #include "engine/media/VideoSource.h"
 
-#include "engine/media/DecoderSetup.h"
 #include "engine/media/PictureHeader.h"
 
 #include <opencv2/core.hpp>
@@ -68,7 +67,7 @@ int quarterTurnsOf(const AVStream& stream) {
 
 } // namespace
 
-Result<VideoSource> VideoSource::open(const Path& file) {
+Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     setUpDecoders();
     const auto begin = readFileBegin(file, 64 << 10);
     if (!begin) return begin.error();
@@ -88,6 +87,7 @@ Result<VideoSource> VideoSource::open(const Path& file) {
         source.info_.metadata = mp4Metadata(stream, std::filesystem::file_size(file, code));
     }
     source.readInfo();
+    if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
     return source;
 }
 
@@ -226,34 +226,17 @@ bool VideoSource::seek(int64_t number) {
     return reopen().ok();
 }
 
-bool resolveLayout(VideoSource& source, Layout request, VideoInfo& info) {
-    info = source.info();
-    if (request != Layout::Auto) {
-        info.layout = request;
-        info.layoutSource = "asked for";
-    } else if (info.metadata.layout != Layout::Auto) {
-        info.layout = info.metadata.layout;
-        info.layoutSource = "metadata";
-    } else if (const Layout guess = layoutFromShape(info.width, info.height); guess != Layout::Auto) {
-        info.layout = guess;
-        info.layoutSource = "shape";
-    } else {
-        ImageRgb8 first(info.width, info.height);
-        if (!source.grab() || !source.retrieve(first) || !source.seek(0)) return false;
-        info.layout = layoutFromContent(first);
-        info.layoutSource = "content";
-    }
-    return true;
-}
-
-Result<VideoInfo> inspectVideo(const Path& file, Layout layout) {
-    auto source = VideoSource::open(file);
-    if (!source) return source.error();
-    VideoInfo info;
-    ImageRgb8 first(source->info().width, source->info().height);
-    if (!resolveLayout(*source, layout, info) || !source->grab() || !source->retrieve(first))
-        return Error{file.string(), "its first frame cannot be decoded"};
-    return info;
+bool VideoSource::findLayout(Layout request) {
+    const auto found = [this](Layout layout, const char* source) {
+        info_.layout = layout;
+        info_.layoutSource = source;
+        return layout != Layout::Auto;
+    };
+    if (found(request, "asked for") || found(info_.metadata.layout, "metadata") ||
+        found(layoutFromShape(info_.width, info_.height), "shape"))
+        return true;
+    ImageRgb8 first(info_.width, info_.height);
+    return grab() && retrieve(first) && seek(0) && found(layoutFromContent(first), "content");
 }
 
 } // namespace shoal::media

@@ -9,8 +9,9 @@ namespace shoal::media {
 
 class VideoSource {
   public:
-    // Checks the kind of file and its stated size before any decoder sees it. info() lacks layout.
-    static Result<VideoSource> open(const Path& file);
+    // Checks the kind of file and its stated size before any decoder sees it. Layout::Auto is detected from
+    // the metadata, else the frame's shape, else the first frame.
+    static Result<VideoSource> open(const Path& file, Layout request);
 
     const VideoInfo& info() const { return info_; }
 
@@ -38,6 +39,7 @@ class VideoSource {
     bool jump(int64_t number);
     const AVStream& stream() const;
     void readInfo();
+    bool findLayout(Layout request); // false: the first frame was needed and could not be decoded
 
     Path file_;
     const AVInputFormat* container_ = nullptr;
@@ -56,10 +58,5 @@ class VideoSource {
     bool drained_ = false; // the end of the file was sent to the decoder
     bool seekable_ = true; // until a seek failed
 };
-
-// Completes the source's info by its layout: `request`, else from the metadata, the frame's shape or the
-// first frame. Leaves the source at its beginning. False if the first frame was needed and could not be
-// decoded.
-bool resolveLayout(VideoSource& source, Layout request, VideoInfo& info);
 
 } // namespace shoal::media

@@ -1,11 +1,26 @@
-// From luma and colour differences, 8 bits each, to blue, green and red. Internal to this room.
+// From luma and colour differences, 8 bits each, to blue, green and red. Internal to this folder, but for the
+// matrices.
 #pragma once
-
-#include "engine/media/ColourMatrix.h"
 
 #include <cstdint>
 
 namespace shoal::media {
+
+// Matrix coefficients of a video's luma and colour differences. High-definition video is BT.709; decoded as
+// BT.601, its saturated colours would shift by up to 25 of 255 levels.
+enum class ColourMatrix { Bt601, Bt709, Bt2020 };
+
+const char* nameOf(ColourMatrix matrix);
+
+// code: matrix coefficients of ISO/IEC 23091-2 (ITU-T H.273) as containers state them, 2 or 0 if they do not.
+// Unstated ones follow from the size, as in other players: BT.709 from 1280 wide or above 576 high.
+ColourMatrix colourMatrixOf(int code, int width, int height);
+
+// Weights of red and blue in luma; green's is 1 minus both.
+struct Luma {
+    double red, blue;
+};
+Luma lumaOf(ColourMatrix matrix);
 
 // A row in planes; each colour difference stands for two pixels, the last one of an odd width for one.
 struct YuvRow {

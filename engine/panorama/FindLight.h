@@ -12,8 +12,8 @@ struct MainLight {
 
 // The radiance (after the thesis' inverse tone mapping) is blurred over about a hundredth of the picture's
 // width. The light is the connected region around its maximum that is brighter than four fifths of it; its
-// position is the region's centroid, weighted by radiance. photo: 3 coded floats, at most some 1000 pixels
-// wide (wider ones only cost time).
+// position is the region's centroid, weighted by radiance. Wide photos are reduced first. photo: 3 coded
+// floats.
 MainLight findMainLight(const cv::Mat& photo);
 
 } // namespace shoal::panorama

@@ -3,7 +3,6 @@
 #include "engine/panorama/FindLight.h"
 #include "engine/panorama/PerceptualCoding.h"
 #include "engine/panorama/PolarCaps.h"
-#include "engine/panorama/Resample.h"
 #include "engine/panorama/RingMap.h"
 #include "engine/panorama/WrapBlend.h"
 
@@ -39,8 +38,7 @@ Status checkPhoto(int width, int height, const PanoramaOptions& options) {
     return Done{};
 }
 
-int widthFor(int photoWidth, double fov, const PanoramaOptions& options) {
-    if (options.width > 0) return options.width;
+int widthFor(int photoWidth, double fov) {
     const int detailed = static_cast<int>(photoWidth * 2 * std::numbers::pi / fov);
     return std::clamp(detailed / 64 * 64, 512, 4096);
 }
@@ -59,22 +57,21 @@ cv::Mat bounded(const cv::Mat& photo) {
 }
 
 // The photo, reduced and projected to latitude and longitude.
-Colours patchOf(const cv::Mat& photo, const Lens& lens) {
+cv::Mat patchOf(const cv::Mat& photo, const Lens& lens) {
     const auto pixels = [](double radians) {
         return std::max(4, static_cast<int>(std::lround(radians / kRadiansPerDegree * kMapPixelsPerDegree)));
     };
-    Colours patch(std::min(pixels(2 * lens.longitude), kMapWidth), pixels(2 * lens.latitude));
-    cv::Mat small, column(patch.height, patch.width, CV_32F), row(column.size(), CV_32F);
-    cv::resize(photo, small, column.size(), 0, 0, cv::INTER_AREA);
-    for (int y = 0; y < patch.height; ++y)
-        for (int x = 0; x < patch.width; ++x) {
-            const double lon = ((x + 0.5) / patch.width * 2 - 1) * lens.longitude;
-            const double lat = (1 - (y + 0.5) / patch.height * 2) * lens.latitude;
+    const cv::Size size(std::min(pixels(2 * lens.longitude), kMapWidth), pixels(2 * lens.latitude));
+    cv::Mat small, patch, column(size, CV_32F), row(size, CV_32F);
+    cv::resize(photo, small, size, 0, 0, cv::INTER_AREA);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const double lon = ((x + 0.5) / size.width * 2 - 1) * lens.longitude;
+            const double lat = (1 - (y + 0.5) / size.height * 2) * lens.latitude;
             column.at<float>(y, x) = static_cast<float>(lens.columnOf(lon) / lens.width * small.cols - 0.5);
             row.at<float>(y, x) = static_cast<float>(lens.rowOf(lon, lat) / lens.height * small.rows - 0.5);
         }
-    cv::remap(small, cv::Mat(patch.height, patch.width, CV_32FC3, patch.pixels.data()), column, row,
-              cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    cv::remap(small, patch, column, row, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
     return patch;
 }
 
@@ -107,9 +104,8 @@ void photoFromRing(const RingMap& map, const Lens& lens, const cv::Size& patch, 
 void rotateColumns(cv::Mat& picture, int toRight) {
     const int w = picture.cols, by = ((toRight % w) + w) % w;
     if (by == 0) return;
-    cv::Mat turned(picture.size(), picture.type());
-    picture.colRange(0, w - by).copyTo(turned.colRange(by, w));
-    picture.colRange(w - by, w).copyTo(turned.colRange(0, by));
+    cv::Mat turned;
+    cv::hconcat(picture.colRange(w - by, w), picture.colRange(0, w - by), turned);
     picture = turned;
 }
 
@@ -122,18 +118,60 @@ double ringColumn(const std::vector<float>& map, double patchColumn) {
     return static_cast<double>(after - map.begin()) - 0.5 + std::clamp((wanted - before) / step, 0.0, 1.0);
 }
 
-// photo: 3 coded floats. Found on a reduced copy; in pixels of the photo.
-MainLight mainLightOf(const cv::Mat& photo) {
-    cv::Mat small;
-    const double reduced = std::min(1.0, 1024.0 / photo.cols);
-    cv::resize(photo, small,
-               {std::max(8, static_cast<int>(photo.cols * reduced)),
-                std::max(8, static_cast<int>(photo.rows * reduced))},
-               0, 0, cv::INTER_AREA);
-    MainLight light = findMainLight(small);
-    light.place = {light.place.x * photo.cols / small.cols, light.place.y * photo.rows / small.rows};
-    light.radius_px *= static_cast<double>(photo.cols) / small.cols;
-    return light;
+// Fractional mip level of each pixel.
+cv::Mat levelOf(const cv::Mat& column, int levels) {
+    cv::Mat level(column.size(), CV_32F);
+    for (int y = 0; y < column.rows; ++y) {
+        const float* at = column.ptr<float>(y);
+        float* to = level.ptr<float>(y);
+        for (int x = 0; x < column.cols; ++x) {
+            const int left = std::max(x - 1, 0), right = std::min(x + 1, column.cols - 1);
+            const float step = (at[right] - at[left]) / static_cast<float>(std::max(1, right - left));
+            to[x] =
+                std::clamp(std::log2(std::max(std::abs(step), 1.0f)), 0.0f, static_cast<float>(levels - 1));
+        }
+    }
+    return level;
+}
+
+// Mip levels of the photo, each half as wide as the last and of the same height.
+std::vector<cv::Mat> widthPyramid(const cv::Mat& photo) {
+    std::vector<cv::Mat> levels{photo};
+    while (levels.back().cols >= 8) {
+        cv::Mat half;
+        cv::resize(levels.back(), half, {levels.back().cols / 2, photo.rows}, 0, 0, cv::INTER_AREA);
+        levels.push_back(half);
+    }
+    return levels;
+}
+
+// out(x, y) = photo at column(x, y), row(x, y), both in pixels of the photo with the middle of the first at
+// 0.5. Horizontally filtered between two levels by the distance of neighbouring columns; vertically rows are
+// taken to be about one apart. Beyond the edges the last pixel repeats. Within the photo's own range.
+cv::Mat resample(const cv::Mat& photo, const cv::Mat& column, const cv::Mat& row) {
+    const std::vector<cv::Mat> levels = widthPyramid(photo);
+    const cv::Mat level = levelOf(column, static_cast<int>(levels.size()));
+    double minimum = 0, maximum = 0;
+    cv::minMaxLoc(level, &minimum, &maximum);
+    cv::Mat out = cv::Mat::zeros(column.size(), CV_32FC3);
+    const cv::Mat rows = row - 0.5;
+    for (int k = static_cast<int>(minimum); k <= static_cast<int>(std::ceil(maximum)); ++k) {
+        const cv::Mat& from = levels[static_cast<size_t>(k)];
+        const cv::Mat columns = column * (static_cast<double>(from.cols) / levels[0].cols) - 0.5;
+        cv::Mat read;
+        cv::remap(from, read, columns, rows, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+        for (int y = 0; y < out.rows; ++y) {
+            const float* at = level.ptr<float>(y);
+            for (int x = 0; x < out.cols; ++x) {
+                const float share = std::max(0.0f, 1 - std::abs(at[x] - static_cast<float>(k)));
+                if (share > 0) out.at<cv::Vec3f>(y, x) += share * read.at<cv::Vec3f>(y, x);
+            }
+        }
+    }
+    // A cubic kernel overshoots at edges; beside a sun that would be brighter than the sun.
+    double darkest = 0, brightest = 0;
+    cv::minMaxLoc(levels[0].reshape(1), &darkest, &brightest);
+    return cv::min(cv::max(out, darkest), brightest);
 }
 
 // The photo resampled to the ring, `width` columns.
@@ -149,7 +187,7 @@ cv::Mat ringOf(const cv::Mat& photo, const RingMap& map, const Lens& lens, const
     if (rowsNeeded < photo.rows)
         cv::resize(photo, reduced, {photo.cols, std::max(rowsNeeded, 4)}, 0, 0, cv::INTER_AREA);
     row *= static_cast<double>(reduced.rows) / photo.rows;
-    return resample(widthPyramid(reduced), column, row);
+    return resample(reduced, column, row);
 }
 
 // topLatitude: of the ring, radians. lightColumn: of the ring; comes to the middle.
@@ -174,18 +212,18 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
     const auto done = [&](double fraction) {
         if (progress) progress(fraction);
     };
-    const MainLight light = mainLightOf(photo);
+    const MainLight light = findMainLight(photo);
     const Lens lens = Lens::make(photo.cols, photo.rows, fov);
-    const Colours patch = patchOf(photo, lens);
+    const cv::Mat patch = patchOf(photo, lens);
     const double lightLon = lens.longitudeOf(light.place.x);
     const double lightLat = lens.latitudeOf(lightLon, light.place.y);
-    const LightInPatch inPatch{(lightLon / lens.longitude + 1) / 2 * patch.width,
-                               (1 - lightLat / lens.latitude) / 2 * patch.height,
-                               light.radius_px / photo.cols * patch.width};
+    const LightInPatch inPatch{(lightLon / lens.longitude + 1) / 2 * patch.cols,
+                               (1 - lightLat / lens.latitude) / 2 * patch.rows,
+                               light.radius_px / photo.cols * patch.cols};
     const RingMap map = makeRingMap(patch, lens, inPatch, kBand_deg * kRadiansPerDegree,
                                     [&](double fraction) { done(0.7 * fraction); });
     done(0.75);
-    cv::Mat ring = ringOf(photo, map, lens, {patch.width, patch.height}, width);
+    cv::Mat ring = ringOf(photo, map, lens, patch.size(), width);
     done(0.85);
     blendWrapAround(ring);
     const WrapDiscontinuity steps = wrapDiscontinuity(ring);
@@ -206,7 +244,7 @@ Result<Panorama<Picture>> panoramaFromAny(const Picture& photo, const PanoramaOp
     const cv::Mat coded = codedFrom(bounded(viewOf(photo)));
     const double fov = fovOf(photo.width, photo.height, options);
     const Panorama<cv::Mat> made =
-        panoramaFromCoded(coded, fov, widthFor(photo.width, fov, options), options.progress);
+        panoramaFromCoded(coded, fov, widthFor(photo.width, fov), options.progress);
     return Panorama<Picture>{pictureFromCoded<Picture>(made.latLong),
                              made.lightInPhoto * (photo.width * 1.0 / coded.cols), made.lightLatitude_deg,
                              made.wrapStep, made.usualStep};

@@ -8,20 +8,21 @@
 
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/panorama/SeamInsertion.h"
 
 #include <glm/vec2.hpp>
 
+#include <functional>
 #include <optional>
 
 namespace shoal::panorama {
 
+// The panorama is as wide as the photo's resolution asks for, 512 to 4096.
 struct PanoramaOptions {
     // Horizontal field of view of the photo, degrees, kMinFov_deg to kMaxFov_deg; empty: 65 along the
     // longer side, as of a phone's main camera.
     std::optional<double> fov_deg;
-    int width = 0; // of the panorama, even; 0: by the photo's resolution, 512 to 4096
-    Progress progress;
+    // Called with the fraction that is done, 0 to 1, on the calling thread.
+    std::function<void(double)> progress;
 };
 
 inline constexpr double kMinFov_deg = 10, kMaxFov_deg = 150;
@@ -39,5 +40,19 @@ template <class Picture> struct Panorama {
 // too small, too long, or the field of view out of range.
 Result<Panorama<ImageRgb8>> panoramaFromPhoto(const ImageRgb8& photo, const PanoramaOptions& options);
 Result<Panorama<ImageRgbF>> panoramaFromPhoto(const ImageRgbF& radianceLin, const PanoramaOptions& options);
+
+// --- Completion of a partial panorama, whose place in the sphere is known
+
+// Fractions of the full lat-long picture: 0 to 1 from left to right and from top to bottom, left < right,
+// top < bottom.
+struct PanoramaPart {
+    double left = 0, top = 0, right = 1, bottom = 1;
+};
+
+// The part is copied to its place; sky and ground are extrapolated (PolarCaps.h); a gap at the sides is
+// filled by cross-fading mirror images of what lies between either end and the light. Error without a path
+// where less than a pixel would be left of it.
+Result<ImageRgb8> completePanorama(const ImageRgb8& photo, const PanoramaPart& part);
+Result<ImageRgbF> completePanorama(const ImageRgbF& radianceLin, const PanoramaPart& part);
 
 } // namespace shoal::panorama

@@ -1,6 +1,5 @@
-#include "engine/panorama/PartialPanorama.h"
-
 #include "engine/panorama/FindLight.h"
+#include "engine/panorama/Panorama.h"
 #include "engine/panorama/PerceptualCoding.h"
 #include "engine/panorama/PolarCaps.h"
 
@@ -23,10 +22,7 @@ int mirrored(int steps, int size) {
 void fillGap(cv::Mat& rows, int left, int right) {
     const int gap = left + rows.cols - right;
     // Mirrored only up to the light, so that it is not repeated.
-    cv::Mat small;
-    cv::resize(rows.colRange(left, right), small, {256, std::max(1, rows.rows * 256 / (right - left))}, 0, 0,
-               cv::INTER_AREA);
-    const double light = findMainLight(small).place.x / 256 * (right - left);
+    const double light = findMainLight(rows.colRange(left, right)).place.x;
     const auto depth = [&](double toLight) { return std::max(1, static_cast<int>(0.7 * toLight)); };
     const int depthLeft = depth(light), depthRight = depth(right - left - light);
     for (int k = 0; k < gap; ++k) {

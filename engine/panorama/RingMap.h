@@ -28,7 +28,7 @@ struct RingMap {
 // Either side of the light is widened to half the ring, or sixfold if that is less, and the other takes the
 // rest. bandLatitude: how far up and down the ring should reach, radians. The parts above and below light and
 // horizon are stretched fourfold at most, so a photo with little there reaches less far.
-RingMap makeRingMap(const Colours& patch, const Lens& lens, const LightInPatch& light, double bandLatitude,
+RingMap makeRingMap(const cv::Mat& patch, const Lens& lens, const LightInPatch& light, double bandLatitude,
                     const Progress& progress);
 
 } // namespace shoal::panorama

@@ -2,101 +2,151 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cassert>
-#include <cstdint>
+#include <cmath>
+#include <cstring>
+#include <limits>
 
 namespace shoal::panorama {
 
 namespace {
 
 struct Widened {
-    Colours colours;
-    Plane weight;
-    Plane source;
+    cv::Mat colours, weight, source;
 };
 
-// 1 for the pixels of the `count` seams that are successively the cheapest to remove.
-Image<uint8_t, 1> seamsToDouble(const Widened& now, int count, const std::function<void()>& found) {
-    Colours colours = now.colours;
-    Plane weight = now.weight;
-    Image<int, 1> column(colours.width, colours.height);
-    for (int y = 0; y < column.height; ++y)
-        for (int x = 0; x < column.width; ++x) *column.at(x, y) = x;
-    Image<uint8_t, 1> chosen(colours.width, colours.height);
+float difference(const float* a, const float* b) {
+    return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+}
+
+// The source columns of an unchanged picture.
+cv::Mat columnNumbers(const cv::Size& size) {
+    cv::Mat numbers(size, CV_32F);
+    for (int x = 0; x < size.width; ++x) numbers.col(x).setTo(x);
+    return numbers;
+}
+
+// Not 0 for the pixels of the `count` seams that are successively the cheapest to remove.
+cv::Mat seamsToDouble(const Widened& now, int count, const std::function<void()>& found) {
+    cv::Mat colours = now.colours.clone(), weight = now.weight.clone();
+    cv::Mat column = columnNumbers(colours.size()), chosen(colours.size(), CV_8U, cv::Scalar(0));
     for (int k = 0; k < count; ++k) {
         const std::vector<int> seam = minSeam(colours, weight);
-        for (int y = 0; y < column.height; ++y)
-            *chosen.at(*column.at(seam[static_cast<size_t>(y)], y), y) = 1;
-        removeSeam(colours, seam);
-        removeSeam(weight, seam);
-        removeSeam(column, seam);
+        for (int y = 0; y < column.rows; ++y)
+            chosen.at<uint8_t>(y, static_cast<int>(column.at<float>(y, seam[static_cast<size_t>(y)]))) = 1;
+        for (cv::Mat* each : {&colours, &weight, &column}) removeSeam(*each, seam);
         found();
     }
     return chosen;
 }
 
 // Inserts after each chosen pixel the mean of it and the next.
-template <int kChannels>
-Image<float, kChannels> doubled(const Image<float, kChannels>& in, const Image<uint8_t, 1>& chosen,
-                                int count) {
-    Image<float, kChannels> out(in.width + count, in.height);
-    for (int y = 0; y < in.height; ++y) {
-        float* to = out.at(0, y);
-        for (int x = 0; x < in.width; ++x) {
-            const float* here = in.at(x, y);
-            const float* next = in.at(std::min(x + 1, in.width - 1), y);
-            to = std::copy(here, here + kChannels, to);
-            if (*chosen.at(x, y))
-                for (int c = 0; c < kChannels; ++c) *to++ = 0.5f * (here[c] + next[c]);
+cv::Mat doubled(const cv::Mat& in, const cv::Mat& chosen, int count) {
+    cv::Mat out(in.rows, in.cols + count, in.type());
+    const int channels = in.channels();
+    for (int y = 0; y < in.rows; ++y) {
+        float* to = out.ptr<float>(y);
+        for (int x = 0; x < in.cols; ++x) {
+            const float* here = in.ptr<float>(y, x);
+            const float* next = in.ptr<float>(y, std::min(x + 1, in.cols - 1));
+            to = std::copy(here, here + channels, to);
+            if (chosen.at<uint8_t>(y, x))
+                for (int c = 0; c < channels; ++c) *to++ = 0.5f * (here[c] + next[c]);
         }
     }
     return out;
 }
 
 // Mean difference of a pixel from its right neighbour: the scale of the energies.
-float meanStep(const Colours& colours) {
-    double sum = 0;
-    for (int y = 0; y < colours.height; ++y)
-        for (int i = 0; i < 3 * (colours.width - 1); ++i)
-            sum += std::abs(static_cast<double>(colours.at(0, y)[i + 3]) -
-                            static_cast<double>(colours.at(0, y)[i]));
-    return static_cast<float>(sum / (static_cast<double>(colours.width) * colours.height));
+double meanStep(const cv::Mat& colours) {
+    if (colours.cols < 2) return 0;
+    return cv::norm(colours.colRange(1, colours.cols), colours.colRange(0, colours.cols - 1), cv::NORM_L1) /
+           static_cast<double>(colours.total());
 }
 
 } // namespace
 
-Plane seamInsertionMap(const Colours& colours, const Plane& weight, int columns, const Progress& progress) {
-    assert(columns >= colours.width && weight.width == colours.width && weight.height == colours.height);
-    constexpr float kDoubledWeight = 0.4f; // added to doubled pixels, in mean steps
-    constexpr float kMinWeight = 1e-4f;    // spreads insertions where the picture is flat
-    const float doubledWeight = kDoubledWeight * meanStep(colours) + kMinWeight;
+std::vector<int> minSeam(const cv::Mat& colours, const cv::Mat& weight) {
+    const int w = colours.cols, h = colours.rows;
+    assert(w > 0 && h > 0 && weight.size() == colours.size());
+    constexpr float kNever = std::numeric_limits<float>::max();
+    const auto cell = [](int x) { return static_cast<size_t>(x); };
 
-    Widened now{colours, weight, Plane(colours.width, colours.height)};
-    for (int y = 0; y < now.source.height; ++y)
-        for (int x = 0; x < now.source.width; ++x) *now.source.at(x, y) = static_cast<float>(x);
-    const int wanted = columns - colours.width;
+    // Minimum cost of a seam down to each pixel of a row, with a sentinel at each end, and its predecessor.
+    std::vector<float> above(cell(w) + 2, kNever), here(cell(w) + 2, kNever);
+    std::vector<float> apart(cell(w)), turnLeft(cell(w)), turnRight(cell(w));
+    cv::Mat from(h, w, CV_8S, cv::Scalar(0));
+    for (int y = 0; y < h; ++y) {
+        const float* row = colours.ptr<float>(y);
+        const float* over = colours.ptr<float>(std::max(y - 1, 0));
+        for (int x = 0; x < w; ++x) {
+            const float* left = row + 3 * std::max(x - 1, 0);
+            const float* right = row + 3 * std::min(x + 1, w - 1);
+            apart[cell(x)] = difference(left, right) + weight.at<float>(y, x);
+            turnLeft[cell(x)] = difference(over + 3 * x, left);
+            turnRight[cell(x)] = difference(over + 3 * x, right);
+        }
+        if (y == 0) {
+            std::copy(apart.begin(), apart.end(), here.begin() + 1);
+        } else {
+            int8_t* cameFrom = from.ptr<int8_t>(y);
+            for (int x = 0; x < w; ++x) {
+                const float l = above[cell(x)] + turnLeft[cell(x)], u = above[cell(x) + 1],
+                            r = above[cell(x) + 2] + turnRight[cell(x)];
+                const float minimum = std::min(std::min(l, u), r);
+                cameFrom[x] = static_cast<int8_t>(u == minimum ? 0 : l == minimum ? -1 : 1);
+                here[cell(x) + 1] = minimum + apart[cell(x)];
+            }
+        }
+        std::swap(above, here);
+    }
+
+    std::vector<int> seam(cell(h));
+    int x = static_cast<int>(std::min_element(above.begin() + 1, above.end() - 1) - above.begin()) - 1;
+    for (int y = h - 1; y >= 0; --y) {
+        seam[cell(y)] = x;
+        x += from.at<int8_t>(y, x);
+    }
+    return seam;
+}
+
+void removeSeam(cv::Mat& image, const std::vector<int>& seam) {
+    const size_t pixel = image.elemSize();
+    for (int y = 0; y < image.rows; ++y) {
+        const int x = seam[static_cast<size_t>(y)];
+        uint8_t* at = image.ptr(y, x);
+        std::memmove(at, at + pixel, static_cast<size_t>(image.cols - 1 - x) * pixel);
+    }
+    image = image.colRange(0, image.cols - 1);
+}
+
+cv::Mat seamInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
+                         const Progress& progress) {
+    assert(columns >= colours.cols && weight.size() == colours.size());
+    constexpr double kDoubledWeight = 0.4; // added to doubled pixels, in mean steps
+    constexpr double kMinWeight = 1e-4;    // spreads insertions where the picture is flat
+    const double doubledWeight = kDoubledWeight * meanStep(colours) + kMinWeight;
+
+    Widened now{colours, weight.clone(), columnNumbers(colours.size())};
+    const int wanted = columns - colours.cols;
     int done = 0;
     while (done < wanted) {
-        const int width = now.colours.width;
-        const int count = std::min(wanted - done, std::max(1, width / 10));
-        const Image<uint8_t, 1> chosen = seamsToDouble(now, count, [&, k = 0]() mutable {
+        const int count = std::min(wanted - done, std::max(1, now.colours.cols / 10));
+        const cv::Mat chosen = seamsToDouble(now, count, [&, k = 0]() mutable {
             if (progress) progress(static_cast<double>(done + ++k) / wanted);
         });
-        for (size_t i = 0; i < chosen.pixels.size(); ++i)
-            if (chosen.pixels[i]) now.weight.pixels[i] += doubledWeight;
-        now.colours = doubled(now.colours, chosen, count);
-        now.weight = doubled(now.weight, chosen, count);
-        now.source = doubled(now.source, chosen, count);
+        cv::add(now.weight, doubledWeight, now.weight, chosen);
+        for (cv::Mat* each : {&now.colours, &now.weight, &now.source}) *each = doubled(*each, chosen, count);
         done += count;
     }
     return now.source;
 }
 
-std::vector<float> columnInsertionMap(const Colours& colours, const Plane& weight, int columns,
+std::vector<float> columnInsertionMap(const cv::Mat& colours, const cv::Mat& weight, int columns,
                                       const Progress& progress) {
-    Plane map = seamInsertionMap(colours, weight, columns, progress);
     cv::Mat mean;
-    cv::reduce(cv::Mat(map.height, map.width, CV_32F, map.pixels.data()), mean, 0, cv::REDUCE_AVG);
+    cv::reduce(seamInsertionMap(colours, weight, columns, progress), mean, 0, cv::REDUCE_AVG);
     return {mean.begin<float>(), mean.end<float>()};
 }
 

@@ -1,6 +1,6 @@
 #include "engine/panorama/WrapBlend.h"
 
-#include "engine/panorama/SeamSearch.h"
+#include "engine/panorama/SeamInsertion.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -25,15 +25,15 @@ std::vector<float> offsets(const cv::Mat& ring) {
     const int maximum = ring.cols * 8 / 360;
     cv::Mat left = endOf(ring, true), right = endOf(ring, false);
     const int rows = ring.rows;
-    Plane cost(2 * maximum + 1, rows);
-    const Colours none(cost.width, rows);
+    cv::Mat cost(rows, 2 * maximum + 1, CV_32F);
+    const cv::Mat none(cost.size(), CV_32FC3, cv::Scalar::all(0));
     for (int y = 0; y < rows; ++y)
         for (int d = -maximum; d <= maximum; ++d) {
             const int l = std::clamp(y + (d >= 0 ? (d + 1) / 2 : d / 2), 0, rows - 1);
             const int r = std::clamp(l - d, 0, rows - 1);
             const cv::Vec3f apart = left.at<cv::Vec3f>(l) - right.at<cv::Vec3f>(r);
             const float offsetCost = 0.02f * static_cast<float>(std::abs(d)) / static_cast<float>(maximum);
-            *cost.at(d + maximum, y) =
+            cost.at<float>(y, d + maximum) =
                 std::abs(apart[0]) + std::abs(apart[1]) + std::abs(apart[2]) + offsetCost;
         }
     const std::vector<int> seam = minSeam(none, cost);

@@ -15,10 +15,10 @@ void putLevel(int level, const light::HalfImage& image, bool fresh) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     if (fresh)
         glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
-                     image.rgba.data());
+                     image.pixels.data());
     else
         glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, image.width, image.height, GL_RGBA, GL_HALF_FLOAT,
-                        image.rgba.data());
+                        image.pixels.data());
 }
 
 void bindTo(int unit, GLuint texture, const gl::Program& program, const char* name) {

@@ -3,6 +3,8 @@
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -43,6 +45,11 @@ glm::vec3 squaredCoded(const glm::vec3& lin) {
                           math::srgbFromLinear(lin.z));
     return coded * coded;
 }
+
+// Time constants of WaterOverTime.
+constexpr float kVeil_s = 0.43f, kAttenuation_s = 4;
+
+float share(float dt_s, float constant_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / constant_s); }
 
 struct VeilCell {
     std::array<float, kVeilTerms> terms;
@@ -206,6 +213,18 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
         for (size_t i = 0; i < kVeilTerms; ++i) result.water.veil[i][c] = static_cast<float>(fit[i]);
     }
     return result;
+}
+
+void WaterOverTime::follow(const WaterEstimate& estimate, float strength, float dt_s) {
+    const float fast = begun_ ? share(dt_s, kVeil_s) : 1, slow = begun_ ? share(dt_s, kAttenuation_s) : 1;
+    begun_ = true;
+    strength_ += (strength - strength_) * fast;
+    for (size_t i = 0; i < kVeilTerms; ++i) veil_[i] += (estimate.water.veil[i] - veil_[i]) * fast;
+    logAttenuation_ += (glm::log(estimate.water.attenuation_perM) - logAttenuation_) * slow;
+}
+
+Water WaterOverTime::water() const {
+    return {veil_, begun_ ? glm::exp(logAttenuation_) * strength_ : glm::vec3(0)};
 }
 
 } // namespace shoal::water

@@ -11,12 +11,10 @@
 // So water works on the squares of display values, which approximate the sRGB curve without powers.
 #pragma once
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
-#include <cmath>
+#include <cstddef>
 
 namespace shoal::water {
 
@@ -42,20 +40,5 @@ struct Water {
 
     bool none() const { return attenuation_perM.x + attenuation_perM.y + attenuation_perM.z < 1e-3f; }
 };
-
-// Squared coded values, 0 and above; dir: unit length, env frame.
-inline glm::vec3 veilTowards(const Water& water, const glm::vec3& dir) {
-    glm::vec3 sum(0);
-    const auto terms = veilTerms(dir);
-    for (size_t i = 0; i < kVeilTerms; ++i) sum += water.veil[i] * terms[i];
-    return glm::max(sum, 0.0f);
-}
-
-// Display values (0 to 1) of an object `distance_m` away that has the values `display` without water.
-inline glm::vec3 seenThrough(const Water& water, const glm::vec3& display, const glm::vec3& dir,
-                             float distance_m) {
-    const glm::vec3 transmitted = glm::exp(-water.attenuation_perM * distance_m);
-    return glm::sqrt(display * display * transmitted + veilTowards(water, dir) * (1.0f - transmitted));
-}
 
 } // namespace shoal::water

@@ -3,7 +3,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Files.h"
-#include "engine/media/live/Camera.h"
+#include "engine/media/live/LiveFeed.h"
 #include "engine/xr/Headset.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/leap/LeapTracker.h"
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -104,19 +103,10 @@ void listHandSources(const HandOptions& options) {
     const hands::DeviceState state = leap->stream().state();
     std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.description.c_str());
     // Their names only: to open one would turn it on.
-    bool any = false;
-    std::error_code code;
-    std::vector<Path> cameras;
-    for (const auto& entry : std::filesystem::directory_iterator("/sys/class/video4linux", code))
-        cameras.push_back(entry.path());
-    std::sort(cameras.begin(), cameras.end());
-    for (const Path& camera : cameras) {
-        const auto index = readText(camera / "index", 64), name = readText(camera / "name", 4096);
-        if (!index || !name || index->substr(0, 1) != "0") continue; // others give no pictures
-        any = true;
-        std::printf("  webcam:%s: %s", camera.filename().string().substr(5).c_str(), name->c_str());
-    }
-    if (!any) std::printf("  webcam: none plugged in\n");
+    const auto cameras = media::listCameras();
+    for (const media::CameraListed& camera : cameras)
+        std::printf("  webcam:%d: %s\n", camera.index, camera.name.c_str());
+    if (cameras.empty()) std::printf("  webcam: none plugged in\n");
 }
 
 } // namespace

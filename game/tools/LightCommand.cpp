@@ -49,7 +49,7 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
         auto picture = media::readHdr(options.file);
         if (!picture) return picture.error();
         const size_t mended = static_cast<size_t>(picture->repaired) +
-                              maker.makeFromHdr(picture->radianceLin, made).repairedTexels;
+                              maker.makeFromHdr(picture->radianceLin, made);
         if (mended)
             log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
                       options.file, mended);

@@ -13,24 +13,9 @@ namespace shoal::app {
 
 namespace {
 
-constexpr int kSlots = 3;
-
-// One eye's part of a frame, where it lies.
-struct EyePart {
-    int x = 0, y = 0, width = 0, height = 0;
-};
-
-template <class Image> EyePart partOf(const Image& frame, media::Layout layout, int eye) {
-    const media::EyeView view = media::eyeView(layout, eye);
-    // Downwards: both eyes of an odd size fit in.
-    const auto at = [](float share, int size) { return static_cast<int>(share * static_cast<float>(size)); };
-    return {at(view.offset.x, frame.width), at(view.offset.y, frame.height), at(view.scale.x, frame.width),
-            at(view.scale.y, frame.height)};
-}
-
 // All that is drawn is lit by the left eye's picture: the eyes' light differs by less than its own error.
 light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bgr) {
-    const EyePart part = partOf(frame, layout, 0);
+    const media::EyePart part = media::eyePart(layout, 0, frame.width, frame.height);
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
 }
 
@@ -60,30 +45,13 @@ Result<std::unique_ptr<Environment>> Environment::open(const EnvironmentSetup& s
 Status Environment::openVideo(const std::string& name) {
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
-    prepareFor(setup_.analysis.quality, kSlots);
-    return *address ? openLive(**address) : openFile(name);
-}
-
-Status Environment::openLive(const media::LiveAddress& address) {
-    media::LiveOptions options{.layout = setup_.options.layout, .slots = kSlots};
-    options.prepare = [this](const media::LiveFrame& frame, int slot) {
-        prepare(frame.pixelsBgr, frame.layout, slot);
-    };
-    options.keepPixels = false;
-    return media::LivePlayer::open(media::feedFrom(address), std::move(options), setup_.wait).moveTo(live_);
-}
-
-Status Environment::openFile(const Path& file) {
-    const auto info = media::inspectVideo(file, setup_.options.layout);
-    if (!info) return info.error();
-    file_ = file;
-    setLayout(info->layout);
-    media::VideoOptions options{.layout = layout_, .slots = kSlots};
-    options.prepare = [this](const media::VideoFrame& frame, int slot) {
-        prepare(frame.pixelsBgr, layout_, slot);
-    };
-    options.keepPixels = false;
-    return media::VideoPlayer::open(file, std::move(options)).moveTo(player_);
+    prepareFor(setup_.analysis.quality, media::kFrameSlots);
+    media::PlayerOptions options{.layout = setup_.options.layout, .keepPixels = false};
+    options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
+    if (*address)
+        return media::LivePlayer::open(media::feedFrom(**address), {options}, setup_.wait).moveTo(live_);
+    file_ = name;
+    return media::VideoPlayer::open(name, options).moveTo(player_);
 }
 
 Status Environment::openPhoto(const Path& file) {
@@ -133,9 +101,9 @@ void Environment::prepareFor(light::LightQuality quality, size_t slots) {
 }
 
 // On the decode thread.
-void Environment::prepare(const ImageRgb8& bgr, media::Layout layout, int slot) {
-    analysis_->analyse(leftEyeOf(bgr, layout, true), found_[static_cast<size_t>(slot)]);
-    media::toBgra(bgr, true, pictures_[static_cast<size_t>(slot)]);
+void Environment::prepare(const media::VideoFrame& frame) {
+    analysis_->analyse(leftEyeOf(frame.pixelsBgr, frame.layout, true), found_[frame.slot]);
+    media::toBgra(frame.pixelsBgr, true, pictures_[frame.slot]);
 }
 
 bool Environment::update(double time_s, bool exact) {
@@ -146,30 +114,27 @@ bool Environment::update(double time_s, bool exact) {
         log::warn("{}", status);
         notice_ = std::move(status);
     }
-    const auto slot = static_cast<size_t>(player_->slotOf(*frame));
-    follow(found_[slot], time_s);
     videoPosition_s_ = time_s - static_cast<double>(frame->index - frame->number) / player_->info().fps;
-    return show(*frame, slot);
+    return show(*frame, time_s);
 }
 
 bool Environment::updateLive(double time_s) {
-    const media::LiveFrame& frame = *live_->newest();
+    const media::VideoFrame& frame = *live_->newest();
     if (notice_ != live_->notice()) {
         notice_ = live_->notice();
         notice_.empty() ? log::info("pictures come again") : log::warn("{}", notice_);
     }
-    const auto slot = static_cast<size_t>(live_->slotOf(frame));
-    follow(found_[slot], time_s);
-    setLayout(frame.layout);
-    return show(frame, slot);
+    return show(frame, time_s);
 }
 
 // False: the frame is shown already.
-template <class Frame> bool Environment::show(const Frame& frame, size_t slot) {
+bool Environment::show(const media::VideoFrame& frame, double time_s) {
+    follow(found_[frame.slot], time_s);
     if (frame.index == shownFrame_) return false;
     shownFrame_ = frame.index;
+    setLayout(frame.layout);
     const auto began = std::chrono::steady_clock::now();
-    uploadPicture(slot);
+    uploadPicture(frame.slot);
     upload_ms_ = millisecondsSince(began);
     light_ms_ = static_cast<float>(frame.prepare_ms);
     decode_ms_ = static_cast<float>(frame.decode_ms);
@@ -197,7 +162,7 @@ void Environment::follow(const FrameFindings& now, double time_s) {
 void Environment::uploadPicture(size_t slot) {
     const ImageRgba8& frame = pictures_[slot];
     for (int eye = 0; eye < (twoPictures_ ? 2 : 1); ++eye) {
-        const EyePart part = partOf(frame, layout_, eye);
+        const media::EyePart part = media::eyePart(layout_, eye, frame.width, frame.height);
         gpu_[static_cast<size_t>(eye)].setFrame(
             {frame.at(part.x, part.y), part.width, part.height, frame.width});
     }

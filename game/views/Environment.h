@@ -2,7 +2,6 @@
 // OpenGL textures. The thread of the OpenGL context; a video's frames are analysed on its decode thread.
 #pragma once
 
-#include "engine/camera/CameraResponseOverTime.h"
 #include "engine/core/Files.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/media/VideoPlayer.h"
@@ -10,7 +9,6 @@
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/View.h"
-#include "engine/water/WaterOverTime.h"
 #include "game/settings/SharedOptions.h"
 #include "game/views/FrameAnalysis.h"
 
@@ -90,16 +88,14 @@ class Environment {
     Environment& operator=(const Environment&) = delete;
 
     Status openVideo(const std::string& name); // a file, or something live
-    Status openLive(const media::LiveAddress& address);
-    Status openFile(const Path& file);
     Status openPhoto(const Path& file);
     Status openEnv(const Path& file);
     void prepareFor(light::LightQuality quality, size_t slots);
-    void prepare(const ImageRgb8& bgr, media::Layout layout, int slot);
+    void prepare(const media::VideoFrame& frame);
     bool updateLive(double time_s);
     void setLayout(media::Layout layout);
     void follow(const FrameFindings& now, double time_s);
-    template <class Frame> bool show(const Frame& frame, size_t slot);
+    bool show(const media::VideoFrame& frame, double time_s);
     void uploadPicture(size_t slot);
     void uploadLight(const FrameFindings& now);
 

@@ -64,7 +64,7 @@ void FrameAnalysis::analyse(const light::FrameView& frame, FrameFindings& out) {
 }
 
 size_t FrameAnalysis::analyse(const ImageRgbF& radianceLin, FrameFindings& out) {
-    const size_t repaired = maker_.makeFromHdr(radianceLin, made_).repairedTexels;
+    const size_t repaired = maker_.makeFromHdr(radianceLin, made_);
     pack(out);
     return repaired;
 }

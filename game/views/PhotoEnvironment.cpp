@@ -4,7 +4,6 @@
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
 #include "engine/panorama/Panorama.h"
-#include "engine/panorama/PartialPanorama.h"
 
 #include <array>
 #include <cstdio>

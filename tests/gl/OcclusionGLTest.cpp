@@ -62,8 +62,8 @@ struct Other {
 ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLight& smooth,
                      render::Detail detail, float roughness) {
     light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
-    for (size_t i = 0; i < light.atlas.rgba.size(); ++i)
-        if (i % 4 != 3) light.atlas.rgba[i] = 0x3a66; // 0.8
+    for (size_t i = 0; i < light.atlas.pixels.size(); ++i)
+        if (i % 4 != 3) light.atlas.pixels[i] = 0x3a66; // 0.8
     render::EnvironmentGpu environment;
     environment.uploadLight(light, smooth);
     const scene::Model model = sphere(0, roughness);

@@ -2,7 +2,7 @@
 #include "Spheres.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/SnowPass.h"
-#include "engine/water/Water.h"
+#include "tests/unit/water/SeenThrough.h"
 
 #include <optional>
 

@@ -75,8 +75,7 @@ const uint8_t* rowOf(const ShoalLightFrame& frame, ptrdiff_t rowBytes, int y) {
 
 void makeFromFloats(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff_t rowBytes,
                     light::EnvironmentLight& out) {
-    if (maker.radianceLin.width != frame.width || maker.radianceLin.height != frame.height)
-        maker.radianceLin = shoal::ImageRgbF(frame.width, frame.height);
+    maker.radianceLin.fit(frame.width, frame.height);
     const int step = bytesPerPixel(frame.format);
     for (int y = 0; y < frame.height; ++y) {
         const uint8_t* row = rowOf(frame, rowBytes, y);
@@ -108,7 +107,7 @@ void makeFromBytes(ShoalLightMaker& maker, const ShoalLightFrame& frame, ptrdiff
 }
 
 ShoalLightTexture textureOf(const light::HalfImage& image) {
-    return {image.rgba.data(), image.width, image.height};
+    return {image.pixels.data(), image.width, image.height};
 }
 
 // A look-up must not leave the map, whatever it is asked.

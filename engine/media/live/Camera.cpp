@@ -1,7 +1,6 @@
-#include "engine/media/live/Camera.h"
-
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoInfo.h"
+#include "engine/media/live/LiveFeed.h"
 
 #include <algorithm>
 #include <atomic>
@@ -26,7 +25,7 @@ class Camera {
         const auto with = codecs();
         if (!with) return Error{"", "cannot be opened: " + with.error().message()};
         try {
-            camera_.reset();
+            camera_ = nullptr;
             // A short queue: pictures that wait grow old.
             camera_ = (*with)->openCamera(
                 index_, {.width = kRequestedWidth, .height = kRequestedHeight, .jpeg = true, .waiting = 2});
@@ -40,15 +39,17 @@ class Camera {
     Result<LivePicture> read(ImageRgb8& bgr) {
         const Error silent{"", "sends no pictures any more"};
         try {
-            if (interrupted_ || !camera_->grab()) return silent;
+            if (interrupted_ || !camera_(nullptr)) return silent;
             LivePicture picture;
             picture.arrived_s = liveNow_s();
-            const auto [width, height] = std::pair(camera_->size().width, camera_->size().height);
-            if (width < 2 || height < 2 || width > kMaxVideoSide || height > kMaxVideoSide)
+            cv::Mat read(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data());
+            if (!camera_(&read) || read.type() != CV_8UC3) return silent;
+            if (std::min(read.cols, read.rows) < 2 || std::max(read.cols, read.rows) > kMaxVideoSide)
                 return Error{"", "gives a picture of a size that is not played"};
-            if (bgr.width != width || bgr.height != height) bgr = ImageRgb8(width, height);
-            cv::Mat target(height, width, CV_8UC3, bgr.pixels.data());
-            if (!camera_->retrieve(target) || target.data != bgr.pixels.data()) return silent;
+            if (read.data != bgr.pixels.data()) { // it has another size
+                bgr = ImageRgb8(read.cols, read.rows);
+                read.copyTo(cv::Mat(bgr.height, bgr.width, CV_8UC3, bgr.pixels.data()));
+            }
             picture.decode_ms = 1e3 * (liveNow_s() - picture.arrived_s);
             return picture;
         } catch (const std::exception&) {
@@ -60,7 +61,7 @@ class Camera {
 
   private:
     int index_;
-    std::unique_ptr<OpenCamera> camera_; // once open
+    CameraReader camera_; // once open
     std::atomic<bool> interrupted_{false};
 };
 

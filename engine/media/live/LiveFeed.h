@@ -1,15 +1,42 @@
-// Source of live pictures: a camera, a pipe or a stream; in tests a fake.
+// Sources of live pictures, as `--video` takes them: a camera, a named pipe or a URL; in tests a fake.
 #pragma once
 
+#include "engine/core/Files.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
-#include "engine/media/live/LiveAddress.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace shoal::media {
+
+struct CameraAddress {
+    int index = 0; // of /dev/videoN
+};
+struct PipeAddress {
+    Path file;
+};
+struct StreamAddress {
+    std::string url;
+    // Protocols that FFmpeg may use for it, comma separated: a server cannot redirect it to files.
+    const char* protocols = "";
+};
+using LiveAddress = std::variant<CameraAddress, PipeAddress, StreamAddress>;
+
+// Schemes of URLs that are played; all others are refused.
+inline constexpr std::array kStreamSchemes = {"rtsp", "http", "https", "tcp", "udp"};
+
+// "camera:N", the name of a named pipe, or a URL of one of the schemes. Empty: `text` names a file, if
+// anything. Errors: a malformed camera or URL, or a scheme that is not allowed.
+Result<std::optional<LiveAddress>> liveAddress(const std::string& text);
+
+// For messages: without user name and password.
+std::string withoutPassword(const std::string& url);
 
 // Monotonic clock of arrivals, seconds.
 double liveNow_s();
@@ -45,5 +72,18 @@ struct FeedTimeouts {
 
 // Does not open it yet.
 LiveFeed feedFrom(const LiveAddress& address, const FeedTimeouts& timeouts = {});
+
+// A pipe or a stream.
+LiveFeed streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts);
+
+// A Video4Linux camera through OpenCV. Cannot be interrupted while it is silent: OpenCV waits ten seconds.
+LiveFeed cameraFeed(const CameraAddress& address);
+
+struct CameraListed {
+    int index = 0;
+    std::string name;
+};
+// As the system lists them; none is opened.
+std::vector<CameraListed> listCameras();
 
 } // namespace shoal::media

@@ -1,17 +1,8 @@
 #include "engine/media/live/LivePlayer.h"
 
-#include "engine/media/live/Timing.h"
-
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <cassert>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-#include <utility>
-#include <vector>
 
 namespace shoal::media {
 
@@ -19,6 +10,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
+using Slot = FrameSlots::Slot;
+using State = FrameSlots::State;
 
 constexpr Seconds kPollInterval{0.05};
 constexpr Seconds kJoinTimeout{2}; // for a feed that cannot be interrupted
@@ -28,20 +21,13 @@ constexpr Seconds kJoinTimeout{2}; // for a feed that cannot be interrupted
 double liveNow_s() { return Seconds(Clock::now().time_since_epoch()).count(); }
 
 struct LivePlayer::Impl {
-    enum class State { Free, Filling, Ready, Shown };
-    struct Slot {
-        LiveFrame frame;
-        State state = State::Free;
-    };
-
     LiveFeed feed;
     LiveOptions options;
 
     mutable std::mutex mutex;
     std::condition_variable changed;
     // Guarded by mutex:
-    std::vector<Slot> slots; // the one being filled is the decode thread's
-    int shown = -1;
+    FrameSlots slots; // the one being filled is the decode thread's
     LiveCounts counts;
     double lastMade_s = 0;
     bool lost = false;
@@ -61,7 +47,6 @@ struct LivePlayer::Impl {
     // The decode thread's:
     Layout layout = Layout::Mono;
     int width = 0, height = 0;
-    ImageRgb8 pixels; // of all slots, if they do not keep theirs
 
     // --- Decode thread -------------------------------------------------------------------------------------
 
@@ -76,13 +61,6 @@ struct LivePlayer::Impl {
         return !stop;
     }
 
-    int freeSlot() const {
-        for (size_t i = 0; i < slots.size(); ++i)
-            if (slots[i].state == State::Free) return static_cast<int>(i);
-        assert(!"three slots, of which one is shown and one ready");
-        return 0;
-    }
-
     void findLayout(const ImageRgb8& picture) {
         if (picture.width == width && picture.height == height) return;
         if (width > 0) ++counts.resized;
@@ -93,13 +71,12 @@ struct LivePlayer::Impl {
         if (layout == Layout::Auto) layout = layoutFromContent(picture);
     }
 
-    void publish(int slotIndex, const LivePicture& picture) {
-        for (Slot& other : slots)
-            if (other.state == State::Ready) {
-                other.state = State::Free;
-                ++counts.passedOver;
-            }
-        slots[static_cast<size_t>(slotIndex)].state = State::Ready;
+    void publish(Slot& slot, const LivePicture& picture) {
+        if (Slot* unseen = slots.find(State::Ready)) {
+            unseen->state = State::Free;
+            ++counts.passedOver;
+        }
+        slot.state = State::Ready;
         counts.passedOver += picture.passedOver;
         ++counts.made;
         lastMade_s = options.now_s();
@@ -108,17 +85,14 @@ struct LivePlayer::Impl {
     }
 
     // Reads until no more pictures come; returns why.
-    Error play(std::unique_lock<std::mutex>& lock, Backoff& backoff) {
-        for (;;) {
-            const int index = freeSlot();
-            Slot& slot = slots[static_cast<size_t>(index)];
+    Error play(std::unique_lock<std::mutex>& lock) {
+        while (!stop) {
+            Slot& slot = *slots.find(State::Free); // of three, one is shown and one ready
             slot.state = State::Filling;
             Result<LivePicture> picture = Error{};
-            ImageRgb8& bgr = slot.frame.pixelsBgr;
-            if (!options.keepPixels) std::swap(bgr, pixels);
+            ImageRgb8& bgr = slots.pixelsOf(slot, options);
             const bool going = inCall(lock, [&] { picture = feed.read(bgr); });
             if (!going || !picture) {
-                if (!options.keepPixels) std::swap(bgr, pixels);
                 slot.state = State::Free;
                 return picture ? Error{} : picture.error();
             }
@@ -128,31 +102,30 @@ struct LivePlayer::Impl {
             slot.frame.arrived_s = picture->arrived_s;
             slot.frame.decode_ms = picture->decode_ms;
             lock.unlock();
-            const Clock::time_point began = Clock::now();
-            if (options.prepare) options.prepare(slot.frame, index);
-            slot.frame.prepare_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
-            if (!options.keepPixels) std::swap(bgr, pixels);
+            slots.prepare(slot, options);
             lock.lock();
-            publish(index, *picture);
-            backoff.succeeded();
-            if (stop) return Error{};
+            publish(slot, *picture);
         }
+        return Error{};
     }
 
     void run() {
         // At normal priority, unlike a file's thread: live pictures are not ready before they are due.
-        Backoff backoff(options.retryFirst_s, options.retryMax_s);
+        double delay_s = options.retryFirst_s;
         std::unique_lock lock(mutex);
         while (!stop) {
             Status opened = Error{};
             if (!inCall(lock, [&] { opened = feed.open(); })) break;
-            const Error why = opened ? play(lock, backoff) : opened.error();
+            const int64_t before = counts.made;
+            const Error why = opened ? play(lock) : opened.error();
             if (stop) break;
             if (!lost) ++counts.losses;
             lost = true;
             reason = why.reason;
             changed.notify_all();
-            changed.wait_for(lock, Seconds(backoff.next_s()), [&] { return stop; });
+            if (counts.made > before) delay_s = options.retryFirst_s;
+            changed.wait_for(lock, Seconds(delay_s), [&] { return stop; });
+            delay_s = std::min(2 * delay_s, options.retryMax_s);
         }
         finished = true;
         changed.notify_all();
@@ -162,30 +135,26 @@ struct LivePlayer::Impl {
 
     // Shows what is ready; false if nothing is.
     bool takeReady() {
-        for (size_t i = 0; i < slots.size(); ++i) {
-            if (slots[i].state != State::Ready) continue;
-            if (shown >= 0) slots[static_cast<size_t>(shown)].state = State::Free;
-            shown = static_cast<int>(i);
-            slots[i].state = State::Shown;
-            ++counts.shown;
-            return true;
-        }
-        return false;
+        Slot* ready = slots.find(State::Ready);
+        if (!ready) return false;
+        slots.show(*ready);
+        ++counts.shown;
+        return true;
     }
 
     void countCall() { calls_s[callCount++ % calls_s.size()] = options.now_s(); }
 
     void countDisplayFrames() {
-        const double arrived_s = slots[static_cast<size_t>(shown)].frame.arrived_s;
+        const double arrived_s = slots.shown().arrived_s;
         const auto after = [&](double call_s) { return call_s >= arrived_s; };
         const auto known = static_cast<ptrdiff_t>(std::min(callCount, calls_s.size()));
         displayFrames = static_cast<int>(std::count_if(calls_s.begin(), calls_s.begin() + known, after));
     }
 
     void updateState() {
-        const LiveState now = lost                                             ? LiveState::Lost
-                              : options.now_s() - lastMade_s > options.still_s ? LiveState::Stopped
-                                                                               : LiveState::Playing;
+        const LiveState now = lost                                      ? LiveState::Lost
+                              : options.now_s() - lastMade_s > kStill_s ? LiveState::Stopped
+                                                                        : LiveState::Playing;
         if (now == state && (now != LiveState::Lost || noticedReason == reason)) return;
         if (now != LiveState::Playing && state == LiveState::Playing) ++counts.stops;
         state = now;
@@ -200,11 +169,9 @@ struct LivePlayer::Impl {
 };
 
 Result<LivePlayer> LivePlayer::open(LiveFeed feed, LiveOptions options, const std::function<bool()>& wait) {
-    assert(options.slots >= 3);
     auto impl = std::make_shared<Impl>();
     impl->feed = std::move(feed);
     impl->options = std::move(options);
-    impl->slots.resize(static_cast<size_t>(impl->options.slots));
     // The thread shares ownership, in case it is left behind.
     impl->thread = std::thread([impl] { impl->run(); });
     LivePlayer player(impl);
@@ -252,27 +219,18 @@ LivePlayer::~LivePlayer() {
     finished ? impl_->thread.join() : impl_->thread.detach();
 }
 
-const LiveFrame* LivePlayer::newest() {
+const VideoFrame* LivePlayer::newest() {
     Impl& p = *impl_;
     const std::lock_guard lock(p.mutex);
     p.countCall();
     if (p.takeReady()) p.countDisplayFrames();
     p.updateState();
-    return &p.slots[static_cast<size_t>(p.shown)].frame;
+    return &p.slots.shown();
 }
 
 int LivePlayer::displayFrames() const { return impl_->displayFrames; }
 
-double LivePlayer::age_s() const {
-    return impl_->options.now_s() - impl_->slots[static_cast<size_t>(impl_->shown)].frame.arrived_s;
-}
-
-int LivePlayer::slotOf(const LiveFrame& frame) const {
-    for (size_t i = 0; i < impl_->slots.size(); ++i)
-        if (&impl_->slots[i].frame == &frame) return static_cast<int>(i);
-    assert(!"a frame of another player");
-    return -1;
-}
+double LivePlayer::age_s() const { return impl_->options.now_s() - impl_->slots.shown().arrived_s; }
 
 LiveState LivePlayer::state() const { return impl_->state; }
 const std::string& LivePlayer::notice() const { return impl_->notice; }
@@ -287,7 +245,7 @@ Result<std::string> checkLive(const LiveAddress& address) {
     const std::string kind = feed.kind;
     auto player = LivePlayer::open(std::move(feed));
     if (!player) return player.error();
-    const LiveFrame& frame = *player->newest();
+    const VideoFrame& frame = *player->newest();
     return "a live " + kind + " of " + std::to_string(frame.pixelsBgr.width) + "x" +
            std::to_string(frame.pixelsBgr.height) + ", lat-long " + enumName(frame.layout);
 }

@@ -6,41 +6,30 @@
 // before the next was complete is never shown.
 #pragma once
 
-#include "engine/media/StereoView.h"
+#include "engine/media/VideoFrame.h"
 #include "engine/media/live/LiveFeed.h"
 
 #include <memory>
 
 namespace shoal::media {
 
-struct LiveFrame {
-    ImageRgb8 pixelsBgr;          // sRGB-coded, blue first
-    Layout layout = Layout::Mono; // never Auto
-    int64_t index = -1;           // of those made, from 0
-    double arrived_s = 0;         // by LiveOptions::now_s
-    double decode_ms = 0, prepare_ms = 0;
-};
-
-struct LiveOptions {
-    Layout layout = Layout::Auto; // from the picture's shape or content, found anew when its size changes
-    int slots = 3;                // one shown, one ready, one being filled; at least 3
-    // As VideoOptions::prepare.
-    std::function<void(const LiveFrame& frame, int slot)> prepare;
+struct LiveOptions
+    : PlayerOptions {           // layout: from the picture's shape or content, anew when its size changes
     double firstPicture_s = 10; // time limit of open()
-    bool keepPixels = true;     // false: only `prepare` sees pixelsBgr; in frames given out it is empty
-    double still_s = 1;         // without a new picture for so long: LiveState::Stopped
-    double retryFirst_s = 0.5, retryMax_s = 8;
+    double retryFirst_s = 0.5, retryMax_s = 8; // delay before the next attempt: doubled after each failure
     std::function<double()> now_s = liveNow_s;
 };
 
+// Stopped: without a new picture for kStill_s.
 enum class LiveState { Playing, Stopped, Lost };
+constexpr double kStill_s = 1;
 
 // Since open(), for statistics.
 struct LiveCounts {
     int64_t shown = 0;      // frames given out
     int64_t made = 0;       // frames decoded and prepared
     int64_t passedOver = 0; // skipped because a newer one was there
-    int64_t stops = 0;      // times that nothing came for still_s
+    int64_t stops = 0;      // times that nothing came for kStill_s
     int64_t losses = 0;     // times that the connection was lost
     int64_t resized = 0;    // times that the picture changed its size
 };
@@ -60,15 +49,13 @@ class LivePlayer {
 
     // To be called once per displayed frame: the newest complete frame. Never null. Valid until the next
     // call.
-    const LiveFrame* newest();
+    const VideoFrame* newest();
 
     // Display frames between the arrival of the frame last returned and its display: 1 if the next showed it.
     int displayFrames() const;
 
     // Time since the frame last returned had arrived.
     double age_s() const;
-
-    int slotOf(const LiveFrame& frame) const;
 
     LiveState state() const; // as of the last newest()
 

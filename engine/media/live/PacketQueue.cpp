@@ -1,40 +1,35 @@
 #include "engine/media/live/PacketQueue.h"
 
 #include <chrono>
+#include <utility>
 
 namespace shoal::media {
 
-PacketQueue::PacketQueue() : ring_(kMaxPackets) {
-    for (Entry& each : ring_) each.packet = makePacket();
-}
-
 void PacketQueue::reset(bool wait) {
     const std::lock_guard lock(mutex_);
-    drop(count_);
+    drop(packets_.size());
     wait_ = wait;
     closed_ = stopped_ = needsKey_ = false;
     dropped_ = 0;
 }
 
 void PacketQueue::drop(size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        Entry& oldest = entry(0);
-        bytes_ -= static_cast<size_t>(oldest.packet->size);
-        av_packet_unref(oldest.packet.get());
-        first_ = (first_ + 1) % ring_.size();
-        --count_;
+    for (; count > 0; --count) {
+        bytes_ -= static_cast<size_t>(packets_.front().packet->size);
+        packets_.pop_front();
         ++dropped_;
     }
 }
 
 bool PacketQueue::push(AVPacket& packet, double arrived_s) {
     std::unique_lock lock(mutex_);
-    if (wait_) changed_.wait(lock, [&] { return interrupted_ || stopped_ || count_ < kWaitingPackets; });
+    if (wait_)
+        changed_.wait(lock, [&] { return interrupted_ || stopped_ || packets_.size() < kWaitingPackets; });
     if (interrupted_ || stopped_) return false;
     const bool key = packet.flags & AV_PKT_FLAG_KEY;
     const auto size = static_cast<size_t>(packet.size);
-    if (!wait_ && (count_ == ring_.size() || bytes_ + size > kMaxBytes)) {
-        drop(count_);
+    if (!wait_ && (packets_.size() == kMaxPackets || bytes_ + size > kMaxBytes)) {
+        drop(packets_.size());
         needsKey_ = true;
     }
     if (needsKey_ && !key) {
@@ -43,11 +38,9 @@ bool PacketQueue::push(AVPacket& packet, double arrived_s) {
         return true;
     }
     needsKey_ = false;
-    Entry& free = entry(count_);
-    av_packet_move_ref(free.packet.get(), &packet);
-    free.arrived_s = arrived_s;
+    packets_.push_back({makePacket(), arrived_s});
+    av_packet_move_ref(packets_.back().packet.get(), &packet);
     bytes_ += size;
-    ++count_;
     changed_.notify_all();
     return true;
 }
@@ -65,32 +58,25 @@ bool PacketQueue::sleep(double seconds) {
                               [&] { return interrupted_ || stopped_; });
 }
 
-PacketQueue::Popped PacketQueue::pop(Packet& packet) {
+PacketQueue::Popped PacketQueue::pop() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return count_ > 0 || closed_ || interrupted_; });
-    if (count_ == 0 || interrupted_) return {};
+    changed_.wait(lock, [&] { return !packets_.empty() || closed_ || interrupted_; });
+    if (packets_.empty() || interrupted_) return {};
     // Nothing before the newest key frame is needed to decode it.
-    if (!wait_)
-        for (size_t i = count_ - 1; i > 0; --i)
-            if (entry(i).packet->flags & AV_PKT_FLAG_KEY) {
-                drop(i);
-                break;
-            }
-    Entry& oldest = entry(0);
-    const Popped popped{true, oldest.arrived_s, dropped_};
-    dropped_ = 0;
-    bytes_ -= static_cast<size_t>(oldest.packet->size);
-    av_packet_unref(packet.get());
-    av_packet_move_ref(packet.get(), oldest.packet.get());
-    first_ = (first_ + 1) % ring_.size();
-    --count_;
+    size_t first = wait_ ? 0 : packets_.size() - 1;
+    while (first > 0 && !(packets_[first].packet->flags & AV_PKT_FLAG_KEY)) --first;
+    drop(first);
+    Popped popped = std::move(packets_.front());
+    packets_.pop_front();
+    popped.dropped = std::exchange(dropped_, 0);
+    bytes_ -= static_cast<size_t>(popped.packet->size);
     changed_.notify_all();
     return popped;
 }
 
 size_t PacketQueue::count() const {
     const std::lock_guard lock(mutex_);
-    return count_;
+    return packets_.size();
 }
 
 std::string PacketQueue::reason() const {

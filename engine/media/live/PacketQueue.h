@@ -5,16 +5,14 @@
 #include "engine/media/Ffmpeg.h"
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <string>
-#include <vector>
 
 namespace shoal::media {
 
 class PacketQueue {
   public:
-    PacketQueue();
-
     // Empties and opens it. wait: push() waits for room and drops nothing.
     void reset(bool wait);
 
@@ -32,12 +30,12 @@ class PacketQueue {
     // --- The decoder's thread
 
     struct Popped {
-        bool some = false; // false: closed and empty, or interrupted
+        Packet packet; // null: closed and empty, or interrupted
         double arrived_s = 0;
         int dropped = 0; // packets left out before this one
     };
     // Blocks until there is a packet.
-    Popped pop(Packet& packet);
+    Popped pop();
 
     void stop(); // the reader's calls return false until reset()
 
@@ -51,17 +49,12 @@ class PacketQueue {
     static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{64} << 20, kWaitingPackets = 4;
 
   private:
-    struct Entry {
-        Packet packet;
-        double arrived_s = 0;
-    };
-    Entry& entry(size_t i) { return ring_[(first_ + i) % ring_.size()]; }
     void drop(size_t count);
 
     mutable std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<Entry> ring_;
-    size_t first_ = 0, count_ = 0, bytes_ = 0;
+    std::deque<Popped> packets_;
+    size_t bytes_ = 0;
     bool wait_ = false, closed_ = false, stopped_ = false, interrupted_ = false, needsKey_ = false;
     int dropped_ = 0;
     std::string reason_;

@@ -1,4 +1,4 @@
-// Rate limiter and retry delays of live streams.
+// Rate limiter of live streams.
 #pragma once
 
 #include <algorithm>
@@ -36,22 +36,6 @@ class TokenBucket {
     double max_s_, left_s_;
     bool began_ = false;
     double stamp_s_ = 0, now_s_ = 0;
-};
-
-// Delay before the next attempt: doubled after each failure.
-class Backoff {
-  public:
-    Backoff(double first_s, double max_s) : first_s_(first_s), max_s_(max_s), next_s_(first_s) {}
-
-    double next_s() {
-        const double now_s = next_s_;
-        next_s_ = std::min(2 * next_s_, max_s_);
-        return now_s;
-    }
-    void succeeded() { next_s_ = first_s_; }
-
-  private:
-    double first_s_, max_s_, next_s_;
 };
 
 } // namespace shoal::media

@@ -59,7 +59,7 @@ class WebcamTracker final : public HandTracker {
 
     // Returns why it ended.
     std::string watchClip() {
-        auto source = media::VideoSource::open(options_.file);
+        auto source = media::VideoSource::open(options_.file, media::Layout::Mono);
         if (!source) return source.error().message();
         HandDetector detector(rig_);
         const Clock::time_point began = Clock::now();
@@ -82,7 +82,7 @@ class WebcamTracker final : public HandTracker {
             HandDetector detector(rig_);
             const Clock::time_point began = Clock::now();
             cv::Mat picture;
-            while (!stopping() && camera->grab() && camera->retrieve(picture))
+            while (!stopping() && camera(nullptr) && camera(&picture))
                 detect(detector, picture, std::chrono::duration<double>(Clock::now() - began).count());
         } catch (const cv::Exception&) { // of a driver: as good as unplugged
         }

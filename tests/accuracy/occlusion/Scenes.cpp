@@ -144,7 +144,7 @@ OcclusionScene sharkAboveShoal() {
 }
 
 ImageRgbF reefLight(int64_t number) {
-    auto video = media::VideoSource::open(content() / "video" / "reef.mp4");
+    auto video = media::VideoSource::open(content() / "video" / "reef.mp4", media::Layout::Mono);
     if (!video) throw std::runtime_error(video.error().message());
     video->seek(number);
     ImageRgb8 frame(video->info().width, video->info().height);

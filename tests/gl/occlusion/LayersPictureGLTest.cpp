@@ -45,9 +45,9 @@ class LayersPicture : public WithContext {
                          std::optional<LayerMethod> method) const {
         light::PackedLight light = lightOf(uniformFrame(0, 0, 0));
         for (auto* image : {&light.atlas, light.mirrors.data()})
-            for (size_t i = 0; i < image->rgba.size(); ++i)
-                if (i % 4 != 3) image->rgba[i] = 0x3a66; // 0.8
-        for (light::HalfImage& mirror : light.mirrors) mirror.rgba.assign(mirror.rgba.size(), 0x3a66);
+            for (size_t i = 0; i < image->pixels.size(); ++i)
+                if (i % 4 != 3) image->pixels[i] = 0x3a66; // 0.8
+        for (light::HalfImage& mirror : light.mirrors) mirror.pixels.assign(mirror.pixels.size(), 0x3a66);
         render::EnvironmentGpu environment;
         environment.uploadLight(light);
         const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Linear);

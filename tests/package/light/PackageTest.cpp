@@ -85,7 +85,7 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
         GTEST_SKIP() << "needs OGRE: libogre-1.12-dev, libtinygltf-dev";
     const auto display = test::VirtualDisplay::open();
     if (!display) GTEST_SKIP() << "needs Xvfb";
-    ASSERT_TRUE(consumerBuilt(kSource / "engine/light/example", "example"));
+    ASSERT_TRUE(consumerBuilt(kSource / "tests/package/light/example", "example"));
     const Path ogre = kScratch / "ogre.png", shoal = kScratch / "shoal.png";
     const std::string model = quoted(kSource / "content/models/shark.glb"),
                       video = quoted(kSource / "content/video/reef.mp4");

@@ -1,5 +1,5 @@
 // Sound files, good and bad.
-#include "engine/audio/Clip.h"
+#include "engine/audio/Audio.h"
 #include "tests/TestPaths.h"
 #include "tests/unit/Wav.h"
 

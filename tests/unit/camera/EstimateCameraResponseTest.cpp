@@ -1,7 +1,6 @@
 // The camera found again in frames made with a known one.
 #include "engine/camera/EstimateCameraResponse.h"
 #include "MadeFilm.h"
-#include "engine/camera/CameraResponseOverTime.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The share that a lens scatters, found again where it is known.
 #include "engine/camera/Glare.h"
 #include "MadeFilm.h"
-#include "engine/camera/CameraResponseOverTime.h"
+#include "engine/camera/EstimateCameraResponse.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The video that comes with the game is what the game, and other players, take it for.
 #include "engine/media/Pictures.h"
 #include "engine/media/SphericalMetadata.h"
-#include "engine/media/VideoInfo.h"
+#include "engine/media/VideoPlayer.h"
 #include "engine/media/VideoSource.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,9 @@ const Path kTruth = dataRoot() / "content/truth";
 constexpr int kWidth = 2048, kHeight = 1024;
 
 TEST(ContentVideo, IsAMinuteOfMonoLatLongThatFits) {
-    const auto info = inspectVideo(kVideo);
-    ASSERT_TRUE(info.ok()) << info.error().message();
+    const auto player = VideoPlayer::open(kVideo);
+    ASSERT_TRUE(player) << player.error().message();
+    const VideoInfo* info = &player->info();
     EXPECT_EQ(info->width, kWidth);
     EXPECT_EQ(info->height, kHeight);
     EXPECT_DOUBLE_EQ(info->fps, 24);
@@ -66,7 +67,7 @@ double meanDifference(const ImageRgb8& a, const ImageRgb8& b) {
 // Every eighth pair of neighbours stands for all; the last frame followed by the first differs by less than
 // they do on average.
 TEST(ContentVideo, JoinsItsEndToItsBeginning) {
-    auto video = VideoSource::open(kVideo);
+    auto video = VideoSource::open(kVideo, Layout::Mono);
     ASSERT_TRUE(video.ok()) << video.error().message();
     ImageRgb8 first, before, now(kWidth, kHeight);
     double sum = 0;
@@ -112,7 +113,7 @@ TEST(ContentVideo, TruthBelongsToItsFrames) {
     const toml::array* entries = list["truth"].as_array();
     ASSERT_TRUE(entries);
     EXPECT_EQ(entries->size(), 5u);
-    auto video = VideoSource::open(kVideo);
+    auto video = VideoSource::open(kVideo, Layout::Mono);
     ASSERT_TRUE(video.ok()) << video.error().message();
     ImageRgb8 shown(kWidth, kHeight);
     const auto show = [&](int64_t frame) {

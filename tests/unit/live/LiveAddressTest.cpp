@@ -1,7 +1,5 @@
-#include "engine/media/live/LiveAddress.h"
-
-#include "engine/media/live/Camera.h"
 #include "engine/media/live/LivePlayer.h"
+
 #include "tests/unit/media/TestFiles.h"
 
 #include <sys/stat.h>

@@ -53,7 +53,7 @@ TEST(LivePlayer, ABurstShowsItsNewestAndCountsTheRest) {
 TEST(LivePlayer, WhatIsShownStaysUntouchedWhileOthersCome) {
     Played p;
     p.begin(p.options());
-    const LiveFrame* shown = p.player->newest();
+    const VideoFrame* shown = p.player->newest();
     for (int i = 1; i < 40; ++i) p.fake.send(i);
     p.untilMade(40);
     EXPECT_EQ(numberOf(shown->pixelsBgr), 0);
@@ -64,7 +64,7 @@ TEST(LivePlayer, MemoryStaysFlat) {
     Played p;
     std::set<const uint8_t*> memory;
     LiveOptions options = p.options();
-    options.prepare = [&](const LiveFrame& frame, int) { memory.insert(frame.pixelsBgr.pixels.data()); };
+    options.prepare = [&](const VideoFrame& frame) { memory.insert(frame.pixelsBgr.pixels.data()); };
     p.begin(std::move(options));
     for (int i = 1; i < 500; ++i) {
         p.fake.send(i % 50);
@@ -146,7 +146,7 @@ TEST(LivePlayer, AnotherSizeOnTheWayIsAnotherLayout) {
     EXPECT_EQ(p.player->newest()->layout, Layout::Mono);
     p.fake.send(1, 0, 64, 64);
     p.untilMade(2);
-    const LiveFrame* frame = p.player->newest();
+    const VideoFrame* frame = p.player->newest();
     EXPECT_EQ(frame->pixelsBgr.width, 64);
     EXPECT_EQ(frame->pixelsBgr.height, 64);
     EXPECT_EQ(frame->layout, Layout::TopBottom);
@@ -157,15 +157,13 @@ TEST(LivePlayer, PrepareSeesTheSlotThatIsShown) {
     Played p;
     std::array<int, 3> prepared{};
     LiveOptions options = p.options();
-    options.prepare = [&](const LiveFrame& frame, int slot) {
-        prepared.at(static_cast<size_t>(slot)) = numberOf(frame.pixelsBgr);
-    };
+    options.prepare = [&](const VideoFrame& frame) { prepared.at(frame.slot) = numberOf(frame.pixelsBgr); };
     p.begin(std::move(options));
     for (int i = 1; i < 40; ++i) {
         p.fake.send(i);
         p.untilMade(i + 1);
-        const LiveFrame* frame = p.player->newest();
-        EXPECT_EQ(prepared.at(static_cast<size_t>(p.player->slotOf(*frame))), i);
+        const VideoFrame* frame = p.player->newest();
+        EXPECT_EQ(prepared.at(frame->slot), i);
     }
 }
 

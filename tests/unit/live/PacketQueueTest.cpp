@@ -20,8 +20,10 @@ struct Queue : PacketQueue {
     void add(int number, bool key, int size = 100) {
         EXPECT_TRUE(push(*packetOf(number, key, size), number));
     }
-    Packet packet = makePacket();
-    int64_t next() { return pop(packet).some ? packet->pts : -1; }
+    int64_t next() {
+        const Popped popped = pop();
+        return popped.packet ? popped.packet->pts : -1;
+    }
 };
 
 TEST(PacketQueue, KeepsOrder) {
@@ -33,12 +35,13 @@ TEST(PacketQueue, KeepsOrder) {
 TEST(PacketQueue, GoesOnWithTheNewestKeyPicture) {
     Queue queue;
     for (int i = 0; i < 10; ++i) queue.add(i, i % 4 == 0); // 0, 4 and 8
-    const auto popped = queue.pop(queue.packet);
-    EXPECT_EQ(queue.packet->pts, 8);
+    const auto popped = queue.pop();
+    EXPECT_EQ(popped.packet->pts, 8);
     EXPECT_EQ(popped.dropped, 8);
     EXPECT_EQ(popped.arrived_s, 8);
-    EXPECT_EQ(queue.pop(queue.packet).dropped, 0);
-    EXPECT_EQ(queue.packet->pts, 9);
+    const auto next = queue.pop();
+    EXPECT_EQ(next.dropped, 0);
+    EXPECT_EQ(next.packet->pts, 9);
 }
 
 TEST(PacketQueue, FullItBeginsAnewWithAKeyPicture) {
@@ -48,8 +51,8 @@ TEST(PacketQueue, FullItBeginsAnewWithAKeyPicture) {
     EXPECT_EQ(queue.count(), 0u);
     queue.add(maximum + 10, true);
     queue.add(maximum + 11, false);
-    const auto popped = queue.pop(queue.packet);
-    EXPECT_EQ(queue.packet->pts, maximum + 10);
+    const auto popped = queue.pop();
+    EXPECT_EQ(popped.packet->pts, maximum + 10);
     EXPECT_EQ(popped.dropped, maximum + 10);
 }
 
@@ -93,7 +96,7 @@ TEST(PacketQueue, LeftOrInterruptedNobodyWaits) {
     writer.join();
     EXPECT_FALSE(queue.sleep(1e6));
     Queue empty;
-    std::thread reader([&] { EXPECT_FALSE(empty.pop(empty.packet).some); });
+    std::thread reader([&] { EXPECT_FALSE(empty.pop().packet); });
     empty.interrupt();
     reader.join();
 }

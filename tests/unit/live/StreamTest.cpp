@@ -179,7 +179,7 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
     std::atomic<int> made{0};
     std::array<std::atomic<bool>, 12> seen{};
     LiveOptions options = eager();
-    options.prepare = [&](const LiveFrame& frame, int) {
+    options.prepare = [&](const VideoFrame& frame) {
         const int number = numberOf(frame.pixelsBgr);
         if (made < 12) {
             EXPECT_EQ(number, made.load());

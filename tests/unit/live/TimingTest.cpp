@@ -54,12 +54,5 @@ TEST(TokenBucket, StampsThatJumpAreNotWaitedFor) {
     }
 }
 
-TEST(Backoff, WaitsLongerEachTimeInVain) {
-    Backoff backoff(0.5, 8);
-    for (const double expected : {0.5, 1.0, 2.0, 4.0, 8.0, 8.0, 8.0}) EXPECT_EQ(backoff.next_s(), expected);
-    backoff.succeeded();
-    EXPECT_EQ(backoff.next_s(), 0.5);
-}
-
 } // namespace
 } // namespace shoal::media

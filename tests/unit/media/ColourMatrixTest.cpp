@@ -1,4 +1,4 @@
-#include "engine/media/ColourMatrix.h"
+#include "engine/media/YuvToBgr.h"
 
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"

@@ -329,7 +329,6 @@ TEST(PanoramaPlacement, IsReadFromXmp) {
     EXPECT_EQ(placement->top, 1250);
     EXPECT_EQ(placement->width, 6000);
     EXPECT_EQ(placement->height, 1500);
-    EXPECT_DOUBLE_EQ(placement->heading_deg, 90.5);
 
     std::string larger = attributes;
     larger.replace(larger.find("6000"), 4, "9000");

@@ -37,8 +37,9 @@ uint64_t hashOf(const ImageRgb8& picture) {
 
 TEST_P(SharedVideo, HasItsFacts) {
     const Facts& facts = GetParam();
-    const auto info = inspectVideo(file);
-    ASSERT_TRUE(info) << info.error().message();
+    const auto player = VideoPlayer::open(file);
+    ASSERT_TRUE(player) << player.error().message();
+    const VideoInfo* info = &player->info();
     EXPECT_EQ(info->width, facts.width);
     EXPECT_EQ(info->height, facts.height);
     EXPECT_NEAR(info->fps, facts.fps, 0.005); // stated to two decimals

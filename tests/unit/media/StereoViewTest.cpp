@@ -10,15 +10,15 @@ namespace shoal::media {
 namespace {
 
 TEST(StereoView, EyesCoverTheirHalves) {
-    for (const int eye : {0, 1}) {
-        EXPECT_EQ(eyeView(Layout::Mono, eye).offset, glm::vec2(0, 0));
-        EXPECT_EQ(eyeView(Layout::Mono, eye).scale, glm::vec2(1, 1));
-        EXPECT_EQ(eyeView(Layout::TopBottom, eye).scale, glm::vec2(1, 0.5f));
-        EXPECT_EQ(eyeView(Layout::LeftRight, eye).scale, glm::vec2(0.5f, 1));
-    }
-    EXPECT_EQ(eyeView(Layout::TopBottom, 0).offset, glm::vec2(0, 0)) << "the left eye is above";
-    EXPECT_EQ(eyeView(Layout::TopBottom, 1).offset, glm::vec2(0, 0.5f));
-    EXPECT_EQ(eyeView(Layout::LeftRight, 1).offset, glm::vec2(0.5f, 0));
+    const auto expect = [](Layout layout, int eye, std::array<int, 4> wanted) {
+        const EyePart part = eyePart(layout, eye, 101, 51);
+        EXPECT_EQ((std::array{part.x, part.y, part.width, part.height}), wanted) << enumName(layout) << eye;
+    };
+    for (const int eye : {0, 1}) expect(Layout::Mono, eye, {0, 0, 101, 51});
+    expect(Layout::TopBottom, 0, {0, 0, 101, 25}); // the left eye is above
+    expect(Layout::TopBottom, 1, {0, 25, 101, 25});
+    expect(Layout::LeftRight, 0, {0, 0, 50, 51});
+    expect(Layout::LeftRight, 1, {50, 0, 50, 51});
 }
 
 TEST(StereoView, ShapeTellsWhereItCan) {

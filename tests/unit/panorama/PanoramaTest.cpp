@@ -4,7 +4,6 @@
 #include "engine/media/Pictures.h"
 #include "engine/panorama/FindLight.h"
 #include "engine/panorama/Lens.h"
-#include "engine/panorama/PartialPanorama.h"
 #include "engine/panorama/PolarCaps.h"
 #include "engine/panorama/WrapBlend.h"
 #include "tests/TestPaths.h"

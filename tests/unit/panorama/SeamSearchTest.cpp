@@ -1,5 +1,4 @@
 // The seam search against an exhaustive one.
-#include "engine/panorama/SeamSearch.h"
 #include "engine/core/Random.h"
 #include "engine/panorama/SeamInsertion.h"
 
@@ -14,32 +13,35 @@ namespace shoal::panorama {
 namespace {
 
 struct Case {
-    Colours colours;
-    Plane weight;
+    cv::Mat colours, weight;
+    Case(int width, int height)
+        : colours(height, width, CV_32FC3, cv::Scalar::all(0)), weight(height, width, CV_32F, cv::Scalar(0)) {
+    }
 };
 
 Case noise(int width, int height, uint64_t seed) {
-    Case made{Colours(width, height), Plane(width, height)};
+    Case made(width, height);
     Random random(seed);
-    for (float& value : made.colours.pixels) value = random.unit();
-    for (float& value : made.weight.pixels) value = 0.3f * random.unit() - 0.1f;
+    for (float& value : cv::Mat_<float>(made.colours.reshape(1))) value = random.unit();
+    for (float& value : cv::Mat_<float>(made.weight)) value = 0.3f * random.unit() - 0.1f;
     return made;
 }
 
-double apart(const Colours& c, int xa, int ya, int xb, int yb) {
+double apart(const cv::Mat& c, int xa, int ya, int xb, int yb) {
     double sum = 0;
     for (int k = 0; k < 3; ++k)
-        sum += std::abs(static_cast<double>(c.at(xa, ya)[k]) - static_cast<double>(c.at(xb, yb)[k]));
+        sum += std::abs(static_cast<double>(c.at<cv::Vec3f>(ya, xa)[k]) -
+                        static_cast<double>(c.at<cv::Vec3f>(yb, xb)[k]));
     return sum;
 }
 
 // What removing the seam brings together, said without the search's tables.
 double costOf(const Case& of, const std::vector<int>& seam) {
     double sum = 0;
-    for (int y = 0; y < of.colours.height; ++y) {
+    for (int y = 0; y < of.colours.rows; ++y) {
         const int x = seam[static_cast<size_t>(y)];
-        const int left = std::max(x - 1, 0), right = std::min(x + 1, of.colours.width - 1);
-        sum += apart(of.colours, left, y, right, y) + static_cast<double>(*of.weight.at(x, y));
+        const int left = std::max(x - 1, 0), right = std::min(x + 1, of.colours.cols - 1);
+        sum += apart(of.colours, left, y, right, y) + static_cast<double>(of.weight.at<float>(y, x));
         if (y == 0) continue;
         const int before = seam[static_cast<size_t>(y - 1)];
         // The pixel above stays, and gets the neighbour on the side that the seam came from below it.
@@ -53,11 +55,11 @@ double cheapestOfAll(const Case& of) {
     double minimum = std::numeric_limits<double>::max();
     std::vector<int> seam;
     const std::function<void()> grow = [&] {
-        if (static_cast<int>(seam.size()) == of.colours.height) {
+        if (static_cast<int>(seam.size()) == of.colours.rows) {
             minimum = std::min(minimum, costOf(of, seam));
             return;
         }
-        for (int x = 0; x < of.colours.width; ++x) {
+        for (int x = 0; x < of.colours.cols; ++x) {
             if (!seam.empty() && std::abs(x - seam.back()) > 1) continue;
             seam.push_back(x);
             grow();
@@ -68,11 +70,11 @@ double cheapestOfAll(const Case& of) {
     return minimum;
 }
 
-void expectOnePixelARow(const std::vector<int>& seam, const Colours& colours) {
-    ASSERT_EQ(static_cast<int>(seam.size()), colours.height);
+void expectOnePixelARow(const std::vector<int>& seam, const cv::Mat& colours) {
+    ASSERT_EQ(static_cast<int>(seam.size()), colours.rows);
     for (size_t y = 0; y < seam.size(); ++y) {
         EXPECT_GE(seam[y], 0);
-        EXPECT_LT(seam[y], colours.width);
+        EXPECT_LT(seam[y], colours.cols);
         if (y > 0) {
             EXPECT_LE(std::abs(seam[y] - seam[y - 1]), 1) << "row " << y;
         }
@@ -98,33 +100,33 @@ TEST(SeamSearch, LargeNoiseKeepsToNeighbours) {
 }
 
 TEST(SeamSearch, GoesAroundWhatIsDear) {
-    Case made{Colours(9, 20), Plane(9, 20)};
+    Case made(9, 20);
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 9; ++x)
-            if (x != (y < 10 ? 2 : 3)) *made.weight.at(x, y) = 1;
+            if (x != (y < 10 ? 2 : 3)) made.weight.at<float>(y, x) = 1;
     const std::vector<int> seam = minSeam(made.colours, made.weight);
     for (int y = 0; y < 20; ++y) EXPECT_EQ(seam[static_cast<size_t>(y)], y < 10 ? 2 : 3);
 }
 
 TEST(SeamSearch, RemovalTakesOnePixelARow) {
-    Image<int, 2> image(4, 3);
+    cv::Mat_<cv::Vec2i> made(3, 4);
     for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 4; ++x) image.at(x, y)[0] = x, image.at(x, y)[1] = y;
+        for (int x = 0; x < 4; ++x) made(y, x) = {x, y};
+    cv::Mat image = made;
     removeSeam(image, {0, 1, 3});
-    ASSERT_EQ(image.width, 3);
-    ASSERT_EQ(image.pixels.size(), 18u);
-    EXPECT_EQ(image.at(0, 0)[0], 1);
-    EXPECT_EQ(image.at(1, 1)[0], 2);
-    EXPECT_EQ(image.at(2, 2)[0], 2);
-    EXPECT_EQ(image.at(2, 2)[1], 2);
+    ASSERT_EQ(image.size(), cv::Size(3, 3));
+    EXPECT_EQ(image.at<cv::Vec2i>(0, 0)[0], 1);
+    EXPECT_EQ(image.at<cv::Vec2i>(1, 1)[0], 2);
+    EXPECT_EQ(image.at<cv::Vec2i>(2, 2)[0], 2);
+    EXPECT_EQ(image.at<cv::Vec2i>(2, 2)[1], 2);
 }
 
 TEST(SeamInsertion, MapsNeverFallAndKeepTheirEnds) {
     const Case made = noise(30, 20, 3);
-    const Plane map = seamInsertionMap(made.colours, made.weight, 100);
-    ASSERT_EQ(map.width, 100);
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 1; x < map.width; ++x) ASSERT_GE(*map.at(x, y), *map.at(x - 1, y));
+    const cv::Mat map = seamInsertionMap(made.colours, made.weight, 100);
+    ASSERT_EQ(map.cols, 100);
+    for (int y = 0; y < map.rows; ++y)
+        for (int x = 1; x < map.cols; ++x) ASSERT_GE(map.at<float>(y, x), map.at<float>(y, x - 1));
     std::vector<float> even = columnInsertionMap(made.colours, made.weight, 100);
     const float first = even.front(), last = even.back();
     smoothMap(even, 5);
@@ -137,8 +139,8 @@ TEST(SeamInsertion, MapsNeverFallAndKeepTheirEnds) {
 TEST(SeamInsertion, WhereItIsFlat) {
     Case made = noise(40, 30, 5);
     for (int y = 0; y < 30; ++y)
-        for (int x = 0; x < 20; ++x) std::fill_n(made.colours.at(x, y), 3, 0.5f);
-    for (float& w : made.weight.pixels) w = 0;
+        for (int x = 0; x < 20; ++x) made.colours.at<cv::Vec3f>(y, x) = cv::Vec3f::all(0.5f);
+    made.weight.setTo(0);
     const std::vector<float> map = columnInsertionMap(made.colours, made.weight, 100);
     const auto flat = std::count_if(map.begin(), map.end(), [](float at) { return at < 19.5f; });
     EXPECT_GT(flat, 70); // of 60 new columns nearly all; it began with 20
@@ -146,14 +148,14 @@ TEST(SeamInsertion, WhereItIsFlat) {
 
 TEST(SeamInsertion, NothingWithinTheStrip) {
     const Case made = noise(40, 10, 9);
-    Plane weight(40, 10);
+    cv::Mat weight(10, 40, CV_32F, cv::Scalar(0));
     for (int y = 0; y < 10; ++y)
-        for (int x = 15; x < 25; ++x) *weight.at(x, y) = 10;
-    const Plane map = seamInsertionMap(made.colours, weight, 120);
+        for (int x = 15; x < 25; ++x) weight.at<float>(y, x) = 10;
+    const cv::Mat map = seamInsertionMap(made.colours, weight, 120);
     for (int y = 0; y < 10; ++y)
         for (int x = 1; x < 120; ++x)
-            if (*map.at(x - 1, y) >= 15 && *map.at(x, y) <= 24) {
-                EXPECT_FLOAT_EQ(*map.at(x, y) - *map.at(x - 1, y), 1);
+            if (map.at<float>(y, x - 1) >= 15 && map.at<float>(y, x) <= 24) {
+                EXPECT_FLOAT_EQ(map.at<float>(y, x) - map.at<float>(y, x - 1), 1);
             }
 }
 

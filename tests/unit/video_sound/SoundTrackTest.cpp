@@ -2,6 +2,7 @@
 #include "engine/media/SoundTrack.h"
 
 #include "tests/unit/Wav.h"
+#include "tests/unit/video_sound/ReadAll.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ std::string numbered(int64_t frames) {
 
 std::vector<int16_t> readAll(SoundTrack& track, size_t frames) {
     std::vector<int16_t> stereo(2 * frames);
-    EXPECT_EQ(track.read(stereo, true), frames);
+    EXPECT_EQ(test::readAll(track, stereo), frames);
     return stereo;
 }
 

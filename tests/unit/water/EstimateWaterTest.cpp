@@ -4,6 +4,7 @@
 #include "engine/core/Files.h"
 #include "engine/media/Pictures.h"
 #include "tests/TestPaths.h"
+#include "tests/unit/water/SeenThrough.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // What water does to an object's light, and how it changes with time.
-#include "engine/water/WaterOverTime.h"
+#include "engine/water/EstimateWater.h"
+
+#include "tests/unit/water/SeenThrough.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,87 @@
+// Frames of a video as its players give them out, and the slots that they lie in.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/media/StereoView.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <functional>
+#include <utility>
+
+namespace shoal::media {
+
+struct VideoFrame {
+    ImageRgb8 pixelsBgr;          // sRGB-coded, blue first; see PlayerOptions::keepPixels
+    Layout layout = Layout::Mono; // never Auto
+    int64_t index = -1;           // since the start, from 0; of a file it counts on as the file repeats
+    int64_t number = -1;          // within the file; -1: live
+    size_t slot = 0;              // that it lies in, below kFrameSlots
+    double arrived_s = 0;         // of a live one, by LiveOptions::now_s
+    double decode_ms = 0;         // decoding and conversion of this frame alone
+    double prepare_ms = 0;        // of PlayerOptions::prepare
+};
+
+constexpr size_t kFrameSlots = 3; // one shown, the others ready or being filled
+
+struct PlayerOptions {
+    Layout layout = Layout::Auto;
+    // Called on the decode thread for each frame that may be shown, after it lies in its slot; the caller
+    // keeps what it makes per slot. Nobody else reads or writes that slot meanwhile, and it stays untouched
+    // for as long as the frame is shown. Must not throw nor call the player.
+    std::function<void(const VideoFrame& frame)> prepare;
+    // False: only `prepare` sees pixelsBgr; in frames that are given out it is empty.
+    bool keepPixels = true;
+};
+
+// Internal to this folder.
+class FrameSlots {
+  public:
+    enum class State { Free, Filling, Ready, Shown };
+    struct Slot {
+        VideoFrame frame;
+        State state = State::Free;
+    };
+
+    FrameSlots() {
+        for (size_t i = 0; i < slots_.size(); ++i) slots_[i].frame.slot = i;
+    }
+
+    Slot* begin() { return slots_.data(); }
+    Slot* end() { return slots_.data() + slots_.size(); }
+
+    // The first one in that state, or null.
+    Slot* find(State state) {
+        Slot* found = std::ranges::find(slots_, state, &Slot::state);
+        return found == end() ? nullptr : found;
+    }
+
+    void show(Slot& slot) {
+        if (shown_) shown_->state = State::Free;
+        shown_ = &slot;
+        slot.state = State::Shown;
+    }
+    const VideoFrame& shown() const { return shown_->frame; } // once there is one
+
+    // Where the decode thread puts the pixels of a slot that it fills.
+    ImageRgb8& pixelsOf(Slot& slot, const PlayerOptions& options) {
+        return options.keepPixels ? slot.frame.pixelsBgr : pixels_;
+    }
+    // Lets options.prepare see what has been put there.
+    void prepare(Slot& slot, const PlayerOptions& options) {
+        if (!options.keepPixels) std::swap(slot.frame.pixelsBgr, pixels_);
+        const auto began = std::chrono::steady_clock::now();
+        if (options.prepare) options.prepare(slot.frame);
+        slot.frame.prepare_ms =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+        if (!options.keepPixels) std::swap(slot.frame.pixelsBgr, pixels_);
+    }
+
+  private:
+    std::array<Slot, kFrameSlots> slots_;
+    Slot* shown_ = nullptr;
+    ImageRgb8 pixels_; // of all slots, if they do not keep theirs
+};
+
+} // namespace shoal::media

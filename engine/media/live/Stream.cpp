@@ -1,0 +1,328 @@
+#include "engine/core/Threads.h"
+#include "engine/media/PictureDecoder.h"
+#include "engine/media/live/LiveFeed.h"
+#include "engine/media/live/PacketQueue.h"
+#include "engine/media/live/Timing.h"
+
+extern "C" {
+#include <libavutil/time.h>
+}
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <memory>
+#include <optional>
+#include <poll.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+
+namespace shoal::media {
+
+namespace {
+
+// Containers of video; no play lists, which name further addresses.
+constexpr const char* kFormats =
+    "mpegts,mov,mp4,matroska,webm,avi,flv,live_flv,ogg,mpeg,mpjpeg,mjpeg,h264,hevc,ivf,nut,rtsp,sdp,rtp";
+
+std::string textOf(int error) {
+    char text[AV_ERROR_MAX_STRING_SIZE]{};
+    av_strerror(error, text, sizeof text);
+    return text;
+}
+
+std::string seconds(double s) { return fmt::format("{:.3g} s", s); }
+
+// Burst that may come at once before packets are held to their own time stamps.
+constexpr double kLiveBurst_s = 3, kStoredBurst_s = 0.05;
+// While catching up, a picture is shown at least this often.
+constexpr double kMaxHidden_s = 0.25;
+// So many waiting packets mean that the decoder is behind; fewer are network jitter.
+constexpr size_t kBehind = 3;
+
+struct FreeReader {
+    void operator()(AVIOContext* reader) const {
+        av_freep(&reader->buffer);
+        avio_context_free(&reader);
+    }
+};
+
+// A stream or pipe. One thread reads packets as they come, so that none wait in the network; another decodes.
+class Stream {
+  public:
+    Stream(const LiveAddress& address, const FeedTimeouts& timeouts)
+        : address_(address), timeouts_(timeouts) {
+        setUpDecoders();
+    }
+    ~Stream() {
+        stopReader();
+        if (pipe_ >= 0) ::close(pipe_);
+    }
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+
+    // As LiveFeed has them.
+    Status open();
+    Result<LivePicture> read(ImageRgb8& bgr);
+    void interrupt() {
+        interrupted_ = true;
+        queue_.interrupt();
+    }
+
+  private:
+    bool givesUp() const { return interrupted_ || stopped_ || liveNow_s() > deadline_s_; }
+    const AVStream& video() const { return *format_->streams[stream_]; }
+    Status openPipe(const Path& file);
+    int readPipe(uint8_t* bytes, int count);
+    Status openFormat();
+    void passPacketsUnparsed();
+    void markKeyFrame(AVPacket& packet);
+    Status connect();
+    Status readPacket(AVPacket& packet);
+    void readPackets();
+    void stopReader();
+
+    // Of the thread that opens, then of the reader's:
+    LiveAddress address_;
+    FeedTimeouts timeouts_;
+    int pipe_ = -1;                                       // descriptor, of a pipe
+    std::unique_ptr<AVIOContext, FreeReader> pipeReader_; // FFmpeg's, of the same
+    Input format_;
+    int stream_ = -1;
+    bool unparsed_ = false; // each packet is one picture
+    std::unique_ptr<AVCodecParserContext, CloseParser> parser_;
+    Codec parsed_;
+    double deadline_s_ = 0;
+
+    bool stored_ = false; // a file on a server, of known length: it sends as fast as it is read
+    bool stamped_ = true; // time stamps are the sender's, and not invented by FFmpeg
+    // open() and read() return soon; until the next open(), or for good.
+    std::atomic<bool> stopped_{false}, interrupted_{false};
+    PacketQueue queue_;
+    std::thread reader_;
+
+    // The decoder's thread:
+    std::optional<PictureDecoder> decoder_;
+    double lastShown_s_ = 0;
+    bool ended_ = false;
+};
+
+// For the writer that is there, or the next.
+Status Stream::openPipe(const Path& file) {
+    constexpr int kBuffer = 1 << 16;
+    // Opened before the old one is closed: a new writer must not find the pipe without readers. And opened
+    // again each time: after a writer has closed, the old descriptor reports only the end of the file.
+    const int opened = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (pipe_ >= 0) ::close(pipe_);
+    pipe_ = opened;
+    struct stat found {};
+    if (pipe_ < 0 || fstat(pipe_, &found) != 0 || !S_ISFIFO(found.st_mode))
+        return Error{"", "cannot be opened for reading"};
+    const auto read = [](void* self, uint8_t* bytes, int count) {
+        return static_cast<Stream*>(self)->readPipe(bytes, count);
+    };
+    pipeReader_.reset(avio_alloc_context(static_cast<uint8_t*>(av_malloc(kBuffer)), kBuffer, 0, this, read,
+                                         nullptr, nullptr));
+    return Done{};
+}
+
+// Blocks until there are some bytes. Returns their count, or a negative error of FFmpeg's.
+int Stream::readPipe(uint8_t* bytes, int count) {
+    constexpr int kPollInterval_ms = 100;
+    for (;;) {
+        if (givesUp()) return AVERROR_EXIT;
+        pollfd waiting{pipe_, POLLIN, 0};
+        // Waits for the first writer too; POLLHUP comes once the last writer has closed.
+        if (poll(&waiting, 1, kPollInterval_ms) <= 0) continue;
+        const ssize_t got = ::read(pipe_, bytes, static_cast<size_t>(count));
+        if (got > 0) return static_cast<int>(got);
+        if (got == 0) return AVERROR_EOF;
+        if (errno != EAGAIN && errno != EINTR) return AVERROR(errno);
+    }
+}
+
+// Leaves format_ with its streams known.
+Status Stream::openFormat() {
+    AVFormatContext* format = avformat_alloc_context();
+    if (!format) return Error{"", "cannot be opened: there is no memory"};
+    format->interrupt_callback = {[](void* self) -> int { return static_cast<Stream*>(self)->givesUp(); },
+                                  this};
+    const auto* url = std::get_if<StreamAddress>(&address_);
+    std::string name;
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "format_whitelist", kFormats, 0);
+    if (url) {
+        name = url->url;
+        av_dict_set(&options, "protocol_whitelist", url->protocols, 0);
+        av_dict_set(&options, "user_agent", "Shoal", 0);
+        av_dict_set(&options, "rtsp_flags", "prefer_tcp", 0);
+    } else {
+        av_dict_set(&options, "protocol_whitelist", "none", 0);
+        format->pb = pipeReader_.get();
+        format->flags |= AVFMT_FLAG_CUSTOM_IO;
+    }
+    format->max_analyze_duration = AV_TIME_BASE;
+    format->fps_probe_size = 0; // frames come when they come: no need to wait for several
+    int error =
+        avformat_open_input(&format, name.c_str(), nullptr, &options); // frees the context if it fails
+    av_dict_free(&options);
+    format_.reset(format);
+    if (error >= 0) {
+        passPacketsUnparsed();
+        error = avformat_find_stream_info(format, nullptr);
+    }
+    if (error >= 0) return Done{};
+    format_.reset();
+    if (!interrupted_ && liveNow_s() > deadline_s_)
+        return Error{"", "did not answer within " + seconds(timeouts_.open_s)};
+    if (error == AVERROR_INVALIDDATA || error == AVERROR(EIO) || error == AVERROR_EOF)
+        return Error{"", "is no video of a known kind, or breaks off before its first picture"};
+    return Error{"", "cannot be opened: " + textOf(error)};
+}
+
+Status Stream::connect() {
+    format_.reset();
+    stream_ = -1;
+    stopped_ = false;
+    deadline_s_ = liveNow_s() + timeouts_.open_s;
+    const auto* pipe = std::get_if<PipeAddress>(&address_);
+    if (pipe)
+        if (Status opened = openPipe(pipe->file); !opened) return opened;
+    if (Status opened = openFormat(); !opened) return opened;
+    stream_ = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    if (stream_ < 0) return Error{"", "has no pictures"};
+    keepOnly(*format_, stream_);
+    const AVCodecParameters& coded = *video().codecpar;
+    if (coded.width > 0)
+        if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
+    parser_.reset(unparsed_ ? av_parser_init(coded.codec_id) : nullptr);
+    parsed_.reset(avcodec_alloc_context3(nullptr));
+    if (parser_ && parsed_ && avcodec_parameters_to_context(parsed_.get(), &coded) >= 0)
+        parser_->flags |= PARSER_FLAG_COMPLETE_FRAMES;
+    else
+        parser_.reset();
+    stored_ = !pipe && format_->pb && avio_size(format_->pb) > 0;
+    stamped_ = !(format_->iformat->flags & AVFMT_NOTIMESTAMPS);
+    return Done{};
+}
+
+// FFmpeg's parser finds the end of a picture by the beginning of the next, which would delay each by one. In
+// these formats packets are pictures already; a parser of our own tells which are key frames.
+void Stream::passPacketsUnparsed() {
+    const std::string_view name = format_->iformat->name;
+    unparsed_ = name == "mpegts" || name == "rtsp";
+    if (unparsed_) format_->flags |= AVFMT_FLAG_NOPARSE | AVFMT_FLAG_NOFILLIN;
+}
+
+void Stream::markKeyFrame(AVPacket& packet) {
+    uint8_t* bytes = nullptr;
+    int size = 0;
+    av_parser_parse2(parser_.get(), parsed_.get(), &bytes, &size, packet.data, packet.size, packet.pts,
+                     packet.dts, packet.pos);
+    const bool key =
+        parser_->key_frame == 1 || (parser_->key_frame < 0 && parser_->pict_type == AV_PICTURE_TYPE_I);
+    packet.flags = key ? packet.flags | AV_PKT_FLAG_KEY : packet.flags & ~AV_PKT_FLAG_KEY;
+}
+
+// Blocks until the next video packet. Error: why there is none.
+Status Stream::readPacket(AVPacket& packet) {
+    deadline_s_ = liveNow_s() + timeouts_.silence_s;
+    for (;;) {
+        av_packet_unref(&packet);
+        const int error = av_read_frame(format_.get(), &packet);
+        if (error >= 0 && packet.stream_index == stream_) {
+            if (parser_) markKeyFrame(packet);
+            return Done{};
+        }
+        if (givesUp() || error == AVERROR_EXIT)
+            return Error{"", "has sent no picture for " + seconds(timeouts_.silence_s)};
+        if (error == AVERROR_EOF) return Error{"", stored_ ? "is over" : "was ended by its sender"};
+        if (error == AVERROR(EAGAIN))
+            av_usleep(5000);
+        else if (error < 0)
+            return Error{"", "broke off: " + textOf(error)};
+    }
+}
+
+Status Stream::open() {
+    stopReader();
+    if (Status opened = connect(); !opened) return opened;
+    decoder_.emplace();
+    const AVStream& picture = video();
+    const auto threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
+    if (Status opened = decoder_->open(*picture.codecpar, picture.time_base, FrameThreading::None, threads);
+        !opened)
+        return opened;
+    queue_.reset(stored_);
+    lastShown_s_ = liveNow_s();
+    ended_ = false;
+    reader_ = std::thread([this] { readPackets(); });
+    return Done{};
+}
+
+void Stream::stopReader() {
+    if (!reader_.joinable()) return;
+    stopped_ = true;
+    queue_.stop();
+    reader_.join();
+}
+
+void Stream::readPackets() {
+    lowerThreadPriority();
+    const Packet packet = makePacket();
+    TokenBucket bucket(stored_ ? kStoredBurst_s : kLiveBurst_s);
+    const double unit_s = av_q2d(video().time_base);
+    for (;;) {
+        if (Status read = readPacket(*packet); !read) return queue_.close(read.error().reason);
+        if (stamped_ && packet->dts != AV_NOPTS_VALUE) {
+            const double wait_s = bucket.wait_s(static_cast<double>(packet->dts) * unit_s, liveNow_s());
+            if (wait_s > 0 && !queue_.sleep(wait_s)) break;
+        }
+        if (!queue_.push(*packet, liveNow_s())) break;
+    }
+    queue_.close("was stopped");
+}
+
+Result<LivePicture> Stream::read(ImageRgb8& bgr) {
+    LivePicture picture;
+    double began_s = liveNow_s();
+    for (;;) {
+        while (decoder_->receive()) {
+            // Outdated: decoded only because later pictures refer to it.
+            if (queue_.count() > 0 && !stored_ && liveNow_s() - lastShown_s_ < kMaxHidden_s) {
+                ++picture.passedOver;
+                continue;
+            }
+            if (Status converted = decoder_->convert(bgr); !converted) return converted.error();
+            picture.arrived_s = decoder_->arrived_s();
+            lastShown_s_ = liveNow_s();
+            picture.decode_ms = 1e3 * (lastShown_s_ - began_s);
+            return picture;
+        }
+        if (ended_) return Error{"", queue_.reason()};
+        const PacketQueue::Popped popped = queue_.pop();
+        began_s = liveNow_s();
+        if (popped.dropped > 0) decoder_->flush();
+        picture.passedOver += popped.dropped;
+        ended_ = !popped.packet; // reported once the decoder is drained
+        const bool hurry = !stored_ && queue_.count() >= kBehind;
+        decoder_->send(popped.packet.get(), popped.arrived_s, hurry);
+    }
+}
+
+} // namespace
+
+LiveFeed streamFeed(const LiveAddress& address, const FeedTimeouts& timeouts) {
+    const auto* pipe = std::get_if<PipeAddress>(&address);
+    const auto stream = std::make_shared<Stream>(address, timeouts);
+    return {.name = pipe ? pipe->file.string() : withoutPassword(std::get<StreamAddress>(address).url),
+            .kind = pipe ? "pipe" : "stream",
+            .open = [stream] { return stream->open(); },
+            .read = [stream](ImageRgb8& bgr) { return stream->read(bgr); },
+            .interrupt = [stream] { stream->interrupt(); }};
+}
+
+} // namespace shoal::media
