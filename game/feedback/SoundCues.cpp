@@ -17,7 +17,6 @@ constexpr float kPassQuiet_s = 4;  // between two passes of the same creature
 constexpr float kLarge_m = 1;      // of body: what passes sounds large
 // From the start of the clip to its loudest: it starts that much before the creature is nearest.
 constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
-constexpr float kCaptionStay_s = 2.2f;
 constexpr size_t kCaptions = 3;
 constexpr std::string_view kStruggleCaption = "it struggles", kPassCaption = "something large passes",
                            kCountdownCaption = "the last seconds";

@@ -14,6 +14,8 @@
 
 namespace shoal::game {
 
+constexpr float kCaptionStay_s = 2.2f;
+
 struct Caption {
     std::string_view text;
     glm::vec3 position{0}; // world frame; the origin: nowhere in particular

@@ -1,15 +1,8 @@
 #include "game/rules/TomlRead.h"
 
-namespace shoal::game {
+#include <fmt/core.h>
 
-namespace {
-std::string compact(float value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
-} // namespace
+namespace shoal::game {
 
 void TomlMistake::complain(const toml::node* where, std::string reason) {
     if (first) return;
@@ -53,7 +46,7 @@ void TomlTable::number(std::string_view key, float& value, float low, float high
     if (!node) return;
     const auto read = node->value<double>();
     if (!node->is_number() || !read || !(*read >= low && *read <= high))
-        complain(key, "must be a number from " + compact(low) + " to " + compact(high));
+        complain(key, fmt::format("must be a number from {} to {}", low, high));
     else
         value = static_cast<float>(*read);
 }
@@ -63,7 +56,7 @@ std::optional<int64_t> TomlTable::readWhole(std::string_view key, int64_t low, i
     if (!node) return std::nullopt;
     const auto read = node->is_integer() ? node->value<int64_t>() : std::nullopt;
     if (read && *read >= low && *read <= high) return read;
-    complain(key, "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    complain(key, fmt::format("must be a whole number from {} to {}", low, high));
     return std::nullopt;
 }
 
@@ -104,7 +97,7 @@ void TomlTable::range(std::string_view key, float& first, float& second, float l
     const auto a = pair && pair->size() == 2 ? (*pair)[0].value<double>() : std::nullopt;
     const auto b = pair && pair->size() == 2 ? (*pair)[1].value<double>() : std::nullopt;
     if (!a || !b || !(*a >= low && *a <= *b && *b <= high)) {
-        complain(key, "must be [low, high] within " + compact(low) + " to " + compact(high));
+        complain(key, fmt::format("must be [low, high] within {} to {}", low, high));
         return;
     }
     first = static_cast<float>(*a);
@@ -130,7 +123,7 @@ void TomlTable::table(std::string_view key, const Read& read) {
 void TomlTable::tables(std::string_view key, size_t maximum, const Read& read) {
     const toml::array* all = list(key);
     if (!all) return;
-    if (all->size() > maximum) return complain(key, "holds more than " + std::to_string(maximum) + " tables");
+    if (all->size() > maximum) return complain(key, fmt::format("holds more than {} tables", maximum));
     for (const toml::node& node : *all) {
         if (!node.is_table()) {
             const std::string name(key);

@@ -1,5 +1,6 @@
 #include "game/session/Statistics.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -37,8 +38,6 @@ Status writeStatistics(const Path& file, const Statistics& s) {
     };
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    char hash[17];
-    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(s.stateHash));
     nlohmann::ordered_json json = {
         {"renderer", s.renderer},
         {"frames", s.frame_ms.count()},
@@ -51,7 +50,7 @@ Status writeStatistics(const Path& file, const Statistics& s) {
         {"least_scale", s.minScale},
         {"caught", s.caught},
         {"score", s.score},
-        {"state_hash", hash},
+        {"state_hash", fmt::format("{:016x}", s.stateHash)},
         {"ticks", s.ticks},
         {"peak_rss_mb", static_cast<double>(usage.ru_maxrss) / 1024},
     };

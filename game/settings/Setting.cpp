@@ -14,8 +14,7 @@ TextSetting sizeSetting(glm::ivec2& pixels) {
         pixels = {width, height};
         return true;
     };
-    return {[&pixels] { return std::to_string(pixels.x) + "x" + std::to_string(pixels.y); }, set,
-            "wants WIDTHxHEIGHT in pixels, 16x16 to 8192x8192"};
+    return {set, "wants WIDTHxHEIGHT in pixels, 16x16 to 8192x8192", {}};
 }
 
 TextSetting addressSetting(std::string& host, uint16_t& port) {
@@ -30,7 +29,7 @@ TextSetting addressSetting(std::string& host, uint16_t& port) {
         port = static_cast<uint16_t>(number);
         return true;
     };
-    return {[&host, &port] { return host + ":" + std::to_string(port); }, set, "wants HOST:PORT"};
+    return {set, "wants HOST:PORT", [&host, &port] { return host + ":" + std::to_string(port); }};
 }
 
 TextSetting vectorSetting(std::optional<glm::vec3>& value) {
@@ -43,11 +42,7 @@ TextSetting vectorSetting(std::optional<glm::vec3>& value) {
         value = v;
         return true;
     };
-    const auto get = [&value] {
-        if (!value) return std::string();
-        return std::to_string(value->x) + "," + std::to_string(value->y) + "," + std::to_string(value->z);
-    };
-    return {get, set, "wants three numbers with commas between"};
+    return {set, "wants three numbers with commas between", {}};
 }
 
 std::string Setting::key() const {

@@ -44,9 +44,9 @@ ChoiceSetting choice(E& value, const std::vector<E>& values = {},
 
 // A setting with a notation of its own.
 struct TextSetting {
-    std::function<std::string()> get;
     std::function<bool(const std::string& text)> set; // false, and nothing changed: the text is malformed
     std::string wants;                                // says what is well formed: "wants ..."
+    std::function<std::string()> get;                 // of a setting that is kept
 };
 
 TextSetting sizeSetting(glm::ivec2& pixels);                   // WIDTHxHEIGHT

@@ -14,8 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
-
 namespace shoal::app {
 
 namespace {
@@ -108,8 +106,7 @@ Status writeAll(const LightOptions& options, const light::EnvironmentLight& made
     fill(small, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
     if (Status s = put("diffuse", small); !s) return s;
     for (size_t k = 0; k < made.glossy.size(); ++k) {
-        char name[32];
-        std::snprintf(name, sizeof name, "glossy_%.2f", static_cast<double>(made.glossy[k].roughness));
+        const std::string name = fmt::format("glossy_{:.2f}", made.glossy[k].roughness);
         if (Status s = put(name, light::glossyImage(made, k)); !s) return s;
     }
     return writeFileWhole(folder / "sh.json", harmonics(made));

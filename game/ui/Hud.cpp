@@ -1,13 +1,13 @@
 #include "game/ui/Hud.h"
 
 #include <epoxy/gl.h>
+#include <fmt/core.h>
 #include <imgui/imgui.h>
 // After imgui.h, which they need.
 #include <imgui/backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <span>
 
@@ -23,15 +23,14 @@ using namespace colour;
 void drawScore(const Pen& pen, const HudInfo& info) {
     const game::Snapshot& s = *info.snapshot;
     const float margin = pen.line * 0.8f;
-    char line[96];
-    std::snprintf(line, sizeof line, "%d", s.score);
-    pen.text(margin, margin * 0.7f, 0, 1.7f, kWhite, line);
-    std::snprintf(line, sizeof line, s.lost ? "%d caught   %d taken" : "%d caught", s.caught, s.lost);
-    pen.text(margin, margin * 0.7f + pen.line * 1.8f, 0, 0.8f, kDim, line);
+    pen.text(margin, margin * 0.7f, 0, 1.7f, kWhite, std::to_string(s.score));
+    pen.text(margin, margin * 0.7f + pen.line * 1.8f, 0, 0.8f, kDim,
+             s.lost ? fmt::format("{} caught   {} taken", s.caught, s.lost)
+                    : fmt::format("{} caught", s.caught));
     const int left = static_cast<int>(std::ceil(std::max(0.0f, s.timeLeft_s)));
-    std::snprintf(line, sizeof line, "%d:%02d", left / 60, left % 60);
     const bool last = left <= 10;
-    pen.text(pen.size.x - margin, margin * 0.7f, 1, last ? 2.0f : 1.5f, last ? kGold : kWhite, line);
+    pen.text(pen.size.x - margin, margin * 0.7f, 1, last ? 2.0f : 1.5f, last ? kGold : kWhite,
+             fmt::format("{}:{:02}", left / 60, left % 60));
 }
 
 // The place on the screen, pixels; false behind the viewer.
@@ -61,16 +60,13 @@ void drawHold(const Pen& pen, const HudInfo& info) {
 void drawCaptions(const Pen& pen, const HudInfo& info) {
     float y = pen.size.y - pen.line * 1.9f;
     for (const game::Caption& caption : info.captions) {
-        constexpr float kStay_s = 2.2f;
-        if (caption.age_s > kStay_s) continue;
-        const float fade = std::clamp((kStay_s - caption.age_s) / 0.6f, 0.0f, 1.0f);
+        const float fade = std::clamp((game::kCaptionStay_s - caption.age_s) / 0.6f, 0.0f, 1.0f);
         const glm::vec3 inView = glm::conjugate(info.view->worldFromEye) * caption.position;
         const bool placed = glm::dot(caption.position, caption.position) > 1e-4f;
         const float bearing = placed ? std::atan2(inView.x, -inView.z) : 0.0f;
         const float seen = std::atan(info.view->halfExtent().x);
-        char line[128];
-        std::snprintf(line, sizeof line, "%s%.*s%s", bearing < -seen ? "◀ " : "",
-                      static_cast<int>(caption.text.size()), caption.text.data(), bearing > seen ? " ▶" : "");
+        const std::string line =
+            fmt::format("{}{}{}", bearing < -seen ? "◀ " : "", caption.text, bearing > seen ? " ▶" : "");
         const glm::vec2 extent = pen.extent(line, 0.8f);
         const auto shade = static_cast<int>(120 * fade);
         pen.list->AddRectFilled(ImVec2(pen.size.x / 2 - extent.x / 2 - 10, y - 3),
@@ -93,37 +89,33 @@ void drawTimes(const HudInfo& info) {
     const std::span<const float> recent = statistics.frame_ms.last(120);
     std::vector<float> sorted(recent.begin(), recent.end());
     std::sort(sorted.begin(), sorted.end());
-    ImGui::Text("%s", statistics.renderer.c_str());
+    ImGui::TextUnformatted(statistics.renderer.c_str());
+    const auto write = [](fmt::string_view text, const auto&... values) {
+        ImGui::TextUnformatted(fmt::vformat(text, fmt::make_format_args(values...)).c_str());
+    };
     if (!sorted.empty())
-        ImGui::Text("frame %.1f ms median, %.1f worst of 120", static_cast<double>(sorted[sorted.size() / 2]),
-                    static_cast<double>(sorted.back()));
+        write("frame {:.1f} ms median, {:.1f} worst of 120", sorted[sorted.size() / 2], sorted.back());
     ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0, 50,
                      ImVec2(260, 50));
-    ImGui::Text("light %.1f ms, decode %.1f ms (own thread)", static_cast<double>(environment.light_ms()),
-                static_cast<double>(environment.decode_ms()));
-    ImGui::Text("upload %.2f ms, simulation %.2f ms", static_cast<double>(environment.upload_ms()),
-                static_cast<double>(statistics.sim_ms));
+    write("light {:.1f} ms, decode {:.1f} ms (own thread)", environment.light_ms(), environment.decode_ms());
+    write("upload {:.2f} ms, simulation {:.2f} ms", environment.upload_ms(), statistics.sim_ms);
     for (const gl::PassTimers::Time& time : info.passes)
-        ImGui::Text("%s %.2f ms on the graphics side", time.pass, static_cast<double>(time.gpu_ms));
-    ImGui::Text("draws %d, triangles %d", statistics.draws, statistics.triangles);
-    ImGui::Text("drawn at %.0f %% of the size, light every %d of the video's frames",
-                static_cast<double>(100 * info.quality.scale), info.quality.lightEvery);
-    ImGui::Text("light: %s", environment.lightName());
+        write("{} {:.2f} ms on the graphics side", time.pass, time.gpu_ms);
+    write("draws {}, triangles {}", statistics.draws, statistics.triangles);
+    write("drawn at {:.0f} % of the size, light every {} of the video's frames", 100 * info.quality.scale,
+          info.quality.lightEvery);
+    write("light: {}", environment.lightName());
     ImGui::End();
 }
 
 void drawText(const Pen& pen, const HudInfo& info) {
-    const game::Snapshot& s = *info.snapshot;
     drawScore(pen, info);
-    if (!s.paused) drawCaptions(pen, info);
+    if (!info.snapshot->paused) drawCaptions(pen, info);
     if (info.overlay) info.overlay(pen);
-    char line[64];
-    if (info.showVolume) {
-        std::snprintf(line, sizeof line, "Sound %d %%", static_cast<int>(std::lround(info.volume * 100)));
-        pen.text(pen.size.x / 2, pen.line, 0.5f, 1, kWhite, line);
-    }
-    if (!info.notice.empty())
-        pen.text(pen.size.x / 2, pen.line * 2.4f, 0.5f, 0.75f, kGold, std::string(info.notice).c_str());
+    const float x = pen.size.x / 2;
+    if (info.showVolume)
+        pen.text(x, pen.line, 0.5f, 1, kWhite, fmt::format("Sound {:.0f} %", info.volume * 100));
+    if (!info.notice.empty()) pen.text(x, pen.line * 2.4f, 0.5f, 0.75f, kGold, info.notice);
     if (info.showTimes) drawTimes(info);
 }
 

@@ -7,17 +7,18 @@
 
 namespace shoal::app {
 
-glm::vec2 Pen::extent(const char* text, float scale) const {
-    const ImVec2 extent = font->CalcTextSizeA(line * scale, FLT_MAX, 0, text);
+glm::vec2 Pen::extent(std::string_view text, float scale) const {
+    const ImVec2 extent =
+        font->CalcTextSizeA(line * scale, FLT_MAX, 0, text.data(), text.data() + text.size());
     return {extent.x, extent.y};
 }
 
-void Pen::text(float x, float y, float anchor, float scale, uint32_t colour, const char* text) const {
-    const float pixels = line * scale;
-    const ImVec2 at(x - extent(text, scale).x * anchor, y);
-    const float shadow = std::max(1.0f, pixels * 0.06f);
-    list->AddText(font, pixels, ImVec2(at.x + shadow, at.y + shadow), IM_COL32(0, 10, 20, 190), text);
-    list->AddText(font, pixels, at, colour, text);
+void Pen::text(float x, float y, float anchor, float scale, uint32_t colour, std::string_view text) const {
+    const float pixels = line * scale, shadow = std::max(1.0f, pixels * 0.06f);
+    const char *const begin = text.data(), *const end = begin + text.size();
+    x -= extent(text, scale).x * anchor;
+    list->AddText(font, pixels, ImVec2(x + shadow, y + shadow), IM_COL32(0, 10, 20, 190), begin, end);
+    list->AddText(font, pixels, ImVec2(x, y), colour, begin, end);
 }
 
 void Pen::lines(float y, std::span<const char* const> texts) const {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 struct ImDrawList;
 struct ImFont;
@@ -32,9 +33,9 @@ struct Pen {
     float line;     // height of a line of text at scale 1, pixels
     Audience audience = Audience::WindowPlayer;
 
-    glm::vec2 extent(const char* text, float scale) const; // pixels
+    glm::vec2 extent(std::string_view text, float scale) const; // pixels
     // anchor: which part of the text is at x: 0 left, 0.5 centre, 1 right.
-    void text(float x, float y, float anchor, float scale, uint32_t colour, const char* text) const;
+    void text(float x, float y, float anchor, float scale, uint32_t colour, std::string_view text) const;
     // Centred lines below each other from y on, 1.35 lines apart.
     void lines(float y, std::span<const char* const> texts) const;
     void panel(float widthLines, float heightLines) const; // in the picture's middle

@@ -26,20 +26,17 @@ void DynamicQuality::frame(double work_ms) {
     sum_ms_ = 0;
 
     constexpr int kSteps = kScaleSteps + kMaxLightEvery - 1;
+    calm_ = room ? calm_ + 1 : 0;
     if (slow && step_ < kSteps) {
         if (roseLast_) patience_ = std::min(2 * patience_, kMaxPatience); // that was too early
         // Far over, several steps at once: nobody wants to wait for a second of stutter to end.
         const int steps = mean > 2 * budget_ms_ ? 4 : mean > 1.3 * budget_ms_ ? 2 : 1;
         step_ = std::min(step_ + steps, kSteps);
         roseLast_ = false;
-        calm_ = 0;
-    } else if (room && step_ > 0) {
-        if (++calm_ < patience_) return;
+    } else if (step_ > 0 && calm_ >= patience_) {
         if (roseLast_) patience_ = std::max(patience_ / 2, 8); // the last one held
         --step_;
         roseLast_ = true;
-        calm_ = 0;
-    } else {
         calm_ = 0;
     }
 }

@@ -5,7 +5,6 @@
 #include "engine/media/StereoView.h"
 #include "engine/panorama/Panorama.h"
 
-#include <array>
 #include <cstdio>
 #include <unistd.h>
 
@@ -73,15 +72,13 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
     auto grown = panorama::panoramaFromPhoto(
         photo, {.fov_deg = fov_deg, .progress = [&line](double share) { line.show(share); }});
     if (!grown) return Error{file.string(), grown.error().reason};
-    std::array<char, 256> what{};
-    std::snprintf(
-        what.data(), what.size(),
-        "grown around its light at pixel %.0f, %.0f, which stands %.1f degrees high in the middle; "
-        "where its ends meet the largest step is %.2f %% of white, a tenth of the picture's own are above "
-        "%.2f %%",
-        grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg, grown->wrapStep * 100,
-        grown->usualStep * 100);
-    return PhotoEnvironment<Picture>{std::move(grown->latLong), what.data()};
+    return PhotoEnvironment<Picture>{
+        std::move(grown->latLong),
+        fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
+                    "middle; where its ends meet the largest step is {:.2f} % of white, a tenth of the "
+                    "picture's own are above {:.2f} %",
+                    grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
+                    grown->wrapStep * 100, grown->usualStep * 100)};
 }
 
 template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>);

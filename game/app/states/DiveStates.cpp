@@ -6,7 +6,6 @@
 #include <GLFW/glfw3.h>
 
 #include <array>
-#include <cstdio>
 #include <variant>
 
 namespace shoal::app {
@@ -122,15 +121,12 @@ void ResultsState::drawOverlay(const StateContext& context, const Pen& pen) cons
     pen.panel(22, 13);
     const float x = pen.size.x / 2;
     float y = pen.size.y / 2 - pen.line * 5.6f;
-    char text[96];
     pen.text(x, y, 0.5f, 1.4f, colour::kWhite, "The dive is over");
-    std::snprintf(text, sizeof text, "%d", s.score);
-    pen.text(x, y += pen.line * 2.0f, 0.5f, 2.6f, colour::kGold, text);
-    std::snprintf(text, sizeof text, "%d fish caught, %d taken by the shark", s.caught, s.lost);
-    pen.text(x, y += pen.line * 3.2f, 0.5f, 0.9f, colour::kWhite, text);
-    std::snprintf(text, sizeof text, "Your best: %d", context.bestScore);
+    pen.text(x, y += pen.line * 2.0f, 0.5f, 2.6f, colour::kGold, std::to_string(s.score));
+    pen.text(x, y += pen.line * 3.2f, 0.5f, 0.9f, colour::kWhite,
+             fmt::format("{} fish caught, {} taken by the shark", s.caught, s.lost));
     pen.text(x, y += pen.line * 1.4f, 0.5f, 0.9f, newBest_ ? colour::kOrange : colour::kDim,
-             newBest_ ? "Your best dive yet" : text);
+             newBest_ ? "Your best dive yet" : fmt::format("Your best: {}", context.bestScore));
     pen.text(x, y + pen.line * 2.4f, 0.5f, 0.85f, colour::kWhite,
              pen.audience == Audience::HeadsetPlayer ? "Close both hands: dive again"
                                                      : "Enter or a click: dive again      Esc: leave");

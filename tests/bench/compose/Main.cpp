@@ -96,15 +96,15 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
     Coverage coverage;
     for (int k = 0; k < kTaken; ++k) {
         if (k) runOn(run, 1.0 / kFps);
-        empty->update(timeOf(k), true);
+        (*empty)->update(timeOf(k), true);
         const render::View view = viewOf(run.shown, scene.yaw_deg, kPicture.y);
-        stages.ways[0].set(run.shown, *empty, {});
+        stages.ways[0].set(run.shown, **empty, {});
         // Wider, so that nothing is cut off where the picture ends.
         const render::View wide = render::widened(view, 1.05f);
         if (Status s = drawObjectsAlone(stages.ways[0], wide, fine); !s) return s;
         const ImageRgba8 objects = fine.read();
         const std::array takes = {&(*frames)[static_cast<size_t>(k)], &again[static_cast<size_t>(k)]};
-        filmInto(takes, objects, wide, empty->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
+        filmInto(takes, objects, wide, (*empty)->envFromWorld(), static_cast<uint32_t>(scene.frame + k));
         if (k != kShown) continue;
         if (Status s = drawObjectsAlone(stages.ways[0], view, fine); !s) return s;
         coverage = coverageOf(fine.read());
@@ -121,8 +121,8 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
         if (Status s = encode(file, take, kFps); !s) return s;
         auto filmed = openVideo(file, plan);
         if (!filmed) return filmed.error();
-        filmed->update(timeOf(second ? kShown - 1 : kShown), true);
-        stages.ways.back().set(moment, *filmed, {});
+        (*filmed)->update(timeOf(second ? kShown - 1 : kShown), true);
+        stages.ways.back().set(moment, **filmed, {});
         if (Status s = drawPicture(stages.ways.back(), view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         if (!second) truth = shown;
@@ -131,9 +131,9 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
     }
     for (size_t way = 0; way < std::size(kWays); ++way) {
         // A fresh frame for each: one of them paints it.
-        empty->update(timeOf(0), true);
-        empty->update(timeOf(kShown), true);
-        stages.ways[way].set(moment, *empty, {});
+        (*empty)->update(timeOf(0), true);
+        (*empty)->update(timeOf(kShown), true);
+        stages.ways[way].set(moment, **empty, {});
         if (Status s = drawPicture(stages.ways[way], view, target); !s) return s;
         const ImageRgba8 shown = target.read();
         report.add(scene.frame, kWays[way].name, shown, distance(shown, truth, coverage), look);
