@@ -1,10 +1,7 @@
-#include "engine/scene/DecodeImage.h"
-
-#include "engine/scene/Loading.h"
+#include "engine/scene/Gltf.h"
 
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <memory>
 
 namespace {
@@ -57,26 +54,24 @@ int countScans(std::span<const uint8_t> bytes) {
 
 } // namespace
 
-ImageRgba8 decodeImage(Loading& loading, std::span<const uint8_t> bytes, const std::string& who) {
-    if (bytes.size() > static_cast<size_t>(std::numeric_limits<int>::max())) fault(who, " is too large");
-    const int size = static_cast<int>(bytes.size());
-    largestPiece = 1 << 20; // the JPEG reader's state is some 20 KiB
+ImageRgba8 decodeImage(GltfFile& file, std::span<const uint8_t> bytes, const std::string& who) {
+    const auto size = static_cast<int>(bytes.size()); // files are smaller than 2 GiB
+    largestPiece = 1 << 20;                           // the JPEG reader's state is some 20 KiB
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) || width < 1 || height < 1)
         fault(who, " is not a PNG or JPEG image that can be read");
-    const uint64_t pixels = static_cast<uint64_t>(width) * static_cast<uint64_t>(height);
-    Loading::spend(loading.pixels, pixels, loading.limits.maxImagePixels, who, "image pixels");
+    const uint64_t pixels = uint64_t{1} * width * height;
+    file.pixels.spend(pixels, who);
     if (bytes[0] == 0xFF && countScans(bytes) > kMaxScans) fault(who, " has more than ", kMaxScans, " scans");
 
     // Largest need: four channels of 16 bits, in a buffer grown by doubling; and the compressed data,
     // likewise. A progressive JPEG's coefficients are 16 bits in blocks rounded up to its largest sampling
     // factor, 4.
-    const uint64_t rounded = (static_cast<uint64_t>(width) + 32) * (static_cast<uint64_t>(height) + 32);
+    const uint64_t rounded = (uint64_t{32} + width) * (uint64_t{32} + height);
     largestPiece = rounded * 16 + bytes.size() * 2 + 65536;
     const std::unique_ptr<stbi_uc, FreePixels> data(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4));
-    if (!data || static_cast<uint64_t>(width) * static_cast<uint64_t>(height) != pixels)
-        fault(who, " is broken or cut short");
+    if (!data || uint64_t{1} * width * height != pixels) fault(who, " is broken or cut short");
     ImageRgba8 image(width, height);
     std::memcpy(image.pixels.data(), data.get(), image.pixels.size());
     return image;

@@ -1,25 +1,64 @@
-#include "engine/scene/Document.h"
-
-#include "engine/scene/Accessors.h"
-#include "engine/scene/Container.h"
-#include "engine/scene/Loading.h"
-#include "engine/scene/Resources.h"
-#include "engine/scene/Schema.h"
+#include "engine/core/JsonBounds.h"
+#include "engine/scene/Gltf.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <cstring>
+#include <optional>
 
 namespace shoal::scene {
 
 namespace {
 
 using Json = nlohmann::json;
-using Bytes = std::vector<uint8_t>;
+
+// A .glb or .gltf file taken apart: views of its bytes.
+struct Container {
+    std::string_view json;
+    std::optional<std::span<const uint8_t>> binary; // the GLB's BIN chunk
+};
+
+// glTF 2.0 specification, section 4 "GLB File Format Specification".
+Container openContainer(std::span<const uint8_t> file) {
+    constexpr uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+    constexpr size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+    const auto word = [&](size_t at) {
+        uint32_t value;
+        std::memcpy(&value, file.data() + at, sizeof value);
+        return value;
+    };
+    if (file.size() < 4 || word(0) != kMagic)
+        return {{reinterpret_cast<const char*>(file.data()), file.size()}, {}};
+    if (file.size() < kHeaderBytes) fault("the GLB header is cut short");
+    if (word(4) != 2) fault("is GLB version ", word(4), ", not 2");
+    const uint32_t length = word(8);
+    if (length < kHeaderBytes || length > file.size())
+        fault("the GLB header says ", length, " bytes, but the file has ", file.size());
+    Container container;
+    size_t at = kHeaderBytes;
+    for (int chunk = 0; at < length; ++chunk) {
+        if (length - at < kChunkHeaderBytes) fault("GLB chunk ", chunk, " is cut short");
+        const uint32_t bytes = word(at), type = word(at + 4);
+        at += kChunkHeaderBytes;
+        if (bytes > length - at) fault("GLB chunk ", chunk, " reaches past the end of the file");
+        if (bytes % 4 != 0) fault("GLB chunk ", chunk, " has a length that is no multiple of 4");
+        if ((type == kJsonChunk) != (chunk == 0) || (type == kBinaryChunk && chunk != 1))
+            fault("GLB chunk ", chunk, " has a type that does not belong there");
+        if (type == kJsonChunk) container.json = {reinterpret_cast<const char*>(file.data() + at), bytes};
+        if (type == kBinaryChunk) container.binary = file.subspan(at, bytes);
+        at += bytes; // Chunks of other types are to be ignored.
+    }
+    if (container.json.empty()) fault("the GLB holds no JSON chunk");
+    return container;
+}
 
 Json parseJson(std::string_view text) {
+    // A parsed value costs up to some 100 bytes, an object up to some 2000 in tinygltf: below 1 GiB in all.
+    constexpr JsonBounds kBounds{.depth = 64, .values = 4'000'000, .objects = 500'000};
+    if (const std::string exceeded = exceededBound(text, kBounds); !exceeded.empty())
+        fault("its JSON ", exceeded);
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
@@ -29,33 +68,28 @@ Json parseJson(std::string_view text) {
     }
 }
 
-void checkVersion(const Json& asset) {
-    const std::string version = asset["version"];
-    if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
-    if (const std::string minimum = asset.value("minVersion", "2.0"); minimum != "2.0")
-        fault("asks for glTF version ", quoted(minimum), ", but only 2.0 is supported");
-}
-
 // KHR_mesh_quantization only widens the component types of attributes.
-void checkExtensions(Loading& loading, const Json& root) {
-    static const std::set<std::string> kSupported = {"KHR_mesh_quantization", "KHR_materials_variants"};
-    for (const std::string name : root.value("extensionsRequired", Json::array()))
-        if (!kSupported.contains(name))
-            fault("needs the extension ", quoted(name), ", which is not supported");
-    for (const std::string name : root.value("extensionsUsed", Json::array()))
-        if (!kSupported.contains(name)) loading.warn("the extension ", quoted(name), " is ignored");
-}
-
-bool uses(const Json& root, const std::string& extension) {
-    for (const char* list : {"extensionsUsed", "extensionsRequired"})
-        for (const std::string name : root.value(list, Json::array()))
-            if (name == extension) return true;
-    return false;
+void checkVersionAndExtensions(GltfFile& file, const Json& root) {
+    const std::string version = root["asset"]["version"];
+    if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
+    if (const std::string minimum = root["asset"].value("minVersion", "2.0"); minimum != "2.0")
+        fault("asks for glTF version ", quoted(minimum), ", but only 2.0 is supported");
+    for (const char* list : {"extensionsRequired", "extensionsUsed"})
+        for (const std::string name : root.value(list, Json::array())) {
+            if (name == "KHR_mesh_quantization")
+                file.quantized = true;
+            else if (name == "KHR_materials_variants")
+                continue;
+            else if (list == std::string_view("extensionsRequired"))
+                fault("needs the extension ", quoted(name), ", which is not supported");
+            else
+                file.warn("the extension ", quoted(name), " is ignored");
+        }
 }
 
 // Drops members that the loader does not read: they would cost memory in tinygltf, whatever they hold.
 // Makes whole numbers written as 1.0, which JSON allows, into integers, as tinygltf expects. Depth is bounded
-// by checkJsonSize.
+// by parseJson.
 void tidy(Json& value) {
     if (value.is_object()) {
         value.erase("extras");
@@ -73,95 +107,70 @@ void tidy(Json& value) {
 }
 
 // Cut to byteLength: a buffer may lie in a larger file, and a GLB's chunk is padded.
-std::vector<Bytes> readBuffers(Loading& loading, const Json& root, const Container& container) {
-    std::vector<Bytes> buffers;
-    for (const Json& buffer : root.value("buffers", Json::array())) {
-        const std::string who = element("buffers", static_cast<int64_t>(buffers.size()));
-        const uint64_t byteLength = buffer["byteLength"];
+std::vector<tinygltf::Buffer> readBuffers(GltfFile& file, const Json& root, const Container& container) {
+    std::vector<tinygltf::Buffer> buffers;
+    for (const Json& from : root.value("buffers", Json::array())) {
+        const std::string who = element("buffers", buffers.size());
+        auto& bytes = buffers.emplace_back().data;
+        const uint64_t byteLength = from["byteLength"];
         if (byteLength == 0) fault(who, ".byteLength is 0");
-        Bytes bytes;
-        if (buffer.contains("uri")) {
-            bytes = readUri(loading, buffer["uri"], who);
-        } else if (buffers.empty() && container.binary) {
+        if (from.contains("uri"))
+            bytes = readUri(file, from["uri"], who);
+        else if (buffers.size() == 1 && container.binary)
             bytes.assign(container.binary->begin(), container.binary->end());
-        } else {
+        else
             fault(who, " has neither a uri nor a binary chunk");
-        }
         if (bytes.size() < byteLength)
             fault(who, ".byteLength is ", byteLength, ", but there are only ", bytes.size(), " bytes");
         bytes.resize(byteLength);
-        buffers.push_back(std::move(bytes));
     }
     return buffers;
 }
 
-std::vector<ImageSource> takeImageSources(Json& root) {
+std::vector<ImageSource> imageSources(const Json& root) {
     std::vector<ImageSource> sources;
-    if (!root.contains("images")) return sources;
-    for (Json& image : root["images"]) {
-        const std::string who = element("images", static_cast<int64_t>(sources.size()));
+    for (const Json& image : root.value("images", Json::array())) {
         if (image.contains("uri") == image.contains("bufferView"))
-            fault(who, image.contains("uri") ? " has both a uri and a bufferView"
-                                             : " has neither a uri nor a bufferView");
-        ImageSource& source = sources.emplace_back();
-        source.uri = image.value("uri", "");
-        source.bufferView = image.value("bufferView", -1);
-        source.mimeType = image.value("mimeType", "");
-        image = Json{{"uri", "0"}};
+            fault(element("images", sources.size()), " has not exactly one of uri and bufferView");
+        sources.push_back(
+            {image.value("uri", ""), image.value("bufferView", -1), image.value("mimeType", "")});
     }
     return sources;
 }
 
-// tinygltf asks for each buffer by the name that parse() has given it: its number.
-bool numberExists(const std::string&, void*) { return true; }
-std::string numberItself(const std::string& name, void*) { return name; }
-bool takeBuffer(std::vector<unsigned char>* out, std::string*, const std::string& name, void* user) {
-    auto& buffers = *static_cast<std::vector<Bytes>*>(user);
-    *out = std::move(buffers[std::stoul(name.substr(name.find_last_of('/') + 1))]);
-    return true;
-}
-
-tinygltf::Model parse(Json& root, std::vector<Bytes>& buffers) {
-    for (size_t i = 0; i < buffers.size(); ++i) root["buffers"][i]["uri"] = std::to_string(i);
-    tinygltf::TinyGLTF reader;
-    reader.SetFsCallbacks({numberExists, numberItself, takeBuffer, nullptr, &buffers});
+tinygltf::Model parseGltf(const Json& root) {
     const std::string json = root.dump();
-    tinygltf::Model model;
+    tinygltf::Model gltf;
     std::string errors, warnings;
-    const bool read = reader.LoadASCIIFromString(&model, &errors, &warnings, json.data(),
-                                                 static_cast<unsigned>(json.size()), "");
-    if (!read) {
+    if (!tinygltf::TinyGLTF().LoadASCIIFromString(&gltf, &errors, &warnings, json.data(),
+                                                  static_cast<unsigned>(json.size()), "")) {
         std::replace(errors.begin(), errors.end(), '\n', ' ');
         while (errors.ends_with(' ') || errors.ends_with('.')) errors.pop_back();
         fault("cannot be read: ", quoted(errors, 200));
     }
-    return model;
+    return gltf;
 }
 
 } // namespace
 
-Document readDocument(Loading& loading) {
-    auto file = readFile(loading.file, loading.limits.maxFileBytes);
-    if (!file) throw Fault(file.error().reason);
-    Loading::spend(loading.bytes, file->size(), loading.limits.maxTotalBytes, "the file", "bytes");
-    if (file->empty()) fault("is empty");
-    const Container container = openContainer(*file);
-    checkJsonSize(container.json);
+void readDocument(GltfFile& file) {
+    const auto bytes = readFile(file.path, file.limits.maxFileBytes);
+    if (!bytes) throw Fault(bytes.error().reason);
+    file.bytes.spend(bytes->size(), "the file");
+    if (bytes->empty()) fault("is empty");
+    const Container container = openContainer(*bytes);
     Json root = parseJson(container.json);
-    Variants variants = readVariants(root);
+    readVariants(root, file);
     if (root.is_structured()) tidy(root);
-    checkSchema(root, loading.limits.maxNodes);
-    checkVersion(root["asset"]);
-    checkExtensions(loading, root);
-
-    Document document;
-    document.variants = std::move(variants);
-    document.quantized = uses(root, "KHR_mesh_quantization");
-    std::vector<Bytes> buffers = readBuffers(loading, root, container);
-    document.imageSources = takeImageSources(root);
-    document.gltf = parse(root, buffers);
-    checkAccessors(loading, document.gltf);
-    return document;
+    checkSchema(root, file.limits.maxNodes);
+    checkVersionAndExtensions(file, root);
+    auto buffers = readBuffers(file, root, container);
+    file.imageSources = imageSources(root);
+    root.erase("buffers");
+    root.erase("images");
+    file.gltf = parseGltf(root);
+    file.gltf.buffers = std::move(buffers);
+    checkAccessors(file);
 }
 
 } // namespace shoal::scene

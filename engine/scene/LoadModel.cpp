@@ -1,12 +1,7 @@
 #include "engine/scene/LoadModel.h"
 
 #include "engine/core/Log.h"
-#include "engine/scene/Document.h"
-#include "engine/scene/Loading.h"
-#include "engine/scene/ReadAnimations.h"
-#include "engine/scene/ReadMaterials.h"
-#include "engine/scene/ReadMeshes.h"
-#include "engine/scene/ReadNodes.h"
+#include "engine/scene/Gltf.h"
 
 #include <cmath>
 #include <new>
@@ -19,22 +14,10 @@ namespace {
 void checkRestPose(const Model& model) {
     Pose pose;
     restPose(model, pose);
-    for (const int node : model.order) {
-        const glm::mat4& m = pose.modelFromNode[static_cast<size_t>(node)];
+    for (const int node : model.order)
         for (int i = 0; i < 16; ++i)
-            if (!std::isfinite(m[i / 4][i % 4])) fault(element("nodes", node), " lies infinitely far away");
-    }
-}
-
-Model load(Loading& loading) {
-    const Document document = readDocument(loading);
-    Model model;
-    readMaterials(loading, document, model);
-    readNodes(loading, document, model);
-    readMeshes(loading, document, model);
-    readAnimations(loading, document, model);
-    checkRestPose(model);
-    return model;
+            if (!std::isfinite(pose.modelFromNode[node][i / 4][i % 4]))
+                fault(element("nodes", node), " lies infinitely far away");
 }
 
 } // namespace
@@ -46,16 +29,22 @@ std::string quoted(const std::string& untrusted, size_t maxLength) {
     return untrusted.size() > maxLength ? shown + "..." : shown;
 }
 
-Result<Model> loadModel(const Path& file, const LoadLimits& limits) {
-    Loading loading{.file = file, .limits = limits, .warnings = {}};
+Result<Model> loadModel(const Path& path, const LoadLimits& limits) {
+    GltfFile file{.path = path, .limits = limits};
     try {
-        Model model = load(loading);
-        for (const std::string& warning : loading.warnings) log::warn("{}: {}", file.string(), warning);
+        readDocument(file);
+        Model model;
+        readMaterials(file, model);
+        readNodes(file, model);
+        readMeshes(file, model);
+        readAnimations(file, model);
+        checkRestPose(model);
+        for (const std::string& warning : file.warnings) log::warn("{}: {}", path.string(), warning);
         return model;
     } catch (const std::bad_alloc&) {
-        return Error{file.string(), "needs more memory than there is"};
+        return Error{path.string(), "needs more memory than there is"};
     } catch (const std::exception& problem) {
-        return Error{file.string(), problem.what()};
+        return Error{path.string(), problem.what()};
     }
 }
 

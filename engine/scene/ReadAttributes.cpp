@@ -1,8 +1,4 @@
-#include "engine/scene/ReadAttributes.h"
-
-#include "engine/scene/Accessors.h"
-#include "engine/scene/Document.h"
-#include "engine/scene/Loading.h"
+#include "engine/scene/Gltf.h"
 #include "engine/scene/Vertices.h"
 
 #include <algorithm>
@@ -10,35 +6,14 @@
 #include <cstring>
 #include <initializer_list>
 #include <map>
-#include <span>
 #include <utility>
 
 namespace shoal::scene {
 
 namespace {
 
-enum Components : unsigned { // what component types an attribute may have
-    kFloat = 1,
-    kUnsignedNormalized = 2, // bytes and shorts
-    kSignedNormalized = 4,
-    kUnsignedPlain = 8,
-    kSignedPlain = 16,
-};
-
-unsigned componentsOf(const tinygltf::Accessor& a) {
-    switch (a.componentType) {
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
-        return kFloat;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        return a.normalized ? kUnsignedNormalized : kUnsignedPlain;
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-        return a.normalized ? kSignedNormalized : kSignedPlain;
-    default:
-        return 0;
-    }
-}
+// What an attribute may hold besides floats: unsigned integers that stand for 0 .. 1.
+enum class Integers { None, Normalized };
 
 template <class Vector> std::vector<Vector> packed(const std::vector<float>& numbers) {
     std::vector<Vector> vectors(numbers.size() * sizeof(float) / sizeof(Vector));
@@ -48,62 +23,69 @@ template <class Vector> std::vector<Vector> packed(const std::vector<float>& num
 
 class Attributes {
   public:
-    Attributes(const Document& document, const std::map<std::string, int>& names, std::string who,
+    Attributes(const GltfFile& file, const std::map<std::string, int>& names, std::string who,
                size_t vertices)
-        : document_(document), names_(names), who_(std::move(who)), vertices_(vertices) {}
+        : file_(file), names_(names), who_(std::move(who)), vertices_(vertices) {}
 
     bool has(const char* name) const { return names_.contains(name); }
-
-    const tinygltf::Accessor& accessor(const char* name) const {
-        return document_.gltf.accessors[static_cast<size_t>(names_.at(name))];
-    }
-
-    // quantized: what KHR_mesh_quantization allows besides.
-    std::vector<float> floats(const char* name, std::initializer_list<int> types, unsigned components,
-                              unsigned quantized = 0) const {
-        check(name, types, components | (document_.quantized ? quantized : 0));
-        return readFloats(document_.gltf, names_.at(name));
-    }
-
-    std::vector<uint32_t> integers(const char* name, int type) const {
-        check(name, {type}, kUnsignedPlain);
-        return readIntegers(document_.gltf, names_.at(name));
-    }
-
     std::string where(const char* name) const { return who_ + "." + name; }
+    const tinygltf::Accessor& accessor(const char* name) const {
+        return file_.gltf.accessors[names_.at(name)];
+    }
+
+    // KHR_mesh_quantization allows any integers.
+    std::vector<float> floats(const char* name, std::initializer_list<int> types,
+                              Integers integers = Integers::None) const {
+        const tinygltf::Accessor& a = accessor(name);
+        check(name, types,
+              a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || (file_.quantized && isShort(a)) ||
+                  (integers == Integers::Normalized && a.normalized && isUnsignedShort(a)));
+        return readFloats(file_.gltf, names_.at(name));
+    }
+
+    std::vector<uint32_t> integers(const char* name) const {
+        check(name, {TINYGLTF_TYPE_VEC4}, isUnsignedShort(accessor(name)) && !accessor(name).normalized);
+        return readIntegers(file_.gltf, names_.at(name));
+    }
+
+    // Empty where there are none.
+    std::vector<glm::vec3> vectors(const char* name) const {
+        return has(name) ? packed<glm::vec3>(floats(name, {TINYGLTF_TYPE_VEC3})) : std::vector<glm::vec3>();
+    }
 
   private:
-    void check(const char* name, std::initializer_list<int> types, unsigned components) const {
+    static bool isUnsignedShort(const tinygltf::Accessor& a) { // or shorter
+        return a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+               a.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    }
+    static bool isShort(const tinygltf::Accessor& a) {
+        return isUnsignedShort(a) || a.componentType == TINYGLTF_COMPONENT_TYPE_BYTE ||
+               a.componentType == TINYGLTF_COMPONENT_TYPE_SHORT;
+    }
+
+    void check(const char* name, std::initializer_list<int> types, bool components) const {
         const tinygltf::Accessor& a = accessor(name);
         const std::string who = where(name) + ": " + element("accessors", names_.at(name));
-        if (std::find(types.begin(), types.end(), a.type) == types.end() || !(componentsOf(a) & components))
+        if (std::find(types.begin(), types.end(), a.type) == types.end() || !components)
             fault(who, " has a type that this attribute cannot have");
         if (a.count != vertices_)
             fault(who, " has ", a.count, " elements, but the primitive ", vertices_, " vertices");
     }
 
-    const Document& document_;
+    const GltfFile& file_;
     const std::map<std::string, int>& names_;
     std::string who_;
     size_t vertices_;
 };
 
-constexpr unsigned kQuantizedPositions =
-    kUnsignedNormalized | kSignedNormalized | kUnsignedPlain | kSignedPlain;
-
-void readShading(const Attributes& attributes, Loading& loading, Primitive& primitive) {
-    if (attributes.has("NORMAL")) {
-        primitive.normals =
-            packed<glm::vec3>(attributes.floats("NORMAL", {TINYGLTF_TYPE_VEC3}, kFloat, kSignedNormalized));
-        for (glm::vec3& normal : primitive.normals) {
-            if (normal == glm::vec3(0))
-                loading.warn(attributes.where("NORMAL"), " holds normals of no length");
-            normal = safeNormalize(glm::dvec3(normal), {0, 1, 0});
-        }
+void readShading(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
+    primitive.normals = attributes.vectors("NORMAL");
+    for (glm::vec3& normal : primitive.normals) {
+        if (normal == glm::vec3(0)) file.warn(attributes.where("NORMAL"), " holds normals of no length");
+        normal = safeNormalize(glm::dvec3(normal), {0, 1, 0});
     }
     if (attributes.has("TANGENT") && attributes.has("NORMAL")) {
-        primitive.tangents =
-            packed<glm::vec4>(attributes.floats("TANGENT", {TINYGLTF_TYPE_VEC4}, kFloat, kSignedNormalized));
+        primitive.tangents = packed<glm::vec4>(attributes.floats("TANGENT", {TINYGLTF_TYPE_VEC4}));
         for (size_t i = 0; i < primitive.tangents.size(); ++i) {
             glm::vec4& t = primitive.tangents[i];
             t = {safeNormalize(glm::dvec3(t), perpendicular(primitive.normals[i])), t.w < 0 ? -1.0f : 1.0f};
@@ -112,12 +94,11 @@ void readShading(const Attributes& attributes, Loading& loading, Primitive& prim
     constexpr const char* kSets[2] = {"TEXCOORD_0", "TEXCOORD_1"};
     for (int set = 0; set < 2; ++set)
         if (attributes.has(kSets[set]))
-            primitive.texCoords[set] = packed<glm::vec2>(
-                attributes.floats(kSets[set], {TINYGLTF_TYPE_VEC2}, kFloat | kUnsignedNormalized,
-                                  kUnsignedPlain | kSignedNormalized | kSignedPlain));
+            primitive.texCoords[set] =
+                packed<glm::vec2>(attributes.floats(kSets[set], {TINYGLTF_TYPE_VEC2}, Integers::Normalized));
     if (attributes.has("COLOR_0")) {
-        const auto numbers = attributes.floats("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4},
-                                               kFloat | kUnsignedNormalized);
+        const auto numbers =
+            attributes.floats("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}, Integers::Normalized);
         if (attributes.accessor("COLOR_0").type == TINYGLTF_TYPE_VEC4)
             primitive.coloursLin = packed<glm::vec4>(numbers);
         else
@@ -126,91 +107,63 @@ void readShading(const Attributes& attributes, Loading& loading, Primitive& prim
     }
 }
 
-struct Influences {
-    std::vector<uint32_t> joints;
-    std::vector<float> weights; // four a vertex each
-};
-
-Influences readInfluences(const Attributes& attributes, const char* joints, const char* weights) {
-    if (!attributes.has(joints) || !attributes.has(weights))
-        fault(attributes.where(attributes.has(joints) ? joints : weights), " is there without ",
-              attributes.has(joints) ? weights : joints);
-    return {attributes.integers(joints, TINYGLTF_TYPE_VEC4),
-            attributes.floats(weights, {TINYGLTF_TYPE_VEC4}, kFloat | kUnsignedNormalized)};
-}
-
-// The four heaviest influences of a vertex, scaled to the sum 1. A vertex without any hangs on its first
+// The four heaviest influences of each vertex, scaled to the sum 1. A vertex without any hangs on its first
 // joint.
-void setInfluences(Primitive& primitive, size_t vertex, std::span<std::pair<float, uint32_t>> influences) {
-    std::stable_sort(influences.begin(), influences.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    influences = influences.first(4);
-    double sum = 0;
-    for (const auto& [weight, joint] : influences) sum += weight;
-    for (int k = 0; k < 4; ++k) {
-        const auto& [weight, joint] = influences[static_cast<size_t>(k)];
-        primitive.joints[vertex][k] = static_cast<uint16_t>(joint);
-        primitive.weights[vertex][k] = sum > 0 ? static_cast<float>(weight / sum) : (k == 0 ? 1.0f : 0.0f);
+void readSkinning(const Attributes& attributes, GltfFile& file, Primitive& primitive) {
+    struct Set {
+        std::vector<uint32_t> joints;
+        std::vector<float> weights; // four a vertex each
+    };
+    std::vector<Set> sets;
+    for (const auto& [joints, weights] : {std::pair{"JOINTS_0", "WEIGHTS_0"}, {"JOINTS_1", "WEIGHTS_1"}}) {
+        if (!attributes.has(joints) && !attributes.has(weights)) break;
+        if (!attributes.has(weights)) fault(attributes.where(joints), " is there without ", weights);
+        if (!attributes.has(joints)) fault(attributes.where(weights), " is there without ", joints);
+        sets.push_back({attributes.integers(joints),
+                        attributes.floats(weights, {TINYGLTF_TYPE_VEC4}, Integers::Normalized)});
     }
-}
-
-void readSkinning(const Attributes& attributes, Loading& loading, Primitive& primitive) {
-    if (!attributes.has("JOINTS_0") && !attributes.has("WEIGHTS_0")) return;
-    std::vector<Influences> sets = {readInfluences(attributes, "JOINTS_0", "WEIGHTS_0")};
-    if (attributes.has("JOINTS_1") || attributes.has("WEIGHTS_1")) {
-        sets.push_back(readInfluences(attributes, "JOINTS_1", "WEIGHTS_1"));
-        loading.warn(attributes.where("JOINTS_1"), ": the four heaviest joints of each vertex are kept");
-    }
+    if (sets.empty()) return;
+    if (sets.size() > 1)
+        file.warn(attributes.where("JOINTS_1"), ": the four heaviest joints of each vertex are kept");
     primitive.joints.resize(primitive.positions.size());
     primitive.weights.resize(primitive.positions.size());
-    std::array<std::pair<float, uint32_t>, 8> influences;
+    std::vector<std::pair<float, uint32_t>> influences;
     for (size_t v = 0; v < primitive.positions.size(); ++v) {
-        size_t count = 0;
-        bool any = false;
-        for (const Influences& set : sets)
+        influences.clear();
+        for (const Set& set : sets)
             for (size_t k = 4 * v; k < 4 * v + 4; ++k) {
                 if (set.weights[k] < 0)
                     fault(attributes.where("WEIGHTS_0"), ": vertex ", v, " has a negative weight");
-                any = any || set.weights[k] > 0;
-                influences[count++] = {set.weights[k], set.joints[k]};
+                influences.emplace_back(set.weights[k], set.joints[k]);
             }
-        if (!any) loading.warn(attributes.where("WEIGHTS_0"), " holds vertices without any weight");
-        setInfluences(primitive, v, std::span(influences).first(count));
+        std::stable_sort(influences.begin(), influences.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        double sum = 0;
+        for (int k = 0; k < 4; ++k) sum += influences[k].first;
+        if (sum == 0) file.warn(attributes.where("WEIGHTS_0"), " holds vertices without any weight");
+        for (int k = 0; k < 4; ++k) {
+            const auto& [weight, joint] = influences[k];
+            primitive.joints[v][k] = static_cast<uint16_t>(joint);
+            primitive.weights[v][k] = sum > 0 ? static_cast<float>(weight / sum) : (k == 0 ? 1.0f : 0.0f);
+        }
     }
-}
-
-MorphTarget readMorphTarget(const Attributes& attributes) {
-    MorphTarget target;
-    const auto deltas = [&](const char* name, unsigned quantized) {
-        return packed<glm::vec3>(attributes.floats(name, {TINYGLTF_TYPE_VEC3}, kFloat, quantized));
-    };
-    if (attributes.has("POSITION")) target.positions = deltas("POSITION", kSignedNormalized | kSignedPlain);
-    if (attributes.has("NORMAL")) target.normals = deltas("NORMAL", kSignedNormalized);
-    if (attributes.has("TANGENT")) target.tangents = deltas("TANGENT", kSignedNormalized);
-    return target;
 }
 
 } // namespace
 
-Primitive readAttributes(Loading& loading, const Document& document, const tinygltf::Primitive& from,
-                         const std::string& who) {
-    const int positions = from.attributes.at("POSITION");
-    const size_t vertices = document.gltf.accessors[static_cast<size_t>(positions)].count;
-    Loading::spend(loading.vertices, vertices, loading.limits.maxVertices, who, "vertices");
-    for (size_t t = 0; t < from.targets.size(); ++t)
-        Loading::spend(loading.vertices, vertices, loading.limits.maxVertices,
-                       text(who, ".", element("targets", static_cast<int64_t>(t))), "vertices");
-
+Primitive readAttributes(GltfFile& file, const tinygltf::Primitive& from, const std::string& who) {
+    const size_t vertices = file.gltf.accessors[from.attributes.at("POSITION")].count;
+    for (size_t k = 0; k < 1 + from.targets.size(); ++k) file.vertices.spend(vertices, who);
     Primitive primitive;
-    const Attributes attributes(document, from.attributes, who, vertices);
-    primitive.positions =
-        packed<glm::vec3>(attributes.floats("POSITION", {TINYGLTF_TYPE_VEC3}, kFloat, kQuantizedPositions));
-    readShading(attributes, loading, primitive);
-    readSkinning(attributes, loading, primitive);
-    for (size_t t = 0; t < from.targets.size(); ++t)
+    const Attributes attributes(file, from.attributes, who, vertices);
+    primitive.positions = attributes.vectors("POSITION");
+    readShading(attributes, file, primitive);
+    readSkinning(attributes, file, primitive);
+    for (size_t t = 0; t < from.targets.size(); ++t) {
+        const Attributes deltas(file, from.targets[t], who + "." + element("targets", t), vertices);
         primitive.morphTargets.push_back(
-            readMorphTarget({document, from.targets[t],
-                             text(who, ".", element("targets", static_cast<int64_t>(t))), vertices}));
+            {deltas.vectors("POSITION"), deltas.vectors("NORMAL"), deltas.vectors("TANGENT")});
+    }
     return primitive;
 }
 

@@ -1,10 +1,4 @@
-#include "engine/scene/ReadMeshes.h"
-
-#include "engine/scene/Accessors.h"
-#include "engine/scene/Document.h"
-#include "engine/scene/Loading.h"
-#include "engine/scene/ReadAttributes.h"
-#include "engine/scene/Tangents.h"
+#include "engine/scene/Gltf.h"
 #include "engine/scene/Vertices.h"
 
 #include <algorithm>
@@ -16,25 +10,25 @@ namespace shoal::scene {
 namespace {
 
 // The vertices in the order in which they are drawn.
-std::vector<uint32_t> readIndices(Loading& loading, const Document& document, const tinygltf::Primitive& from,
-                                  size_t vertices, const std::string& who) {
+std::vector<uint32_t> readIndices(GltfFile& file, const tinygltf::Primitive& from, size_t vertices,
+                                  const std::string& who) {
     const uint64_t perIndex = from.mode == TINYGLTF_MODE_TRIANGLES ? 1 : 3; // strips and fans grow
     if (from.indices < 0) {
-        Loading::spend(loading.indices, vertices * perIndex, loading.limits.maxIndices, who, "indices");
+        file.indices.spend(vertices * perIndex, who);
         std::vector<uint32_t> indices(vertices);
         std::iota(indices.begin(), indices.end(), 0u);
         return indices;
     }
-    const tinygltf::Accessor& accessor = document.gltf.accessors[static_cast<size_t>(from.indices)];
-    const std::string name = text(who, ".indices: ", element("accessors", from.indices));
+    const tinygltf::Accessor& accessor = file.gltf.accessors[from.indices];
+    const std::string name = who + ".indices: " + element("accessors", from.indices);
     const int type = accessor.componentType;
     const bool whole = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                        type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                        type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
     if (accessor.type != TINYGLTF_TYPE_SCALAR || !whole || accessor.normalized)
         fault(name, " does not hold single unsigned integers");
-    Loading::spend(loading.indices, accessor.count * perIndex, loading.limits.maxIndices, who, "indices");
-    std::vector<uint32_t> indices = readIntegers(document.gltf, from.indices);
+    file.indices.spend(accessor.count * perIndex, who);
+    std::vector<uint32_t> indices = readIntegers(file.gltf, from.indices);
     const auto wrong =
         std::find_if(indices.begin(), indices.end(), [&](uint32_t index) { return index >= vertices; });
     if (wrong != indices.end())
@@ -58,96 +52,88 @@ std::vector<uint32_t> triangleList(const std::vector<uint32_t>& drawn, int mode)
     return list;
 }
 
-void addTangents(Loading& loading, const Material& material, Primitive& primitive, const std::string& who) {
-    if (material.normal.texture < 0) {
-        primitive.tangents.clear();
-        for (MorphTarget& target : primitive.morphTargets) target.tangents.clear();
-        return;
-    }
-    if (!primitive.tangents.empty()) return;
+void addTangents(GltfFile& file, const Material& material, Primitive& primitive, const std::string& who) {
+    const bool given = material.normal.texture >= 0 && !primitive.tangents.empty();
+    if (given) return;
+    primitive.tangents.clear();
     for (MorphTarget& target : primitive.morphTargets) target.tangents.clear();
+    if (material.normal.texture < 0) return;
     const int set = material.normal.texCoord;
     if (primitive.texCoords[set].empty()) {
-        loading.warn(who, " has a normal map, but no TEXCOORD_", set);
+        file.warn(who, " has a normal map, but no TEXCOORD_", set);
         for (const glm::vec3& normal : primitive.normals)
             primitive.tangents.emplace_back(perpendicular(normal), 1);
         return;
     }
     TangentSplit split = makeTangents(primitive, set);
     const size_t before = primitive.positions.size(), after = split.source.size();
-    if (after > before)
-        Loading::spend(loading.vertices, (after - before) * (1 + primitive.morphTargets.size()),
-                       loading.limits.maxVertices, who, "vertices");
+    if (after > before) file.vertices.spend((after - before) * (1 + primitive.morphTargets.size()), who);
     takeVertices(primitive, split.source);
     primitive.tangents = std::move(split.tangents);
     primitive.indices = std::move(split.indices);
 }
 
-std::optional<Primitive> readPrimitive(Loading& loading, const Document& document, const Model& model,
-                                       const tinygltf::Primitive& from, const std::string& who) {
+std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const tinygltf::Primitive& from,
+                                       const std::string& who) {
     if (from.mode > TINYGLTF_MODE_TRIANGLE_FAN) fault(who, ".mode is ", from.mode, ", none of glTF");
     if (from.mode < TINYGLTF_MODE_TRIANGLES) {
-        loading.warn(who, " is points or lines, which are not drawn");
+        file.warn(who, " is points or lines, which are not drawn");
         return std::nullopt;
     }
     if (!from.attributes.contains("POSITION")) {
-        loading.warn(who, " has no positions and is not drawn");
+        file.warn(who, " has no positions and is not drawn");
         return std::nullopt;
     }
-    Primitive primitive = readAttributes(loading, document, from, who);
+    Primitive primitive = readAttributes(file, from, who);
     primitive.material = from.material;
-    primitive.indices = readIndices(loading, document, from, primitive.positions.size(), who);
+    primitive.indices = readIndices(file, from, primitive.positions.size(), who);
     if (from.mode != TINYGLTF_MODE_TRIANGLES) primitive.indices = triangleList(primitive.indices, from.mode);
     if (primitive.indices.size() % 3 != 0) {
-        loading.warn(who, " ends in the middle of a triangle");
+        file.warn(who, " ends in the middle of a triangle");
         primitive.indices.resize(primitive.indices.size() / 3 * 3);
     }
     if (primitive.indices.empty()) {
-        loading.warn(who, " has no triangles");
+        file.warn(who, " has no triangles");
         return std::nullopt;
     }
     if (primitive.normals.empty()) {
-        Loading::spend(loading.vertices, primitive.indices.size() * (1 + primitive.morphTargets.size()),
-                       loading.limits.maxVertices, who, "vertices");
+        file.vertices.spend(primitive.indices.size() * (1 + primitive.morphTargets.size()), who);
         makeFlatNormals(primitive);
     }
-    addTangents(loading, model.materialOf(primitive), primitive, who);
+    addTangents(file, model.materialOf(primitive), primitive, who);
     return primitive;
 }
 
-Mesh readMesh(Loading& loading, const Document& document, const Model& model, const tinygltf::Mesh& from,
-              const std::string& who) {
+Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, const std::string& who) {
     Mesh mesh;
     mesh.name = from.name;
     if (from.primitives.empty()) fault(who, ".primitives is empty");
     const size_t targets = from.primitives[0].targets.size();
     for (size_t p = 0; p < from.primitives.size(); ++p) {
-        const std::string name = text(who, ".", element("primitives", static_cast<int64_t>(p)));
+        const std::string name = who + "." + element("primitives", p);
         if (from.primitives[p].targets.size() != targets)
             fault(name, " has ", from.primitives[p].targets.size(), " morph targets, but the first ",
                   targets);
-        auto primitive = readPrimitive(loading, document, model, from.primitives[p], name);
+        auto primitive = readPrimitive(file, model, from.primitives[p], name);
         if (!primitive) continue;
-        primitive->variantMaterials =
-            variantMaterials(document.variants, model.meshes.size(), p, model.materials.size());
+        if (!file.variants.empty())
+            primitive->variantMaterials = file.variantMaterials[model.meshes.size()][p];
         mesh.primitives.push_back(std::move(*primitive));
     }
     if (!from.weights.empty() && from.weights.size() != targets)
         fault(who, " has ", from.weights.size(), " weights for ", targets, " morph targets");
+    for (const double weight : from.weights) mesh.morphWeights.push_back(static_cast<float>(weight));
     mesh.morphWeights.resize(targets, 0);
-    std::transform(from.weights.begin(), from.weights.end(), mesh.morphWeights.begin(),
-                   [](double weight) { return static_cast<float>(weight); });
     return mesh;
 }
 
 void checkNodeWeights(const Model& model) {
     for (size_t n = 0; n < model.nodes.size(); ++n) {
         const Node& node = model.nodes[n];
-        const size_t targets =
-            node.mesh < 0 ? 0 : model.meshes[static_cast<size_t>(node.mesh)].morphWeights.size();
+        const size_t targets = node.mesh < 0 ? 0 : model.meshes[node.mesh].morphWeights.size();
         if (!node.morphWeights.empty() && node.morphWeights.size() != targets)
-            fault(element("nodes", static_cast<int64_t>(n)), " has ", node.morphWeights.size(),
-                  " weights for ", targets, " morph targets");
+            fault(element("nodes", n), " has ", node.morphWeights.size(), " weights for ", targets,
+                  " morph targets");
     }
 }
 
@@ -157,12 +143,11 @@ void checkJoints(Model& model) {
     std::vector<size_t> jointCount(model.meshes.size(), kNoSkin);
     for (const Node& node : model.nodes)
         if (node.mesh >= 0 && node.skin >= 0) {
-            size_t& count = jointCount[static_cast<size_t>(node.mesh)];
-            count = std::min(count, model.skins[static_cast<size_t>(node.skin)].joints.size());
+            size_t& count = jointCount[node.mesh];
+            count = std::min(count, model.skins[node.skin].joints.size());
         }
     for (size_t m = 0; m < model.meshes.size(); ++m)
-        for (size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
-            Primitive& primitive = model.meshes[m].primitives[p];
+        for (Primitive& primitive : model.meshes[m].primitives) {
             if (jointCount[m] == kNoSkin) primitive.joints.clear(), primitive.weights.clear();
             for (size_t v = 0; v < primitive.joints.size(); ++v)
                 for (int k = 0; k < 4; ++k) {
@@ -177,11 +162,10 @@ void checkJoints(Model& model) {
 
 } // namespace
 
-void readMeshes(Loading& loading, const Document& document, Model& model) {
-    model.variants = document.variants.names;
-    for (const tinygltf::Mesh& mesh : document.gltf.meshes)
-        model.meshes.push_back(readMesh(loading, document, model, mesh,
-                                        element("meshes", static_cast<int64_t>(model.meshes.size()))));
+void readMeshes(GltfFile& file, Model& model) {
+    model.variants = file.variants;
+    for (const tinygltf::Mesh& mesh : file.gltf.meshes)
+        model.meshes.push_back(readMesh(file, model, mesh, element("meshes", model.meshes.size())));
     checkNodeWeights(model);
     checkJoints(model);
 }

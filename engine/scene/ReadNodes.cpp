@@ -1,8 +1,4 @@
-#include "engine/scene/ReadNodes.h"
-
-#include "engine/scene/Accessors.h"
-#include "engine/scene/Document.h"
-#include "engine/scene/Loading.h"
+#include "engine/scene/Gltf.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -10,159 +6,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace shoal::scene {
 
 namespace {
 
-bool isAffine(const glm::mat4& m) {
-    // Exporters write exact zeros and ones; the slack is for files that went through 16-bit numbers.
+// Makes the last row 0 0 0 1; false where it is far from that. Exporters write exact zeros and ones; the
+// slack is for files that went through 16-bit numbers.
+bool makeAffine(glm::mat4& m) {
     constexpr float kSlack = 1e-3f;
-    return std::abs(m[0][3]) <= kSlack && std::abs(m[1][3]) <= kSlack && std::abs(m[2][3]) <= kSlack &&
-           std::abs(m[3][3] - 1) <= kSlack;
-}
-
-void makeAffine(glm::mat4& m) { m[0][3] = m[1][3] = m[2][3] = 0, m[3][3] = 1; }
-
-glm::vec3 vector3(const std::vector<double>& numbers, glm::vec3 otherwise) {
-    if (numbers.empty()) return otherwise;
-    return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]), static_cast<float>(numbers[2])};
-}
-
-glm::quat rotationOf(const std::vector<double>& r, const std::string& who) {
-    if (r.empty()) return {1, 0, 0, 0};
-    const double length = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + r[3] * r[3]);
-    if (!(length > 1e-6)) fault(who, ".rotation is no quaternion of length 1");
-    return {static_cast<float>(r[3] / length), static_cast<float>(r[0] / length),
-            static_cast<float>(r[1] / length), static_cast<float>(r[2] / length)};
-}
-
-Node readNode(Loading& loading, const tinygltf::Node& from, const std::string& who) {
-    Node node;
-    node.name = from.name;
-    node.children = from.children;
-    node.mesh = from.mesh;
-    node.skin = from.skin;
-    for (const double weight : from.weights) node.morphWeights.push_back(static_cast<float>(weight));
-    if (!from.matrix.empty()) {
-        glm::mat4 matrix;
-        for (int i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = static_cast<float>(from.matrix[static_cast<size_t>(i)]);
-        if (!isAffine(matrix)) fault(who, ".matrix is no transform: its last row is not 0 0 0 1");
-        makeAffine(matrix);
-        if (const auto transform = split(matrix))
-            node.parentFromNode = *transform;
-        else
-            node.matrix = matrix;
-    } else {
-        node.parentFromNode = {vector3(from.translation, glm::vec3(0)), rotationOf(from.rotation, who),
-                               vector3(from.scale, glm::vec3(1))};
+    for (int column = 0; column < 4; ++column) {
+        const float exact = column == 3 ? 1.0f : 0.0f;
+        if (!(std::abs(m[column][3] - exact) <= kSlack)) return false;
+        m[column][3] = exact;
     }
-    if (node.skin >= 0 && node.mesh < 0) {
-        loading.warn(who, " has a skin, but no mesh");
-        node.skin = -1;
-    }
-    return node;
+    return true;
 }
 
-void joinParents(Model& model) {
-    for (size_t i = 0; i < model.nodes.size(); ++i)
-        for (const int child : model.nodes[i].children) {
-            Node& node = model.nodes[static_cast<size_t>(child)];
-            if (node.parent >= 0)
-                fault(element("nodes", child), " is a child twice, of ", element("nodes", node.parent),
-                      " and ", element("nodes", static_cast<int64_t>(i)));
-            node.parent = static_cast<int>(i);
-        }
-
-    // With one parent each, what no root reaches is a cycle.
-    std::vector<int> reached;
-    for (size_t i = 0; i < model.nodes.size(); ++i)
-        if (model.nodes[i].parent < 0) reached.push_back(static_cast<int>(i));
-    for (size_t i = 0; i < reached.size(); ++i)
-        for (const int child : model.nodes[static_cast<size_t>(reached[i])].children)
-            reached.push_back(child);
-    if (reached.size() == model.nodes.size()) return;
-    std::vector<bool> isReached(model.nodes.size(), false);
-    for (const int node : reached) isReached[static_cast<size_t>(node)] = true;
-    const auto lost = std::find(isReached.begin(), isReached.end(), false) - isReached.begin();
-    fault(element("nodes", lost), " is its own ancestor, or below one that is");
-}
-
-void fillOrder(const tinygltf::Model& gltf, Model& model) {
-    if (gltf.scenes.empty()) {
-        for (size_t i = 0; i < model.nodes.size(); ++i)
-            if (model.nodes[i].parent < 0) model.order.push_back(static_cast<int>(i));
-    } else {
-        const int scene = std::max(gltf.defaultScene, 0);
-        std::vector<bool> taken(model.nodes.size(), false);
-        for (const int root : gltf.scenes[static_cast<size_t>(scene)].nodes) {
-            if (model.nodes[static_cast<size_t>(root)].parent >= 0)
-                fault(element("scenes", scene), ".nodes holds ", element("nodes", root),
-                      ", which has a parent");
-            if (taken[static_cast<size_t>(root)])
-                fault(element("scenes", scene), ".nodes holds ", element("nodes", root), " twice");
-            taken[static_cast<size_t>(root)] = true;
-            model.order.push_back(root);
-        }
-    }
-    for (size_t i = 0; i < model.order.size(); ++i)
-        for (const int child : model.nodes[static_cast<size_t>(model.order[i])].children)
-            model.order.push_back(child);
-}
-
-Skin readSkin(const Loading& loading, const tinygltf::Model& gltf, const tinygltf::Skin& from,
-              const std::string& who) {
-    Skin skin;
-    skin.joints = from.joints;
-    const size_t count = skin.joints.size();
-    if (count == 0) fault(who, ".joints is empty");
-    if (count > loading.limits.maxJoints)
-        fault(who, " has ", count, " joints, more than the limit of ", loading.limits.maxJoints);
-    std::vector<int> sorted = skin.joints;
-    std::sort(sorted.begin(), sorted.end());
-    if (const auto twin = std::adjacent_find(sorted.begin(), sorted.end()); twin != sorted.end())
-        fault(who, ".joints holds ", element("nodes", *twin), " twice");
-    skin.jointFromMesh.assign(count, glm::mat4(1));
-    if (from.inverseBindMatrices < 0) return skin;
-
-    const std::string matrices = element("accessors", from.inverseBindMatrices);
-    const tinygltf::Accessor& accessor = gltf.accessors[static_cast<size_t>(from.inverseBindMatrices)];
-    if (accessor.type != TINYGLTF_TYPE_MAT4 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
-        fault(who, ".inverseBindMatrices: ", matrices, " does not hold matrices of floats");
-    if (accessor.count < count)
-        fault(who, " has ", count, " joints, but ", matrices, " only ", accessor.count, " matrices");
-    if (accessor.count > loading.limits.maxJoints)
-        fault(matrices, " has ", accessor.count, " inverse bind matrices, more than the limit of ",
-              loading.limits.maxJoints);
-    const std::vector<float> numbers = readFloats(gltf, from.inverseBindMatrices);
-    for (size_t i = 0; i < count; ++i) {
-        glm::mat4& matrix = skin.jointFromMesh[i];
-        matrix = glm::make_mat4(numbers.data() + 16 * i);
-        if (!isAffine(matrix))
-            fault(matrices, ": inverse bind matrix ", i, " does not end in the row 0 0 0 1");
-        makeAffine(matrix);
-    }
-    return skin;
-}
-
-void checkJointsInScene(const Model& model) {
-    std::vector<bool> inScene(model.nodes.size(), false);
-    for (const int node : model.order) inScene[static_cast<size_t>(node)] = true;
-    std::vector<bool> checked(model.skins.size(), false);
-    for (const int index : model.order) {
-        const int skin = model.nodes[static_cast<size_t>(index)].skin;
-        if (skin < 0 || checked[static_cast<size_t>(skin)]) continue;
-        checked[static_cast<size_t>(skin)] = true;
-        for (const int joint : model.skins[static_cast<size_t>(skin)].joints)
-            if (!inScene[static_cast<size_t>(joint)])
-                fault(element("nodes", index), " uses ", element("skins", skin), ", whose joint ",
-                      element("nodes", joint), " is not in the scene");
-    }
-}
-
-} // namespace
-
+// The transform that gives this affine matrix, if there is one (no shear, no flattened axis).
 std::optional<Transform> split(const glm::mat4& parentFromNode) {
     Transform t;
     t.translation = glm::vec3(parentFromNode[3]);
@@ -174,9 +36,8 @@ std::optional<Transform> split(const glm::mat4& parentFromNode) {
     }
     // Matrices printed with six digits are orthogonal to about 1e-6 an element; sheared ones are off by more.
     constexpr float kSlack = 1e-4f;
-    if (std::abs(glm::dot(axes[0], axes[1])) > kSlack || std::abs(glm::dot(axes[1], axes[2])) > kSlack ||
-        std::abs(glm::dot(axes[2], axes[0])) > kSlack)
-        return std::nullopt;
+    for (int i = 0; i < 3; ++i)
+        if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > kSlack) return std::nullopt;
     if (glm::determinant(axes) < 0) { // a mirror: any axis will do
         t.scale.x = -t.scale.x;
         axes[0] = -axes[0];
@@ -185,16 +46,139 @@ std::optional<Transform> split(const glm::mat4& parentFromNode) {
     return t;
 }
 
-void readNodes(Loading& loading, const Document& document, Model& model) {
-    const tinygltf::Model& gltf = document.gltf;
+Transform readTransform(const tinygltf::Node& from, const std::string& who) {
+    Transform t;
+    for (int i = 0; i < 3; ++i) {
+        if (!from.translation.empty()) t.translation[i] = static_cast<float>(from.translation[i]);
+        if (!from.scale.empty()) t.scale[i] = static_cast<float>(from.scale[i]);
+    }
+    if (!from.rotation.empty()) {
+        const glm::dvec4 r = glm::make_vec4(from.rotation.data());
+        const double length = glm::length(r);
+        if (!(length > 1e-6)) fault(who, ".rotation is no quaternion of length 1");
+        const glm::vec4 unit(r / length);
+        t.rotation = {unit.w, unit.x, unit.y, unit.z};
+    }
+    return t;
+}
+
+Node readNode(GltfFile& file, const tinygltf::Node& from, const std::string& who) {
+    Node node;
+    node.name = from.name;
+    node.children = from.children;
+    node.mesh = from.mesh;
+    node.skin = from.skin;
+    for (const double weight : from.weights) node.morphWeights.push_back(static_cast<float>(weight));
+    if (from.matrix.empty()) {
+        node.parentFromNode = readTransform(from, who);
+    } else {
+        glm::mat4 matrix(glm::make_mat4(from.matrix.data()));
+        if (!makeAffine(matrix)) fault(who, ".matrix is no transform: its last row is not 0 0 0 1");
+        if (const auto transform = split(matrix))
+            node.parentFromNode = *transform;
+        else
+            node.matrix = matrix;
+    }
+    if (node.skin >= 0 && node.mesh < 0) {
+        file.warn(who, " has a skin, but no mesh");
+        node.skin = -1;
+    }
+    return node;
+}
+
+// These nodes and all below them, parents first. Only for nodes that form trees.
+std::vector<int> withDescendants(const Model& model, std::vector<int> nodes) {
+    for (size_t i = 0; i < nodes.size(); ++i)
+        for (const int child : model.nodes[nodes[i]].children) nodes.push_back(child);
+    return nodes;
+}
+
+// Returns the nodes without a parent.
+std::vector<int> joinParents(Model& model) {
+    const auto count = static_cast<int>(model.nodes.size());
+    for (int i = 0; i < count; ++i)
+        for (const int child : model.nodes[i].children) {
+            int& parent = model.nodes[child].parent;
+            if (parent >= 0)
+                fault(element("nodes", child), " is a child twice, of ", element("nodes", parent), " and ",
+                      element("nodes", i));
+            parent = i;
+        }
+    std::vector<int> roots;
+    for (int i = 0; i < count; ++i)
+        if (model.nodes[i].parent < 0) roots.push_back(i);
+    // With one parent each, what no root reaches is a cycle.
+    const std::vector<int> all = withDescendants(model, roots);
+    const std::set<int> reached(all.begin(), all.end());
+    for (int i = 0; i < count; ++i)
+        if (!reached.contains(i)) fault(element("nodes", i), " is its own ancestor, or below one that is");
+    return roots;
+}
+
+// Roots of the default scene.
+std::vector<int> sceneRoots(const tinygltf::Model& gltf, const Model& model) {
+    const int scene = std::max(gltf.defaultScene, 0);
+    std::set<int> taken;
+    for (const int root : gltf.scenes[scene].nodes) {
+        const std::string who = element("scenes", scene) + ".nodes holds " + element("nodes", root);
+        if (model.nodes[root].parent >= 0) fault(who, ", which has a parent");
+        if (!taken.insert(root).second) fault(who, " twice");
+    }
+    return gltf.scenes[scene].nodes;
+}
+
+Skin readSkin(const GltfFile& file, const tinygltf::Skin& from, const std::string& who) {
+    Skin skin;
+    skin.joints = from.joints;
+    const size_t count = skin.joints.size(), limit = file.limits.maxJoints;
+    if (count == 0) fault(who, ".joints is empty");
+    if (count > limit) fault(who, " has ", count, " joints, more than the limit of ", limit);
+    std::set<int> seen;
+    for (const int joint : skin.joints)
+        if (!seen.insert(joint).second) fault(who, ".joints holds ", element("nodes", joint), " twice");
+    skin.jointFromMesh.assign(count, glm::mat4(1));
+    if (from.inverseBindMatrices < 0) return skin;
+
+    const std::string matrices = element("accessors", from.inverseBindMatrices);
+    const tinygltf::Accessor& accessor = file.gltf.accessors[from.inverseBindMatrices];
+    if (accessor.type != TINYGLTF_TYPE_MAT4 || accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
+        fault(who, ".inverseBindMatrices: ", matrices, " does not hold matrices of floats");
+    if (accessor.count < count)
+        fault(who, " has ", count, " joints, but ", matrices, " only ", accessor.count, " matrices");
+    if (accessor.count > limit)
+        fault(matrices, " has ", accessor.count, " inverse bind matrices, more than the limit of ", limit);
+    const std::vector<float> numbers = readFloats(file.gltf, from.inverseBindMatrices);
+    for (size_t i = 0; i < count; ++i) {
+        skin.jointFromMesh[i] = glm::make_mat4(numbers.data() + 16 * i);
+        if (!makeAffine(skin.jointFromMesh[i]))
+            fault(matrices, ": inverse bind matrix ", i, " does not end in the row 0 0 0 1");
+    }
+    return skin;
+}
+
+void checkJointsInScene(const Model& model) {
+    const std::set<int> inScene(model.order.begin(), model.order.end());
+    std::set<int> checked;
+    for (const int index : model.order) {
+        const int skin = model.nodes[index].skin;
+        if (skin < 0 || !checked.insert(skin).second) continue;
+        for (const int joint : model.skins[skin].joints)
+            if (!inScene.contains(joint))
+                fault(element("nodes", index), " uses ", element("skins", skin), ", whose joint ",
+                      element("nodes", joint), " is not in the scene");
+    }
+}
+
+} // namespace
+
+void readNodes(GltfFile& file, Model& model) {
+    const tinygltf::Model& gltf = file.gltf;
     for (const tinygltf::Node& node : gltf.nodes)
-        model.nodes.push_back(
-            readNode(loading, node, element("nodes", static_cast<int64_t>(model.nodes.size()))));
-    joinParents(model);
-    fillOrder(gltf, model);
+        model.nodes.push_back(readNode(file, node, element("nodes", model.nodes.size())));
+    const std::vector<int> roots = joinParents(model);
+    model.order = withDescendants(model, gltf.scenes.empty() ? roots : sceneRoots(gltf, model));
     for (const tinygltf::Skin& skin : gltf.skins)
-        model.skins.push_back(
-            readSkin(loading, gltf, skin, element("skins", static_cast<int64_t>(model.skins.size()))));
+        model.skins.push_back(readSkin(file, skin, element("skins", model.skins.size())));
     checkJointsInScene(model);
 }
 

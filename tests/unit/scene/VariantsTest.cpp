@@ -57,7 +57,7 @@ TEST(Variants, ReferToWhatIsThere) {
     mappings[1]["material"] = 2;
     for (const Json& wrong : {Json(2), Json(-1), Json("one"), Json(1e300), Json()}) {
         mappings[1]["variants"] = {wrong};
-        EXPECT_THAT(refusal(file.load()), HasSubstr("refers to what is not there")) << wrong;
+        EXPECT_THAT(refusal(file.load()), HasSubstr("refers to variant " + wrong.dump())) << wrong;
     }
 }
 
