@@ -2,7 +2,6 @@
 
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
-#include "engine/occlusion/gpu/Storage.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "engine/gl/Renderer.h"
 #include "engine/gl/Target.h"
 #include "engine/media/Pictures.h"
-#include "engine/occlusion/gpu/Storage.h"
+#include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"

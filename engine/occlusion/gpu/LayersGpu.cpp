@@ -1,6 +1,9 @@
 #include "engine/occlusion/gpu/LayersGpu.h"
 
-#include "engine/occlusion/gpu/Storage.h"
+#include "shaders/occlusion/Bindings.glsl"
+
+#include <algorithm>
+#include <string>
 
 namespace shoal::occlusion {
 
@@ -10,30 +13,131 @@ namespace {
 // itself: the distances with the smallest error in tests/bench/occlusion.
 constexpr float kStartOllfb_px = 0.32f, kStartThesis_px = 3;
 
+float startOf(float start_px, const Sphere& sphere, int resolution) {
+    return start_px * 2 * sphere.radius / static_cast<float>(resolution);
+}
+
+// OllfbView in shaders/occlusion/Ollfb.glsl, std430.
+struct GpuView {
+    glm::vec4 rows[3]; // of viewFromBody; w: low
+    float pixelsPerMetre, depthRange_px;
+    glm::ivec2 size;
+    uint32_t firstRow, pad[3];
+};
+static_assert(sizeof(GpuView) == 80);
+static_assert(sizeof(OllfbRow) == 12, "three words, begin in the low half of the third");
+
 } // namespace
+
+Status canKeepLayers() {
+    const int version = epoxy_gl_version();
+    if (!epoxy_is_desktop_gl() || version < 43)
+        return Error{"", "layers need OpenGL 4.3; this is " + std::to_string(version / 10) + "." +
+                             std::to_string(version % 10)};
+    GLint blocks = 0;
+    glGetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &blocks);
+    constexpr GLint kBlocks = 6; // shaders/occlusion/Bindings.glsl
+    if (blocks < kBlocks)
+        return Error{"", "layers need " + std::to_string(kBlocks) +
+                             " storage buffers in a fragment shader; there are " + std::to_string(blocks)};
+    return Done{};
+}
+
+Result<gl::Buffer> storageBuffer(const void* data, size_t bytes) {
+    GLint64 maximum = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &maximum);
+    if (bytes > static_cast<size_t>(maximum))
+        return Error{"", "a storage buffer of " + std::to_string(bytes) +
+                             " bytes is too large here; at most " + std::to_string(maximum)};
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    gl::Buffer buffer = gl::Buffer::make();
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.name());
+    // Whole words, and never empty: a shader that names a block must find something there.
+    const size_t size = std::max<size_t>((bytes + 3) / 4 * 4, 16);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_STATIC_DRAW);
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        return Error{"",
+                     "the graphics driver has no memory for " + std::to_string(bytes) + " bytes of layers"};
+    return buffer;
+}
 
 Result<LayersGpu> LayersGpu::make(const BodyMesh& mesh, LayerMethod method) {
     if (Status status = canKeepLayers(); !status) return status.error();
-    const auto nearest = [&](float start_px, int resolution) {
-        return start_px * 2 * boundingSphere(mesh).radius / static_cast<float>(resolution);
-    };
     if (method == LayerMethod::Thesis) {
-        const ThesisOptions options;
-        auto seen = ThesisGpu::see(mesh, options);
-        if (!seen) return seen.error();
-        return LayersGpu(std::move(*seen), nearest(kStartThesis_px, options.resolution));
+        const auto made = ThesisLayers::make(mesh, {});
+        return made ? upload(*made) : made.error();
     }
     const Ollfb::Options options;
     const auto made = Ollfb::make(mesh, options);
     if (!made) return made.error();
-    auto uploaded = OllfbGpu::upload(*made);
-    if (!uploaded) return uploaded.error();
-    return LayersGpu(std::move(*uploaded), nearest(kStartOllfb_px, options.resolution));
+    auto layers = upload(*made);
+    if (layers) layers->nearest_m_ = startOf(kStartOllfb_px, made->sphere(), options.resolution);
+    return layers;
+}
+
+Status LayersGpu::keep(int binding, const void* data, size_t bytes) {
+    auto buffer = storageBuffer(data, bytes);
+    if (!buffer) return buffer.error();
+    buffers_.emplace_back(static_cast<GLuint>(binding), std::move(*buffer));
+    return Done{};
+}
+
+Result<LayersGpu> LayersGpu::upload(const Ollfb& ollfb) {
+    if (Status status = canKeepLayers(); !status) return status.error();
+    LayersGpu result;
+    result.closed_ = ollfb.closed();
+    result.onlyOuter_ = ollfb.onlyOuter();
+    std::vector<GpuView> views;
+    for (const OllfbView& view : ollfb.views()) {
+        const glm::mat3 rows = glm::transpose(view.viewFromBody);
+        views.push_back(
+            {{glm::vec4(rows[0], view.low.x), glm::vec4(rows[1], view.low.y), glm::vec4(rows[2], view.low.z)},
+             view.pixelsPerMetre,
+             view.depthRange_px,
+             view.size,
+             view.firstRow,
+             {}});
+    }
+    const auto keep = [&](int binding, const auto& values) {
+        return result.keep(binding, values.data(), values.size() * sizeof values[0]);
+    };
+    for (const Status& status :
+         {keep(OCCLUSION_VIEWS, views), keep(OCCLUSION_ROWS, ollfb.rows()),
+          keep(OCCLUSION_STARTS, ollfb.starts()), keep(OCCLUSION_LAYERS, ollfb.layers()),
+          keep(OCCLUSION_AXES, ollfb.axes().table())})
+        if (!status) return status.error();
+    return result;
+}
+
+Result<LayersGpu> LayersGpu::upload(const ThesisLayers& layers) {
+    if (Status status = canKeepLayers(); !status) return status.error();
+    LayersGpu result;
+    result.method_ = LayerMethod::Thesis;
+    result.views_ = layers.views();
+    result.nearest_m_ = startOf(kStartThesis_px, layers.views().sphere, layers.views().resolution);
+    for (const Status& status :
+         {result.keep(OCCLUSION_STARTS, layers.starts().data(), layers.starts().size() * sizeof(uint32_t)),
+          result.keep(OCCLUSION_LAYERS, layers.layers().data(),
+                      layers.layers().size() * sizeof(ThesisLayer))})
+        if (!status) return status.error();
+    return result;
 }
 
 void LayersGpu::bind(const gl::Program& program) const {
-    std::visit([&](const auto& layers) { layers.bind(program); }, layers_);
     program.set("layersNearest", nearest_m_);
+    if (method_ == LayerMethod::Thesis) {
+        program.set("cells", views_.cells);
+        program.set("resolution", views_.resolution);
+        program.set("sphere", glm::vec4(views_.sphere.centre, views_.sphere.radius));
+        program.set("pixelsPerMetre", views_.pixelsPerMetre());
+    } else {
+        program.set("closed", closed_);
+        program.set("onlyOuter", onlyOuter_);
+    }
+    for (const auto& [binding, buffer] : buffers_)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
 }
 
 } // namespace shoal::occlusion

@@ -1,6 +1,6 @@
 #include "tests/gl/occlusion/TracePass.h"
 
-#include "engine/occlusion/gpu/Storage.h"
+#include "engine/occlusion/gpu/LayersGpu.h"
 #include "shaders/occlusion/Bindings.glsl"
 
 #include <algorithm>
@@ -9,13 +9,12 @@ namespace shoal::occlusion {
 
 namespace {
 
-template <class Layers>
-Result<TracePass::Answers> run(const gl::Program& program, const Layers& layers,
+Result<TracePass::Answers> run(const gl::Program& program, const LayersGpu& layers,
                                std::span<const RayGpu> rays) {
     constexpr int kWidth = 256;
     const int count = static_cast<int>(rays.size());
     const int height = std::max(1, (count + kWidth - 1) / kWidth);
-    auto asked = storageBuffer(rays);
+    auto asked = storageBuffer(rays.data(), rays.size_bytes());
     if (!asked) return asked.error();
     const gl::Texture answers = gl::Texture::make();
     glBindTexture(GL_TEXTURE_2D, answers.name());
@@ -59,12 +58,8 @@ Result<TracePass> TracePass::make() {
     return pass;
 }
 
-Result<TracePass::Answers> TracePass::trace(const ThesisGpu& layers, std::span<const RayGpu> rays) const {
-    return run(thesis_, layers, rays);
-}
-
-Result<TracePass::Answers> TracePass::trace(const OllfbGpu& layers, std::span<const RayGpu> rays) const {
-    return run(cured_, layers, rays);
+Result<TracePass::Answers> TracePass::trace(const LayersGpu& layers, std::span<const RayGpu> rays) const {
+    return run(layers.method() == LayerMethod::Thesis ? thesis_ : cured_, layers, rays);
 }
 
 } // namespace shoal::occlusion

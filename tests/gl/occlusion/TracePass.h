@@ -2,8 +2,7 @@
 #pragma once
 
 #include "engine/gl/Program.h"
-#include "engine/occlusion/gpu/OllfbGpu.h"
-#include "engine/occlusion/gpu/ThesisGpu.h"
+#include "engine/occlusion/gpu/LayersGpu.h"
 #include "tests/baselines/occlusion/Visibility.h"
 
 #include <span>
@@ -27,8 +26,7 @@ class TracePass {
 
     // As the methods' trace() does, body frame. Waits for the answers.
     using Answers = std::vector<std::optional<Hit>>;
-    Result<Answers> trace(const ThesisGpu& layers, std::span<const RayGpu> rays) const;
-    Result<Answers> trace(const OllfbGpu& layers, std::span<const RayGpu> rays) const;
+    Result<Answers> trace(const LayersGpu& layers, std::span<const RayGpu> rays) const;
 
   private:
     gl::Program thesis_, cured_;

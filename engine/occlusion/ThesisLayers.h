@@ -1,14 +1,16 @@
 // Orthographic linearised layered fragment buffers as Iorns 2016 (chapter 6) has them: a body seen from many
 // directions, every layer's depth and normal kept, those of all pixels in one line with each pixel's first.
+// shaders/occlusion/ThesisTrace.glsl traces rays through them.
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/math/Sphere.h"
+#include "engine/occlusion/BodyMesh.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace shoal::occlusion {
 
@@ -20,14 +22,12 @@ struct ThesisLayer {
 static_assert(sizeof(ThesisLayer) == 8);
 
 // How a body is seen: from the middle of each of cells x cells parts of equal angle of each face of a cube
-// around it, in squares of resolution^2 pixels that just hold its sphere
-// (shaders/occlusion/ThesisViews.glsl).
+// around it, in squares of resolution^2 pixels that just hold its sphere.
 struct ThesisViews {
     int cells = 5; // views = 6 cells^2: 54 (3), 150 (5), 486 (9)
     int resolution = 64;
     Sphere sphere;
 
-    int count() const { return 6 * cells * cells; }
     // A pixel of margin, for what lies on the sphere itself.
     float pixelsPerMetre() const {
         return sphere.radius > 0 ? static_cast<float>(resolution - 1) / (2 * sphere.radius) : 1.0f;
@@ -39,17 +39,31 @@ struct ThesisViews {
     }
 };
 
-struct ThesisOptions {
-    int cells = 5;       // 1 to 16: 6 to 1536 views
-    int resolution = 64; // 1 to 1024
-    size_t maxBytes = 256u << 20;
-};
+// Unit vectors through the middles of all cells: face by face (+x, -x, +y ...), row by row.
+std::vector<glm::vec3> cubeDirections(int cells);
 
-inline Status checkOptions(const ThesisOptions& options) {
-    if (options.cells < 1 || options.cells > 16) return Error{"", "views must be 6 n^2 with n from 1 to 16"};
-    if (options.resolution < 1 || options.resolution > 1024)
-        return Error{"", "the resolution of a view must be 1 to 1024"};
-    return Done{};
-}
+class ThesisLayers {
+  public:
+    struct Options {
+        int cells = 5;       // 1 to 16: 6 to 1536 views
+        int resolution = 64; // 1 to 1024
+        size_t maxBytes = 256u << 20;
+    };
+
+    // Errors: a mesh that cannot be (BodyMesh.h), options out of range, more than maxBytes.
+    static Result<ThesisLayers> make(const BodyMesh& mesh, const Options& options);
+
+    size_t bytes() const { return starts_.size() * sizeof(uint32_t) + layers_.size() * sizeof(ThesisLayer); }
+    const ThesisViews& views() const { return views_; }
+    // First layer of each pixel (view by view, row by row), and the end of the last; then the layers, in each
+    // pixel by growing depth.
+    const std::vector<uint32_t>& starts() const { return starts_; }
+    const std::vector<ThesisLayer>& layers() const { return layers_; }
+
+  private:
+    ThesisViews views_;
+    std::vector<uint32_t> starts_;
+    std::vector<ThesisLayer> layers_;
+};
 
 } // namespace shoal::occlusion

@@ -1,3 +1,0 @@
-#include "occlusion/Screen.glsl"
-
-void main() { coverScreen(); }
