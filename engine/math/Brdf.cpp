@@ -10,26 +10,6 @@ namespace shoal::math {
 
 using std::numbers::pi;
 
-double ggxD(double nh, double alpha) {
-    const double alpha2 = alpha * alpha;
-    const double q = nh * nh * (alpha2 - 1.0) + 1.0;
-    return alpha2 / (pi * q * q);
-}
-
-double smithV(double nl, double nv, double alpha) {
-    if (nl <= 0 || nv <= 0) return 0;
-    const double alpha2 = alpha * alpha;
-    const double lightTerm = nv * std::sqrt(nl * nl * (1.0 - alpha2) + alpha2);
-    const double viewTerm = nl * std::sqrt(nv * nv * (1.0 - alpha2) + alpha2);
-    return 0.5 / (lightTerm + viewTerm);
-}
-
-double schlick(double f0, double vh) { return f0 + (1.0 - f0) * std::pow(1.0 - vh, 5.0); }
-
-double phongLobe(double cosine, double exponent) {
-    return cosine <= 0 ? 0 : (exponent + 1.0) / (2.0 * pi) * std::pow(cosine, exponent);
-}
-
 double phongExponentFromRoughness(double roughness) {
     const double alpha = std::max(alphaFromRoughness(roughness), 1e-4);
     return 0.5 / (alpha * alpha) + 0.5;
@@ -77,21 +57,6 @@ Dfg dfg(double nv, double roughness, int samples) {
     }
     const double count = static_cast<double>(samples) * samples;
     return {sum.scale / count, sum.bias / count};
-}
-
-double directionalAlbedo(double nv, double roughness, double f0) {
-    const Dfg factor = dfg(nv, roughness);
-    return f0 * factor.scale + factor.bias;
-}
-
-double averageAlbedo(double roughness) {
-    constexpr int kSteps = 64;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double nv = (i + 0.5) / kSteps;
-        sum += directionalAlbedo(nv, roughness, 1.0) * 2.0 * nv / kSteps;
-    }
-    return sum;
 }
 
 DfgTable makeDfgTable(int size) {

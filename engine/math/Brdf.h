@@ -1,8 +1,8 @@
-// Surfaces' reflectance: GGX microfacets and the Phong lobe, and the split sum's second factor. Double
-// precision: these are reference maths and makers of tables, not inner loops.
+// Surfaces' reflectance: lobes of GGX and Phong, and the split sum's second factor. Double precision: these
+// make tables.
 //
-// roughness is glTF's perceptual roughness in [0, 1]; alpha = roughness^2. Cosines: nh = n.h, nl = n.l, nv =
-// n.v, vh = v.h; all of unit vectors.
+// roughness is glTF's perceptual roughness in [0, 1]; alpha = roughness^2. nv: cosine n.v of unit
+// vectors.
 #pragma once
 
 #include <numbers>
@@ -12,20 +12,10 @@ namespace shoal::math {
 
 inline double alphaFromRoughness(double roughness) { return roughness * roughness; }
 
-// Trowbridge-Reitz (GGX) distribution of normals, per steradian; its integral times n.h over the hemisphere
-// is 1. Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces", eq. 33.
-double ggxD(double nh, double alpha);
-
-// G / (4 nl nv) with Smith's height-correlated masking and shadowing. Heitz 2014, "Understanding the
-// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99. 0 where nl or nv is not above 0.
-double smithV(double nl, double nv, double alpha);
-
-// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15.
-double schlick(double f0, double vh);
-
-// Lobe around the mirror direction for n = v = r, not normalised: D(h) max(0, cosine), cosine = r.l, where h
-// lies half way. Karis 2013, "Real Shading in Unreal Engine 4": his prefiltering weighs GGX samples by n.l,
-// and with n = v their density is D / 4. alpha = 1 gives the clamped cosine.
+// Lobe around the mirror direction for n = v = r, not normalised: D(h) max(0, cosine), cosine = r.l, where D
+// is the Trowbridge-Reitz (GGX) distribution of normals and h lies half way. Karis 2013, "Real Shading in
+// Unreal Engine 4": his prefiltering weighs GGX samples by n.l, and with n = v their density is D / 4. alpha
+// = 1 gives the clamped cosine.
 inline double ggxMirrorLobe(double cosine, double alpha) {
     // nh^2 = cos^2(angle / 2) = (1 + cosine) / 2, put so that nothing cancels at the peak of a narrow lobe.
     const double alpha2 = alpha * alpha;
@@ -33,11 +23,9 @@ inline double ggxMirrorLobe(double cosine, double alpha) {
     return alpha2 / (std::numbers::pi * q * q) * (cosine > 0 ? cosine : 0);
 }
 
-// Phong's lobe cosine^exponent normalised over the hemisphere around its axis: (exponent + 1) / 2 pi.
-double phongLobe(double cosine, double exponent);
-
-// Exponent whose lobe is as wide as ggxMirrorLobe: alpha = 1 gives 1, both being the cosine; small alpha
-// gives 1 / (2 alpha^2), as cos(t) ~ cos(t / 2)^4 turns Blinn's exponent 2 / alpha^2 into Phong's.
+// Exponent of the Phong lobe that is as wide as ggxMirrorLobe: alpha = 1 gives 1, both being the cosine;
+// small alpha gives 1 / (2 alpha^2), as cos(t) ~ cos(t / 2)^4 turns Blinn's exponent 2 / alpha^2 into
+// Phong's.
 double phongExponentFromRoughness(double roughness);
 
 // Split sum, second factor (Karis 2013): a white environment reflects f0 * scale + bias. scale + bias is the
@@ -49,13 +37,6 @@ struct Dfg {
 };
 // By quadrature over visible normals (samples x samples midpoints); nv in (0, 1].
 Dfg dfg(double nv, double roughness, int samples = 24);
-
-// f0 * scale + bias.
-double directionalAlbedo(double nv, double roughness, double f0);
-
-// Mean of the f0 = 1 albedo over the hemisphere, weighed by 2 nv: E_avg of Kulla and Conty 2017, "Revisiting
-// Physically Based Shading at Imageworks".
-double averageAlbedo(double roughness);
 
 // Texel (x, y) holds scale and bias at nv = (x + 0.5) / size, roughness = (y + 0.5) / size: a texture of size
 // x size with two channels, sampled linearly and clamped.

@@ -2,7 +2,6 @@
 
 #include "engine/math/LatLong.h"
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -64,21 +63,6 @@ ShRgb shProject(const ImageRgbF& radianceLin) {
         }
     }
     return result;
-}
-
-glm::dvec3 shEvaluate(const ShRgb& coefficients, const glm::dvec3& dir, int bands) {
-    assert(bands >= 1 && bands <= kShBands);
-    const ShBasis basis = shBasis(dir);
-    glm::dvec3 sum(0);
-    for (size_t i = 0; i < static_cast<size_t>(bands) * bands; ++i) sum += coefficients[i] * basis[i];
-    return sum;
-}
-
-glm::dvec3 shDiffuseRadiance(const ShRgb& radiance, const glm::dvec3& normal, int bands) {
-    ShRgb diffuse = radiance;
-    for (size_t l = 0; l < kShBands; ++l)
-        for (size_t i = l * l; i < (l + 1) * (l + 1); ++i) diffuse[i] *= kShCosine[l] / pi;
-    return shEvaluate(diffuse, normal, bands);
 }
 
 } // namespace shoal::math

@@ -26,15 +26,8 @@ ShBasis shBasis(const glm::dvec3& dir);
 // solid angles.
 ShRgb shProject(const ImageRgbF& radianceLin);
 
-// Sum of coefficients times Y_lm; bands: how many to use, 1 to kShBands.
-glm::dvec3 shEvaluate(const ShRgb& coefficients, const glm::dvec3& dir, int bands = kShBands);
-
 // Factors A_l which turn radiance into irradiance, band by band: pi, 2 pi / 3, pi / 4, 0, -pi / 24 (their eq.
 // 8 and 9).
 extern const std::array<double, kShBands> kShCosine;
-
-// Radiance leaving a white matte surface by its normal: irradiance / pi. bands = 3 is the paper's nine
-// coefficients.
-glm::dvec3 shDiffuseRadiance(const ShRgb& radiance, const glm::dvec3& normal, int bands = 3);
 
 } // namespace shoal::math

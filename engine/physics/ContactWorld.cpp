@@ -1,5 +1,7 @@
 #include "engine/physics/ContactWorld.h"
 
+#include "engine/math/Sphere.h"
+
 #include <btBulletCollisionCommon.h>
 
 #include <glm/geometric.hpp>
@@ -18,12 +20,7 @@ glm::vec3 middle(const Capsule& c) { return 0.5f * (c.a + c.b); }
 
 auto key(const Contact& c) { return std::tuple(c.body, c.group, c.tag); }
 
-// A sphere around the capsule's whole way.
-struct Sphere {
-    glm::vec3 centre;
-    float radius;
-};
-
+// Holds the capsule's whole way.
 Sphere around(const Capsule& from, const Capsule& to) {
     const glm::vec3 a = middle(from), b = middle(to);
     const float half = 0.5f * std::max(glm::distance(from.a, from.b), glm::distance(to.a, to.b));
@@ -144,10 +141,6 @@ ContactWorld::ContactWorld() : bullet_(std::make_unique<Bullet>()) {}
 ContactWorld::~ContactWorld() = default;
 ContactWorld::ContactWorld(ContactWorld&&) noexcept = default;
 ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
-
-Mover moving(const Capsule& before, const Capsule& after, float dt_s, int group, int tag) {
-    return {before, after, (after.a - before.a) / dt_s, (after.b - before.b) / dt_s, group, tag};
-}
 
 namespace {
 

@@ -22,9 +22,6 @@ struct Mover {
     int tag = 0;                          // a bone
 };
 
-// A mover that pushes as fast as it goes.
-Mover moving(const Capsule& before, const Capsule& after, float dt_s, int group = 0, int tag = 0);
-
 struct Body {
     uint32_t id = 0;
     Capsule before, after; // over the same tick

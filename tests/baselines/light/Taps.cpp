@@ -4,6 +4,7 @@
 #include "engine/light/Vectorise.h"
 #include "engine/math/Brdf.h"
 #include "engine/math/LatLong.h"
+#include "tests/baselines/light/Ggx.h"
 
 namespace shoal::light::baselines {
 

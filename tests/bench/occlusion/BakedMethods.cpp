@@ -1,5 +1,6 @@
 // What is kept at vertices: one number, or a row of them.
 #include "engine/light/Lookup.h"
+#include "tests/baselines/HarmonicSums.h"
 #include "tests/baselines/occlusion/AmbientOcclusion.h"
 #include "tests/baselines/occlusion/Transfer.h"
 #include "tests/bench/occlusion/Method.h"

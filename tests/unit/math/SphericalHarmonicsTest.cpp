@@ -1,6 +1,5 @@
-#include "engine/math/SphericalHarmonics.h"
-
 #include "engine/math/LatLong.h"
+#include "tests/baselines/HarmonicSums.h"
 
 #include <gtest/gtest.h>
 

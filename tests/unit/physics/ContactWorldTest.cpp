@@ -16,6 +16,10 @@ constexpr float kDt = 1.0f / 120;
 // Single precision on lengths below 1 m, a handful of operations.
 constexpr float kTol = 1e-5f;
 
+// A mover that pushes as fast as it goes.
+Mover moving(const Capsule& before, const Capsule& after, float dt_s, int group = 0, int tag = 0) {
+    return {before, after, (after.a - before.a) / dt_s, (after.b - before.b) / dt_s, group, tag};
+}
 Mover still(Capsule c, int tag = 0) { return moving(c, c, kDt, 0, tag); }
 
 Mover sphere(glm::vec3 from, glm::vec3 to, float radius) {
