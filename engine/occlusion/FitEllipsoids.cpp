@@ -31,6 +31,28 @@ struct Sample {
     uint16_t joint = 0;
 };
 
+// Where a line through the body meets its surface, until so many times.
+std::vector<Crossing> crossingsAlong(const RestBody& body, const Bvh& bvh, const glm::vec3& origin,
+                                     int axis) {
+    glm::vec3 direction(0);
+    direction[axis] = 1;
+    std::vector<Crossing> crossings;
+    int around = 0; // surfaces: bodies overlap their fins
+    for (float at = 0; crossings.size() < kMaxCrossings;) {
+        const auto touch = bvh.first(origin, direction, at, INFINITY);
+        if (!touch) break;
+        at = touch->distance;
+        const uint32_t* corner = &body.indices[3 * touch->triangle];
+        const glm::vec3 normal = glm::cross(body.positions[corner[1]] - body.positions[corner[0]],
+                                            body.positions[corner[2]] - body.positions[corner[0]]);
+        around += normal[axis] < 0 ? 1 : -1;
+        const float first = 1 - touch->u - touch->v;
+        const int nearest = first >= touch->u && first >= touch->v ? 0 : touch->u >= touch->v ? 1 : 2;
+        crossings.push_back({at, body.jointsOf[corner[nearest]], around});
+    }
+    return crossings;
+}
+
 // Points inside of the body, and on what is too thin to have an inside, along lines in the direction that
 // most of its surface faces.
 std::vector<Sample> fill(const RestBody& body) {
@@ -50,14 +72,8 @@ std::vector<Sample> fill(const RestBody& body) {
     const int right = (axis + 1) % 3, up = (axis + 2) % 3;
     const float step = longest / kLines;
     const Bvh bvh(body.positions, body.indices);
-    glm::vec3 direction(0), origin(0);
-    direction[axis] = 1;
+    glm::vec3 origin;
     origin[axis] = low[axis] - step;
-    const auto jointAt = [&](const Bvh::Touch& touch) {
-        const float first = 1 - touch.u - touch.v;
-        const int corner = first >= touch.u && first >= touch.v ? 0 : touch.u >= touch.v ? 1 : 2;
-        return body.jointsOf[body.indices[3 * touch.triangle + static_cast<uint32_t>(corner)]];
-    };
     const auto put = [&](const Crossing& from, const Crossing& to) {
         const float length = to.distance - from.distance;
         const int count = std::max(1, static_cast<int>(std::lround(length / step)));
@@ -69,26 +85,15 @@ std::vector<Sample> fill(const RestBody& body) {
             samples.push_back(sample);
         }
     };
-    std::vector<Crossing> crossings;
     for (int v = 0; (static_cast<float>(v) + 0.5f) * step < extent[up]; ++v)
         for (int u = 0; (static_cast<float>(u) + 0.5f) * step < extent[right]; ++u) {
             origin[right] = low[right] + (static_cast<float>(u) + 0.5f) * step;
             origin[up] = low[up] + (static_cast<float>(v) + 0.5f) * step;
-            crossings.clear();
-            int around = 0; // surfaces: bodies overlap their fins
-            for (float at = 0; crossings.size() < kMaxCrossings;) {
-                const auto touch = bvh.first(origin, direction, at, INFINITY);
-                if (!touch) break;
-                at = touch->distance;
-                const uint32_t* corner = &body.indices[3 * touch->triangle];
-                const glm::vec3 normal = glm::cross(body.positions[corner[1]] - body.positions[corner[0]],
-                                                    body.positions[corner[2]] - body.positions[corner[0]]);
-                around += normal[axis] < 0 ? 1 : -1;
-                crossings.push_back({at, jointAt(*touch), around});
-            }
+            const std::vector<Crossing> crossings = crossingsAlong(body, bvh, origin, axis);
+            const bool open = !crossings.empty() && crossings.back().around != 0; // somewhere: sheets
             size_t entered = 0;
             for (size_t k = 0; k < crossings.size(); ++k) {
-                if (around != 0) // open somewhere: sheets
+                if (open)
                     put(crossings[k], crossings[k]);
                 else if (crossings[k].around == 0)
                     put(crossings[entered], crossings[k]), entered = k + 1;
@@ -103,21 +108,19 @@ struct Moments {
     glm::dmat3 spread{0}; // covariance
 };
 
-// In two steps, so that nothing cancels.
-Moments occlusionMoments(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {
+Moments momentsOf(std::span<const Sample> samples, std::span<const size_t> partOf, size_t part) {
     Moments m;
+    glm::dmat3 squares(0);
     for (size_t i = 0; i < samples.size(); ++i) {
         if (partOf[i] != part) continue;
+        const glm::dvec3 at(samples[i].at);
         m.mass += samples[i].mass;
-        m.mean += static_cast<double>(samples[i].mass) * glm::dvec3(samples[i].at);
+        m.mean += static_cast<double>(samples[i].mass) * at;
+        squares += glm::outerProduct(static_cast<double>(samples[i].mass) * at, at);
     }
     if (m.mass <= 0) return m;
     m.mean /= m.mass;
-    for (size_t i = 0; i < samples.size(); ++i) {
-        if (partOf[i] != part) continue;
-        const glm::dvec3 off = glm::dvec3(samples[i].at) - m.mean;
-        m.spread += samples[i].mass / m.mass * glm::outerProduct(off, off);
-    }
+    m.spread = squares / m.mass - glm::outerProduct(m.mean, m.mean);
     return m;
 }
 
@@ -156,7 +159,7 @@ void assign(std::span<const Sample> samples, size_t count, float minimum, std::v
     };
     std::vector<Part> parts;
     for (size_t k = 0; k < count; ++k) {
-        const Moments m = occlusionMoments(samples, partOf, k);
+        const Moments m = momentsOf(samples, partOf, k);
         if (m.mass <= 0) {
             parts.push_back({{}, glm::dmat3(0), INFINITY});
             continue;
@@ -232,9 +235,9 @@ std::vector<BodyPart> fitEllipsoids(const RestBody& body, Parts parts, size_t ma
     double all = 0;
     for (const Sample& s : samples) all += s.mass;
     for (size_t k = 0; k < maximum; ++k) {
-        const Moments m = occlusionMoments(samples, partOf, k);
+        const Moments m = momentsOf(samples, partOf, k);
         if (m.mass <= 1e-4 * all) continue;
-        result.push_back({solidOf(m), maxOften(samples, partOf, k), static_cast<float>(m.mass / all)});
+        result.push_back({solidOf(m), maxOften(samples, partOf, k)});
     }
     return result;
 }

@@ -20,7 +20,6 @@ struct RestBody {
 struct BodyPart {
     Ellipsoid atRest; // in the frame of the positions
     uint16_t joint = 0;
-    float share = 0; // of the body's volume
 };
 
 enum class Parts {

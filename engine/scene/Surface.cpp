@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace shoal::scene {
 
@@ -58,6 +59,17 @@ Surface posedSurface(const Model& model, const Pose& pose) {
             append(model, node, static_cast<uint16_t>(index), pose, joints, primitive, surface);
     }
     return surface;
+}
+
+Bounds posedBounds(const Model& model, const Pose& pose) {
+    const Surface surface = posedSurface(model, pose);
+    if (surface.positions.empty()) return {};
+    Bounds bounds{surface.positions[0], surface.positions[0]};
+    for (const glm::vec3& p : surface.positions) {
+        bounds.low = glm::min(bounds.low, p);
+        bounds.high = glm::max(bounds.high, p);
+    }
+    return bounds;
 }
 
 bool isBlended(const Model& model, const Primitive& primitive) {

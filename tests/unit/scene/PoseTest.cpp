@@ -89,6 +89,7 @@ TEST(Bounds, FollowMorphs) {
     model.order = {0};
     Primitive primitive;
     primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    primitive.normals.resize(3, {0, 0, 1});
     primitive.morphTargets.push_back({{{0, 0, 0}, {4, 0, 0}, {0, 0, -2}}, {}, {}});
     model.meshes.push_back({"", {primitive}, {0.5f}});
     Pose pose;
