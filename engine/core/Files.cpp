@@ -27,7 +27,6 @@ static Path xdgFolder(const char* variable, const char* fallbackBelowHome) {
 
 Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config"); }
 Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share"); }
-Path stateFolder() { return xdgFolder("XDG_STATE_HOME", ".local/state"); }
 
 enum class Extent { Whole, Begin };
 

@@ -17,11 +17,10 @@ using Path = std::filesystem::path;
 // share/shoal. Fixed at first use.
 const Path& dataRoot();
 
-// $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal, $XDG_STATE_HOME/shoal; relative values are ignored, as the
-// XDG Base Directory Specification asks. Not created here.
+// $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal; relative values are ignored, as the XDG Base Directory
+// Specification asks. Not created here.
 Path configFolder();
 Path scoreFolder();
-Path stateFolder();
 
 // The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
 // is taken).

@@ -5,26 +5,10 @@
 
 namespace shoal::log {
 
-namespace {
-
-spdlog::level::level_enum spdlogLevel(Level level) {
-    switch (level) {
-    case Level::Debug:
-        return spdlog::level::debug;
-    case Level::Info:
-        return spdlog::level::info;
-    case Level::Warning:
-        return spdlog::level::warn;
-    case Level::Error:
-        return spdlog::level::err;
-    }
-    return spdlog::level::err;
-}
-
-} // namespace
-
 void write(Level level, fmt::string_view format, fmt::format_args arguments) {
-    const spdlog::level::level_enum at = spdlogLevel(level);
+    constexpr spdlog::level::level_enum kLevels[] = {spdlog::level::debug, spdlog::level::info,
+                                                     spdlog::level::warn, spdlog::level::err}; // by Level
+    const spdlog::level::level_enum at = kLevels[static_cast<size_t>(level)];
     if (spdlog::should_log(at)) spdlog::log(at, fmt::vformat(format, arguments));
 }
 

@@ -1,4 +1,4 @@
-// Thread pool that runs one parallel loop at a time; the calling thread takes part.
+// A thread pool, and priorities. The pool runs one parallel loop at a time; the calling thread takes part.
 #pragma once
 
 #include <memory>
@@ -30,5 +30,10 @@ class ThreadPool {
     void start(int parts, void (*part)(void*, int), void* context);
     std::unique_ptr<State> state_;
 };
+
+// Lowers the priority of the calling thread and of those it starts from now on: for work with a deadline of a
+// video frame, beside threads with the deadline of a display frame. Without effect where the system has no
+// priorities for threads.
+void lowerThreadPriority();
 
 } // namespace shoal

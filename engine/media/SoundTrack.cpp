@@ -1,6 +1,6 @@
 #include "engine/media/SoundTrack.h"
 
-#include "engine/core/Threads.h"
+#include "engine/core/ThreadPool.h"
 #include "engine/media/Ffmpeg.h"
 
 extern "C" {

@@ -1,6 +1,6 @@
 #include "engine/media/VideoPlayer.h"
 
-#include "engine/core/Threads.h"
+#include "engine/core/ThreadPool.h"
 #include "engine/media/VideoSource.h"
 
 #include <fmt/core.h>

@@ -3,7 +3,7 @@
 // is taken in shaders/occlusion/Bodies.glsl. All in the light's frame.
 #pragma once
 
-#include "engine/occlusion/Ellipsoid.h"
+#include "engine/occlusion/FitEllipsoids.h"
 #include "engine/occlusion/SmoothLight.h"
 
 #include <glm/geometric.hpp>

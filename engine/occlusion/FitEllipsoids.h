@@ -2,13 +2,20 @@
 // and shadows are derived from it.
 #pragma once
 
-#include "engine/occlusion/Ellipsoid.h"
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace shoal::occlusion {
+
+struct Ellipsoid {
+    glm::vec3 centre{0};
+    glm::mat3 worldFromAxes{1}; // columns: its axes, unit length
+    glm::vec3 semiAxes{1};      // metres
+};
 
 // At rest. Views only.
 struct RestBody {

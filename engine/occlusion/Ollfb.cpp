@@ -1,13 +1,12 @@
 #include "engine/occlusion/Ollfb.h"
 
+#include "engine/occlusion/Directions.h"
 #include "engine/occlusion/MergeLayers.h"
-#include "engine/occlusion/Octahedral.h"
 #include "engine/occlusion/Scan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <string>
 
 namespace shoal::occlusion {
@@ -76,45 +75,30 @@ bool runsWithNormals(const BodyMesh& mesh) {
     return sum >= 0;
 }
 
-// What one view sees at four by four samples a pixel, pixel by pixel.
-struct Seen {
-    std::vector<uint32_t> starts;
-    std::vector<Fragment> fragments;
-};
-
-// Calls found(pixel, sample, weights) for a triangle.
-template <class Found> void scan(const Frame& frame, const glm::uvec3& triangle, Found&& found) {
-    std::array<glm::vec3, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[static_cast<size_t>(k)] = frame.corners[triangle[k]] * 4.0f;
+// What one view sees at four by four samples a pixel, by pixel.
+Status see(const BodyMesh& mesh, const Frame& frame, bool withNormals,
+           std::vector<std::vector<Fragment>>& seen) {
     const glm::ivec2& size = frame.view.size;
-    scanTriangle(corners, size.x * 4, size.y * 4, [&](int x, int y, const glm::vec3& weights) {
-        found(static_cast<size_t>(y / 4 * size.x + x / 4), y % 4 * 4 + x % 4, weights);
-    });
-}
-
-Status see(const BodyMesh& mesh, const Frame& frame, bool withNormals, Seen& seen) {
-    const glm::ivec2& size = frame.view.size;
-    seen.starts.assign(static_cast<size_t>(size.x * size.y) + 1, 0);
-    uint64_t total = 0;
-    for (const glm::uvec3& t : mesh.triangles)
-        scan(frame, t, [&](size_t pixel, int, const glm::vec3&) { ++seen.starts[pixel + 1], ++total; });
-    if (total > kMaxFragments) return Error{"", "a body has too many layers behind each other to be seen"};
-    std::inclusive_scan(seen.starts.begin(), seen.starts.end(), seen.starts.begin());
-    seen.fragments.resize(total);
-    std::vector<uint32_t> next(seen.starts.begin(), seen.starts.end() - 1);
+    seen.resize(std::max(seen.size(), static_cast<size_t>(size.x * size.y)));
+    for (std::vector<Fragment>& pixel : seen) pixel.clear();
+    size_t total = 0;
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::vec3 &a = frame.corners[t.x], &b = frame.corners[t.y], &c = frame.corners[t.z];
         const glm::vec3 flat = glm::cross(b - a, c - a) * (withNormals ? 1.0f : -1.0f);
         const glm::mat3 normals =
             frame.view.viewFromBody * glm::mat3(mesh.normals[t.x], mesh.normals[t.y], mesh.normals[t.z]);
-        scan(frame, t, [&](size_t pixel, int sample, const glm::vec3& weights) {
-            const glm::vec3 sum = normals * weights;
-            const float length = glm::length(sum);
-            seen.fragments[next[pixel]++] = {glm::dot(weights, glm::vec3(a.z, b.z, c.z)),
-                                             length > 0 ? sum / length : glm::normalize(flat),
-                                             static_cast<uint8_t>(sample), flat.z < 0};
-        });
+        scanTriangle({a * 4.0f, b * 4.0f, c * 4.0f}, size.x * 4, size.y * 4,
+                     [&](int x, int y, const glm::vec3& weights) {
+                         if (++total > kMaxFragments) return;
+                         const glm::vec3 sum = normals * weights;
+                         const float length = glm::length(sum);
+                         seen[y / 4 * size.x + x / 4].push_back(
+                             {glm::dot(weights, glm::vec3(a.z, b.z, c.z)),
+                              length > 0 ? sum / length : glm::normalize(flat),
+                              static_cast<uint8_t>(y % 4 * 4 + x % 4), flat.z < 0});
+                     });
     }
+    if (total > kMaxFragments) return Error{"", "a body has too many layers behind each other to be seen"};
     return Done{};
 }
 
@@ -140,8 +124,7 @@ Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
     const bool withNormals = runsWithNormals(mesh);
 
     Frame frame;
-    Seen seen;
-    std::vector<Fragment> pixelFragments;
+    std::vector<std::vector<Fragment>> seen;
     std::vector<Plane> planes;
     for (const glm::vec3& axis : result.axes_.axes()) {
         frameView(mesh, axis, options.resolution, frame);
@@ -149,19 +132,17 @@ Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
         frame.view.firstRow = static_cast<uint32_t>(result.rows_.size());
         result.views_.push_back(frame.view);
         for (int y = 0; y < frame.view.size.y; ++y) {
-            const uint32_t* const pixels = seen.starts.data() + y * frame.view.size.x;
+            std::vector<Fragment>* const pixels = seen.data() + y * frame.view.size.x;
             OllfbRow row{static_cast<uint32_t>(result.layers_.size()),
                          static_cast<uint32_t>(result.starts_.size()), 0,
                          static_cast<uint16_t>(frame.view.size.x)};
-            while (row.begin < row.end && pixels[row.begin] == pixels[row.begin + 1]) ++row.begin;
-            while (row.begin < row.end && pixels[row.end] == pixels[row.end - 1]) --row.end;
+            while (row.begin < row.end && pixels[row.begin].empty()) ++row.begin;
+            while (row.begin < row.end && pixels[row.end - 1].empty()) --row.end;
             result.rows_.push_back(row);
             result.starts_.push_back(0);
             for (int x = row.begin; x < row.end; ++x) {
-                pixelFragments.assign(seen.fragments.begin() + pixels[x],
-                                      seen.fragments.begin() + pixels[x + 1]);
                 planes.clear();
-                mergeLayers(pixelFragments, planes);
+                mergeLayers(pixels[x], planes);
                 for (const Plane& plane : planes)
                     result.layers_.push_back(pack(plane, frame.view.depthRange_px));
                 const size_t end = result.layers_.size() - row.firstLayer;

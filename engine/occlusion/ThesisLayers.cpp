@@ -1,7 +1,6 @@
 #include "engine/occlusion/ThesisLayers.h"
 
 #include "engine/occlusion/Directions.h"
-#include "engine/occlusion/Octahedral.h"
 #include "engine/occlusion/Scan.h"
 
 #include <algorithm>
@@ -12,32 +11,27 @@ namespace shoal::occlusion {
 
 namespace {
 
-struct Fragment {
-    size_t pixel = 0;
-    ThesisLayer layer;
-};
-
-// All that one view sees, by pixel and growing depth.
-std::vector<Fragment> see(const BodyMesh& mesh, const ThesisViews& views, const glm::mat3& viewFromBody) {
-    std::vector<Fragment> seen;
+// All that one view sees, by pixel, each by growing depth.
+void see(const BodyMesh& mesh, const ThesisViews& views, const glm::mat3& viewFromBody,
+         std::vector<std::vector<ThesisLayer>>& seen) {
+    for (std::vector<ThesisLayer>& pixel : seen) pixel.clear();
     for (const glm::uvec3& t : mesh.triangles) {
         std::array<glm::vec3, 3> corners;
         for (int k = 0; k < 3; ++k) corners[k] = views.pixelFromBody(viewFromBody, mesh.positions[t[k]]);
         const glm::mat3 normals(mesh.normals[t.x], mesh.normals[t.y], mesh.normals[t.z]);
-        scanTriangle(
-            corners, views.resolution, views.resolution, [&](int x, int y, const glm::vec3& weights) {
-                const glm::vec3 sum = normals * weights;
-                const float length = glm::length(sum);
-                const glm::vec3 normal = length > 0 ? sum / length : glm::vec3(0, 0, 1);
-                const float depth = glm::dot(weights, glm::vec3(corners[0].z, corners[1].z, corners[2].z));
-                seen.push_back(
-                    {static_cast<size_t>(y * views.resolution + x), {depth, packDirection(normal, 16)}});
-            });
+        scanTriangle(corners, views.resolution, views.resolution,
+                     [&](int x, int y, const glm::vec3& weights) {
+                         const glm::vec3 sum = normals * weights;
+                         const float length = glm::length(sum);
+                         const glm::vec3 normal = length > 0 ? sum / length : glm::vec3(0, 0, 1);
+                         seen[y * views.resolution + x].push_back(
+                             {glm::dot(weights, glm::vec3(corners[0].z, corners[1].z, corners[2].z)),
+                              packDirection(normal, 16)});
+                     });
     }
-    std::sort(seen.begin(), seen.end(), [](const Fragment& a, const Fragment& b) {
-        return a.pixel != b.pixel ? a.pixel < b.pixel : a.layer.depth < b.layer.depth;
-    });
-    return seen;
+    for (std::vector<ThesisLayer>& pixel : seen)
+        std::sort(pixel.begin(), pixel.end(),
+                  [](const ThesisLayer& a, const ThesisLayer& b) { return a.depth < b.depth; });
 }
 
 } // namespace
@@ -69,13 +63,12 @@ Result<ThesisLayers> ThesisLayers::make(const BodyMesh& mesh, const Options& opt
     result.views_ = {options.cells, options.resolution, boundingSphere(mesh)};
     const Error tooLarge{"", "a body's layers would take more than " + std::to_string(options.maxBytes) +
                                  " bytes; see it from fewer sides or with fewer pixels"};
-    const auto pixels = static_cast<size_t>(options.resolution * options.resolution);
+    std::vector<std::vector<ThesisLayer>> seen(options.resolution * options.resolution); // by pixel
     for (const glm::vec3& direction : cubeDirections(options.cells)) {
-        const std::vector<Fragment> seen = see(mesh, result.views_, lookingAlong(direction, 0));
-        auto next = seen.begin();
-        for (size_t pixel = 0; pixel < pixels; ++pixel) {
+        see(mesh, result.views_, lookingAlong(direction, 0), seen);
+        for (const std::vector<ThesisLayer>& pixel : seen) {
             result.starts_.push_back(static_cast<uint32_t>(result.layers_.size()));
-            for (; next != seen.end() && next->pixel == pixel; ++next) result.layers_.push_back(next->layer);
+            result.layers_.insert(result.layers_.end(), pixel.begin(), pixel.end());
         }
         if (result.bytes() > options.maxBytes) return tooLarge;
     }

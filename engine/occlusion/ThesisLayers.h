@@ -17,7 +17,7 @@ namespace shoal::occlusion {
 // One layer in one pixel: 64 bits.
 struct ThesisLayer {
     float depth = 0;     // along the view's direction from the sphere's near side, in pixels
-    uint32_t normal = 0; // body frame, octahedral, 2 x 16 bits (Octahedral.h)
+    uint32_t normal = 0; // body frame, octahedral, 2 x 16 bits (Directions.h)
 };
 static_assert(sizeof(ThesisLayer) == 8);
 

@@ -1,5 +1,6 @@
 #include "engine/occlusion/TraceSelfOcclusion.h"
 
+#include "engine/core/ThreadPool.h"
 #include "engine/occlusion/Bvh.h"
 #include "engine/occlusion/Directions.h"
 
@@ -159,14 +160,10 @@ std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, std::sp
         return std::vector<glm::vec4>(body.positions.size(), glm::vec4(0));
     SelfOcclusionOf folding(body, rays, gap);
     const size_t samples = folding.samples();
-    {
-        const size_t threads = std::clamp<size_t>(std::thread::hardware_concurrency(), 1, 8);
-        std::vector<std::jthread> helpers;
-        for (size_t t = 1; t < threads; ++t)
-            helpers.emplace_back(
-                [&, t] { folding.lookFrom(samples * t / threads, samples * (t + 1) / threads); });
-        folding.lookFrom(0, samples / threads);
-    }
+    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+    ThreadPool(threads - 1).parallelFor(threads, [&](int t) {
+        folding.lookFrom(samples * t / threads, samples * (t + 1) / threads);
+    });
     std::vector<glm::vec4> selfOcclusion = folding.fit();
     folding.smooth(selfOcclusion);
     std::vector<bool> used(selfOcclusion.size(), false);

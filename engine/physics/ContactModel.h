@@ -3,35 +3,30 @@
 // A hand is 24 kinematic capsules, one a bone, moved by the velocities that a device's joints show: nothing
 // stops it. A body (a fish) is one capsule with a velocity of its own. A tick goes through five steps.
 //
-// 1. First touch (Capsule.h). End points of bones and bodies move on straight lines through the tick; the
-//    time of first touch is found by conservative advancement: Mirtich 1996, "Impulse-based Dynamic
-//    Simulation of Rigid Body Systems", 2.3. The gap d between two convex shapes, measured along the line n
-//    of their nearest points, shrinks no faster than the fastest pair of end points closes along n, so time
-//    may advance by d over that speed without passing a touch; where nothing closes along n there is no touch
-//    to come. For capsules d and n have closed forms (Ericson 2005, "Real-Time Collision Detection", 5.1.9),
-//    so nothing is missed at any speed, and a hand that only passes by touches nothing.
+// 1. First touch (Capsule.h), by conservative advancement: Mirtich 1996, "Impulse-based Dynamic Simulation of
+//    Rigid Body Systems", 2.3. The gap d between two convex shapes, along the line n of their nearest points,
+//    shrinks no faster than the fastest pair of end points closes along n, so time may advance by d over that
+//    speed; where nothing closes along n there is no touch to come. For capsules d and n have closed forms
+//    (Ericson 2005, "Real-Time Collision Detection", 5.1.9), so nothing is missed at any speed.
 // 2. Lasting touch (ContactWorld.h). A contact keeps the side on which it began while the bone sinks in, as
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
-//    the depth grows on past the body's axis, and no push ever flips. Only a pair found inside one another
-//    without a past (a hand that appears in a body) has no side; where their cores all but cross, Bullet's
-//    GJK and EPA give the shortest way out.
+//    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another without
+//    a past has no side; where their cores all but cross, Bullet gives the shortest way out.
 // 3. Pushing (Push.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as fast as the
-//    bone comes, never faster. Contacts that contradict one another (a fish between two hands) share by
-//    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What
-//    overlaps is parted by a velocity of its own that is not kept (a split impulse), so parting adds no
-//    energy.
-// 4. Wrapping (Finger.h). Fingers that close around a body are shown, and grip, as fingers that it stops:
-//    straightened, then bent knuckle by knuckle as the device bends them until they rest on it, as the
-//    underactuated fingers of grippers close (Birglen, Laliberte and Gosselin 2008, "Underactuated Robotic
-//    Hands"). How far the device's finger would still go is how hard it presses.
+//    bone comes. Contacts that contradict one another (a fish between two hands) share by regularised projected
+//    Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What overlaps is parted by a
+//    velocity that is not kept (a split impulse), so parting adds no energy.
+// 4. Wrapping (Finger.h). Fingers that close around a body are straightened, then bent knuckle by knuckle
+//    until they rest on it, as the underactuated fingers of grippers close (Birglen, Laliberte and Gosselin
+//    2008, "Underactuated Robotic Hands"). How far the device's finger would still go is how hard it presses.
 // 5. Gripping (Grip.h). Each contact can push along its normal with as much as it presses, and across by
-//    Coulomb friction. The forces that all contacts together can give form a convex set; a body is held while
-//    that set contains the force that its struggle, the water's drag and the hand's acceleration ask for.
-//    With no force asked this is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"; Ponce and
-//    Faverjon 1995, "On Computing Three-Finger Force-Closure Grasps of Polygonal Objects"): the contacts
-//    oppose each other around it. The margin is the set's distance to that force, the worst case over all
-//    directions of Ferrari and Canny 1992, "Planning Optimal Grasps". Where it is negative the body slides,
-//    the way the contacts cannot stop it. Torques are left out: a hand touches with a dozen bones.
+//    Coulomb friction. A body is held while the convex set of the forces that all contacts together can give
+//    contains the force that its struggle, the water's drag and the hand's acceleration ask for. With no force
+//    asked this is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"; Ponce and Faverjon 1995, "On
+//    Computing Three-Finger Force-Closure Grasps of Polygonal Objects"). The margin is the set's
+//    distance to that force, the worst case over all directions of Ferrari and Canny 1992, "Planning Optimal
+//    Grasps". Where it is negative the body slides, the way the contacts cannot stop it. Torques are left out:
+//    a hand touches with a dozen bones.
 #pragma once
 
 namespace shoal::physics {

@@ -1,7 +1,7 @@
 #include "engine/render/ModelGpu.h"
 
 #include "engine/scene/Lod.h"
-#include "engine/scene/Roughness.h"
+#include "engine/scene/Surface.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <glm/geometric.hpp>
@@ -227,8 +227,7 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
         for (const scene::Primitive& primitive : mesh.primitives) {
             PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(uploadPrimitive(primitive, reflectance));
-            uploaded.minRoughness = scene::minRoughness(model, gpu.materialOf(uploaded));
-            uploaded.mean = scene::meanSurface(model, gpu.materialOf(uploaded));
+            uploaded.gloss = scene::glossOf(model, gpu.materialOf(uploaded));
         }
     }
     gpu.textures = textures ? std::move(textures) : uploadTextures(model, reflectance, detail);

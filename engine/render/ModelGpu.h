@@ -3,7 +3,7 @@
 
 #include "engine/gl/Objects.h"
 #include "engine/scene/Model.h"
-#include "engine/scene/Roughness.h"
+#include "engine/scene/Surface.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -28,8 +28,7 @@ struct PrimitiveGpu {
     bool skinned = false;
     bool coloured = false;          // by the vertex
     bool withSelfOcclusion = false; // hides something of the world from itself
-    float minRoughness = 1;         // scene::minRoughness() of its material
-    scene::MeanSurface mean;        // of its material
+    scene::Gloss gloss;             // of its material
 
     // The coarsest that is off by no more than this, in the mesh's units.
     const DetailGpu& detail(float tolerance) const;

@@ -279,7 +279,8 @@ Status ObjectPass::draw(Part part, const EnvironmentGpu& environment, const View
         const Item& item = items_[index];
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
         const bool lean = detail_ == Detail::Lean;
-        const float smoothest = lean ? item.primitive->mean.roughness : item.primitive->minRoughness;
+        const float smoothest =
+            lean ? item.primitive->gloss.meanRoughness : item.primitive->gloss.minRoughness;
         if (glossy == Glossy::Prefiltered && smoothest < 0.99f * environment.smoothestFiltered())
             features |= kMirrors;
         if (lean) features &= ~kMetallicRoughnessMap;
@@ -341,8 +342,8 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);
     const bool lean = detail_ == Detail::Lean;
-    program.set("metallic", lean ? item.primitive->mean.metallic : material.metallic);
-    program.set("roughness", lean ? item.primitive->mean.roughness : material.roughness);
+    program.set("metallic", lean ? item.primitive->gloss.meanMetallic : material.metallic);
+    program.set("roughness", lean ? item.primitive->gloss.meanRoughness : material.roughness);
     program.set("twoSided", material.doubleSided ? 1.0f : 0.0f);
     program.set("normalScale", material.normalScale);
     program.set("occlusionStrength", material.occlusionStrength);

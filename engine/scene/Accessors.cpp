@@ -18,23 +18,10 @@ size_t componentBytes(int componentType) {
     return static_cast<size_t>(std::max(bytes, 0));
 }
 
-// Of one element.
-struct Layout {
-    size_t columns = 1, rows = 1;
-    size_t component = 0;    // bytes
-    size_t columnStride = 0; // matrix columns start at multiples of 4 bytes
-
-    explicit Layout(const tinygltf::Accessor& accessor) : component(componentBytes(accessor.componentType)) {
-        const bool matrix = accessor.type == TINYGLTF_TYPE_MAT2 || accessor.type == TINYGLTF_TYPE_MAT3 ||
-                            accessor.type == TINYGLTF_TYPE_MAT4;
-        rows = accessor.type == TINYGLTF_TYPE_SCALAR ? 1 : accessor.type & 15; // tinygltf's numbering
-        columns = matrix ? rows : 1;
-        columnStride = matrix ? (rows * component + 3) / 4 * 4 : rows * component;
-    }
-    size_t components() const { return columns * rows; }
-    size_t bytes() const { return (columns - 1) * columnStride + rows * component; }
-    size_t stride() const { return columns * columnStride; }
-};
+// Of one element. Matrices of columns that would be padded to 4 bytes are nothing that the loader reads.
+size_t elementBytes(const tinygltf::Accessor& accessor) {
+    return componentCount(accessor) * componentBytes(accessor.componentType);
+}
 
 // `count` pieces of `bytes` every `stride` bytes of a bufferView; it must hold them all. All numbers are
 // below 2^31 (checkSchema), so nothing here overflows 64 bits.
@@ -78,14 +65,13 @@ template <class T> T loadComponent(const uint8_t* from, int componentType, bool 
 template <class Put> void forEachElement(const tinygltf::Model& gltf, int index, Put&& put) {
     const std::string who = element("accessors", index);
     const tinygltf::Accessor& a = gltf.accessors[index];
-    const Layout layout(a);
+    const size_t bytes = elementBytes(a);
     if (a.bufferView >= 0) {
         const size_t viewStride = gltf.bufferViews[a.bufferView].byteStride;
-        if (viewStride != 0 && viewStride < layout.bytes())
+        if (viewStride != 0 && viewStride < bytes)
             fault(who, " has elements longer than the byteStride of ", element("bufferViews", a.bufferView));
-        const size_t stride = viewStride != 0 ? viewStride : layout.stride();
-        const uint8_t* from =
-            piecesOf(gltf, a.bufferView, a.byteOffset, a.count, stride, layout.bytes(), who);
+        const size_t stride = viewStride != 0 ? viewStride : bytes;
+        const uint8_t* from = piecesOf(gltf, a.bufferView, a.byteOffset, a.count, stride, bytes, who);
         for (size_t i = 0; i < a.count; ++i) put(i, from + i * stride);
     }
     if (!a.sparse.isSparse) return;
@@ -100,27 +86,24 @@ template <class Put> void forEachElement(const tinygltf::Model& gltf, int index,
     const uint8_t* const indices = piecesOf(gltf, sparse.indices.bufferView, sparse.indices.byteOffset, count,
                                             size, size, who + ".sparse.indices");
     const uint8_t* const values = piecesOf(gltf, sparse.values.bufferView, sparse.values.byteOffset, count,
-                                           layout.stride(), layout.bytes(), who + ".sparse.values");
+                                           bytes, bytes, who + ".sparse.values");
     int64_t previous = -1;
     for (size_t i = 0; i < count; ++i) {
         const auto to = loadComponent<uint32_t>(indices + i * size, sparse.indices.componentType, false);
         if (to >= a.count || to <= previous)
             fault(who, ".sparse.indices: number ", i, " is ", to, ", not rising below ", a.count);
-        put(to, values + i * layout.stride());
+        put(to, values + i * bytes);
         previous = to;
     }
 }
 
 template <class T> std::vector<T> readNumbers(const tinygltf::Model& gltf, int index) {
     const tinygltf::Accessor& a = gltf.accessors[index];
-    const Layout layout(a);
-    std::vector<T> values(a.count * layout.components());
+    const size_t components = componentCount(a), size = componentBytes(a.componentType);
+    std::vector<T> values(a.count * components);
     forEachElement(gltf, index, [&](size_t i, const uint8_t* from) {
-        T* to = values.data() + i * layout.components();
-        for (size_t column = 0; column < layout.columns; ++column)
-            for (size_t row = 0; row < layout.rows; ++row)
-                *to++ = loadComponent<T>(from + column * layout.columnStride + row * layout.component,
-                                         a.componentType, a.normalized);
+        for (size_t k = 0; k < components; ++k)
+            values[i * components + k] = loadComponent<T>(from + k * size, a.componentType, a.normalized);
     });
     return values;
 }
@@ -152,7 +135,9 @@ void checkAccessors(GltfFile& file) {
     }
 }
 
-size_t componentCount(const tinygltf::Accessor& accessor) { return Layout(accessor).components(); }
+size_t componentCount(const tinygltf::Accessor& accessor) {
+    return static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type)));
+}
 
 std::vector<float> readFloats(const tinygltf::Model& gltf, int accessor) {
     std::vector<float> values = readNumbers<float>(gltf, accessor);

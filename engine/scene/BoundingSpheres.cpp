@@ -7,22 +7,11 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace shoal::scene {
 
 namespace {
-
-constexpr float kFar = std::numeric_limits<float>::max();
-
-struct Box {
-    glm::vec3 low{kFar}, high{-kFar};
-    void add(const glm::vec3& p, float radius = 0) {
-        low = glm::min(low, p - radius);
-        high = glm::max(high, p + radius);
-    }
-};
 
 // Skin that several nodes move lies beside where any of them would take it, and so do triangles between two
 // spheres. Of radii: what fingers bent by more than a right angle need.
@@ -31,9 +20,9 @@ constexpr float kLongest = 1.6f; // of the next longest side: longer things are 
 constexpr size_t kFewest = 8;    // but not things of so few positions
 
 void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere>& all) {
-    Box box;
-    for (const glm::vec3& p : positions) box.add(p);
-    const glm::vec3 sides = box.high - box.low, middle = 0.5f * (box.low + box.high);
+    glm::vec3 low = positions[0], high = positions[0];
+    for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
+    const glm::vec3 sides = high - low, middle = 0.5f * (low + high);
     const int longest = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
     if (positions.size() > kFewest &&
         sides[longest] > kLongest * std::max(sides[(longest + 1) % 3], sides[(longest + 2) % 3])) {
@@ -78,10 +67,11 @@ void placeSpheres(const std::vector<NodeSphere>& reach, const Pose& pose, const 
 }
 
 Sphere boundingSphereOf(std::span<const Sphere> spheres) {
-    Box box;
-    for (const Sphere& sphere : spheres) box.add(sphere.centre, sphere.radius);
     if (spheres.empty()) return {};
-    Sphere around{0.5f * (box.low + box.high), 0};
+    glm::vec3 low = spheres[0].centre, high = low;
+    for (const Sphere& s : spheres)
+        low = glm::min(low, s.centre - s.radius), high = glm::max(high, s.centre + s.radius);
+    Sphere around{0.5f * (low + high), 0};
     for (const Sphere& sphere : spheres)
         around.radius = std::max(around.radius, glm::distance(sphere.centre, around.centre) + sphere.radius);
     return around;

@@ -117,9 +117,9 @@ void checkAccessors(GltfFile& file);
 // Components of one element: 1 for SCALAR ... 16 for MAT4.
 size_t componentCount(const tinygltf::Accessor& accessor);
 
-// count * components numbers of any component type, stride, normalization, sparse or not; matrices by columns
-// without their padding. Normalized integers become -1 .. 1 or 0 .. 1 (glTF 2.0 specification, 3.6.2.2),
-// other integers keep their value. All finite. Callers have held accessor.count against their limit.
+// count * components numbers of any component type, stride, normalization, sparse or not; matrices by
+// columns. Normalized integers become -1 .. 1 or 0 .. 1 (glTF 2.0 specification, 3.6.2.2), other integers
+// keep their value. All finite. Callers have held accessor.count against their limit.
 std::vector<float> readFloats(const tinygltf::Model& gltf, int accessor);
 std::vector<uint32_t> readIntegers(const tinygltf::Model& gltf, int accessor); // of unsigned ones
 

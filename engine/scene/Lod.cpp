@@ -12,18 +12,13 @@ constexpr size_t kFewestTriangles = 24;
 constexpr float kLargestError = 0.1f; // of the primitive's extent
 
 Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
-    Lod lod;
-    lod.indices.resize(indices.size());
-    lod.error = error;
-    std::vector<uint32_t> place(vertexCount, ~0u);
-    for (size_t i = 0; i < indices.size(); ++i) {
-        uint32_t& at = place[indices[i]];
-        if (at == ~0u) {
-            at = static_cast<uint32_t>(lod.vertices.size());
-            lod.vertices.push_back(indices[i]);
-        }
-        lod.indices[i] = at;
-    }
+    std::vector<uint32_t> place(vertexCount); // ~0: not used
+    const size_t used =
+        meshopt_optimizeVertexFetchRemap(place.data(), indices.data(), indices.size(), vertexCount);
+    Lod lod{std::vector<uint32_t>(used), std::vector<uint32_t>(indices.size()), error};
+    for (uint32_t v = 0; v < vertexCount; ++v)
+        if (place[v] != ~0u) lod.vertices[place[v]] = v;
+    meshopt_remapIndexBuffer(lod.indices.data(), indices.data(), indices.size(), place.data());
     return lod;
 }
 

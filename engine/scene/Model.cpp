@@ -1,6 +1,9 @@
 #include "engine/scene/Model.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
+#include <cassert>
 
 namespace shoal::scene {
 
@@ -10,6 +13,14 @@ template <class List> int findNamed(const List& list, const std::string& name) {
     const auto found =
         std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
     return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+// T * R * S, glTF 2.0 specification 3.5.3.
+glm::mat4 matrixOf(const Transform& t) {
+    glm::mat4 matrix = glm::mat4_cast(t.rotation);
+    for (int i = 0; i < 3; ++i) matrix[i] *= t.scale[i];
+    matrix[3] = glm::vec4(t.translation, 1);
+    return matrix;
 }
 
 } // namespace
@@ -25,6 +36,41 @@ const Material& Model::materialOf(const Primitive& primitive) const {
 const ImageRgba8* Model::imageOf(const TextureUse& use) const {
     const int image = use.texture < 0 ? -1 : textures[static_cast<size_t>(use.texture)].image;
     return image < 0 ? nullptr : &images[static_cast<size_t>(image)];
+}
+
+void restPose(const Model& model, Pose& pose) {
+    const size_t count = model.nodes.size();
+    pose.local.resize(count);
+    pose.modelFromNode.resize(count, glm::mat4(1));
+    pose.morphWeights.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        const Node& node = model.nodes[i];
+        pose.local[i] = node.parentFromNode;
+        const std::vector<float>* weights = &node.morphWeights;
+        if (weights->empty() && node.mesh >= 0)
+            weights = &model.meshes[static_cast<size_t>(node.mesh)].morphWeights;
+        pose.morphWeights[i] = *weights;
+    }
+    updateGlobals(model, pose);
+}
+
+void updateGlobals(const Model& model, Pose& pose) {
+    assert(pose.local.size() == model.nodes.size());
+    for (const int index : model.order) {
+        const auto i = static_cast<size_t>(index);
+        const Node& node = model.nodes[i];
+        const glm::mat4 parentFromNode = node.matrix ? *node.matrix : matrixOf(pose.local[i]);
+        pose.modelFromNode[i] = node.parent < 0
+                                    ? parentFromNode
+                                    : pose.modelFromNode[static_cast<size_t>(node.parent)] * parentFromNode;
+    }
+}
+
+void skinMatrices(const Model& model, int skin, const Pose& pose, std::vector<glm::mat4>& out) {
+    const Skin& from = model.skins[static_cast<size_t>(skin)];
+    out.resize(from.joints.size());
+    for (size_t i = 0; i < out.size(); ++i)
+        out[i] = pose.modelFromNode[static_cast<size_t>(from.joints[i])] * from.jointFromMesh[i];
 }
 
 } // namespace shoal::scene

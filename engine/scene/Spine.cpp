@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -16,23 +17,13 @@ namespace {
 constexpr float kCentreOfMass = 0.4f; // of the length behind the snout, as in most fish
 constexpr size_t kFewest = 3;
 
-struct Rigid { // scale plays no part along a spine
-    glm::quat turn{1, 0, 0, 0};
-    glm::vec3 move{0};
-};
-
-Rigid rigid(const Transform& t) { return {t.rotation, t.translation}; }
-Rigid operator*(const Rigid& a, const Rigid& b) { return {a.turn * b.turn, a.move + a.turn * b.move}; }
-Rigid inverse(const Rigid& a) {
-    const glm::quat back = glm::conjugate(a.turn);
-    return {back, -(back * a.move)};
-}
-
-// From the frame that the first joint hangs in.
-Rigid upTo(const Spine& spine, size_t joint, const Pose& pose) {
-    Rigid all;
-    for (size_t i = 0; i <= joint; ++i)
-        all = all * rigid(pose.local[static_cast<size_t>(spine.joints[i].node)]);
+// From the frame that the first joint hangs in; scale plays no part along a spine.
+glm::mat4 upTo(const Spine& spine, size_t joint, const Pose& pose) {
+    glm::mat4 all(1);
+    for (size_t i = 0; i <= joint; ++i) {
+        const Transform& local = pose.local[static_cast<size_t>(spine.joints[i].node)];
+        all = glm::translate(all, local.translation) * glm::mat4_cast(local.rotation);
+    }
     return all;
 }
 
@@ -167,7 +158,7 @@ void scaleWave(const Spine& spine, float factor, Pose& pose) {
 
 void bend(const Spine& spine, float left, float up, Pose& pose) {
     if (spine.joints.empty() || (left == 0 && up == 0)) return;
-    const Rigid before = upTo(spine, spine.middle, pose);
+    const glm::mat4 before = upTo(spine, spine.middle, pose);
     // Up: what lies behind is lifted by a turn about +x, where a turn about +y carries it to the right.
     const glm::vec3 turn(-up, left, 0);
     const float angle = glm::length(turn);
@@ -177,11 +168,11 @@ void bend(const Spine& spine, float left, float up, Pose& pose) {
         local =
             glm::normalize(local * glm::angleAxis(angle * joint.share, joint.nodeFromModel * (turn / angle)));
     }
-    const Rigid after = upTo(spine, spine.middle, pose);
+    const glm::mat4 after = upTo(spine, spine.middle, pose);
     Transform& root = pose.local[static_cast<size_t>(spine.joints[0].node)];
-    const Rigid corrected = before * inverse(after) * rigid(root);
-    root.rotation = glm::normalize(corrected.turn);
-    root.translation = corrected.move;
+    const glm::mat4 corrected = before * glm::inverse(after);
+    root.rotation = glm::normalize(glm::quat_cast(corrected) * root.rotation);
+    root.translation = glm::vec3(corrected * glm::vec4(root.translation, 1));
 }
 
 } // namespace shoal::scene

@@ -120,4 +120,34 @@ glm::vec3 meanBaseColour(const Model& model) {
     return all > 0 ? glm::vec3(sum / all) : glm::vec3(0);
 }
 
+Gloss glossOf(const Model& model, const Material& material) {
+    const ImageRgba8* texels = model.imageOf(material.metallicRoughness);
+    if (!texels) return {material.roughness, material.roughness, material.metallic};
+    std::array<size_t, 256> counts{};
+    double roughness = 0, metallic = 0;
+    for (size_t i = 0; i < texels->pixels.size(); i += 4) {
+        ++counts[texels->pixels[i + 1]];
+        roughness += texels->pixels[i + 1];
+        metallic += texels->pixels[i + 2];
+    }
+    size_t below = 0, value = 0;
+    while (value < 255 && (below += counts[value]) * 100 <= texels->pixels.size() / 4) ++value;
+    const double share = 4.0 / (255.0 * static_cast<double>(std::max<size_t>(texels->pixels.size(), 4)));
+    return {material.roughness * static_cast<float>(value) / 255.0f,
+            material.roughness * static_cast<float>(roughness * share),
+            material.metallic * static_cast<float>(metallic * share)};
+}
+
+Gloss minGloss(const Model& model) {
+    Gloss least;
+    for (const Mesh& mesh : model.meshes)
+        for (const Primitive& primitive : mesh.primitives) {
+            const Gloss gloss = glossOf(model, model.materialOf(primitive));
+            least = {std::min(least.minRoughness, gloss.minRoughness),
+                     std::min(least.meanRoughness, gloss.meanRoughness),
+                     std::min(least.meanMetallic, gloss.meanMetallic)};
+        }
+    return least;
+}
+
 } // namespace shoal::scene

@@ -1,4 +1,4 @@
-// The surface of a posed model as one triangle mesh, without materials.
+// The surface of a posed model as one triangle mesh, and what its materials are like on the whole.
 #pragma once
 
 #include "engine/scene/Model.h"
@@ -25,5 +25,19 @@ std::vector<uint32_t> opaqueTriangles(const Model& model, const Surface& surface
 // Mean reflectance over the texels of all materials in use, weighed by the area of their triangles in the
 // mesh; linear.
 glm::vec3 meanBaseColour(const Model& model);
+
+// Roughness and metalness of a material, from factors and textures: they decide which prefiltered light maps
+// are made.
+struct Gloss {
+    // The least perceptual roughness; where a texture gives it, all but the smoothest hundredth of its texels
+    // are at least as rough.
+    float minRoughness = 1;
+    float meanRoughness = 1, meanMetallic = 1; // over the texture that gives them, times the factors
+};
+
+Gloss glossOf(const Model& model, const Material& material);
+
+// The least of each over all materials that some mesh uses; 1 where there are none.
+Gloss minGloss(const Model& model);
 
 } // namespace shoal::scene

@@ -1,8 +1,12 @@
 #include "engine/scene/Vertices.h"
 
 #include <glm/geometric.hpp>
+#include <meshoptimizer.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace shoal::scene {
@@ -18,6 +22,41 @@ template <class T> void take(std::vector<T>& values, std::span<const uint32_t> s
 
 glm::vec3 triangleNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return safeNormalize(glm::cross(b - a, c - a), {0, 1, 0});
+}
+
+constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+
+// For each vertex one that stands for all that differ in nothing that shapes the tangent.
+std::vector<uint32_t> weld(const Primitive& primitive, const std::vector<glm::vec2>& uv) {
+    std::vector<std::array<float, 8>> keys(primitive.positions.size());
+    for (size_t v = 0; v < keys.size(); ++v) {
+        const glm::vec3 &p = primitive.positions[v], &n = primitive.normals[v];
+        keys[v] = {p.x, p.y, p.z, n.x, n.y, n.z, uv[v].x, uv[v].y};
+        for (float& number : keys[v]) number += 0.0f; // -0 becomes 0: bytes are compared
+    }
+    std::vector<uint32_t> welded(keys.size());
+    meshopt_generateVertexRemap(welded.data(), nullptr, keys.size(), keys.data(), keys.size(),
+                                sizeof keys[0]);
+    return welded;
+}
+
+// How a texture lies on triangles. u, v turn the same way as the corners (v downwards), the other way, or the
+// triangle has no area in space or in the texture.
+enum Hand : uint8_t { kTurnsWith, kTurnsAgainst, kFlat };
+struct Mapping {
+    glm::vec3 alongU{0}; // unit
+    Hand hand = kFlat;
+};
+
+Mapping mappingOf(const std::array<glm::dvec3, 3>& p, const std::array<glm::dvec2, 3>& uv) {
+    const glm::dvec2 e1 = uv[1] - uv[0], e2 = uv[2] - uv[0];
+    const double twiceArea = e1.x * e2.y - e1.y * e2.x;
+    // From p1 - p0 = e1.u U + e1.v V and p2 - p0 = e2.u U + e2.v V, solved for U up to its length.
+    const glm::dvec3 along = (e2.y * (p[1] - p[0]) - e1.y * (p[2] - p[0])) * (twiceArea < 0 ? -1.0 : 1.0);
+    const glm::vec3 alongU = safeNormalize(along, glm::vec3(0));
+    const bool flat =
+        p[0] == p[1] || p[1] == p[2] || p[2] == p[0] || twiceArea == 0 || alongU == glm::vec3(0);
+    return {alongU, flat ? kFlat : twiceArea > 0 ? kTurnsWith : kTurnsAgainst};
 }
 
 } // namespace
@@ -80,6 +119,60 @@ void makeFlatNormals(Primitive& primitive) {
                 morphed - primitive.normals[i];
         }
     }
+}
+
+TangentSplit makeTangents(const Primitive& primitive, int texCoord) {
+    const std::vector<glm::vec2>& uv = primitive.texCoords[texCoord];
+    const std::vector<uint32_t>& indices = primitive.indices;
+    const std::vector<uint32_t> welded = weld(primitive, uv);
+    // Of all triangles that meet in a welded vertex, by hand.
+    std::vector<std::array<glm::vec3, 2>> sums(welded.size(), {glm::vec3(0), glm::vec3(0)});
+    std::vector<std::array<bool, 2>> any(welded.size(), {false, false});
+    std::vector<Hand> hands;
+    for (size_t i = 0; i < indices.size(); i += 3) {
+        std::array<glm::dvec3, 3> p;
+        std::array<glm::dvec2, 3> texel;
+        for (size_t k = 0; k < 3; ++k)
+            p[k] = primitive.positions[indices[i + k]], texel[k] = uv[indices[i + k]];
+        const Mapping mapping = mappingOf(p, texel);
+        hands.push_back(mapping.hand);
+        if (mapping.hand == kFlat) continue;
+        // The direction laid into the plane of each corner's normal, weighted by the corner's angle there.
+        for (size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 n(primitive.normals[indices[i + k]]);
+            const auto inPlane = [&](const glm::dvec3& v) {
+                return safeNormalize(v - n * glm::dot(n, v), glm::vec3(0));
+            };
+            const glm::vec3 next = inPlane(p[(k + 1) % 3] - p[k]), last = inPlane(p[(k + 2) % 3] - p[k]);
+            const float angle = std::acos(std::clamp(glm::dot(next, last), -1.0f, 1.0f));
+            sums[welded[indices[i + k]]][mapping.hand] += angle * inPlane(glm::dvec3(mapping.alongU));
+            any[welded[indices[i + k]]][mapping.hand] = true;
+        }
+    }
+    // Flat triangles take whichever hand is there already.
+    const auto handAt = [&](size_t corner) {
+        if (hands[corner / 3] != kFlat) return hands[corner / 3];
+        const auto& there = any[welded[indices[corner]]];
+        return there[kTurnsWith] && !there[kTurnsAgainst] ? kTurnsWith : kTurnsAgainst;
+    };
+
+    TangentSplit result;
+    std::vector<std::array<uint32_t, 2>> place(welded.size(), {kNone, kNone});
+    for (size_t corner = 0; corner < indices.size(); ++corner) place[indices[corner]][handAt(corner)] = 0;
+    for (uint32_t v = 0; v < place.size(); ++v)
+        for (const Hand hand : {kTurnsWith, kTurnsAgainst}) {
+            if (place[v][hand] == kNone) continue;
+            place[v][hand] = static_cast<uint32_t>(result.source.size());
+            result.source.push_back(v);
+            const glm::dvec3 sum(sums[welded[v]][hand]);
+            // v grows downwards in glTF's textures: where u, v turn with the corners, cross(normal, u) points
+            // down.
+            result.tangents.emplace_back(safeNormalize(sum, perpendicular(primitive.normals[v])),
+                                         hand == kTurnsWith ? -1.0f : 1.0f);
+        }
+    for (size_t corner = 0; corner < indices.size(); ++corner)
+        result.indices.push_back(place[indices[corner]][handAt(corner)]);
+    return result;
 }
 
 } // namespace shoal::scene

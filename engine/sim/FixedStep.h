@@ -22,9 +22,6 @@ class FixedStep {
     // How far display time is past the last tick, in ticks: 0 inclusive to 1 exclusive.
     float alpha() const;
 
-    // Forgets the remainder: after loading or a pause of the program.
-    void reset() { rest_ = 0; }
-
   private:
     int64_t rest_ = 0; // 1/120 ns
 };

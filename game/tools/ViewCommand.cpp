@@ -11,7 +11,6 @@
 #include "engine/render/BakedOcclusion.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
-#include "engine/scene/Roughness.h"
 #include "engine/scene/Surface.h"
 #include "game/views/Environment.h"
 
@@ -191,7 +190,7 @@ Status Viewer::open() {
         Environment::open({.options = options_.environment,
                            .defaultVideo = dataRoot() / "content/video/reef.mp4",
                            .analysis = {.pyramid = options_.look.glossy == render::Glossy::PhongRings,
-                                        .minRoughness = scene::minRoughness(model_),
+                                        .minRoughness = scene::minGloss(model_).minRoughness,
                                         .quality = light::LightQuality::Still,
                                         .diffuse = options_.diffuse},
                            .wait = [this] { return !window_ || !window_->poll().closing; }});

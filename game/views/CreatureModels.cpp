@@ -1,7 +1,7 @@
 #include "game/views/CreatureModels.h"
 
 #include "engine/render/BakedOcclusion.h"
-#include "engine/scene/Roughness.h"
+#include "engine/scene/Surface.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -92,9 +92,9 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
 
 void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail) {
     // Where detail is lean, materials are drawn at their means.
+    const scene::Gloss gloss = scene::minGloss(instance.model);
     minRoughness_ =
-        std::min(minRoughness_, detail == render::Detail::Lean ? scene::minMeanRoughness(instance.model)
-                                                               : scene::minRoughness(instance.model));
+        std::min(minRoughness_, detail == render::Detail::Lean ? gloss.meanRoughness : gloss.minRoughness);
     // Both hands have the same textures.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(instance.model.images, lastImages_, same);

@@ -21,13 +21,6 @@ float turnOfPixel() {
     return 2.0 * kPi * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }
 
-// Columns: a right-handed frame around a unit vector. Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-mat3 frameAround(vec3 n) {
-    float side = n.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (side + n.z), b = n.x * n.y * a;
-    return mat3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3(b, side + n.y * n.y * a, -n.y), n);
-}
-
 // A point of Vogel's spiral: radius the square root of (i + 1/2) / count, angle i golden angles.
 vec2 spiral(int i, int count, float turn, out float square) {
     square = (float(i) + 0.5) / float(count);

@@ -37,15 +37,6 @@ int nearestCubeDirection(vec3 direction) {
     return (face * cells + cell.y) * cells + cell.x;
 }
 
-// lookingAlong(axis, 0)
-mat3 viewFromBody(vec3 axis) {
-    float side = axis.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (side + axis.z), b = axis.x * axis.y * a;
-    vec3 s = vec3(1.0 + side * axis.x * axis.x * a, side * b, -side * axis.x);
-    vec3 t = vec3(b, side + axis.y * axis.y * a, -axis.y);
-    return transpose(mat3(s, t, axis));
-}
-
 vec3 pixelFromBody(mat3 turn, vec3 position) {
     return turn * (position - sphere.xyz) * pixelsPerMetre + float(resolution) / 2.0;
 }
@@ -53,7 +44,7 @@ vec3 pixelFromBody(mat3 turn, vec3 position) {
 vec4 traceLayers(vec3 origin, vec3 direction, float nearest) {
     const vec4 nothing = vec4(-1, 0, 0, 0);
     int view = nearestCubeDirection(direction);
-    mat3 turn = viewFromBody(cubeDirection(view));
+    mat3 turn = transpose(frameAround(cubeDirection(view)));
     vec3 from = pixelFromBody(turn, origin), along = turn * direction;
     float size = float(resolution);
     float begin = nearest * pixelsPerMetre, end = 4.0 * size + distance(from, vec3(size / 2.0));

@@ -1,4 +1,4 @@
-#include "engine/core/Threads.h"
+#include "engine/core/ThreadPool.h"
 #include "engine/media/PictureDecoder.h"
 #include "engine/media/live/LiveFeed.h"
 #include "engine/media/live/PacketQueue.h"

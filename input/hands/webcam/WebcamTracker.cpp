@@ -1,6 +1,6 @@
 #include "input/hands/webcam/WebcamTracker.h"
 
-#include "engine/core/Threads.h"
+#include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
 #include "input/hands/webcam/HandDetector.h"

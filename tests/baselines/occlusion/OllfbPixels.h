@@ -1,7 +1,7 @@
 // Reading the layers of one view; for Ollfb's own use.
 #pragma once
 
-#include "engine/occlusion/Octahedral.h"
+#include "engine/occlusion/Directions.h"
 #include "engine/occlusion/Ollfb.h"
 
 #include <optional>

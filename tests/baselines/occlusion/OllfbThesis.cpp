@@ -1,7 +1,6 @@
 #include "tests/baselines/occlusion/OllfbThesis.h"
 
 #include "engine/occlusion/Directions.h"
-#include "engine/occlusion/Octahedral.h"
 #include "tests/baselines/occlusion/PixelWalk.h"
 
 #include <algorithm>

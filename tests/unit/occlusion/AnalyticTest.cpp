@@ -1,7 +1,6 @@
 // Hits that are known in closed form.
 #include "Bodies.h"
 #include "engine/occlusion/Directions.h"
-#include "engine/occlusion/Octahedral.h"
 #include "tests/baselines/occlusion/OllfbThesis.h"
 #include "tests/baselines/occlusion/TracedOllfb.h"
 
