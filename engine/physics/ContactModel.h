@@ -12,7 +12,7 @@
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
 //    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another without
 //    a past has no side; where their cores all but cross, Bullet gives the shortest way out.
-// 3. Pushing (Push.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as fast as the
+// 3. Pushing (ContactWorld.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as fast as the
 //    bone comes. Contacts that contradict one another (a fish between two hands) share by regularised projected
 //    Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What overlaps is parted by a
 //    velocity that is not kept (a split impulse), so parting adds no energy.

@@ -1,5 +1,5 @@
-// Contacts of the bones of hands with bodies during one tick, and which of them last from tick to tick; see
-// ContactModel.h, steps 1 and 2.
+// Contacts of the bones of hands with bodies during one tick, and which of them last from tick to tick; and
+// how they push; see ContactModel.h, steps 1 to 3.
 #pragma once
 
 #include "engine/physics/Capsule.h"
@@ -59,5 +59,16 @@ class ContactWorld {
     struct Bullet;
     std::unique_ptr<Bullet> bullet_;
 };
+
+// Velocity of a free body after contacts with hands; see ContactModel.h, step 3. All contacts are those of
+// one body.
+
+// Its velocity after the contacts: no slower along a normal than the mover there, as far as they agree.
+// Against movers that rest it never gains speed.
+glm::vec3 pushed(glm::vec3 velocity, std::span<const Contact>);
+
+// The velocity that parts what overlaps; to be moved by for one tick, not to be kept. At most kPartMax_mps
+// where contacts agree, and next to nothing where they contradict one another.
+glm::vec3 parting(std::span<const Contact>);
 
 } // namespace shoal::physics

@@ -1,6 +1,5 @@
 #include "game/rules/HandContacts.h"
 
-#include "engine/physics/Push.h"
 #include "game/rules/Catching.h"
 #include "game/rules/Hand.h"
 #include "game/rules/Steering.h"

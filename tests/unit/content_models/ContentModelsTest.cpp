@@ -1,5 +1,4 @@
 // The models that come with the game hold what the game asks of them by name.
-#include "engine/scene/BoundingSpheres.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Lod.h"
 #include "engine/scene/Surface.h"

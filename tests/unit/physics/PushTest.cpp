@@ -1,4 +1,4 @@
-#include "engine/physics/Push.h"
+#include "engine/physics/ContactWorld.h"
 
 #include "engine/core/Random.h"
 
