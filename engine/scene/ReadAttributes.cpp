@@ -2,7 +2,6 @@
 #include "engine/scene/Vertices.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <initializer_list>
 #include <map>
