@@ -5,22 +5,10 @@
 
 namespace shoal::platform {
 
-struct Headless::State {
-    EGLDisplay display = EGL_NO_DISPLAY;
-    EGLContext context = EGL_NO_CONTEXT;
-
-    ~State() {
-        if (display == EGL_NO_DISPLAY) return;
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-        eglTerminate(display);
-    }
-};
-
-Headless::Headless(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Headless::Headless(Headless&&) noexcept = default;
-Headless& Headless::operator=(Headless&&) noexcept = default;
-Headless::~Headless() = default;
+void Headless::Close::operator()(void* display) const {
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglTerminate(display);
+}
 
 namespace {
 
@@ -49,10 +37,10 @@ EGLDisplay firstDisplay() {
 } // namespace
 
 Result<Headless> Headless::open() {
-    auto state = std::make_unique<State>();
-    state->display = firstDisplay();
-    if (state->display == EGL_NO_DISPLAY)
+    EGLDisplay display = firstDisplay();
+    if (display == EGL_NO_DISPLAY)
         return Error{"", "no OpenGL without a display here; install libgl1-mesa-dri and libegl1"};
+    Headless opened(display);
     eglBindAPI(EGL_OPENGL_API);
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  3,
@@ -61,11 +49,10 @@ Result<Headless> Headless::open() {
                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
-    state->context = eglCreateContext(state->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (state->context == EGL_NO_CONTEXT ||
-        !eglMakeCurrent(state->display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context))
+    EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
         return Error{"", "the graphics driver has no OpenGL 3.3 core context to give"};
-    return Headless(std::move(state));
+    return opened;
 }
 
 } // namespace shoal::platform

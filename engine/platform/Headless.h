@@ -12,14 +12,12 @@ class Headless {
     // Makes the context current on the calling thread. OpenGL 3.3 core or newer.
     static Result<Headless> open();
 
-    Headless(Headless&&) noexcept;
-    Headless& operator=(Headless&&) noexcept;
-    ~Headless();
-
   private:
-    struct State;
-    explicit Headless(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    struct Close {
+        void operator()(void* display) const;
+    };
+    explicit Headless(void* display) : display_(display) {}
+    std::unique_ptr<void, Close> display_; // EGL's; the context dies with it
 };
 
 } // namespace shoal::platform

@@ -84,7 +84,6 @@ const WindowInput& Window::poll() {
                         std::clamp(cursor.y / std::max(height, 1), 0.0, 1.0)};
     input.leftButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
     input.rightButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
-    input.middleButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
     input.focused = glfwGetWindowAttrib(window, GLFW_FOCUSED) == GLFW_TRUE;
     input.closing = glfwWindowShouldClose(window);
     return input;

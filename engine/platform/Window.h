@@ -26,7 +26,7 @@ struct WindowInput {
     glm::dvec2 cursor{0.5};       // 0 to 1 from the window's upper left
     glm::dvec2 cursorMoved{0};    // since the last poll, pixels
     double wheel = 0;             // notches since the last poll, away from the player positive
-    bool leftButton = false, rightButton = false, middleButton = false;
+    bool leftButton = false, rightButton = false;
     bool leftPressed = false; // went down since the last poll
     bool focused = true;
     bool closing = false;

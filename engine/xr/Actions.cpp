@@ -6,17 +6,24 @@
 
 namespace shoal::xr {
 
+namespace {
+
 // What closes the hand, what bends the index finger, what pauses. Where there is but one button, it does
 // both.
-struct Actions::InteractionProfile {
+struct InteractionProfile {
     const char* name;
     const char* squeeze;
     const char* trigger;
     const char* menu;
     bool menuOnRight; // there is one on each hand
 };
-
-namespace {
+constexpr InteractionProfile kProfiles[] = {
+    {"khr/simple_controller", "select/click", "select/click", "menu/click", true},
+    {"oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
+    {"valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
+    {"htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
+    {"microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
+};
 
 constexpr std::array<const char*, 2> kHands = {"/user/hand/left", "/user/hand/right"};
 
@@ -60,14 +67,27 @@ Actions Actions::make(XrInstance instance, XrSession session) {
         SHOAL_XR(xrCreateAction(made.set_.name(), &info, row.action));
     }
 
-    for (const InteractionProfile& profile : std::initializer_list<InteractionProfile>{
-             {"khr/simple_controller", "select/click", "select/click", "menu/click", true},
-             {"oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
-             {"valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
-             {"htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
-             {"microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
-         })
-        made.suggest(instance, profile);
+    for (const InteractionProfile& profile : kProfiles) {
+        std::vector<XrActionSuggestedBinding> bindings;
+        for (size_t hand = 0; hand < 2; ++hand) {
+            const auto bind = [&](XrAction action, const std::string& below) {
+                bindings.push_back({action, pathOf(instance, std::string(kHands[hand]) + below)});
+            };
+            const std::string input = "/input/";
+            bind(made.grip_, "/input/grip/pose");
+            bind(made.squeeze_, input + profile.squeeze);
+            bind(made.trigger_, input + profile.trigger);
+            bind(made.haptic_, "/output/haptic");
+            if (hand == 0 || profile.menuOnRight) bind(made.menu_, input + profile.menu);
+        }
+        const XrInteractionProfileSuggestedBinding suggested{
+            XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+            pathOf(instance, std::string("/interaction_profiles/") + profile.name),
+            static_cast<uint32_t>(bindings.size()), bindings.data()};
+        const XrResult result = xrSuggestInteractionProfileBindings(instance, &suggested);
+        if (result != XR_ERROR_PATH_UNSUPPORTED) // a runtime without that controller
+            check(result, "xrSuggestInteractionProfileBindings");
+    }
     for (size_t i = 0; i < 2; ++i) {
         const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, made.grip_,
                                            made.hands_[i], poseTo({})};
@@ -77,28 +97,6 @@ Actions Actions::make(XrInstance instance, XrSession session) {
     const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
     SHOAL_XR(xrAttachSessionActionSets(session, &attach));
     return made;
-}
-
-void Actions::suggest(XrInstance instance, const InteractionProfile& profile) const {
-    std::vector<XrActionSuggestedBinding> bindings;
-    for (size_t hand = 0; hand < 2; ++hand) {
-        const auto bind = [&](XrAction action, const std::string& below) {
-            bindings.push_back({action, pathOf(instance, std::string(kHands[hand]) + below)});
-        };
-        const std::string input = "/input/";
-        bind(grip_, "/input/grip/pose");
-        bind(squeeze_, input + profile.squeeze);
-        bind(trigger_, input + profile.trigger);
-        bind(haptic_, "/output/haptic");
-        if (hand == 0 || profile.menuOnRight) bind(menu_, input + profile.menu);
-    }
-    const XrInteractionProfileSuggestedBinding suggested{
-        XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
-        pathOf(instance, std::string("/interaction_profiles/") + profile.name),
-        static_cast<uint32_t>(bindings.size()), bindings.data()};
-    const XrResult result = xrSuggestInteractionProfileBindings(instance, &suggested);
-    if (result != XR_ERROR_PATH_UNSUPPORTED) // a runtime without that controller
-        check(result, "xrSuggestInteractionProfileBindings");
 }
 
 void Actions::locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const {

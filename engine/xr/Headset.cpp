@@ -9,13 +9,6 @@ namespace {
 
 using Space = Handle<XrSpace, xrDestroySpace>;
 
-static_assert(static_cast<int>(SessionState::Idle) == XR_SESSION_STATE_IDLE &&
-              static_cast<int>(SessionState::Exiting) == XR_SESSION_STATE_EXITING);
-
-SessionState stateFrom(XrSessionState state) {
-    return state > 0 && state < kSessionStates ? static_cast<SessionState>(state) : SessionState::None;
-}
-
 Space makeSpace(XrSession session, const Pose& localFromOrigin) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
                                           XR_REFERENCE_SPACE_TYPE_LOCAL, poseTo(localFromOrigin)};
@@ -36,95 +29,91 @@ struct Headset::State {
     std::array<Swapchain, 3> pictures; // by Picture
     PFN_xrGetVisibilityMaskKHR getMask = nullptr;
 
-    SessionState state = SessionState::None;
+    XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
-    bool leaving = false, masksChanged = true, centring = true;
+    bool masksChanged = true, centring = true;
     Frame frame;
     Tracking tracking;
 
-    ~State() {
-        if (running) leaveInOrder();
-    }
-
-    void open(glm::ivec2 panelSize);
-    void poll();
-    void enter(SessionState next);
-    void waitFrame();
+    void enter(XrSessionState next);
     void locateEyes();
-    void begin();
-    void end(const Shown& shown);
-    void leaveInOrder();
     Swapchain& picture(Picture p) { return pictures[static_cast<size_t>(p)]; }
 };
 
-void Headset::State::open(glm::ivec2 panelSize) {
-    instance = Instance::open(true);
-    session = createSession(instance);
-    local = makeSpace(session.name(), {});
-    world = makeSpace(session.name(), {});
-    hands = HandTrackers::make(instance, session.name());
-    actions = Actions::make(instance.handle.name(), session.name());
-    for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
-        picture(p) = Swapchain::make(session.name(), p == Picture::Panel ? panelSize : instance.eyeSize);
-    if (instance.hiddenPixels)
-        getMask = functionOf<PFN_xrGetVisibilityMaskKHR>(instance.handle.name(), "xrGetVisibilityMaskKHR");
+Result<Headset> Headset::open(glm::ivec2 panelSize) {
+    auto state = std::make_unique<State>();
+    State& s = *state;
+    Status opened = statusOf([&] {
+        s.instance = Instance::open(true);
+        s.session = createSession(s.instance);
+        const XrSession session = s.session.name();
+        const XrInstance instance = s.instance.handle.name();
+        s.local = makeSpace(session, {});
+        s.world = makeSpace(session, {});
+        s.hands = HandTrackers::make(s.instance, session);
+        s.actions = Actions::make(instance, session);
+        for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
+            s.picture(p) = Swapchain::make(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
+        if (s.instance.hiddenPixels)
+            s.getMask = functionOf<PFN_xrGetVisibilityMaskKHR>(instance, "xrGetVisibilityMaskKHR");
+    });
+    if (!opened) return opened.error();
+    return Headset(std::move(state));
 }
 
-void Headset::State::poll() {
-    for (;;) {
-        XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-        if (SHOAL_XR(xrPollEvent(instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
-        switch (event.type) {
-        case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
-            enter(stateFrom(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state));
-            break;
-        case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-            throw Failure("the headset's runtime is going away");
-        case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
-            masksChanged = true;
-            break;
-        case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: // the player has pressed "recentre"
-            centring = true;
-            break;
-        default:
-            break;
+Status Headset::poll() {
+    return statusOf([&] {
+        for (;;) {
+            XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+            if (SHOAL_XR(xrPollEvent(state_->instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
+            switch (event.type) {
+            case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
+                state_->enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
+                break;
+            case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+                throw Failure("the headset's runtime is going away");
+            case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
+                state_->masksChanged = true;
+                break;
+            case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: // the player has pressed "recentre"
+                state_->centring = true;
+                break;
+            default:
+                break;
+            }
         }
-    }
+    });
 }
 
-void Headset::State::enter(SessionState next) {
+void Headset::State::enter(XrSessionState next) {
     state = next;
-    switch (dutyIn(state).step) {
-    case Step::Begin: {
+    if (state == XR_SESSION_STATE_READY) {
         const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, kStereo};
         SHOAL_XR(xrBeginSession(session.name(), &info));
         running = true;
-        break;
-    }
-    case Step::End:
+    } else if (state == XR_SESSION_STATE_STOPPING) {
         running = false;
         SHOAL_XR(xrEndSession(session.name()));
-        break;
-    case Step::Leave:
-        leaving = true;
-        break;
-    case Step::Lost:
+    } else if (state == XR_SESSION_STATE_LOSS_PENDING) {
         throw Failure("the headset was lost; is its cable in place?");
-    case Step::Nothing:
-        break;
     }
 }
 
-void Headset::State::waitFrame() {
-    const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
-    XrFrameState next{XR_TYPE_FRAME_STATE};
-    SHOAL_XR(xrWaitFrame(session.name(), &wait, &next));
-    frame.display_ns = next.predictedDisplayTime;
-    frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
-    frame.drawn = next.shouldRender == XR_TRUE;
-    locateEyes();
-    hands.locate(world.name(), frame.display_ns, tracking.hands);
-    actions.locate(session.name(), world.name(), frame.display_ns, tracking.controllers);
+Result<Frame> Headset::waitFrame() {
+    State& s = *state_;
+    Status waited = statusOf([&] {
+        const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
+        XrFrameState next{XR_TYPE_FRAME_STATE};
+        SHOAL_XR(xrWaitFrame(s.session.name(), &wait, &next));
+        s.frame.display_ns = next.predictedDisplayTime;
+        s.frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
+        s.frame.drawn = next.shouldRender == XR_TRUE;
+        s.locateEyes();
+        s.hands.locate(s.world.name(), s.frame.display_ns, s.tracking.hands);
+        s.actions.locate(s.session.name(), s.world.name(), s.frame.display_ns, s.tracking.controllers);
+    });
+    if (!waited) return waited.error();
+    return s.frame;
 }
 
 void Headset::State::locateEyes() {
@@ -161,28 +150,30 @@ void Headset::State::locateEyes() {
     tracking.worldFromHead = middle();
 }
 
-void Headset::State::begin() {
+Status Headset::begin() {
     const XrFrameBeginInfo info{XR_TYPE_FRAME_BEGIN_INFO};
-    SHOAL_XR(xrBeginFrame(session.name(), &info)); // XR_FRAME_DISCARDED is a success
+    // XR_FRAME_DISCARDED is a success.
+    return statusOf([&] { SHOAL_XR(xrBeginFrame(state_->session.name(), &info)); });
 }
 
-void Headset::State::end(const Shown& shown) {
+Status Headset::end(const Shown& shown) {
+    State& s = *state_;
     std::array<XrCompositionLayerProjectionView, 2> views;
     for (size_t i = 0; i < 2; ++i) {
-        const Eye& eye = tracking.eyes[i];
+        const Eye& eye = s.tracking.eyes[i];
         views[i] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW,
                     nullptr,
                     poseTo(eye.worldFromEye),
                     {eye.fov.left, eye.fov.right, eye.fov.up, eye.fov.down},
-                    {pictures[i].name(), {{0, 0}, {shown.eyeSize.x, shown.eyeSize.y}}, 0}};
+                    {s.pictures[i].name(), {{0, 0}, {shown.eyeSize.x, shown.eyeSize.y}}, 0}};
     }
     const XrCompositionLayerProjection projection{
-        XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, 0, world.name(), 2, views.data()};
-    Swapchain& text = picture(Picture::Panel);
+        XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, 0, s.world.name(), 2, views.data()};
+    Swapchain& text = s.picture(Picture::Panel);
     const XrCompositionLayerQuad panel{XR_TYPE_COMPOSITION_LAYER_QUAD,
                                        nullptr,
                                        XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT,
-                                       world.name(),
+                                       s.world.name(),
                                        XR_EYE_VISIBILITY_BOTH,
                                        {text.name(), {{0, 0}, {text.size().x, text.size().y}}, 0},
                                        poseTo(shown.worldFromPanel),
@@ -191,70 +182,46 @@ void Headset::State::end(const Shown& shown) {
     uint32_t count = 0;
     if (shown.eyes) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection);
     if (shown.panel) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&panel);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, frame.display_ns,
-                              instance.blend,         count,   count ? layers.data() : nullptr};
-    SHOAL_XR(xrEndFrame(session.name(), &info));
-}
-
-// As the runtime wants it: empty frames until it says that the session may end. Whatever fails ends it too.
-void Headset::State::leaveInOrder() {
-    constexpr int kMaxFrames = 120;
-    for (int hand = 0; hand < 2; ++hand) (void)statusOf([&] { actions.vibrate(session.name(), hand, 0, 0); });
-    (void)statusOf([&] {
-        SHOAL_XR(xrRequestExitSession(session.name()));
-        for (int i = 0; i < kMaxFrames && running; ++i) {
-            poll();
-            if (!running || !dutyIn(state).frames) continue;
-            waitFrame();
-            begin();
-            end({});
-        }
-    });
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, s.frame.display_ns,
+                              s.instance.blend,       count,   count ? layers.data() : nullptr};
+    return statusOf([&] { SHOAL_XR(xrEndFrame(s.session.name(), &info)); });
 }
 
 Headset::Headset(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Headset::Headset(Headset&&) noexcept = default;
-Headset& Headset::operator=(Headset&&) noexcept = default;
-Headset::~Headset() = default;
 
-Result<Headset> Headset::open(glm::ivec2 panelSize) {
-    auto state = std::make_unique<State>();
-    if (Status opened = statusOf([&] { state->open(panelSize); }); !opened) return opened.error();
-    return Headset(std::move(state));
+// As the runtime wants it: empty frames until it says that the session may end. Whatever fails ends it too.
+Headset::~Headset() {
+    if (!state_ || !state_->running) return;
+    constexpr int kMaxFrames = 120;
+    for (int hand = 0; hand < 2; ++hand) (void)vibrate(hand, 0, 0);
+    if (!statusOf([&] { SHOAL_XR(xrRequestExitSession(state_->session.name())); })) return;
+    for (int i = 0; i < kMaxFrames && state_->running; ++i) {
+        if (!poll()) return;
+        if (state_->running && (!waitFrame() || !begin() || !end({}))) return;
+    }
 }
 
-Status Headset::poll() {
-    return statusOf([&] { state_->poll(); });
-}
-const Duty& Headset::duty() const { return dutyIn(state_->state); }
-bool Headset::leaving() const { return state_->leaving; }
+bool Headset::wantsFrames() const { return state_->running; }
+bool Headset::plays() const { return state_->state == XR_SESSION_STATE_FOCUSED; }
+bool Headset::leaving() const { return state_->state == XR_SESSION_STATE_EXITING; }
 bool Headset::takeMasksChanged() { return std::exchange(state_->masksChanged, false); }
 void Headset::recentre() { state_->centring = true; }
-
-Result<Frame> Headset::waitFrame() {
-    if (Status waited = statusOf([&] { state_->waitFrame(); }); !waited) return waited.error();
-    return state_->frame;
-}
-
 const Tracking& Headset::tracking() const { return state_->tracking; }
-Status Headset::begin() {
-    return statusOf([&] { state_->begin(); });
-}
+
 Result<GLuint> Headset::acquire(Picture picture) {
     GLuint framebuffer = 0;
     Status acquired = statusOf([&] { framebuffer = state_->picture(picture).acquire(); });
     return acquired ? Result<GLuint>(framebuffer) : acquired.error();
 }
+
 Status Headset::release(Picture picture) {
     return statusOf([&] { state_->picture(picture).release(); });
 }
-Status Headset::end(const Shown& shown) {
-    return statusOf([&] { state_->end(shown); });
-}
 
-Result<HiddenArea> Headset::hiddenArea(int eye) const {
-    HiddenArea area;
-    if (!state_->getMask) return area;
+Result<std::vector<glm::vec2>> Headset::hiddenArea(int eye) const {
+    std::vector<glm::vec2> corners;
+    if (!state_->getMask) return corners;
     const auto get = [&](XrVisibilityMaskKHR& mask) {
         return statusOf([&] {
             check(state_->getMask(state_->session.name(), kStereo, static_cast<uint32_t>(eye),
@@ -266,7 +233,7 @@ Result<HiddenArea> Headset::hiddenArea(int eye) const {
     if (Status s = get(mask); !s) return s.error();
     constexpr uint32_t kMax = 1u << 16;
     if (mask.vertexCountOutput == 0 || mask.vertexCountOutput > kMax || mask.indexCountOutput > kMax)
-        return area;
+        return corners;
     std::vector<XrVector2f> vertices(mask.vertexCountOutput);
     std::vector<uint32_t> indices(mask.indexCountOutput);
     mask.vertexCapacityInput = mask.vertexCountOutput;
@@ -276,10 +243,10 @@ Result<HiddenArea> Headset::hiddenArea(int eye) const {
     if (Status s = get(mask); !s) return s.error();
     indices.resize(std::min<size_t>(indices.size(), mask.indexCountOutput) / 3 * 3);
     for (const uint32_t index : indices) {
-        if (index >= vertices.size()) return HiddenArea{}; // broken: draw everything
-        area.corners.emplace_back(vertices[index].x, vertices[index].y);
+        if (index >= vertices.size()) return std::vector<glm::vec2>{}; // broken: draw everything
+        corners.emplace_back(vertices[index].x, vertices[index].y);
     }
-    return area;
+    return corners;
 }
 
 Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {

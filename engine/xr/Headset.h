@@ -2,12 +2,11 @@
 // The runtime corrects the lenses' distortion. World frame: the dive's, whose origin is where the eyes were
 // when it was centred.
 //
-// Each turn of the game's loop: poll(); where duty().frames, waitFrame(), then begin(), the pictures, end().
+// Each turn of the game's loop: poll(); where wantsFrames(), waitFrame(), then begin(), the pictures, end().
 // One thread, with the GL context that was current at open().
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/xr/Lifecycle.h"
 #include "engine/xr/Tracked.h"
 
 #include <epoxy/gl.h>
@@ -27,11 +26,6 @@ struct Frame {
     bool drawn = false;     // somebody sees it
 };
 
-// Triangles on the plane at distance 1 before an eye (right and up positive) that the lenses hide.
-struct HiddenArea {
-    std::vector<glm::vec2> corners; // three a triangle
-};
-
 // What end() shows: the pictures that were released since begin().
 struct Shown {
     bool eyes = false;
@@ -46,16 +40,16 @@ class Headset {
     // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell a player what to do.
     static Result<Headset> open(glm::ivec2 panelSize);
     Headset(Headset&&) noexcept;
-    Headset& operator=(Headset&&) noexcept;
     ~Headset(); // ends the session in good order; what vibrates stops
 
     // Handles the runtime's events: begins or ends the session as they demand. Fails when the headset is
     // lost.
     Status poll();
-    const Duty& duty() const;
-    bool leaving() const;    // the player told the runtime to end the game
-    bool takeMasksChanged(); // hiddenArea() has changed since this was last asked; true at first
-    void recentre();         // from the next tracked frame on the dive's origin is where the eyes are
+    bool wantsFrames() const; // else no waitFrame(), begin(), end(); empty frames are frames too
+    bool plays() const;       // the headset is worn, and no menu of the runtime lies over the game
+    bool leaving() const;     // the player told the runtime to end the game
+    bool takeMasksChanged();  // hiddenArea() has changed since this was last asked; true at first
+    void recentre();          // from the next tracked frame on the dive's origin is where the eyes are
 
     Result<Frame> waitFrame();        // sleeps until the runtime wants the next one
     const Tracking& tracking() const; // at the time when the frame will be seen
@@ -66,8 +60,9 @@ class Headset {
     Status release(Picture picture);
     Status end(const Shown& shown);
 
-    // Empty where the runtime names none.
-    Result<HiddenArea> hiddenArea(int eye) const;
+    // Triangles that the lenses hide, three corners each, on the plane at distance 1 before an eye (right and
+    // up positive). Empty where the runtime names none.
+    Result<std::vector<glm::vec2>> hiddenArea(int eye) const;
 
     // hand: 0 left, 1 right; amplitude 0 to 1. Goes on for up to a tenth of a second; 0 stops it.
     Status vibrate(int hand, float amplitude, float frequency_Hz);

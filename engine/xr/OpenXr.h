@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,19 +149,14 @@ class Swapchain {
 // Hands without controllers, tracked through XR_EXT_hand_tracking.
 class HandTrackers {
   public:
-    HandTrackers() = default;
-    HandTrackers(HandTrackers&&) noexcept;
-    HandTrackers& operator=(HandTrackers&&) noexcept;
-    ~HandTrackers();
-
     // Without the extension: hands that are never active.
     static HandTrackers make(const Instance& instance, XrSession session);
-    void locate(XrSpace world, XrTime time, std::array<TrackedHand, 2>& out) const;
+    void locate(XrSpace world, XrTime time, std::array<hands::HandPose, 2>& out) const;
 
   private:
-    std::array<XrHandTrackerEXT, 2> trackers_{};
+    using Tracker = std::unique_ptr<std::remove_pointer_t<XrHandTrackerEXT>, PFN_xrDestroyHandTrackerEXT>;
+    std::vector<Tracker> trackers_; // left, right, or none
     PFN_xrLocateHandJointsEXT locate_ = nullptr;
-    PFN_xrDestroyHandTrackerEXT destroy_ = nullptr;
 };
 
 // Input and vibration of controllers: OpenXR's actions, bound for the common controllers.
@@ -177,9 +173,6 @@ class Actions {
     static constexpr XrDuration kVibration_ns = 100'000'000;
 
   private:
-    struct InteractionProfile;
-    void suggest(XrInstance instance, const InteractionProfile& profile) const;
-
     Handle<XrActionSet, xrDestroyActionSet> set_;
     XrAction grip_{}, squeeze_{}, trigger_{}, menu_{}, haptic_{}; // owned by the set
     std::array<XrPath, 2> hands_{};

@@ -26,12 +26,10 @@ inline Pose inverse(const Pose& pose) {
     const glm::quat turn = glm::conjugate(pose.orientation);
     return {turn * -pose.position, turn};
 }
-// Between two poses a small turn apart: a at share 0, b at 1.
+// Between two poses: a at share 0, b at 1.
 inline Pose between(const Pose& a, const Pose& b, float share) {
-    const glm::quat other =
-        glm::dot(a.orientation, b.orientation) < 0 ? -b.orientation : b.orientation; // the shorter way
-    return {a.position + (b.position - a.position) * share,
-            glm::normalize(a.orientation * (1 - share) + other * share)};
+    return {glm::mix(a.position, b.position, share),
+            glm::normalize(glm::slerp(a.orientation, b.orientation, share))};
 }
 
 // From the middle of the view to each edge, radians; left and down are negative.
@@ -42,19 +40,6 @@ struct Fov {
 struct Eye {
     Pose worldFromEye;
     Fov fov;
-};
-
-struct TrackedJoint {
-    Pose worldFromJoint;
-    float radius = 0; // metres
-    bool valid = false;
-    bool seen = false; // not merely guessed
-};
-
-// A bare hand: the joints of XR_EXT_hand_tracking, in its order.
-struct TrackedHand {
-    bool active = false;
-    std::array<TrackedJoint, hands::kJointCount> joints{};
 };
 
 // What is held in a hand.
@@ -69,10 +54,12 @@ struct Controller {
 
 // Everything of one moment.
 struct Tracking {
-    bool headTracked = false;                // else what follows is the last that was known
-    Pose worldFromHead;                      // between the eyes
-    std::array<Eye, 2> eyes{};               // left, right
-    std::array<TrackedHand, 2> hands{};      // left, right
+    bool headTracked = false;  // else what follows is the last that was known
+    Pose worldFromHead;        // between the eyes
+    std::array<Eye, 2> eyes{}; // left, right
+    // Left, right; bare hands, joints in the world's frame, without grip and pinch. Tracked if all joints are
+    // known; confidence: the share of them that is not merely guessed.
+    std::array<hands::HandPose, 2> hands{};
     std::array<Controller, 2> controllers{}; // left, right
 };
 

@@ -45,7 +45,7 @@ Result<HeadsetDisplay> HeadsetDisplay::open(platform::Window& window, const hand
 Status HeadsetDisplay::begin() {
     elapsed_s_ = 0;
     if (Status polled = headset_.poll(); !polled) return polled;
-    if (!headset_.duty().frames) {
+    if (!headset_.wantsFrames()) {
         std::this_thread::sleep_for(kIdle); // nobody waits for us, and we wait for nobody
         last_ns_ = 0;
         return Done{};
@@ -63,7 +63,7 @@ Status HeadsetDisplay::begin() {
 void HeadsetDisplay::feed(GameSession& session) {
     const xr::Tracking& tracking = headset_.tracking();
     const auto poses = hands::openXrHands(*rig_, tracking);
-    HeadsetMoment now{.plays = headset_.duty().plays,
+    HeadsetMoment now{.plays = headset_.plays(),
                       .headTracked = tracking.headTracked,
                       .results = session.after.phase == game::Phase::Results};
     for (size_t i = 0; i < poses.size(); ++i) {
@@ -93,8 +93,8 @@ Status HeadsetDisplay::prepareTargets(glm::ivec2 size) {
         const auto hidden = headset_.hiddenArea(static_cast<int>(eye));
         if (!hidden) return hidden.error();
         targets_[eye].bind();
-        fade_.hide(hidden->corners, xr::viewOf(headset_.tracking().eyes[eye]));
-        masked_[eye] = !hidden->corners.empty();
+        fade_.hide(*hidden, xr::viewOf(headset_.tracking().eyes[eye]));
+        masked_[eye] = !hidden->empty();
     }
     return Done{};
 }

@@ -20,23 +20,15 @@ constexpr float kRelaxed = 0.12f; // bend of a finger that presses nothing
 
 } // namespace
 
-HandPose handFromJoints(const xr::TrackedHand& seen, const xr::Pose& worldFromHead) {
-    HandPose hand;
-    if (!seen.active) return hand;
-    static_assert(kJointCount == std::tuple_size_v<decltype(seen.joints)>);
+HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead) {
+    if (!inWorld.tracked) return {};
+    HandPose hand = inWorld;
     const xr::Pose headFromWorld = xr::inverse(worldFromHead);
-    int sure = 0;
-    for (size_t i = 0; i < hand.joints.size(); ++i) {
-        const xr::TrackedJoint& joint = seen.joints[i];
-        if (!joint.valid) return HandPose{};
-        sure += joint.seen;
-        const xr::Pose headFromJoint = headFromWorld * joint.worldFromJoint;
-        hand.joints[i].position = headFromJoint.position;
-        hand.joints[i].orientation = glm::normalize(headFromJoint.orientation);
-        if (joint.radius >= 0.001f && joint.radius <= 0.1f) hand.joints[i].radius = joint.radius;
+    for (Joint& joint : hand.joints) {
+        const xr::Pose headFromJoint = headFromWorld * xr::Pose{joint.position, joint.orientation};
+        joint.position = headFromJoint.position;
+        joint.orientation = glm::normalize(headFromJoint.orientation);
     }
-    hand.tracked = true;
-    hand.confidence = static_cast<float>(sure) / kJointCount;
     hand.grip = gripOf(hand.joints);
     hand.pinch = pinchOf(hand.joints);
     return hand;

@@ -6,8 +6,8 @@
 
 namespace shoal::hands {
 
-// Tracked only if every joint is valid. Radii that cannot be are replaced by a finger's.
-HandPose handFromJoints(const xr::TrackedHand&, const xr::Pose& worldFromHead);
+// A bare hand as xr::Tracking has it.
+HandPose handFromJoints(const HandPose& inWorld, const xr::Pose& worldFromHead);
 
 // A hand around a controller: the palm at the grip pose, the last three fingers as far bent as it is
 // squeezed, thumb and index finger by the trigger.

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace shoal::xr {
 namespace {
@@ -38,7 +39,7 @@ class HeadsetGL : public test::WithFakeRuntime {
     static Frame emptyFrame(Headset& headset) {
         const Status polled = headset.poll();
         EXPECT_TRUE(polled) << polled.error().message();
-        if (!headset.duty().frames) return {};
+        if (!headset.wantsFrames()) return {};
         const auto frame = headset.waitFrame();
         EXPECT_TRUE(frame) << frame.error().message();
         EXPECT_TRUE(headset.begin());
@@ -46,8 +47,8 @@ class HeadsetGL : public test::WithFakeRuntime {
         return *frame;
     }
     static void untilFocused(Headset& headset) {
-        for (int i = 0; i < 10 && !headset.duty().plays; ++i) emptyFrame(headset);
-        ASSERT_TRUE(headset.duty().plays);
+        for (int i = 0; i < 10 && !headset.plays(); ++i) emptyFrame(headset);
+        ASSERT_TRUE(headset.plays());
     }
 };
 
@@ -57,7 +58,7 @@ TEST_F(HeadsetGL, BeginsAndEndsInGoodOrder) {
         EXPECT_EQ(headset.name(), "Fake headset (Fake runtime)");
         EXPECT_EQ(headset.eyeSize(), glm::ivec2(200, 240));
         EXPECT_TRUE(headset.bareHands());
-        EXPECT_FALSE(headset.duty().frames);
+        EXPECT_FALSE(headset.wantsFrames());
         untilFocused(headset);
         EXPECT_FALSE(headset.leaving());
     }
@@ -182,16 +183,16 @@ TEST_F(HeadsetGL, HiddenAreasComeWholeOrNotAtAll) {
     EXPECT_FALSE(headset.takeMasksChanged());
     const auto none = headset.hiddenArea(0), some = headset.hiddenArea(1);
     ASSERT_TRUE(none && some);
-    EXPECT_TRUE(none->corners.empty());
-    ASSERT_EQ(some->corners.size(), 6u);
-    EXPECT_EQ(some->corners[4], glm::vec2(1, 1));
+    EXPECT_TRUE(none->empty());
+    ASSERT_EQ(some->size(), 6u);
+    EXPECT_EQ((*some)[4], glm::vec2(1, 1));
     fake.masks[1].indices[3] = 4; // beyond the vertices
     fake.sayMaskChanged(1);
     ASSERT_TRUE(headset.poll());
     EXPECT_TRUE(headset.takeMasksChanged());
-    EXPECT_TRUE(headset.hiddenArea(1)->corners.empty());
+    EXPECT_TRUE(headset.hiddenArea(1)->empty());
     fake.masks[1].vertices.resize(1u << 20); // more than any lens hides
-    EXPECT_TRUE(headset.hiddenArea(1)->corners.empty());
+    EXPECT_TRUE(headset.hiddenArea(1)->empty());
 }
 
 TEST_F(HeadsetGL, HandsAndControllersAreTold) {
@@ -203,10 +204,10 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     untilFocused(headset);
     emptyFrame(headset);
     const Tracking& now = headset.tracking();
-    EXPECT_FALSE(now.hands[0].active);
-    ASSERT_TRUE(now.hands[1].active);
-    EXPECT_NEAR(now.hands[1].joints[25].worldFromJoint.position.x, 0.25f, 1e-6f);
-    EXPECT_TRUE(now.hands[1].joints[25].valid && now.hands[1].joints[25].seen);
+    EXPECT_FALSE(now.hands[0].tracked);
+    ASSERT_TRUE(now.hands[1].tracked);
+    EXPECT_NEAR(now.hands[1].joints[25].position.x, 0.25f, 1e-6f);
+    EXPECT_EQ(now.hands[1].confidence, 1);
     EXPECT_TRUE(now.controllers[0].active && now.controllers[0].gripValid && now.controllers[0].menu);
     EXPECT_EQ(now.controllers[0].squeeze, 0.7f);
     EXPECT_EQ(now.controllers[0].trigger, 0.2f);
@@ -218,6 +219,28 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     EXPECT_FALSE(headset.tracking().controllers[0].active);
 }
 
+TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
+    fake.hands[0].active = true;
+    for (auto& joint : fake.hands[0].joints) joint = {0xf, {{0, 0, 0, 1}, {0, 0, -0.4f}}, 0.01f};
+    Headset headset = open();
+    untilFocused(headset);
+    const auto seen = [&] {
+        emptyFrame(headset);
+        return headset.tracking().hands[0];
+    };
+    for (size_t i = 0; i < 13; ++i)
+        fake.hands[0].joints[i].locationFlags = 0x3; // guessed: valid, not tracked
+    EXPECT_EQ(seen().confidence, 0.5f);
+    for (const float radius : {0.0f, -1.0f, 3.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        fake.hands[0].joints[3].radius = radius;
+        const hands::HandPose hand = seen();
+        EXPECT_TRUE(plausible(hand)) << radius;
+        EXPECT_EQ(hand.joints[3].radius, hands::Joint{}.radius);
+    }
+    fake.hands[0].joints[13].locationFlags = 0;
+    EXPECT_FALSE(seen().tracked);
+}
+
 TEST_F(HeadsetGL, WorksWithoutHandTrackingAndWithoutHiddenAreas) {
     fake.extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
     fake.hands[0].active = true;
@@ -225,8 +248,8 @@ TEST_F(HeadsetGL, WorksWithoutHandTrackingAndWithoutHiddenAreas) {
     EXPECT_FALSE(headset.bareHands());
     untilFocused(headset);
     emptyFrame(headset);
-    EXPECT_FALSE(headset.tracking().hands[0].active);
-    EXPECT_TRUE(headset.hiddenArea(0)->corners.empty());
+    EXPECT_FALSE(headset.tracking().hands[0].tracked);
+    EXPECT_TRUE(headset.hiddenArea(0)->empty());
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
 }
 

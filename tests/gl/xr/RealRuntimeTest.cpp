@@ -33,7 +33,7 @@ TEST(RealRuntime, TakesEmptyFramesAndLetsGo) {
     for (int i = 0; i < 300; ++i) {
         const Status polled = headset->poll();
         ASSERT_TRUE(polled) << polled.error().message();
-        if (!headset->duty().frames) continue;
+        if (!headset->wantsFrames()) continue;
         const auto frame = headset->waitFrame();
         ASSERT_TRUE(frame) << frame.error().message();
         const Status begun = headset->begin();
