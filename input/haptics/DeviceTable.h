@@ -80,6 +80,33 @@ struct Recognised {
 std::optional<Recognised>
 recognise(const HidInfo& info, const std::function<std::vector<uint8_t>(const std::string&)>& descriptor);
 
+// The two tones of one side of Nintendo's controllers in four bytes, by the tables of dekuNukem's
+// Nintendo_Switch_Reverse_Engineering (rumble_data_table.md): the high one 82 to 1253 Hz, the low one 41 to
+// 626 Hz, amplitudes up to the last that is safe for the coil. Frequencies out of range go to its end; of a
+// silent tone the frequency is the neutral one, 320 and 160 Hz.
+std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation& low);
+int switchAmplitudeIndex(float amplitude); // number of an amplitude in the table, 0 to 100
+
+// HID simple haptic controllers (usage page 0E of the HID Usage Tables): the device has a list of waveforms
+// and plays the one whose index it receives.
+struct SimpleHaptic {
+    struct Waveform {
+        uint16_t ordinal = 0;     // its place in the device's list; 0: it has none such
+        uint32_t duration_ms = 0; // 0: unknown
+        bool goesOn = false;      // until it is stopped; else it is one short pulse
+    };
+    Waveform slow, quick; // for low and high frequencies, the best of the list for each
+    ReportField trigger;
+    std::optional<ReportField> intensity, repeats, cutoff;
+    size_t reportBytes = 0; // the id not counted
+
+    bool oneShot() const { return !slow.goesOn; } // it only plays short pulses
+    Report encode(const HapticFrame& frame) const;
+};
+
+// Empty if it is none, or names no waveform that can be used.
+std::optional<SimpleHaptic> findSimpleHaptic(const ReportLayout& layout, const ReadFeature& readFeature);
+
 // readFeature: of the opened device. Empty if it has nothing that can be used.
 std::optional<Driver> driverOf(const Recognised& device, Transport transport, const ReadFeature& readFeature);
 

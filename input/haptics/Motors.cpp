@@ -16,12 +16,7 @@ void add(Motors& motors, const Actuation& actuation) {
     motors.weak = std::max(motors.weak, actuation.amplitude * quick);
 }
 
-template <class Wanted> Actuation strongest(std::span<const Actuation> actuations, Wanted wanted) {
-    Actuation best;
-    for (const Actuation& actuation : actuations)
-        if (actuation.amplitude > best.amplitude && wanted(actuation.frequency_Hz)) best = actuation;
-    return best;
-}
+Actuation stronger(const Actuation& a, const Actuation& b) { return b.amplitude > a.amplitude ? b : a; }
 
 } // namespace
 
@@ -42,18 +37,14 @@ std::span<const Actuation> handOf(const HapticFrame& frame, int hand) {
         .subspan(static_cast<size_t>(hand) * kActuatorsPerHand, kActuatorsPerHand);
 }
 
-Actuation strongestFrom(std::span<const Actuation> actuations, float min_Hz) {
-    return strongest(actuations, [&](float frequency_Hz) { return frequency_Hz >= min_Hz; });
+Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz, float limit_Hz) {
+    Actuation best;
+    for (const Actuation& each : actuations)
+        if (each.frequency_Hz >= min_Hz && each.frequency_Hz < limit_Hz) best = stronger(best, each);
+    return best;
 }
 
-Actuation strongestBelow(std::span<const Actuation> actuations, float limit_Hz) {
-    return strongest(actuations, [&](float frequency_Hz) { return frequency_Hz < limit_Hz; });
-}
-
-Actuation strongestOf(const HapticFrame& frame) {
-    const Actuation actuator = strongestFrom(frame.actuators, 0);
-    return frame.body.amplitude > actuator.amplitude ? frame.body : actuator;
-}
+Actuation strongestOf(const HapticFrame& frame) { return stronger(strongestOf(frame.actuators), frame.body); }
 
 float driveOf(float amplitude) {
     if (!(amplitude > 1.0f / 512)) return 0; // NaN too
@@ -61,8 +52,7 @@ float driveOf(float amplitude) {
 }
 
 Actuation vibrationOf(const HapticFrame& frame, int hand) {
-    Actuation strongest = strongestFrom(handOf(frame, hand), 0);
-    if (frame.body.amplitude > strongest.amplitude) strongest = frame.body;
+    Actuation strongest = stronger(strongestOf(handOf(frame, hand)), frame.body);
     strongest.amplitude = std::min(strongest.amplitude, 1.0f);
     return strongest;
 }

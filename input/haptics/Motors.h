@@ -3,7 +3,7 @@
 
 #include "input/haptics/HapticFrame.h"
 
-#include <cstdint>
+#include <limits>
 #include <span>
 
 namespace shoal::haptics {
@@ -21,10 +21,9 @@ Motors motorsOf(const HapticFrame& frame); // of everything, the body too
 // A hand's six actuators.
 std::span<const Actuation> handOf(const HapticFrame& frame, int hand);
 
-// The strongest with a frequency of at least / below that; amplitude 0 if there is none.
-Actuation strongestFrom(std::span<const Actuation> actuations, float min_Hz);
-Actuation strongestBelow(std::span<const Actuation> actuations, float limit_Hz);
-
+// The strongest with a frequency of min_Hz or above and below limit_Hz; amplitude 0 if there is none.
+Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz = 0,
+                      float limit_Hz = std::numeric_limits<float>::infinity());
 Actuation strongestOf(const HapticFrame& frame); // of everything, the body too
 
 // What a motor with an eccentric weight is driven by, 0 to 1. Such motors start only at about a fifth of

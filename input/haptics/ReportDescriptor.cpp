@@ -66,79 +66,73 @@ struct Reader {
         return true;
     }
 
-    bool mainItem(uint8_t tag, std::span<const uint8_t> data) {
+    // One short item, by its prefix without the size; false: no use reading on.
+    bool item(uint8_t prefix, std::span<const uint8_t> data) {
+        const uint32_t value = plain(data);
         bool sound = true;
-        switch (tag) {
-        case 0x8:
-            sound = addFields(ReportKind::Input, plain(data));
+        switch (prefix) {
+        case 0x80:
+            sound = addFields(ReportKind::Input, value);
             break;
-        case 0x9:
-            sound = addFields(ReportKind::Output, plain(data));
+        case 0x90:
+            sound = addFields(ReportKind::Output, value);
             break;
-        case 0xB:
-            sound = addFields(ReportKind::Feature, plain(data));
+        case 0xB0:
+            sound = addFields(ReportKind::Feature, value);
             break;
-        case 0xA:
+        case 0xA0: // collection
             collections.push_back(locals.usages.empty() ? 0 : locals.usages.front());
             sound = collections.size() <= kMaxDepth;
             break;
-        case 0xC:
+        case 0xC0: // its end
             sound = !collections.empty();
             if (sound) collections.pop_back();
             break;
-        default:
+        case 0x04:
+            globals.page = static_cast<uint16_t>(value);
             break;
-        }
-        locals = {};
-        return sound;
-    }
-
-    bool globalItem(uint8_t tag, std::span<const uint8_t> data) {
-        switch (tag) {
-        case 0x0:
-            globals.page = static_cast<uint16_t>(plain(data));
-            break;
-        case 0x1:
+        case 0x14:
             globals.logicalMin = withSign(data);
             break;
-        case 0x2:
+        case 0x24:
             // Many a device writes 255 as one byte where its minimum is 0; the sign is not meant then.
-            globals.logicalMax = globals.logicalMin >= 0 ? static_cast<int32_t>(plain(data)) : withSign(data);
+            globals.logicalMax = globals.logicalMin >= 0 ? static_cast<int32_t>(value) : withSign(data);
             break;
-        case 0x7:
-            globals.size_bits = plain(data);
+        case 0x74:
+            globals.size_bits = value;
             break;
-        case 0x8:
-            globals.report = static_cast<uint8_t>(plain(data));
+        case 0x84:
+            globals.report = static_cast<uint8_t>(value);
             break;
-        case 0x9:
-            globals.count = plain(data);
+        case 0x94:
+            globals.count = value;
             break;
-        case 0xA:
+        case 0xA4:
             pushed.push_back(globals);
             return pushed.size() <= kMaxDepth;
-        case 0xB:
+        case 0xB4:
             if (pushed.empty()) return false;
             globals = pushed.back();
             pushed.pop_back();
             break;
-        default: // units and physical extents
-            break;
-        }
-        return true;
-    }
-
-    bool localItem(uint8_t tag, std::span<const uint8_t> data) {
-        if (tag == 0x0) {
+        case 0x08:
             locals.usages.push_back(usageOf(data));
-        } else if (tag == 0x1) {
+            break;
+        case 0x18:
             locals.first = usageOf(data);
-        } else if (tag == 0x2) {
+            break;
+        case 0x28: {
             const uint32_t last = usageOf(data);
             if (last < locals.first || last - locals.first >= kMaxFields) return false;
             for (uint32_t each = locals.first; each <= last; ++each) locals.usages.push_back(each);
+            break;
         }
-        return locals.usages.size() <= kMaxFields;
+        default: // units and physical extents
+            break;
+        }
+        const int type = prefix >> 2; // in its lower two bits: main, global, local, reserved
+        if ((type & 3) == 0) locals = {};
+        return sound && (type & 3) != 3 && locals.usages.size() <= kMaxFields;
     }
 };
 
@@ -165,14 +159,7 @@ ReportLayout readReportDescriptor(std::span<const uint8_t> descriptor) {
         }
         const size_t size = (prefix & 3) == 3 ? 4 : prefix & 3;
         if (descriptor.size() < 1 + size) break;
-        const auto data = descriptor.subspan(1, size);
-        const auto tag = static_cast<uint8_t>(prefix >> 4);
-        const int type = prefix >> 2 & 3;
-        const bool sound = type == 0   ? reader.mainItem(tag, data)
-                           : type == 1 ? reader.globalItem(tag, data)
-                           : type == 2 ? reader.localItem(tag, data)
-                                       : false;
-        if (!sound) break;
+        if (!reader.item(prefix & 0xFC, descriptor.subspan(1, size))) break;
         descriptor = descriptor.subspan(1 + size);
     }
     return std::move(reader.layout);

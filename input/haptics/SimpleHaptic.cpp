@@ -1,5 +1,3 @@
-#include "input/haptics/SimpleHaptic.h"
-
 #include "input/haptics/DeviceTable.h"
 #include "input/haptics/Motors.h"
 

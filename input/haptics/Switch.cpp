@@ -1,5 +1,4 @@
-#include "input/haptics/Switch.h"
-
+// Driver of Nintendo's controllers: a voice coil in each hand that plays two tones at a time.
 #include "input/haptics/DeviceTable.h"
 #include "input/haptics/Motors.h"
 
@@ -27,7 +26,7 @@ Report tones(const HapticFrame& frame, size_t size) {
         std::copy(fingers.begin(), fingers.end(), felt.begin());
         felt.back() = frame.body;
         const auto bytes =
-            encodeSwitchTones(strongestFrom(felt, kHighFrom_Hz), strongestBelow(felt, kHighFrom_Hz));
+            encodeSwitchTones(strongestOf(felt, kHighFrom_Hz), strongestOf(felt, 0, kHighFrom_Hz));
         std::copy(bytes.begin(), bytes.end(), report.bytes.begin() + 2 + 4 * hand);
     }
     return report;

@@ -3,7 +3,6 @@
 
 #include "engine/core/Random.h"
 #include "input/haptics/HapticDevices.h"
-#include "input/haptics/SimpleHaptic.h"
 
 #include <gtest/gtest.h>
 

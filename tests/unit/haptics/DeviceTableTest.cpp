@@ -5,7 +5,6 @@
 #include "engine/core/Files.h"
 #include "input/haptics/DeviceTable.h"
 #include "input/haptics/Motors.h"
-#include "input/haptics/Switch.h"
 
 #include <gtest/gtest.h>
 
