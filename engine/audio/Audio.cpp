@@ -61,9 +61,10 @@ class Device {
 
     explicit operator bool() const { return context_ != nullptr; }
 
-    // OpenAL's context is global to the process; each method of Audio starts with this.
-    void makeCurrent() const {
+    // OpenAL's context is global to the process; each method of Audio starts with this. False: no device.
+    bool makeCurrent() const {
         if (context_ && alcGetCurrentContext() != context_.get()) alcMakeContextCurrent(context_.get());
+        return context_ != nullptr;
     }
 
     // False once the device was unplugged.
@@ -106,18 +107,13 @@ Result<Device> Device::open(bool loopback, bool headphones) {
     Device made;
     made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
     if (!made.device_) return Error{"", "there is no sound device"};
-    const ALCint hrtf = headphones ? ALC_TRUE : ALC_FALSE;
-    const std::array<ALCint, 3> live = {ALC_HRTF_SOFT, hrtf, 0};
-    const std::array<ALCint, 9> memory = {ALC_HRTF_SOFT,
-                                          hrtf,
-                                          ALC_FORMAT_CHANNELS_SOFT,
-                                          ALC_STEREO_SOFT,
-                                          ALC_FORMAT_TYPE_SOFT,
-                                          ALC_FLOAT_SOFT,
-                                          ALC_FREQUENCY,
-                                          kLoopbackRate_Hz,
-                                          0};
-    made.context_.reset(alcCreateContext(made.device_.get(), loopback ? memory.data() : live.data()));
+    std::vector<ALCint> attributes = {ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE};
+    if (loopback)
+        for (const ALCint each : {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
+                                  ALC_FLOAT_SOFT, ALC_FREQUENCY, kLoopbackRate_Hz})
+            attributes.push_back(each);
+    attributes.push_back(0);
+    made.context_.reset(alcCreateContext(made.device_.get(), attributes.data()));
     if (!made.context_) return Error{"", "the sound device could not be set up"};
     return made;
 }
@@ -175,8 +171,7 @@ struct Audio::State {
     }
 
     void close() {
-        if (!device) return;
-        device.makeCurrent();
+        if (!device.makeCurrent()) return;
         streamed.tearDown();
         voices.tearDown();
         if (!buffers.empty()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
@@ -186,7 +181,7 @@ struct Audio::State {
 
     // True with a device to play on.
     bool ready() {
-        if (device.connected()) return device.makeCurrent(), true;
+        if (device.connected()) return device.makeCurrent();
         if (device) {
             log::info("the sound device is gone; playing on silently until there is another");
             close();
@@ -220,15 +215,11 @@ Status Audio::reopen() {
 
 int Audio::add(Clip clip) {
     state_->clips.push_back(std::move(clip));
-    if (state_->device) {
-        state_->device.makeCurrent();
-        state_->addBuffer(state_->clips.back());
-    }
+    if (state_->device.makeCurrent()) state_->addBuffer(state_->clips.back());
     return static_cast<int>(state_->clips.size()) - 1;
 }
 
-void Audio::update(const Listener& listener, std::span<const Emitter> emitters,
-                   std::span<const OneShot> shots) {
+void Audio::update(const Listener& listener, std::span<const Sound> emitters, std::span<const Sound> shots) {
     State& s = *state_;
     if (!s.ready()) return;
     const glm::vec3 ahead = listener.worldFromHead * glm::vec3(0, 0, -1),
@@ -244,32 +235,26 @@ void Audio::update(const Listener& listener, std::span<const Emitter> emitters,
 
 void Audio::setTrack(TrackSource sound) {
     state_->track = std::move(sound);
-    if (!state_->device) return;
-    state_->device.makeCurrent();
-    state_->streamed.stop();
+    if (state_->device.makeCurrent()) state_->streamed.stop();
 }
 
 double Audio::syncTrack(double position_s, float gain, bool paused) {
     State& s = *state_;
-    if (!s.device || s.track.length <= 0) return 0;
-    s.device.makeCurrent();
+    if (s.track.length <= 0 || !s.device.makeCurrent()) return 0;
     s.streamed.update(s.track, position_s, gain, paused || s.paused);
     return s.streamed.ahead_s();
 }
 
 void Audio::setVolume(float volume) {
     state_->options.volume = volume;
-    if (!state_->device) return;
-    state_->device.makeCurrent();
-    state_->setVolume();
+    if (state_->device.makeCurrent()) state_->setVolume();
 }
 
 void Audio::setPaused(bool paused) {
     if (state_->paused == paused) return;
     state_->paused = paused;
     State& s = *state_;
-    if (!s.device) return;
-    s.device.makeCurrent();
+    if (!s.device.makeCurrent()) return;
     s.setVolume();
     if (paused) {
         s.pausedAt_s = s.device.played_s();
@@ -282,11 +267,7 @@ void Audio::setPaused(bool paused) {
 
 bool Audio::headphones() const { return state_->device.headphones(); }
 
-int Audio::sounding() const {
-    if (!state_->device) return 0;
-    state_->device.makeCurrent();
-    return state_->voices.sounding();
-}
+int Audio::sounding() const { return state_->device.makeCurrent() ? state_->voices.sounding() : 0; }
 
 void Audio::render(std::span<float> stereo) {
     if (state_->device)

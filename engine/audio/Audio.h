@@ -47,23 +47,14 @@ struct Listener {
     float enclosure = 0;                 // reverberation: 0 open water, 1 a tunnel
 };
 
-// A looping sound, which plays for as long as it is listed.
-struct Emitter {
-    uint32_t id = 0; // the same sound from one update to the next
+// A sound that plays now: an emitter, which loops for as long as it is listed, or one that plays once.
+struct Sound {
+    uint32_t id = 0; // of an emitter: the same from one update to the next
     int clip = 0;
     glm::vec3 position{0};
     float gain = 1, pitch = 1; // 0 to 1; 0.25 to 4
     bool everywhere = false;   // ambient, without a position. Stereo clips are always ambient
-    glm::vec3 velocity{0};     // m/s, for the doppler effect
-};
-
-// A sound that plays once, from now on.
-struct OneShot {
-    int clip = 0;
-    glm::vec3 position{0};
-    float gain = 1, pitch = 1;
-    bool everywhere = false;
-    glm::vec3 velocity{0}; // m/s; it keeps moving while it plays
+    glm::vec3 velocity{0};     // m/s; what plays once keeps moving with it
 };
 
 // Source of a streamed track, such as a video's own sound: stereo at 48 kHz, read piece by piece.
@@ -81,7 +72,7 @@ class Audio {
     Audio& operator=(Audio&&) noexcept;
     ~Audio();
 
-    // Index for Emitter::clip and OneShot::clip, counted from 0 in the order of the calls. The clip is kept,
+    // Index for Sound::clip, counted from 0 in the order of the calls. The clip is kept,
     // for a device that comes back.
     int add(Clip clip);
 
@@ -89,7 +80,7 @@ class Audio {
     // quietest, if that is quieter, else it is left out (an emitter until there is room). Emitters end with a
     // short fade. A device that was unplugged is replaced when there is another; meanwhile all is silent.
     // Does not allocate.
-    void update(const Listener& listener, std::span<const Emitter> emitters, std::span<const OneShot> shots);
+    void update(const Listener& listener, std::span<const Sound> emitters, std::span<const Sound> shots);
     static constexpr int kSources = 32;
 
     // Streams this track from now on; an empty one ends it. Its functions are called only by syncTrack().

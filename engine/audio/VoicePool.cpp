@@ -39,10 +39,6 @@ bool plays(ALuint source) {
     return state == AL_PLAYING || state == AL_PAUSED;
 }
 
-OneShot asOneShot(const Emitter& e) {
-    return {e.clip, e.position, e.gain, e.pitch, e.everywhere, e.velocity};
-}
-
 } // namespace
 
 void VoicePool::setUpEffects(float doppler) {
@@ -80,7 +76,7 @@ void VoicePool::setSilent(bool silent) {
 
 // Ambient sounds (everywhere) were recorded under water already.
 void VoicePool::applyWater(const Voice& voice, float distance_m) const {
-    const bool everywhere = voice.shot.everywhere;
+    const bool everywhere = voice.sound.everywhere;
     const float high = std::max(kHighNear * std::exp(-distance_m / kHighFade_m), kHighMin);
     alFilterf(voice.filter, AL_LOWPASS_GAINHF, everywhere ? 1.0f : high);
     alSourcei(voice.source, AL_DIRECT_FILTER, static_cast<ALint>(voice.filter));
@@ -121,7 +117,7 @@ int VoicePool::sounding() const {
     }));
 }
 
-float VoicePool::loudnessOf(const OneShot& shot, const glm::vec3& listener) {
+float VoicePool::loudnessOf(const Sound& shot, const glm::vec3& listener) {
     return shot.everywhere ? kAmbientLoudness + shot.gain
                            : shot.gain * distanceGain(glm::distance(shot.position, listener));
 }
@@ -132,21 +128,21 @@ void VoicePool::release(Voice& voice) {
 }
 
 void VoicePool::place(Voice& voice, const glm::vec3& listener, double age_s) {
-    const OneShot& shot = voice.shot;
-    const glm::vec3 position = shot.position + shot.velocity * static_cast<float>(age_s);
-    const glm::vec3 at = shot.everywhere ? glm::vec3(0) : position;
+    Sound shot = voice.sound;
+    shot.position += shot.velocity * static_cast<float>(age_s);
+    const glm::vec3 at = shot.everywhere ? glm::vec3(0) : shot.position;
     const glm::vec3 velocity = shot.everywhere ? glm::vec3(0) : shot.velocity;
     alSourcef(voice.source, AL_GAIN, std::clamp(shot.gain, 0.0f, 1.0f));
     alSourcef(voice.source, AL_PITCH, std::clamp(shot.pitch, 0.25f, 4.0f));
     alSourcei(voice.source, AL_SOURCE_RELATIVE, shot.everywhere ? AL_TRUE : AL_FALSE);
     alSource3f(voice.source, AL_POSITION, at.x, at.y, at.z);
     alSource3f(voice.source, AL_VELOCITY, velocity.x, velocity.y, velocity.z);
-    applyWater(voice, glm::distance(position, listener));
-    voice.loudness = loudnessOf({shot.clip, position, shot.gain, shot.pitch, shot.everywhere}, listener);
+    applyWater(voice, glm::distance(shot.position, listener));
+    voice.loudness = loudnessOf(shot, listener);
 }
 
 void VoicePool::start(Voice& voice, const Clips& clips, bool loop) {
-    const auto clip = static_cast<size_t>(voice.shot.clip);
+    const auto clip = static_cast<size_t>(voice.sound.clip);
     assert(clip < clips.buffers.size());
     const bool stereo = clips.clips[clip].channels == 2;
     alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(clips.buffers[clip]));
@@ -157,7 +153,7 @@ void VoicePool::start(Voice& voice, const Clips& clips, bool loop) {
         // Each emitter starts elsewhere in its loop, so that two of one clip do not coincide; and OpenAL Soft
         // fades in what does not start at 0.
         const auto frames = static_cast<uint32_t>(clips.clips[clip].samples.size() / (stereo ? 2 : 1));
-        const uint32_t offset = frames > 1 ? 1 + (voice.id * 2654435761u >> 8) % (frames - 1) : 0;
+        const uint32_t offset = frames > 1 ? 1 + (voice.sound.id * 2654435761u >> 8) % (frames - 1) : 0;
         alSourcei(voice.source, AL_SAMPLE_OFFSET, static_cast<ALint>(offset));
     }
     alSourcePlay(voice.source);
@@ -175,8 +171,8 @@ VoicePool::Voice* VoicePool::voiceFor(float loudness) {
     return minimum;
 }
 
-void VoicePool::update(const Clips& clips, const glm::vec3& listener, std::span<const Emitter> emitters,
-                       std::span<const OneShot> shots, double now_s) {
+void VoicePool::update(const Clips& clips, const glm::vec3& listener, std::span<const Sound> emitters,
+                       std::span<const Sound> shots, double now_s) {
     for (Voice& voice : voices_) {
         if (voice.use == Use::Free) continue;
         if (!plays(voice.source)) {
@@ -186,31 +182,29 @@ void VoicePool::update(const Clips& clips, const glm::vec3& listener, std::span<
         } else if (voice.use == Use::Ending) {
             if (now_s - voice.since_s > kEnding_s) release(voice);
         } else if (std::none_of(emitters.begin(), emitters.end(),
-                                [&](const Emitter& e) { return e.id == voice.id; })) {
+                                [&](const Sound& e) { return e.id == voice.sound.id; })) {
             alSourcef(voice.source, AL_GAIN, 0);
             voice.use = Use::Ending;
             voice.since_s = now_s;
             voice.loudness = 0;
         }
     }
-    for (const Emitter& emitter : emitters) {
+    for (const Sound& emitter : emitters) {
         const auto playing = std::find_if(voices_.begin(), voices_.end(), [&](const Voice& voice) {
-            return (voice.use == Use::Emitter || voice.use == Use::Ending) && voice.id == emitter.id &&
-                   voice.shot.clip == emitter.clip;
+            return (voice.use == Use::Emitter || voice.use == Use::Ending) && voice.sound.id == emitter.id &&
+                   voice.sound.clip == emitter.clip;
         });
-        const OneShot shot = asOneShot(emitter);
-        Voice* voice = playing != voices_.end() ? &*playing : voiceFor(loudnessOf(shot, listener));
+        Voice* voice = playing != voices_.end() ? &*playing : voiceFor(loudnessOf(emitter, listener));
         if (!voice) continue;
-        voice->shot = shot;
+        voice->sound = emitter;
         voice->use = Use::Emitter;
-        voice->id = emitter.id;
         place(*voice, listener, 0);
         if (playing == voices_.end()) start(*voice, clips, true);
     }
-    for (const OneShot& shot : shots) {
+    for (const Sound& shot : shots) {
         Voice* voice = voiceFor(loudnessOf(shot, listener));
         if (!voice) continue;
-        voice->shot = shot;
+        voice->sound = shot;
         voice->use = Use::OneShot;
         voice->since_s = now_s;
         place(*voice, listener, 0);

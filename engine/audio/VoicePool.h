@@ -22,8 +22,8 @@ class VoicePool {
         std::span<const ALuint> buffers;
         std::span<const Clip> clips;
     };
-    void update(const Clips& clips, const glm::vec3& listener, std::span<const Emitter> emitters,
-                std::span<const OneShot> shots, double now_s);
+    void update(const Clips& clips, const glm::vec3& listener, std::span<const Sound> emitters,
+                std::span<const Sound> shots, double now_s);
 
     // Reverberation: 0 open water, where only ground and surface reflect, to 1 a tunnel. silent: none; the
     // listener's gain does the rest.
@@ -38,8 +38,7 @@ class VoicePool {
         ALuint source = 0; // 0: the device has no more
         ALuint filter = 0; // its low-pass
         Use use = Use::Free;
-        uint32_t id = 0;    // of the emitter
-        OneShot shot;       // what plays, of an emitter likewise
+        Sound sound;
         double since_s = 0; // when it started, or began to end
         float loudness = 0; // gain at the ear
     };
@@ -48,7 +47,7 @@ class VoicePool {
     void place(Voice& voice, const glm::vec3& listener, double age_s);
     void start(Voice& voice, const Clips& clips, bool loop);
     Voice* voiceFor(float loudness);
-    static float loudnessOf(const OneShot& shot, const glm::vec3& listener);
+    static float loudnessOf(const Sound& shot, const glm::vec3& listener);
 
     void setUpEffects(float doppler);
     void applyReverbGain() const;

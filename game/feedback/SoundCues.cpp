@@ -44,8 +44,12 @@ void SoundCues::caption(std::string_view text, const glm::vec3& position) {
 
 void SoundCues::play(Sound sound, const glm::vec3& position, float gain, bool everywhere, float pitch,
                      const glm::vec3& velocity) {
-    shots_.push_back(
-        {static_cast<int>(sound), position, gain * rowOf(sound).gain, pitch, everywhere, velocity});
+    shots_.push_back({.clip = static_cast<int>(sound),
+                      .position = position,
+                      .gain = gain * rowOf(sound).gain,
+                      .pitch = pitch,
+                      .everywhere = everywhere,
+                      .velocity = velocity});
 }
 
 void SoundCues::beds(const Snapshot& shown, float dt_s) {

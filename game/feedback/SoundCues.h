@@ -33,8 +33,8 @@ class SoundCues {
     // How enclosed the beds sound, 0 to 1: follows the snapshot's enclosure within seconds.
     float enclosure() const { return enclosure_; }
 
-    std::span<const audio::Emitter> emitters() const { return emitters_; }
-    std::span<const audio::OneShot> shots() const { return shots_; }
+    std::span<const audio::Sound> emitters() const { return emitters_; }
+    std::span<const audio::Sound> shots() const { return shots_; }
     std::span<const Caption> captions() const { return captions_; } // newest first
 
   private:
@@ -48,8 +48,8 @@ class SoundCues {
     void breathe(const Snapshot& shown, float dt_s);
     void countDown(const Snapshot& shown);
 
-    std::vector<audio::Emitter> emitters_;
-    std::vector<audio::OneShot> shots_;
+    std::vector<audio::Sound> emitters_;
+    std::vector<audio::Sound> shots_;
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // per creature: until it may be heard passing again
     float touchQuiet_s_ = 0;

@@ -3,8 +3,6 @@
 #include "engine/core/Files.h"
 #include "engine/core/Log.h"
 #include "engine/sim/FixedStep.h"
-#include "input/hands/leap/LeapTracker.h"
-#include "input/hands/webcam/WebcamTracker.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -53,17 +51,12 @@ void TrackedHands::frame(double elapsed_s) {
     hands::HandStream& stream = tracker_->stream();
     hands_.advance(stream, elapsed_s);
     played_s_ += elapsed_s;
-    if (const uint64_t changes = stream.stateChanges(); changes != stateChanges_) {
-        stateChanges_ = changes;
-        state_ = stream.state();
-    }
+    state_ = stream.state();
     if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
-    const hands::DeviceHands* const device = &hands_;
-    choice_.frame({&device, 1});
 }
 
 void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
-    choice_.tick(input.hands, ticksLeft, static_cast<float>(sim::kTick_s));
+    choice_.tick(hands_, input.hands, ticksLeft, static_cast<float>(sim::kTick_s));
 }
 
 std::string_view TrackedHands::caption() const {

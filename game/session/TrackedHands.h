@@ -37,7 +37,6 @@ class TrackedHands {
     std::unique_ptr<hands::HandTracker> tracker_;
     hands::DeviceHands hands_;
     hands::DeviceState state_;
-    uint64_t stateChanges_ = 0;
     hands::HandSourceSelector choice_; // between its hands and the mouse's
     std::optional<bool> announced_;    // that it is there, or that it is not
     std::string announcement_;

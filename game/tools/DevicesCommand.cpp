@@ -6,7 +6,7 @@
 #include "engine/media/live/LiveFeed.h"
 #include "engine/xr/Headset.h"
 #include "input/hands/HandRig.h"
-#include "input/hands/leap/LeapTracker.h"
+#include "input/hands/HandTracker.h"
 #include "input/haptics/HapticDevices.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ void sound(bool test) {
     for (const auto& [name, side] : {std::pair{"left", -1.0f}, std::pair{"right", 1.0f}}) {
         std::printf("  now: %s\n", name);
         std::fflush(stdout);
-        const audio::OneShot shot{.clip = catching, .position = {side, 0, -0.3f}};
+        const audio::Sound shot{.clip = catching, .position = {side, 0, -0.3f}};
         audio->update({}, {}, {&shot, 1});
         std::this_thread::sleep_for(std::chrono::milliseconds(1300));
     }
@@ -99,7 +99,8 @@ void listHandSources(const HandOptions& options) {
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     if (!rig) return;
     const auto leap = hands::makeLeapTracker({options.leapHost, options.leapPort, false}, *rig);
-    leap->stream().wait(std::chrono::milliseconds(500)); // a service that is there answers at once
+    hands::HandFrame frame;
+    leap->stream().take(frame, std::chrono::milliseconds(500)); // a service that is there answers at once
     const hands::DeviceState state = leap->stream().state();
     std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.description.c_str());
     // Their names only: to open one would turn it on.

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace shoal::hands {
 
@@ -49,21 +48,10 @@ Joint mirrored(Joint joint) {
     return joint;
 }
 
-std::optional<glm::vec3> vectorFrom(const nlohmann::json& object, const char* key) {
-    const auto found = object.find(key);
-    if (found == object.end() || !found->is_array() || found->size() != 3) return std::nullopt;
-    glm::vec3 v(0);
-    for (int i = 0; i < 3; ++i) {
-        if (!(*found)[i].is_number()) return std::nullopt;
-        v[i] = (*found)[i].get<float>();
-        if (!std::isfinite(v[i]) || std::fabs(v[i]) > 1) return std::nullopt;
-    }
-    return v;
-}
-
-std::string textFrom(const nlohmann::json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+// Throws nlohmann's exceptions where it is no vector.
+glm::vec3 vectorFrom(const nlohmann::json& json) {
+    const auto v = json.get<std::array<float, 3>>();
+    return {v[0], v[1], v[2]};
 }
 
 } // namespace
@@ -84,17 +72,20 @@ Result<HandRig> HandRig::load(const Path& file) {
     for (int i = 0; i < kJointCount; ++i) {
         const auto& entry = list[i];
         const std::string name(kJointNames[i]);
-        if (!entry.is_object() || textFrom(entry, "name") != name)
+        if (!entry.is_object() || entry.value("name", nlohmann::json()) != name)
             return fail("joint " + std::to_string(i) + " must be \"" + name + "\"");
-        const auto p = vectorFrom(entry, "position"), u = vectorFrom(entry, "up");
-        if (!p || !u || !entry.contains("radius") || !entry["radius"].is_number())
+        std::string next;
+        try {
+            position[i] = vectorFrom(entry.at("position"));
+            up[i] = vectorFrom(entry.at("up"));
+            rig.radius_[i] = entry.at("radius").get<float>();
+            next = entry.value("towards", "");
+        } catch (const nlohmann::json::exception&) {
             return fail("joint \"" + name + "\" needs position, radius and up");
-        position[i] = *p;
-        up[i] = *u;
-        rig.radius_[i] = entry["radius"].get<float>();
+        }
+        if (!(glm::length(position[i]) < 1)) return fail("joint \"" + name + "\" is a metre away");
         if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
             return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
-        const std::string next = textFrom(entry, "towards");
         const auto at = std::find(kJointNames.begin(), kJointNames.end(), next);
         towards[i] = at == kJointNames.end() ? -1 : static_cast<int>(at - kJointNames.begin());
         if (towards[i] < 0 && !next.empty())

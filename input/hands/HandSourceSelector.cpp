@@ -10,28 +10,54 @@ namespace shoal::hands {
 
 namespace {
 
-constexpr int kStretchesPerChoice = 1 << 20; // a change of device is a change of stretch, whatever they count
+constexpr std::chrono::milliseconds kPatience{2000};
+constexpr int kMouse = -1; // stretch of the mouse's hands: differs from those of every tracker
 
 } // namespace
 
 using namespace tuning;
 
+bool DeviceHands::due(HandStream& stream, HandFrame& frame) {
+    if (time_ == DeviceTime::Live) return stream.take(frame);
+    if (!ahead_) {
+        HandFrame next;
+        silent_ = !stream.take(next, silent_ ? std::chrono::milliseconds(0) : kPatience);
+        if (silent_) return false;
+        // A device's clock that starts, or starts anew, starts now.
+        if (!begun_ || next.time_us < last_us_) gameFromDevice_us_ = game_us_ - next.time_us;
+        begun_ = true;
+        last_us_ = next.time_us;
+        ahead_ = next;
+    }
+    if (ahead_->time_us + gameFromDevice_us_ > game_us_) return false;
+    frame = *ahead_;
+    ahead_.reset();
+    return true;
+}
+
+void DeviceHands::advance(HandStream& stream, double elapsed_s) {
+    game_us_ += static_cast<int64_t>(elapsed_s * 1e6);
+    for (float& s : notSeen_s_) s += static_cast<float>(elapsed_s);
+    HandFrame frame;
+    while (due(stream, frame))
+        for (size_t side = 0; side < 2; ++side) {
+            filters_[side].step(frame.hands[side], frame.identity[side], frame.time_us);
+            if (filters_[side].seen()) notSeen_s_[side] = 0;
+        }
+}
+
 HandPose between(const HandPose& a, const HandPose& b, float share) {
     HandPose pose = b;
     for (int i = 0; i < kJointCount; ++i) {
-        glm::quat from = a.joints[i].orientation;
-        const glm::quat& to = b.joints[i].orientation;
-        if (glm::dot(from, to) < 0) from = -from;
         pose.joints[i].position = glm::mix(a.joints[i].position, b.joints[i].position, share);
-        const glm::quat mixed = from * (1 - share) + to * share;
-        const float norm = glm::length(mixed);
-        pose.joints[i].orientation = norm > 1e-3f ? mixed / norm : to;
+        pose.joints[i].orientation =
+            glm::normalize(glm::slerp(a.joints[i].orientation, b.joints[i].orientation, share));
     }
     return pose;
 }
 
 const HandPose& PoseBlend::step(const HandPose& seen, int stretch, float notSeen_s, float dt_s) {
-    const bool known = stretch > 0 && notSeen_s <= kBridge_s;
+    const bool known = stretch != 0 && notSeen_s <= kBridge_s;
     if (!known) {
         pose_.tracked = false;
         pose_.confidence = 0;
@@ -63,43 +89,24 @@ const HandPose& PoseBlend::step(const HandPose& seen, int stretch, float notSeen
     return pose_;
 }
 
-void HandSourceSelector::frame(std::span<const DeviceHands* const> devices) {
-    int best = kMouse;
-    for (size_t i = 0; i < devices.size() && best == kMouse; ++i)
-        if (devices[i]->seesHands(tuning::kMouseReturns_s)) best = static_cast<int>(i);
-    if (best != chosen_) {
-        changes_ = (changes_ + 1) % 1024;
-        chosen_ = best;
-        everChosen_ = true;
-    }
-    if (chosen_ == kMouse) return;
-    const DeviceHands& device = *devices[static_cast<size_t>(chosen_)];
+void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>& given, int ticksLeft,
+                              float dt_s) {
+    fromDevice_ = device.seesHands(kMouseReturns_s);
+    everFromDevice_ |= fromDevice_;
     for (int side = 0; side < 2; ++side) {
         Hand& hand = hands_[static_cast<size_t>(side)];
-        hand.newest = device.hand(side).pose();
-        hand.stretch = device.hand(side).stretch();
-        hand.notSeen_s = device.notSeen_s(side);
-    }
-}
-
-void HandSourceSelector::tick(std::array<HandPose, 2>& given, int ticksLeft, float dt_s) {
-    if (!everChosen_) {
-        // Known to the continuity, so that the first change of source is a glide too.
-        for (size_t side = 0; side < 2; ++side) hands_[side].continuity.take(given[side]);
-        return;
-    }
-    for (size_t side = 0; side < 2; ++side) {
-        Hand& hand = hands_[side];
-        const bool mouse = chosen_ == kMouse;
-        const int own = mouse ? 1 : hand.stretch;
-        const int stretch = own > 0 ? own % kStretchesPerChoice + 1 + changes_ * kStretchesPerChoice : 0;
-        const HandPose& newest = mouse ? given[side] : hand.newest;
-        const bool goesOn = stretch == hand.targetStretch && !mouse;
+        HandPose& pose = given[static_cast<size_t>(side)];
+        if (!everFromDevice_) {
+            hand.continuity.take(pose); // so that the first change of source is a glide too
+            continue;
+        }
+        const int stretch = fromDevice_ ? device.hand(side).stretch() : kMouse;
+        const HandPose& newest = fromDevice_ ? device.hand(side).pose() : pose;
+        const bool goesOn = fromDevice_ && stretch == hand.targetStretch;
         hand.target =
             goesOn ? between(hand.target, newest, 1.0f / static_cast<float>(std::max(ticksLeft, 1))) : newest;
         hand.targetStretch = stretch;
-        const float notSeen_s = mouse ? 0 : hand.notSeen_s;
-        given[side] = hand.continuity.step(hand.target, stretch, notSeen_s, dt_s);
+        pose = hand.continuity.step(hand.target, stretch, fromDevice_ ? device.notSeen_s(side) : 0, dt_s);
     }
 }
 

@@ -1,18 +1,49 @@
-// Selection of the hands that the game gets: those of the best tracker that sees any, else the mouse's.
+// The hands of a tracker, filtered, on the game's clock, and the selection of the hands that the game gets:
+// those of the tracker while it sees any, else the mouse's.
 #pragma once
 
-#include "input/hands/DeviceHands.h"
+#include "input/hands/HandFilter.h"
 
-#include <span>
+#include <optional>
 
 namespace shoal::hands {
+
+// When a device's frames count. Live: as they come. Stamps: when the game's time has come to their time
+// stamps, for which the game waits: then the same recording gives the same game, however fast either runs.
+enum class DeviceTime { Live, Stamps };
+
+class DeviceHands {
+  public:
+    explicit DeviceHands(DeviceTime time) : time_(time) {}
+
+    // Takes what the stream holds for the next elapsed_s of the game.
+    void advance(HandStream& stream, double elapsed_s);
+
+    const HandFilter& hand(int side) const { return filters_[static_cast<size_t>(side)]; }
+    float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since it last was
+    bool seesHands(float within_s) const { return notSeen_s_[0] <= within_s || notSeen_s_[1] <= within_s; }
+
+  private:
+    bool due(HandStream& stream, HandFrame& frame);
+
+    DeviceTime time_;
+    std::array<HandFilter, 2> filters_;
+    std::array<float, 2> notSeen_s_{1e6f, 1e6f};
+    // For Stamps.
+    int64_t game_us_ = 0;
+    int64_t gameFromDevice_us_ = 0;
+    int64_t last_us_ = 0;
+    std::optional<HandFrame> ahead_; // taken from the stream, its time still to come
+    bool begun_ = false;
+    bool silent_ = false; // nothing came while it was waited for: not waited for again until something does
+};
 
 // The pose that the simulation gets of one hand, tick by tick: short losses are bridged, and a hand that
 // comes back elsewhere, or from another tracker, glides there without pushing anything.
 class PoseBlend {
   public:
     // seen: the newest pose there is. stretch: changes whenever seen may be elsewhere for no reason of the
-    // hand's (HandFilter::stretch(), another device); 0: never seen. notSeen_s: since seen was renewed.
+    // hand's (HandFilter::stretch(), another source); 0: never seen. notSeen_s: since seen was renewed.
     const HandPose& step(const HandPose& seen, int stretch, float notSeen_s, float dt_s);
 
     // Of a source that needs none of this: its pose is given out as it is, and glided away from later.
@@ -35,29 +66,21 @@ HandPose between(const HandPose& a, const HandPose& b, float share);
 
 class HandSourceSelector {
   public:
-    static constexpr int kMouse = -1;
+    // Once a tick, after the device has advanced for the frame: takes the mouse's hands and gives those
+    // chosen. ticksLeft: of this frame, this one among them; what came since the last frame is spread over
+    // them, so that a hand moves evenly.
+    void tick(const DeviceHands& device, std::array<HandPose, 2>& hands, int ticksLeft, float dt_s);
 
-    // Once a frame of the display, after the devices have advanced; the best comes first.
-    void frame(std::span<const DeviceHands* const> devices);
-
-    // Once a tick: takes the mouse's hands and gives those chosen. ticksLeft: of this frame, this one among
-    // them; what came since the last frame is spread over them, so that a hand moves evenly.
-    void tick(std::array<HandPose, 2>& hands, int ticksLeft, float dt_s);
-
-    int chosen() const { return chosen_; } // index into the devices, or kMouse
+    bool fromDevice() const { return fromDevice_; } // else the mouse's
 
   private:
     struct Hand {
-        HandPose newest; // of the device chosen
-        int stretch = 0;
-        float notSeen_s = 0;
-        HandPose target; // on the way to the newest
+        HandPose target; // on the way to the newest of the device
         int targetStretch = 0;
         PoseBlend continuity;
     };
-    int chosen_ = kMouse;
-    bool everChosen_ = false; // a device: until then the mouse's hands pass as they are
-    int changes_ = 0;
+    bool fromDevice_ = false;
+    bool everFromDevice_ = false; // until then the mouse's hands pass as they are
     std::array<Hand, 2> hands_;
 };
 

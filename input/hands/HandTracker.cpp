@@ -10,30 +10,22 @@ void HandStream::push(const HandFrame& frame) {
     {
         std::unique_lock lock(mutex_);
         if (full_ == Full::Wait) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
-        if (frames_.size() >= capacity_) {
-            frames_.pop_front();
-            ++dropped_;
-        }
+        if (frames_.size() >= capacity_) frames_.pop_front();
         frames_.push_back(frame);
     }
     changed_.notify_all();
 }
 
-bool HandStream::take(HandFrame& out) {
+bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
     {
-        const std::lock_guard lock(mutex_);
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, patience, [&] { return closed_ || !frames_.empty(); });
         if (frames_.empty()) return false;
         out = frames_.front();
         frames_.pop_front();
     }
     changed_.notify_all();
     return true;
-}
-
-bool HandStream::wait(std::chrono::milliseconds maximum) {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, maximum, [&] { return closed_ || !frames_.empty(); });
-    return !frames_.empty();
 }
 
 void HandStream::close() {
@@ -46,9 +38,7 @@ void HandStream::close() {
 
 void HandStream::setState(DeviceState state) {
     const std::lock_guard lock(mutex_);
-    if (state == state_) return;
     state_ = std::move(state);
-    ++stateChanges_;
 }
 
 DeviceState HandStream::state() const {

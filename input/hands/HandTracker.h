@@ -2,13 +2,13 @@
 // hands reach the game's thread.
 #pragma once
 
-#include "engine/scene/HandPose.h"
+#include "input/hands/HandRig.h"
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <string>
 
@@ -25,8 +25,6 @@ struct DeviceState {
     bool present = false;    // frames come, or would if there were hands
     std::string description; // "protocol 6, peripheral attached", "not there", ...
     std::string instruction; // an instruction for the player, such as to hold a hand up; empty: none
-
-    bool operator==(const DeviceState&) const = default;
 };
 
 // A queue of frames with one writer, the tracker's thread, and one reader.
@@ -37,15 +35,12 @@ class HandStream {
     explicit HandStream(size_t capacity = 1024, Full full = Full::Drop);
 
     void push(const HandFrame& frame);
-    bool take(HandFrame& out); // the oldest frame; false: none
-    // Blocks until there is a frame, or the time is over: for programs that do not run in real time.
-    bool wait(std::chrono::milliseconds maximum);
+    // The oldest frame; false: none. Programs that do not run in real time wait so long for one.
+    bool take(HandFrame& out, std::chrono::milliseconds patience = {});
     void close(); // no call waits any longer
 
     void setState(DeviceState state);
     DeviceState state() const;
-    uint64_t stateChanges() const { return stateChanges_; }
-    uint64_t dropped() const { return dropped_; }
 
   private:
     mutable std::mutex mutex_;
@@ -54,8 +49,6 @@ class HandStream {
     const size_t capacity_;
     const Full full_;
     bool closed_ = false;
-    std::atomic<uint64_t> dropped_{0};
-    std::atomic<uint64_t> stateChanges_{0};
     DeviceState state_;
 };
 
@@ -78,5 +71,29 @@ class HandTracker {
     const char* name_;
     HandStream stream_;
 };
+
+// The service of Leap / Ultraleap, over its WebSocket: no library of theirs is needed.
+struct LeapOptions {
+    std::string host = "127.0.0.1";
+    uint16_t port = 6437;
+    bool onHeadset = false; // else on the desk: kHeadMount or kDeskMount
+};
+
+// Its thread connects, and connects again whenever the service goes: at once if it was there a moment ago,
+// else every kLeapRetry_ms. A service that closes with code 1001 is asked for the protocol one version older;
+// one that was gone is asked for the newest again.
+constexpr int kNewestLeapVersion = 6;
+constexpr int kLeapRetry_ms = 500;
+std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
+
+// A webcam, or a clip of one.
+struct WebcamOptions {
+    std::string file; // a clip; empty: the camera
+    int index = 0;    // which camera, as the system counts them
+    bool live = true; // a clip keeps its own rate; else it waits for whoever takes its frames
+};
+
+// A camera that is not there, or goes, is tried again every second.
+std::unique_ptr<HandTracker> makeWebcamTracker(const WebcamOptions& options, const HandRig& rig);
 
 } // namespace shoal::hands

@@ -50,14 +50,6 @@ HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float clos
     return hand;
 }
 
-MouseHands::MouseHands(HandRig rig, Side active) : rig_(std::move(rig)), active_(active) {}
-
-void MouseHands::reset() {
-    hands_ = {};
-    distance_ = 0.7f;
-    assistRests_s_ = 0;
-}
-
 const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float dt_s) {
     dt_s = std::isfinite(dt_s) ? std::clamp(dt_s, 0.0f, 0.1f) : 0.0f;
     if (input.swapHands) active_ = active_ == Side::Left ? Side::Right : Side::Left;

@@ -24,7 +24,7 @@ struct MouseInput {
 
 class MouseHands {
   public:
-    explicit MouseHands(HandRig rig, Side active = Side::Right);
+    explicit MouseHands(HandRig rig) : rig_(std::move(rig)) {}
 
     // dt_s: time since the last call, clamped to 0 .. 0.1. Result: left, right; viewer's frame, both tracked.
     // The grasp centre of the active hand lies on the ray through the cursor, kReachMin_m to kReachMax_m
@@ -33,7 +33,6 @@ class MouseHands {
 
     Side active() const { return active_; }
     float distance_m() const { return distance_; }
-    void reset();
 
   private:
     struct Hand {
@@ -42,7 +41,7 @@ class MouseHands {
         bool placed = false;
     };
     HandRig rig_;
-    Side active_;
+    Side active_ = Side::Right;
     float distance_ = 0.7f;
     float assistRests_s_ = 0; // the wheel was just used: no help with depth for so long
     std::array<Hand, 2> hands_{};

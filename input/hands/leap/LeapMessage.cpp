@@ -45,15 +45,9 @@ bool yes(const json& object, const char* key) {
     return value && value->is_boolean() && value->get<bool>();
 }
 
-// As text, whether it is a string or a number.
 std::string words(const json& object, const char* key) {
     const json* value = member(object, key);
-    if (!value) return {};
-    std::string text = value->is_string()   ? value->get<std::string>()
-                       : value->is_number() ? value->dump()
-                                            : "";
-    if (text.size() > 64) text.resize(64);
-    return text;
+    return value && value->is_string() ? value->get<std::string>().substr(0, 64) : "";
 }
 
 std::optional<glm::vec3> triple(const json& object, const char* key, double scale, double maximum) {
@@ -154,15 +148,12 @@ Result<LeapMessage> readLeapMessage(std::string_view text) {
     if (!message.is_object()) return Error{"", "is no JSON object"};
     if (message.contains("hands") || message.contains("pointables") || message.contains("timestamp"))
         return LeapMessage(readFrame(message));
-    if (const auto version = whole(message, "version"))
-        return LeapMessage(LeapHello{static_cast<int>(std::clamp<int64_t>(*version, 0, 999)),
-                                     words(message, "serviceVersion")});
     if (const json* event = member(message, "event"); event && event->is_object())
         if (const json* state = member(*event, "state");
             words(*event, "type") == "deviceEvent" && state && state->is_object())
-            return LeapMessage(LeapDevice{yes(*state, "attached"), yes(*state, "streaming"),
-                                          words(*state, "id"), words(*state, "type")});
-    return LeapMessage(LeapOther{});
+            return LeapMessage(
+                LeapDevice{yes(*state, "attached"), yes(*state, "streaming"), words(*state, "type")});
+    return LeapMessage();
 }
 
 } // namespace shoal::hands

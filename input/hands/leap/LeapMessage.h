@@ -11,16 +11,10 @@
 
 namespace shoal::hands {
 
-// The first message.
-struct LeapHello {
-    int version = 0;
-    std::string service; // its version; may be empty
-};
-
 // A device was plugged in, or out, or changed its mind.
 struct LeapDevice {
     bool attached = false, streaming = false;
-    std::string id, type;
+    std::string type;
 };
 
 struct LeapFrame {
@@ -28,9 +22,8 @@ struct LeapFrame {
     std::vector<PartialHand> hands; // device's frame in metres; whatever was absurd is left out
 };
 
-struct LeapOther {}; // valid, but nothing that concerns us
-
-using LeapMessage = std::variant<LeapHello, LeapDevice, LeapFrame, LeapOther>;
+using LeapMessage =
+    std::variant<std::monostate, LeapDevice, LeapFrame>; // the first: nothing that concerns us
 
 // What a message may hold; a frame with two hands and all their bones has 30 kB, 2000 values and depth 5.
 constexpr size_t kLeapMessageBytes = 256 * 1024;

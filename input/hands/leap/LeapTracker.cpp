@@ -1,4 +1,4 @@
-#include "input/hands/leap/LeapTracker.h"
+#include "input/hands/HandTracker.h"
 
 #include "input/hands/leap/LeapTracks.h"
 

@@ -23,20 +23,18 @@ constexpr float kSizeTau_s = 0.10f; // the palm's size is smoothed: distance is 
 // Radius of the largest circle inside a hand's outline, metres, for each Gesture; of the rig's hand.
 constexpr std::array kPalmRadius_m = {0.0441f, 0.0446f, 0.0437f};
 
+// Of the histograms of colour.
+constexpr int kChannels[] = {0, 1, 2};
+constexpr float kRange[] = {0, 256};
+
 // Thumb and index touch, the others stand.
 constexpr HandShape kPinchShape{{0.85f, 0.68f, 0.15f, 0.13f, 0.13f}, 0.3f};
 
 } // namespace
 
-void SkinColour::addBackground(const cv::Mat& ycc) {
-    for (int y = 0; y < ycc.rows; ++y)
-        for (int x = 0; x < ycc.cols; ++x) background_.at<float>(bin(ycc.at<cv::Vec3b>(y, x))) += 1;
-}
-
-void SkinColour::addHand(const cv::Mat& ycc, const cv::Mat& where) {
-    for (int y = 0; y < ycc.rows; ++y)
-        for (int x = 0; x < ycc.cols; ++x)
-            if (where.at<uchar>(y, x)) hand_.at<float>(bin(ycc.at<cv::Vec3b>(y, x))) += 1;
+void SkinColour::add(cv::Mat& histogram, const cv::Mat& ycc, const cv::Mat& where) {
+    const float* ranges[] = {kRange, kRange, kRange};
+    cv::calcHist(&ycc, 1, kChannels, where, histogram, 3, kBins, ranges, true, true);
 }
 
 void SkinColour::learn() {
@@ -55,14 +53,12 @@ void SkinColour::learn() {
     const cv::Mat hand = smoothed(hand_), background = smoothed(background_);
     // A colour that neither showed is not the hand's.
     const cv::Mat share = hand / (hand + background + 1e-6);
-    share.reshape(1, kBins).convertTo(likely_, CV_8U, 255);
+    likely_ = share.reshape(1, 3, kBins);
 }
 
 void SkinColour::likelihood(const cv::Mat& ycc, cv::Mat& out) const {
-    out.create(ycc.size(), CV_8U);
-    for (int y = 0; y < ycc.rows; ++y)
-        for (int x = 0; x < ycc.cols; ++x)
-            out.at<uchar>(y, x) = likely_.at<uchar>(bin(ycc.at<cv::Vec3b>(y, x)));
+    const float* ranges[] = {kRange, kRange, kRange};
+    cv::calcBackProject(&ycc, 1, kChannels, likely_, out, ranges, 255);
 }
 
 std::string HandDetector::instruction() const {

@@ -2,15 +2,30 @@
 // and the geometry of outlines. No learned weights.
 #pragma once
 
+#include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandTracker.h"
-#include "input/hands/webcam/HandOutlines.h"
 
 #include <opencv2/core.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace shoal::hands {
+
+// Palm, fingers and gesture of a hand outline in a segmentation mask.
+struct Outline {
+    cv::Point2f palm;  // pixels; the middle of the largest circle inside the outline
+    float radius = 0;  // of that circle, pixels
+    int clefts = 0;    // deep narrow gaps between fingers that stand
+    bool ring = false; // thumb and index enclose a hole
+    int thumb = 0; // of an open hand, fingers up: 1 on the right of the picture, -1 on the left; 0 unknown
+    float highest = 0; // of the outline above the palm's middle, in radii
+    Gesture gesture = Gesture::Open;
+};
+
+// mask: 8-bit, 255 where a hand may be. The largest outlines first, two at most.
+std::vector<Outline> findHands(const cv::Mat& mask);
 
 // Colour model of a player's hands, calibrated on a few pictures, for segmentation from the background.
 
@@ -19,8 +34,9 @@ namespace shoal::hands {
 // "Statistical Color Models with Application to Skin Detection", equation 3, with equal costs.
 class SkinColour {
   public:
-    void addBackground(const cv::Mat& ycc);                 // 8-bit YCrCb
-    void addHand(const cv::Mat& ycc, const cv::Mat& where); // where: 8-bit mask
+    // 8-bit YCrCb. where: 8-bit mask.
+    void addBackground(const cv::Mat& ycc) { add(background_, ycc, cv::Mat()); }
+    void addHand(const cv::Mat& ycc, const cv::Mat& where) { add(hand_, ycc, where); }
     void learn();
     bool learnt() const { return !likely_.empty(); }
 
@@ -28,12 +44,12 @@ class SkinColour {
     void likelihood(const cv::Mat& ycc, cv::Mat& out) const;
 
   private:
-    cv::Mat hand_ = cv::Mat::zeros(kBins, 1, CV_32F), background_ = cv::Mat::zeros(kBins, 1, CV_32F);
-    cv::Mat likely_; // 8-bit, by bin
-    static constexpr int kChroma = 64, kLight = 8, kBins = kLight * kChroma * kChroma;
-    static int bin(const cv::Vec3b& ycc) {
-        return ((ycc[0] >> 5) * kChroma + (ycc[1] >> 2)) * kChroma + (ycc[2] >> 2);
-    }
+    static void add(cv::Mat& histogram, const cv::Mat& ycc, const cv::Mat& where);
+
+    static constexpr int kChroma = 64, kLight = 8;
+    static constexpr int kBins[] = {kLight, kChroma, kChroma};
+    cv::Mat hand_ = cv::Mat(3, kBins, CV_32F, cv::Scalar(0)), background_ = hand_.clone();
+    cv::Mat likely_; // 0 to 1, by bin
 };
 
 // Typical of webcams, which do not report it. An error in it scales all distances alike.

@@ -1,4 +1,4 @@
-#include "input/hands/webcam/HandOutlines.h"
+#include "input/hands/webcam/HandDetector.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,4 +1,4 @@
-#include "input/hands/webcam/WebcamTracker.h"
+#include "input/hands/HandTracker.h"
 
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
@@ -25,27 +25,20 @@ class WebcamTracker final : public HandTracker {
                                                              : HandStream::Full::Drop),
           options_(options), rig_(rig) {
         stream().setState({false, place() + " is being opened", {}});
-        thread_ = std::thread([this] { run(); });
+        thread_ = std::jthread([this](const std::stop_token& ending) { run(ending); });
     }
     ~WebcamTracker() override {
-        {
-            const std::lock_guard lock(mutex_);
-            stopping_ = true;
-        }
-        stopped_.notify_all();
+        thread_.request_stop();
         stream().close();
-        thread_.join();
     }
 
   private:
     // False: the tracker is being destroyed.
-    bool waitUntil(Clock::time_point when) {
-        std::unique_lock lock(mutex_);
-        return !stopped_.wait_until(lock, when, [&] { return stopping_; });
-    }
-    bool stopping() {
-        const std::lock_guard lock(mutex_);
-        return stopping_;
+    static bool waitUntil(const std::stop_token& ending, Clock::time_point when) {
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any().wait_until(lock, ending, when, [] { return false; });
+        return !ending.stop_requested();
     }
 
     std::string place() const {
@@ -58,22 +51,25 @@ class WebcamTracker final : public HandTracker {
     }
 
     // Returns why it ended.
-    std::string watchClip() {
+    std::string watchClip(const std::stop_token& ending) {
         auto source = media::VideoSource::open(options_.file, media::Layout::Mono);
         if (!source) return source.error().message();
         HandDetector detector(rig_);
         const Clock::time_point began = Clock::now();
         ImageRgb8 picture(source->info().width, source->info().height);
-        for (int64_t number = 0; !stopping() && source->grab() && source->retrieve(picture); ++number) {
+        for (int64_t number = 0; !ending.stop_requested() && source->grab() && source->retrieve(picture);
+             ++number) {
             const std::chrono::duration<double> time(static_cast<double>(number) / source->info().fps);
-            if (options_.live && !waitUntil(began + std::chrono::duration_cast<Clock::duration>(time))) break;
+            if (options_.live &&
+                !waitUntil(ending, began + std::chrono::duration_cast<Clock::duration>(time)))
+                break;
             detect(detector, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()),
                    time.count());
         }
         return options_.file + " is over";
     }
 
-    std::string watchCamera() {
+    std::string watchCamera(const std::stop_token& ending) {
         const auto with = media::codecs();
         if (!with) return with.error().message();
         try {
@@ -82,30 +78,27 @@ class WebcamTracker final : public HandTracker {
             HandDetector detector(rig_);
             const Clock::time_point began = Clock::now();
             cv::Mat picture;
-            while (!stopping() && camera(nullptr) && camera(&picture))
+            while (!ending.stop_requested() && camera(nullptr) && camera(&picture))
                 detect(detector, picture, std::chrono::duration<double>(Clock::now() - began).count());
         } catch (const cv::Exception&) { // of a driver: as good as unplugged
         }
         return place() + " gives no pictures";
     }
 
-    void run() {
+    void run(const std::stop_token& ending) {
         lowerThreadPriority();
         if (!options_.file.empty()) {
-            stream().setState({false, watchClip(), {}});
+            stream().setState({false, watchClip(ending), {}});
         } else {
-            do stream().setState({false, watchCamera(), {}});
-            while (waitUntil(Clock::now() + kRetry));
+            do stream().setState({false, watchCamera(ending), {}});
+            while (waitUntil(ending, Clock::now() + kRetry));
         }
         stream().close();
     }
 
     WebcamOptions options_;
     HandRig rig_;
-    std::mutex mutex_;
-    std::condition_variable stopped_;
-    bool stopping_ = false;
-    std::thread thread_; // last: it uses all of the above
+    std::jthread thread_; // last: it uses all of the above
 };
 
 } // namespace

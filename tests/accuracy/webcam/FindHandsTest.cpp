@@ -1,5 +1,5 @@
 // Outlines drawn with a ruler: what is a finger, and what an arm.
-#include "input/hands/webcam/HandOutlines.h"
+#include "input/hands/webcam/HandDetector.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "HandClip.h"
 #include "engine/sim/Recording.h"
 #include "game/rules/TickInput.h"
+#include "input/hands/HandTracker.h"
 #include "input/hands/webcam/HandDetector.h"
-#include "input/hands/webcam/WebcamTracker.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
@@ -204,7 +204,7 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
     size_t frames = 0, rights = 0, lefts = 0, fists = 0, pinches = 0;
     std::vector<std::string> asked;
     int64_t last_us = -1;
-    while (hands->stream().wait(std::chrono::seconds(20)) && hands->stream().take(frame)) {
+    while (hands->stream().take(frame, std::chrono::seconds(20))) {
         ++frames;
         EXPECT_GT(frame.time_us, last_us);
         last_us = frame.time_us;
@@ -253,7 +253,8 @@ TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
     const Path file = folder / "no_clip.avi";
     ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));
     const auto hands = makeWebcamTracker({file.string(), 0, false}, rig());
-    EXPECT_FALSE(hands->stream().wait(std::chrono::seconds(20)));
+    HandFrame frame;
+    EXPECT_FALSE(hands->stream().take(frame, std::chrono::seconds(20)));
     EXPECT_FALSE(hands->stream().state().present);
 }
 

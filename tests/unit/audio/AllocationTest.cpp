@@ -12,8 +12,8 @@ TEST(Allocation, AnUpdateTakesNoMemory) {
     ASSERT_TRUE(audio);
     audio->add(tone(300, 0.2f));
     std::vector<float> samples(2 * 800);
-    std::array<Emitter, 6> emitters;
-    std::array<OneShot, 8> shots;
+    std::array<Sound, 6> emitters;
+    std::array<Sound, 8> shots;
     heap::counting = true;
     for (uint32_t i = 0; i < 300; ++i) {
         for (uint32_t k = 0; k < emitters.size(); ++k)

@@ -141,7 +141,7 @@ double echo(float enclosure) {
     auto audio = Audio::open({.loopback = true});
     EXPECT_TRUE(audio);
     audio->add(tone(400, 0.1f));
-    const OneShot shot{.position = {0, 0, -2}};
+    const Sound shot{.position = {0, 0, -2}};
     std::vector<float> during(9600), after(48000);
     audio->update({.enclosure = enclosure}, {}, {&shot, 1});
     audio->render(during);
@@ -162,7 +162,7 @@ TEST(Audio, EnteringATunnelDoesNotClick) {
     auto audio = Audio::open({.loopback = true});
     ASSERT_TRUE(audio);
     audio->add(tone(200, 1));
-    const Emitter emitter{.id = 1, .position = {0, 0, -1}};
+    const Sound emitter{.id = 1, .position = {0, 0, -1}};
     std::vector<float> samples(2 * 800);
     float steepest = 0, before = 0, limit = 0;
     for (int frame = 0; frame < 120; ++frame) {
@@ -189,11 +189,11 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
         ASSERT_TRUE(audio);
         for (const char* name : {"bed_open", "struggle", "shark_bite", "fish_pass_small"})
             audio->add(*readClip(dataRoot() / "content/sounds" / (std::string(name) + ".flac")));
-        std::vector<Emitter> emitters{{.id = 100, .clip = 0, .gain = 0.45f, .everywhere = true}};
+        std::vector<Sound> emitters{{.id = 100, .clip = 0, .gain = 0.45f, .everywhere = true}};
         for (uint32_t i = 0; i < 2; ++i)
             emitters.push_back(
                 {.id = i, .clip = 1, .position = {i ? 0.4f : -0.4f, -0.2f, -0.5f}, .gain = 0.8f});
-        std::vector<OneShot> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
+        std::vector<Sound> shots{{.clip = 2, .position = {0, 0, -0.7f}}};
         for (int i = 0; i < 3; ++i)
             shots.push_back(
                 {.clip = 3, .position = {0.5f * static_cast<float>(i - 1), 0, -0.8f}, .gain = 0.8f});
@@ -208,7 +208,7 @@ TEST(Audio, NothingClipsWhenEverythingSoundsAtOnce) {
 }
 
 TEST(Audio, VolumeScales) {
-    const OneShot shot{.position = {0, 0, -1}};
+    const Sound shot{.position = {0, 0, -1}};
     const double full = hear(tone(300, 1), shot).both();
     EXPECT_NEAR(hear(tone(300, 1), shot, false, 0.5f).both() / full, 0.5, 0.01); // linear gain
     EXPECT_EQ(hear(tone(300, 1), shot, false, 0).both(), 0);
@@ -252,7 +252,7 @@ TEST(Audio, AMovingShotPassesFromEarToEar) {
     auto audio = Audio::open({.loopback = true});
     ASSERT_TRUE(audio);
     audio->add(tone(400, 2));
-    const OneShot shot{.position = {-2, 0, -0.5f}, .velocity = {4, 0, 0}};
+    const Sound shot{.position = {-2, 0, -0.5f}, .velocity = {4, 0, 0}};
     audio->update({}, {}, {&shot, 1});
     std::vector<float> samples(2 * 800);
     Loudness first, last;
@@ -284,7 +284,7 @@ TEST(Audio, TwoAtOnceDoNotMix) {
         ASSERT_TRUE(other);
         other->add(tone(700, 1));
         one->add(tone(300, 1));
-        const OneShot shot{.position = {0, 0, -1}};
+        const Sound shot{.position = {0, 0, -1}};
         one->update({}, {}, {&shot, 1});
         EXPECT_EQ(other->sounding(), 0);
     }
@@ -299,8 +299,8 @@ TEST(Audio, OpensTheMachinesDevice) {
     auto audio = Audio::open({});
     ASSERT_TRUE(audio) << audio.error().message();
     audio->add(tone(300, 1));
-    const Emitter emitter{.id = 1, .position = {0, 0, -1}};
-    const OneShot shot{.position = {1, 0, 0}};
+    const Sound emitter{.id = 1, .position = {0, 0, -1}};
+    const Sound shot{.position = {1, 0, 0}};
     for (int i = 0; i < 3; ++i) audio->update({}, {&emitter, 1}, {&shot, 1});
     EXPECT_EQ(audio->sounding(), 4);
     ASSERT_TRUE(audio->reopen());

@@ -39,7 +39,7 @@ inline Loudness loudness(std::span<const float> stereo) {
 }
 
 // Half a second of what is heard.
-inline std::vector<float> render(const Clip& clip, const OneShot& shot, const Listener& listener,
+inline std::vector<float> render(const Clip& clip, const Sound& shot, const Listener& listener,
                                  AudioOptions options) {
     options.loopback = true;
     auto audio = Audio::open(options);
@@ -53,7 +53,7 @@ inline std::vector<float> render(const Clip& clip, const OneShot& shot, const Li
     return samples;
 }
 
-inline Loudness hear(const Clip& clip, const OneShot& shot, bool headphones = false, float volume = 1) {
+inline Loudness hear(const Clip& clip, const Sound& shot, bool headphones = false, float volume = 1) {
     return loudness(render(clip, shot, {}, {.headphones = headphones, .volume = volume}));
 }
 

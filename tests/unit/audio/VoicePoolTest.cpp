@@ -15,7 +15,7 @@ struct LoopbackScene {
 
     LoopbackScene() : audio(std::move(*Audio::open({.loopback = true}))) { audio.add(tone(300, 0.5f)); }
 
-    void frame(std::span<const Emitter> emitters, std::span<const OneShot> shots = {}) {
+    void frame(std::span<const Sound> emitters, std::span<const Sound> shots = {}) {
         audio.update({}, emitters, shots);
         audio.render(samples);
     }
@@ -28,7 +28,7 @@ struct LoopbackScene {
     }
 };
 
-const Emitter kAhead{.id = 7, .position = {0, 0, -0.5f}};
+const Sound kAhead{.id = 7, .position = {0, 0, -0.5f}};
 
 TEST(VoicePool, EmittersGoOnWhileListedAndEndAfter) {
     LoopbackScene scene;
@@ -63,7 +63,7 @@ TEST(VoicePool, AnEmitterThatComesBackGoesOn) {
 
 TEST(VoicePool, AnEmitterMoves) {
     LoopbackScene scene;
-    Emitter emitter = kAhead;
+    Sound emitter = kAhead;
     emitter.position = {-0.7f, 0, 0};
     for (int i = 0; i < 10; ++i) scene.frame({&emitter, 1});
     EXPECT_GT(loudness(scene.samples).left, 1.2 * loudness(scene.samples).right);
@@ -75,7 +75,7 @@ TEST(VoicePool, AnEmitterMoves) {
 
 TEST(VoicePool, ShotsEndByThemselves) {
     LoopbackScene scene;
-    const OneShot shot{.position = {0, 0, -1}};
+    const Sound shot{.position = {0, 0, -1}};
     scene.frame({}, {&shot, 1});
     EXPECT_EQ(scene.audio.sounding(), 1);
     for (int i = 0; i < 40; ++i) scene.frame({}); // 0.67 s of a clip of 0.5
@@ -84,10 +84,10 @@ TEST(VoicePool, ShotsEndByThemselves) {
 
 TEST(VoicePool, TheNearTakesThePlaceOfTheFar) {
     LoopbackScene scene;
-    const std::vector<OneShot> far(Audio::kSources, OneShot{.position = {-300, 0, 0}});
+    const std::vector<Sound> far(Audio::kSources, Sound{.position = {-300, 0, 0}});
     scene.frame({}, far);
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
-    const OneShot near{.position = {0.5f, 0, 0}};
+    const Sound near{.position = {0.5f, 0, 0}};
     scene.frame({}, {&near, 1});
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
     // One at full level right against 31 times 0.7 / 300 left.
@@ -96,7 +96,7 @@ TEST(VoicePool, TheNearTakesThePlaceOfTheFar) {
 
 TEST(VoicePool, TheFarDoesNotTakeThePlaceOfTheNear) {
     LoopbackScene scene;
-    const std::vector<OneShot> near(Audio::kSources, OneShot{.position = {0.5f, 0, 0}, .gain = 0.02f});
+    const std::vector<Sound> near(Audio::kSources, Sound{.position = {0.5f, 0, 0}, .gain = 0.02f});
     scene.frame({}, near);
     const std::vector<float> before = [&] {
         LoopbackScene alone;
@@ -104,16 +104,16 @@ TEST(VoicePool, TheFarDoesNotTakeThePlaceOfTheNear) {
         alone.frame({});
         return alone.samples;
     }();
-    const std::vector<OneShot> far(10, OneShot{.position = {-50, 0, 0}});
+    const std::vector<Sound> far(10, Sound{.position = {-50, 0, 0}});
     scene.frame({}, far);
     EXPECT_EQ(scene.samples, before);
 }
 
 TEST(VoicePool, TheBedGivesWayToNobody) {
     LoopbackScene scene;
-    const Emitter bed{.id = 1, .gain = 0.1f, .everywhere = true};
+    const Sound bed{.id = 1, .gain = 0.1f, .everywhere = true};
     scene.frame({&bed, 1});
-    const std::vector<OneShot> crowd(100, OneShot{.position = {0, 0, -0.2f}, .gain = 0});
+    const std::vector<Sound> crowd(100, Sound{.position = {0, 0, -0.2f}, .gain = 0});
     scene.frame({&bed, 1}, crowd);
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
     scene.frame({&bed, 1});
@@ -122,7 +122,7 @@ TEST(VoicePool, TheBedGivesWayToNobody) {
 
 TEST(VoicePool, PauseStandsStill) {
     LoopbackScene scene;
-    const OneShot shot{.position = {0, 0, -1}};
+    const Sound shot{.position = {0, 0, -1}};
     scene.frame({&kAhead, 1}, {&shot, 1});
     scene.audio.setPaused(true);
     for (int i = 0; i < 240; ++i) scene.frame({&kAhead, 1}, {&shot, 1}); // 4 s, far beyond the clip
@@ -169,9 +169,9 @@ TEST(VoicePool, AReopenedDeviceGoesOnWithWhatIsListed) {
 
 TEST(VoicePool, MoreThanFitAreLeftOut) {
     LoopbackScene scene;
-    std::vector<Emitter> emitters;
+    std::vector<Sound> emitters;
     for (uint32_t i = 0; i < 60; ++i) emitters.push_back({.id = i, .position = {0, 0, -1}});
-    const std::vector<OneShot> shots(100);
+    const std::vector<Sound> shots(100);
     scene.frame(emitters, shots);
     EXPECT_EQ(scene.audio.sounding(), Audio::kSources);
     for (const float sample : scene.samples) ASSERT_TRUE(std::isfinite(sample));

@@ -25,13 +25,13 @@ Events oneOfEach() {
 
 int count(const SoundCues& hear, Sound sound) {
     const auto shots = hear.shots();
-    return static_cast<int>(std::count_if(shots.begin(), shots.end(), [&](const audio::OneShot& shot) {
+    return static_cast<int>(std::count_if(shots.begin(), shots.end(), [&](const audio::Sound& shot) {
         return shot.clip == static_cast<int>(sound);
     }));
 }
 
-const audio::Emitter* find(const SoundCues& hear, Sound sound) {
-    for (const audio::Emitter& emitter : hear.emitters())
+const audio::Sound* find(const SoundCues& hear, Sound sound) {
+    for (const audio::Sound& emitter : hear.emitters())
         if (emitter.clip == static_cast<int>(sound)) return &emitter;
     return nullptr;
 }
@@ -55,7 +55,7 @@ TEST(SoundCues, EveryKindOfEventIsHeardWhereItHappens) {
         SoundCues hear;
         hear.listen({}, {&event, 1}, kFrame_s);
         ASSERT_EQ(hear.shots().size(), 1u) << rowOf(event.kind).name;
-        const audio::OneShot& shot = hear.shots()[0];
+        const audio::Sound& shot = hear.shots()[0];
         EXPECT_EQ(shot.clip, static_cast<int>(rowOf(event.kind).sound)) << rowOf(event.kind).name;
         if (!shot.everywhere) {
             EXPECT_EQ(shot.position, event.position) << rowOf(event.kind).name;
@@ -75,8 +75,8 @@ TEST(SoundCues, EverySoundIsPlayedOfSomething) {
     shown.creatures[2] = {.id = 2, .position = {-4, 0, -1.5f}, .velocity = {1, 0, 0}, .length = 2.5f};
     std::set<int> heard;
     const auto note = [&] {
-        for (const audio::OneShot& shot : hear.shots()) heard.insert(shot.clip);
-        for (const audio::Emitter& emitter : hear.emitters()) heard.insert(emitter.clip);
+        for (const audio::Sound& shot : hear.shots()) heard.insert(shot.clip);
+        for (const audio::Sound& emitter : hear.emitters()) heard.insert(emitter.clip);
     };
     for (const Event& event : oneOfEach()) {
         hear.listen(shown, {&event, 1}, kFrame_s);
@@ -131,7 +131,7 @@ TEST(SoundCues, TheBedNeverEnds) {
     for (const bool paused : {false, true, false}) {
         shown.paused = paused;
         hear.listen(shown, {}, kFrame_s);
-        const audio::Emitter* bed = find(hear, Sound::BedOpen);
+        const audio::Sound* bed = find(hear, Sound::BedOpen);
         ASSERT_TRUE(bed);
         EXPECT_TRUE(bed->everywhere);
         EXPECT_FLOAT_EQ(bed->gain, rowOf(Sound::BedOpen).gain);
@@ -147,7 +147,7 @@ TEST(SoundCues, TheBedsCrossOverInATunnel) {
     for (int i = 0; i < 120; ++i) { // half way: both, and their powers still add to one
         hear.listen(shown, {}, kFrame_s);
         const auto power = [&](Sound sound) {
-            const audio::Emitter* bed = find(hear, sound);
+            const audio::Sound* bed = find(hear, sound);
             const float full = rowOf(sound).gain;
             return bed ? bed->gain * bed->gain / (full * full) : 0;
         };
@@ -166,7 +166,7 @@ TEST(SoundCues, AHeldFishStrugglesWhereItIs) {
     shown.creatures[1].position = {0.2f, 0, -0.5f};
     SoundCues hear;
     hear.listen(shown, {}, kFrame_s);
-    const audio::Emitter* struggle = find(hear, Sound::Struggle);
+    const audio::Sound* struggle = find(hear, Sound::Struggle);
     ASSERT_TRUE(struggle);
     EXPECT_EQ(struggle->position, shown.creatures[1].position);
     EXPECT_NE(struggle->id, find(hear, Sound::BedOpen)->id);
