@@ -32,7 +32,7 @@ nlohmann::json jsonFrom(const RecordingHeader& header) {
     return {{"version", header.version},
             {"seed", header.seed},
             {"dive", header.dive},
-            {"settings", header.settings},
+            {"settings", nlohmann::json::object()}, // of the format; never used
             {"tick_rate_Hz", header.tickRate_Hz},
             {"input_bytes", header.inputBytes}};
 }
@@ -43,7 +43,6 @@ RecordingHeader headerFrom(const nlohmann::json& json) {
     json.at("version").get_to(header.version);
     json.at("seed").get_to(header.seed);
     json.at("dive").get_to(header.dive);
-    json.at("settings").get_to(header.settings);
     json.at("tick_rate_Hz").get_to(header.tickRate_Hz);
     json.at("input_bytes").get_to(header.inputBytes);
     return header;

@@ -11,7 +11,6 @@
 #include "engine/sim/FixedStep.h"
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,8 +21,7 @@ struct RecordingHeader {
     static constexpr int kVersion = 1;
     int version = kVersion;
     uint64_t seed = 0;
-    std::string dive;                            // name of content/dives/NAME.toml
-    std::map<std::string, std::string> settings; // whatever else shaped the run
+    std::string dive; // name of content/dives/NAME.toml
     int tickRate_Hz = kTickRate_Hz;
     uint32_t inputBytes = 0; // per tick; 1 to 65536
 

@@ -15,7 +15,6 @@ Recording sample(size_t ticks) {
     RecordingHeader header;
     header.seed = 0xffffffffffffffffull;
     header.dive = "reef";
-    header.settings = {{"hands", "mouse"}};
     header.inputBytes = 37;
     Recording recording(header, ticks);
     Random random(3);
