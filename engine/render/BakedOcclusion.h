@@ -3,11 +3,11 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/occlusion/EllipsoidOcclusion.h"
 #include "engine/occlusion/FitEllipsoids.h"
-#include "engine/render/BodyOccluders.h"
 #include "engine/scene/Model.h"
 
-#include <string>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -26,28 +26,23 @@ uint64_t skinHash(const scene::Model& model);
 // hand.glb has hand.occlusion.json.
 Path bakedOcclusionBeside(const Path& model);
 
-// Fails where it is none: out of range, or not as long as it says. Self-occlusion is kept to 1/250.
+constexpr double kSelfOcclusionSteps = 250;  // of 1, in the file: a tenth of what rays leave open
+constexpr int kMaxSelfOcclusionSteps = 2000; // either way: what is hidden is whole long before
+
+// Fails where it is none: out of range, or not as long as it says.
 Result<BakedOcclusion> parseBakedOcclusion(std::string_view text);
 Result<BakedOcclusion> readBakedOcclusion(const Path& file);
-std::string written(const BakedOcclusion& baked);
-
-// What bakeSelfOcclusion() and bakeSelfOcclusionBesideOwn() have left in the model.
-BakedOcclusion bakedOcclusionOf(const scene::Model& model, std::vector<occlusion::BodyPart> parts);
 
 // Gives the model its self-occlusion. False, and nothing changed, if the baked is another model's.
 bool applyBakedOcclusion(const BakedOcclusion& baked, scene::Model& model);
 
-// A model's self-occlusion, found by rays from its surface.
-
-// Fills Primitive::self-occlusion of every mesh, as it hides itself in this pose, which should be the rest
-// pose: self-occlusion go with the joints that move them. What is blended neither hides nor self-occlusion.
-// Meshes hung up more than once keep what the last place says. Not where a material brings a map of its
-// occlusion. rays: from each of three points in a triangle.
-void bakeSelfOcclusion(scene::Model& model, const scene::Pose& rest, int rays);
-
-// Likewise Primitive::selfOcclusionBesideOwn, which take the place of the others once the body's own parts
-// count in full (BodyOccluders.h): in a pose so bent.
-void bakeSelfOcclusionBesideOwn(scene::Model& model, const scene::Pose& bent, const BodyOccluders& body,
-                                int rays);
+// Fills a self-occlusion of every mesh by rays from its surface, as it hides itself in this pose; it goes
+// with the joints that move it. What is blended neither hides nor takes. Meshes hung up more than once keep
+// what the last place says. Not where a material brings a map of its occlusion. rays: from each of three
+// points in a triangle. kept: by default in the rest pose; selfOcclusionBesideOwn takes its place once the
+// body's own parts count in full (BodyOccluders.h), so is of a pose so bent, and beside those parts.
+void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays,
+                       std::vector<glm::vec4> scene::Primitive::*kept = &scene::Primitive::selfOcclusion,
+                       std::span<const occlusion::Occluder> own = {});
 
 } // namespace shoal::render

@@ -92,7 +92,7 @@ TEST(BakedOcclusion, IsReadAsItWasWritten) {
     baked.parts = {{{{0.01f, -0.02f, 0.03f}, turned, {0.01f, 0.02f, 0.04f}}, 5}};
     baked.selfOcclusion = {{0, 0.5f, -0.252f, 1}, {-1, 0, 0, 0.004f}};
     baked.besideOwn = {{0.1f, 0, 0, -0.1f}, {0, 0, 0, 0}};
-    const auto read = parseBakedOcclusion(written(baked));
+    const auto read = parseBakedOcclusion(make::written(baked));
     ASSERT_TRUE(read.ok()) << read.error().reason;
     EXPECT_EQ(read->skin, baked.skin);
     ASSERT_EQ(read->parts.size(), 1u);

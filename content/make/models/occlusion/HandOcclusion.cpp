@@ -1,11 +1,16 @@
 #include "content/make/models/occlusion/HandOcclusion.h"
 
 #include "content/make/models/occlusion/FitToHidden.h"
-#include "engine/render/BakedOcclusion.h"
+#include "engine/render/BodyOccluders.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Surface.h"
 
+#include <fmt/core.h>
 #include <glm/gtc/matrix_transform.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace shoal::make {
 
@@ -17,6 +22,27 @@ constexpr int kPlaces = 4000; // around each pose
 // As most of what a hand's own parts count for is; and nearly a fist.
 const hands::HandShape kHalf{{0.45f, 0.45f, 0.45f, 0.45f, 0.45f}, 0},
     kClosed{{0.65f, 0.75f, 0.75f, 0.75f, 0.75f}, 0};
+
+using nlohmann::json;
+
+json numbers(const float* values, int count) {
+    constexpr double kDigits = 1e7;
+    json list = json::array();
+    for (int i = 0; i < count; ++i)
+        list.push_back(std::round(static_cast<double>(values[i]) * kDigits) / kDigits);
+    return list;
+}
+
+json steps(const std::vector<glm::vec4>& selfOcclusion) {
+    json list = json::array();
+    for (const glm::vec4& vertex : selfOcclusion)
+        for (int i = 0; i < 4; ++i) {
+            const auto step = std::lround(static_cast<double>(vertex[i]) * render::kSelfOcclusionSteps);
+            list.push_back(std::clamp(static_cast<int>(step), -render::kMaxSelfOcclusionSteps,
+                                      render::kMaxSelfOcclusionSteps));
+        }
+    return list;
+}
 
 } // namespace
 
@@ -71,10 +97,40 @@ std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts
 }
 
 render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts) {
+    const scene::Pose half = hand.closed(kHalf);
+    std::vector<occlusion::Occluder> own;
+    for (const auto& part : render::makeBodyOccluders(hand.model, hand.rest, parts, true).parts)
+        own.push_back({placed(part, half, glm::mat4(1)), 1, {}});
     render::bakeSelfOcclusion(hand.model, hand.rest, kRays);
-    render::bakeSelfOcclusionBesideOwn(hand.model, hand.closed(kHalf),
-                                       render::makeBodyOccluders(hand.model, hand.rest, parts, true), kRays);
-    return render::bakedOcclusionOf(hand.model, parts);
+    render::bakeSelfOcclusion(hand.model, half, kRays, &scene::Primitive::selfOcclusionBesideOwn, own);
+    render::BakedOcclusion baked{render::skinHash(hand.model), parts, {}, {}};
+    for (const int index : hand.model.order) {
+        const int mesh = hand.model.nodes[static_cast<size_t>(index)].mesh;
+        if (mesh < 0) continue;
+        for (const scene::Primitive& primitive : hand.model.meshes[static_cast<size_t>(mesh)].primitives) {
+            baked.selfOcclusion.insert(baked.selfOcclusion.end(), primitive.selfOcclusion.begin(),
+                                       primitive.selfOcclusion.end());
+            baked.besideOwn.insert(baked.besideOwn.end(), primitive.selfOcclusionBesideOwn.begin(),
+                                   primitive.selfOcclusionBesideOwn.end());
+        }
+    }
+    return baked;
+}
+
+std::string written(const render::BakedOcclusion& baked) {
+    std::string text = fmt::format("{{\"skin\": \"{:016x}\",\n\"ellipsoids\": [", baked.skin);
+    for (size_t k = 0; k < baked.parts.size(); ++k) {
+        const occlusion::Ellipsoid& shape = baked.parts[k].atRest;
+        const glm::quat turn = glm::normalize(glm::quat_cast(shape.worldFromAxes));
+        const float xyzw[] = {turn.x, turn.y, turn.z, turn.w};
+        const json part = {{"node", baked.parts[k].joint},
+                           {"centre", numbers(&shape.centre.x, 3)},
+                           {"turn", numbers(xyzw, 4)},
+                           {"semiAxes", numbers(&shape.semiAxes.x, 3)}};
+        text += (k ? ",\n" : "\n") + part.dump();
+    }
+    return text + "],\n\"selfOcclusion\": " + steps(baked.selfOcclusion).dump() +
+           ",\n\"selfOcclusionBesideOwn\": " + steps(baked.besideOwn).dump() + "}\n";
 }
 
 } // namespace shoal::make

@@ -4,7 +4,8 @@
 #include "engine/render/BakedOcclusion.h"
 #include "input/hands/HandRig.h"
 
-#include <array>
+#include <string>
+#include <vector>
 
 namespace shoal::make {
 
@@ -28,5 +29,8 @@ std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts
 
 // TraceSelfOcclusion at rest, and half closed beside these ellipsoids. Seconds.
 render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts);
+
+// As its file holds it; self-occlusion to 1 / kSelfOcclusionSteps.
+std::string written(const render::BakedOcclusion& baked);
 
 } // namespace shoal::make

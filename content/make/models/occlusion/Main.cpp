@@ -14,7 +14,7 @@ int main(int count, char** arguments) {
         std::printf("%s: ellipsoids\n", name), std::fflush(stdout);
         parts = parts.empty() ? make::fitHand(*hand) : make::mirrored(parts);
         std::printf("%s: self-occlusion\n", name), std::fflush(stdout);
-        const std::string text = render::written(make::selfOccludeHand(std::move(*hand), parts));
+        const std::string text = make::written(make::selfOccludeHand(std::move(*hand), parts));
         const Path file = render::bakedOcclusionBeside(Path(arguments[1]) / (std::string(name) + ".glb"));
         if (const Status kept = writeFileWhole(file, text); !kept)
             return std::fprintf(stderr, "%s\n", kept.error().message().c_str()), 1;
