@@ -1,59 +1,44 @@
 #include "engine/gl/Objects.h"
 
-namespace shoal::gl::detail {
+#include <array>
 
-GLuint create(Kind kind) {
+namespace shoal::gl {
+
+namespace {
+size_t indexOf(Kind kind) { return static_cast<size_t>(kind); }
+} // namespace
+
+// Libepoxy finds functions when they are first called, so the tables are made anew.
+GLuint detail::create(Kind kind) {
+    if (kind == Kind::Program) return glCreateProgram();
+    const std::array make = {glGenBuffers,      glGenVertexArrays,  glGenTextures,
+                             glGenFramebuffers, glGenRenderbuffers, glGenQueries};
     GLuint name = 0;
-    switch (kind) {
-    case Kind::Buffer:
-        glGenBuffers(1, &name);
-        break;
-    case Kind::VertexArray:
-        glGenVertexArrays(1, &name);
-        break;
-    case Kind::Texture:
-        glGenTextures(1, &name);
-        break;
-    case Kind::Framebuffer:
-        glGenFramebuffers(1, &name);
-        break;
-    case Kind::Renderbuffer:
-        glGenRenderbuffers(1, &name);
-        break;
-    case Kind::Query:
-        glGenQueries(1, &name);
-        break;
-    case Kind::Program:
-        name = glCreateProgram();
-        break;
-    }
+    make[indexOf(kind)](1, &name);
     return name;
 }
 
-void destroy(Kind kind, GLuint name) {
-    switch (kind) {
-    case Kind::Buffer:
-        glDeleteBuffers(1, &name);
-        break;
-    case Kind::VertexArray:
-        glDeleteVertexArrays(1, &name);
-        break;
-    case Kind::Texture:
-        glDeleteTextures(1, &name);
-        break;
-    case Kind::Framebuffer:
-        glDeleteFramebuffers(1, &name);
-        break;
-    case Kind::Renderbuffer:
-        glDeleteRenderbuffers(1, &name);
-        break;
-    case Kind::Query:
-        glDeleteQueries(1, &name);
-        break;
-    case Kind::Program:
-        glDeleteProgram(name);
-        break;
-    }
+void detail::destroy(Kind kind, GLuint name) {
+    if (kind == Kind::Program) return glDeleteProgram(name);
+    const std::array destroy = {glDeleteBuffers,      glDeleteVertexArrays,  glDeleteTextures,
+                                glDeleteFramebuffers, glDeleteRenderbuffers, glDeleteQueries};
+    destroy[indexOf(kind)](1, &name);
 }
 
-} // namespace shoal::gl::detail
+Texture makeTexture(GLint minFilter, GLint magFilter, GLint wrapS, GLint wrapT) {
+    Texture texture = Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minFilter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magFilter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapS);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapT);
+    return texture;
+}
+
+void setAttribute(GLuint location, GLint count, size_t stride, size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+}
+
+} // namespace shoal::gl

@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace shoal::gl {
@@ -42,5 +43,12 @@ using Texture = Object<Kind::Texture>;
 using Framebuffer = Object<Kind::Framebuffer>;
 using Renderbuffer = Object<Kind::Renderbuffer>;
 using Query = Object<Kind::Query>;
+
+// A 2D texture without storage yet; leaves it bound.
+Texture makeTexture(GLint minFilter, GLint magFilter, GLint wrapS, GLint wrapT);
+
+// Enables an attribute of the bound vertex array: so many floats in each vertex of the bound buffer. stride,
+// offset: in bytes.
+void setAttribute(GLuint location, GLint count, size_t stride, size_t offset);
 
 } // namespace shoal::gl

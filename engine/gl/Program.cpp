@@ -126,6 +126,12 @@ GLint Program::location(const char* name) const {
     return -1;
 }
 
+void Program::setTexture(const char* name, GLuint unit, GLuint texture) const {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    set(name, static_cast<int>(unit));
+}
+
 void Program::bindBlock(const char* name, GLuint binding) const {
     const GLuint index = glGetUniformBlockIndex(program_.name(), name);
     if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_.name(), index, binding);

@@ -62,6 +62,9 @@ class Program {
         glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values.data()->x);
     }
 
+    // Binds a 2D texture to a unit, for the sampler of that name.
+    void setTexture(const char* name, GLuint unit, GLuint texture) const;
+
     // Binds a uniform block of this program to a binding point; ignored if the program has none of that name.
     void bindBlock(const char* name, GLuint binding) const;
 

@@ -18,14 +18,8 @@ Target::Target(int width, int height, int samples, Kind kind) : width_(width), h
     // What is read in the end: without samples that is what is drawn into. Blue first in memory, as windows
     // have it, which Mesa grants only where the format is left open so far; other orders are copied more
     // slowly.
-    texture_ = Texture::make();
-    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    texture_ = makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     if (samples_ > 1) make(samplesColour_, GL_RGBA8);
     const bool stencil = kind == Kind::Stencilled;
     make(depth_, stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24);

@@ -57,30 +57,27 @@ Status BackgroundPass::setUp(bool withLayers) {
     indices_ = gl::Buffer::make();
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    const auto attribute = [](GLuint location, size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, 2, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                              reinterpret_cast<const void*>(offset));
-    };
-    attribute(ATTRIBUTE_POSITION, offsetof(Corner, place));
-    attribute(ATTRIBUTE_UV0, offsetof(Corner, uv));
+    gl::setAttribute(ATTRIBUTE_POSITION, 2, sizeof(Corner), offsetof(Corner, place));
+    gl::setAttribute(ATTRIBUTE_UV0, 2, sizeof(Corner), offsetof(Corner, uv));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
     glBindVertexArray(0);
     return Done{};
 }
 
-void BackgroundPass::prepare(const EyePicture&, const FrameTiles*) {}
+void BackgroundPass::want(const FrameTiles& tiles, const BackgroundCell& cell) {
+    tiles.eachBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) { wanted_[tile] = true; });
+}
 
 Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {
     cells_.make(picture.view, picture.envFromEye(), picture.size());
-    wanted_.assign(static_cast<size_t>(FrameTiles::kCount.x * FrameTiles::kCount.y), false);
+    wanted_.assign(FrameTiles::kAll, false);
     drawn_.clear();
     bool any = false;
     for (const BackgroundCell& cell : cells_.all()) {
         const bool painted = layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh());
         drawn_.push_back({&cell, painted});
         if (!painted) continue;
-        layer->tiles.eachBetween(cell.mapLow(), cell.mapHigh(), [&](size_t tile) { wanted_[tile] = true; });
+        want(layer->tiles, cell);
         any = true;
     }
     if (any) {
@@ -143,10 +140,8 @@ Status BackgroundPass::drawCells(const EyePicture& picture, std::span<const Cell
         if (!found) return found.error();
         const gl::Program& program = **found;
         program.use();
-        const GLuint frame = kind >= kPaintedPlain ? painted : picture.environment.frameTexture();
-        glActiveTexture(GL_TEXTURE0 + UNIT_FRAME);
-        glBindTexture(GL_TEXTURE_2D, frame);
-        program.set("frame", UNIT_FRAME);
+        program.setTexture("frame", UNIT_FRAME,
+                           kind >= kPaintedPlain ? painted : picture.environment.frameTexture());
         program.set("envFromRay", picture.envFromEye());
         program.set("rayScale", picture.view.halfExtent());
         program.set("rayShift", picture.view.shift);

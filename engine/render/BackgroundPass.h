@@ -6,9 +6,7 @@
 
 #include "engine/gl/Program.h"
 #include "engine/render/BackgroundCells.h"
-#include "engine/render/Composition.h"
 #include "engine/render/EquirectComposite.h"
-#include "engine/render/EyePicture.h"
 #include "engine/render/LayerPass.h"
 
 #include <array>
@@ -18,6 +16,22 @@
 #include <vector>
 
 namespace shoal::render {
+
+// One eye's picture: the environment, the camera, and the canvas that it is drawn on.
+struct EyePicture {
+    const EnvironmentGpu& environment;
+    glm::mat3 envFromWorld{1};
+    View view;
+    Exposure exposure;
+    const gl::Target& canvas;
+    int eye = 0;             // 0 left, 1 right
+    bool sharesFrame = true; // both eyes see the same frame of the video
+    FilmedFrame filmed;      // what the video's camera did to the frame
+    SkippedPass skip = SkippedPass::None;
+
+    glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
+    glm::mat3 envFromEye() const { return envFromWorld * glm::mat3_cast(view.worldFromEye); }
+};
 
 // Objects as an eye sees them, to be put into the texels of the frame.
 struct TexelLayer {
@@ -36,8 +50,8 @@ class BackgroundPass {
     BackgroundPass& operator=(const BackgroundPass&) = delete;
 
     // A hint that this picture is drawn next; starts work that may run beside the drawing of the layer.
-    // tiles: null where there is no layer; they and the environment's frame must live until draw().
-    virtual void prepare(const EyePicture& picture, const FrameTiles* tiles);
+    // Tiles: null where there is no layer; they and the environment's frame must live until draw().
+    virtual void prepare(const EyePicture&, const FrameTiles*) {}
 
     // Over the whole canvas, which is bound before and after: depth is neither tested nor changed. layer:
     // null for the environment alone. The program for a tone curve that is new is compiled first.
@@ -49,6 +63,10 @@ class BackgroundPass {
     // painted: the frame with objects in it, of which only the tiles below painted cells need be defined; 0:
     // none.
     Status drawCells(const EyePicture& picture, std::span<const CellToDraw> cells, GLuint painted);
+    void want(const FrameTiles& tiles, const BackgroundCell& cell); // marks the tiles that the cell shows
+
+    std::vector<CellToDraw> drawn_; // scratch
+    std::vector<bool> wanted_;      // tiles
 
   private:
     struct Corner {
@@ -62,8 +80,6 @@ class BackgroundPass {
     gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
     size_t indexedCells_ = 0;
     BackgroundCells cells_;
-    std::vector<CellToDraw> drawn_;
-    std::vector<bool> wanted_; // tiles
     std::array<std::vector<Corner>, kKinds> corners_;
     EquirectComposite composite_;
 };

@@ -1,13 +1,13 @@
-// Strategies that combine virtual objects with the filmed background, for one eye or two. The thread of the
-// OpenGL context only.
+// Combines virtual objects with the filmed background, for one eye or two. The thread of the OpenGL context
+// only.
 #pragma once
 
 #include "engine/gl/PassTimers.h"
 #include "engine/render/BackgroundPass.h"
-#include "engine/render/EyePicture.h"
 #include "engine/render/ShadowPass.h"
 #include "engine/render/SnowPass.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -30,45 +30,39 @@ class CompositorScene {
     ~CompositorScene() = default;
 };
 
-// The base class draws the background only.
-class Compositor {
-  public:
-    explicit Compositor(std::unique_ptr<BackgroundPass> background) : background_(std::move(background)) {}
-    virtual ~Compositor() = default;
-    Compositor(const Compositor&) = delete;
-    Compositor& operator=(const Compositor&) = delete;
-
-    using AfterEye = std::function<void(const EyePicture&)>;
-    // Draws each eye's picture; afterEye is called with its canvas bound.
-    Status draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye);
-
-    virtual bool drawsObjects() const { return false; } // else the scene is never asked
-
-  protected:
-    // Called in this order: prepare() for the first eye, drawLayer() for each, then the others eye by eye.
-    // Software renderers finish a framebuffer before they begin another, so layers come before all canvases.
-    virtual void prepare(const EyePicture& picture, CompositorScene&) { prepareBackground(picture, nullptr); }
-    virtual Status drawLayer(const EyePicture&, CompositorScene&) { return Done{}; }
-    virtual Status drawBackground(const EyePicture& picture, CompositorScene& scene) {
-        return drawBackgroundPass(picture, scene, nullptr);
-    }
-    virtual bool needsDepth(const EyePicture&) const { return false; } // of the canvas, in drawForeground()
-    virtual Status drawForeground(const EyePicture&, CompositorScene&) { return Done{}; }
-    virtual bool eyesShareBackground() const { return true; }
-
-    void prepareBackground(const EyePicture& picture, const FrameTiles* tiles);
-    Status drawBackgroundPass(const EyePicture& picture, CompositorScene& scene, const TexelLayer* layer);
-
-  private:
-    std::unique_ptr<BackgroundPass> background_;
-};
-
 struct CompositorSetup {
     Composition composition = Composition::Plain;
     Backend backend = Backend::Auto;
     int layerSamples = 0;     // anti-aliasing of layers; 0: by driver and composition
     bool frameIsCoded = true; // else HDR: nothing can be put into its texels, and no camera filmed it
 };
-Result<std::unique_ptr<Compositor>> makeCompositor(const CompositorSetup& setup);
+
+class Compositor {
+  public:
+    static Result<Compositor> make(const CompositorSetup& setup);
+
+    using AfterEye = std::function<void(const EyePicture&)>;
+    // Draws each eye's picture; afterEye is called with its canvas bound.
+    Status draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye);
+
+    bool drawsObjects() const { return composition_ != Composition::BackgroundOnly; }
+
+  private:
+    bool filmed() const { return composition_ == Composition::CameraResponse; }
+    bool intoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
+    glm::ivec2 layerSize(const EyePicture& picture) const;
+    bool usesLayer(const EyePicture& picture) const;
+    LayerPass& layerOf(const EyePicture& picture) { return layers_[static_cast<size_t>(picture.eye)]; }
+    void chooseTiles(const EyePicture& picture, CompositorScene& scene);
+    Status drawLayer(EyePicture picture, CompositorScene& scene);
+    Status drawBackground(const EyePicture& picture, CompositorScene& scene);
+    Status drawForeground(const EyePicture& picture, CompositorScene& scene);
+
+    Composition composition_ = Composition::BackgroundOnly;
+    std::unique_ptr<BackgroundPass> background_;
+    std::array<LayerPass, 2> layers_; // of the eyes; of objects in their own resolution or in texels
+    int samples_ = 1;                 // of the layers
+    FrameTiles tiles_;                // of the eye drawn last
+};
 
 } // namespace shoal::render

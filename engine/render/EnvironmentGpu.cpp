@@ -21,22 +21,10 @@ void putLevel(int level, const light::HalfImage& image, bool fresh) {
                         image.pixels.data());
 }
 
-void bindTo(int unit, GLuint texture, const gl::Program& program, const char* name) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
-    program.set(name, unit);
-}
-
 } // namespace
 
 gl::Texture makeLatLongTexture() {
-    gl::Texture texture = gl::Texture::make();
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    return texture;
+    return gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE);
 }
 
 EnvironmentGpu::EnvironmentGpu()
@@ -119,16 +107,12 @@ void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
     scatteredLight_ = light;
 }
 
-void EnvironmentGpu::bindScattered(const gl::Program& program, int unit) const {
-    bindTo(unit, scattered_.name(), program, "scattered");
-}
-
 void EnvironmentGpu::bindLight(const gl::Program& program) const {
-    bindTo(UNIT_LIGHT, light_.name(), program, "lightMap");
+    program.setTexture("lightMap", UNIT_LIGHT, light_.name());
     program.setArray("lightPlaces[0]", places_);
     program.set("smoothestMap", static_cast<float>(places_.size() - 1));
     if (mirrorLevels_ == 0) return;
-    bindTo(UNIT_RADIANCE, mirrors_.name(), program, "radianceMap");
+    program.setTexture("radianceMap", UNIT_RADIANCE, mirrors_.name());
     program.set("radianceWidth", static_cast<float>(mirrorWidth_));
     program.set("mirrorLevels", static_cast<int>(mirrorRoughness_.size() - 1));
     program.setArray("mirrorRoughness[0]", mirrorRoughness_);

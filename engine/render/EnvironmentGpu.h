@@ -5,7 +5,7 @@
 #include "engine/gl/Program.h"
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"
-#include "engine/render/DisplayFrame.h"
+#include "engine/render/View.h"
 #include "engine/water/Water.h"
 
 #include <cstddef>
@@ -40,7 +40,7 @@ class EnvironmentGpu {
 
     void bindLight(const gl::Program& program) const; // the program must be in use
 
-    void bindScattered(const gl::Program& program, int unit) const; // "scattered"
+    GLuint scatteredTexture() const { return scattered_.name(); }
     const ImageRgbF& scatteredLight() const { return scatteredLight_; }
 
     const occlusion::SmoothLight& smoothLight() const { return smooth_; } // env frame

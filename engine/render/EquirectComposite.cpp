@@ -9,12 +9,6 @@ namespace {
 
 constexpr std::array<const char*, 3> kDefines = {"FILMED", "GRAINY", "SHARES_COLOUR"}; // as CameraFeature
 
-void bindTo(const gl::Program& program, GLenum unit, const char* name, GLuint texture) {
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    program.set(name, static_cast<int>(unit));
-}
-
 } // namespace
 
 Result<EquirectComposite> EquirectComposite::make() {
@@ -59,11 +53,11 @@ Status EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTi
     if (filmed) {
         if (!grain_) grain_ = makeGrainTexture();
         setCameraUniforms(program, *filmed);
-        environment.bindScattered(program, 1);
-        bindTo(program, 3, "grain", grain_.name());
+        program.setTexture("scattered", 1, environment.scatteredTexture());
+        program.setTexture("grain", 3, grain_.name());
     }
-    bindTo(program, 2, "frame", frame);
-    bindTo(program, 0, "layer", layer);
+    program.setTexture("frame", 2, frame);
+    program.setTexture("layer", 0, layer);
     program.set("eyeFromEnv", glm::transpose(envFromWorld * glm::mat3_cast(layerView.worldFromEye)));
     program.set("rayScale", layerView.halfExtent());
     program.set("rayShift", layerView.shift);

@@ -7,9 +7,7 @@ namespace shoal::render {
 
 Result<FadePass> FadePass::make() {
     FadePass pass;
-    auto program = gl::Program::load("render/Fade");
-    if (!program) return program.error();
-    pass.program_ = std::move(*program);
+    if (Status s = gl::Program::load("render/Fade").moveTo(pass.program_); !s) return s.error();
     pass.drawn_ = TriangleBatch::make();
     return pass;
 }

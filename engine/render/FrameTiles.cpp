@@ -36,7 +36,7 @@ void FrameTiles::chooseCap(const glm::vec3& dirEnv, float halfAngle) {
 void FrameTiles::choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
                         std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld) {
     frameSize_ = frameSize;
-    chosen_.assign(static_cast<size_t>(kCount.x * kCount.y), false);
+    chosen_.assign(kAll, false);
     for (const scene::Sphere& sphere : spheres) {
         const glm::vec3 away = sphere.centre - eyeWorld;
         const float distance = glm::length(away);

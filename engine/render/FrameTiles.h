@@ -19,6 +19,7 @@ class FrameTiles {
     // Of the frame: 16 x 16 texels of a 2048 x 1024 one. A row of texels bends by sin(2 latitude) / 16 of the
     // square of a tile's longitude from the straight line that its rays are drawn on: a twentieth of a texel.
     static constexpr glm::ivec2 kCount{128, 64};
+    static constexpr size_t kAll = size_t{128} * 64;
 
     // The tiles of the caps behind which these spheres stand, and a margin about them.
     void choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,

@@ -51,9 +51,7 @@ View widened(const View& view, float factor) {
 
 Result<LayerPass> LayerPass::make() {
     LayerPass pass;
-    auto program = gl::Program::load("render/Layer");
-    if (!program) return program.error();
-    pass.program_ = std::move(*program);
+    if (Status s = gl::Program::load("render/Layer").moveTo(pass.program_); !s) return s.error();
     pass.drawn_ = TriangleBatch::make();
     return pass;
 }
@@ -91,9 +89,7 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
     if (corners_.empty()) return;
 
     program_.use();
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, layer_->texture());
-    program_.set("layer", 0);
+    program_.setTexture("layer", 0, layer_->texture());
     drawn_.drawOver(corners_);
 }
 

@@ -28,12 +28,6 @@ struct MorphVertex {
     glm::vec3 position, normal;
 };
 
-void attribute(GLuint location, GLint count, GLenum type, size_t stride, size_t offset) {
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, count, type, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
-}
-
 std::vector<MorphVertex> morphed(const scene::Primitive& primitive, std::span<const float> weights) {
     std::vector<MorphVertex> vertices(primitive.positions.size());
     for (size_t v = 0; v < vertices.size(); ++v) {
@@ -69,8 +63,8 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     glBindBuffer(GL_ARRAY_BUFFER, gpu.morphable.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(moving.size() * sizeof(MorphVertex)), moving.data(),
                  primitive.morphTargets.empty() ? GL_STATIC_DRAW : GL_DYNAMIC_DRAW);
-    attribute(ATTRIBUTE_POSITION, 3, GL_FLOAT, sizeof(MorphVertex), offsetof(MorphVertex, position));
-    attribute(ATTRIBUTE_NORMAL, 3, GL_FLOAT, sizeof(MorphVertex), offsetof(MorphVertex, normal));
+    gl::setAttribute(ATTRIBUTE_POSITION, 3, sizeof(MorphVertex), offsetof(MorphVertex, position));
+    gl::setAttribute(ATTRIBUTE_NORMAL, 3, sizeof(MorphVertex), offsetof(MorphVertex, normal));
 
     std::vector<FixedVertex> fixed(vertices.size());
     for (size_t i = 0; i < fixed.size(); ++i) {
@@ -94,14 +88,14 @@ DetailGpu uploadDetail(const scene::Primitive& primitive, Reflectance reflectanc
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(fixed.size() * sizeof(FixedVertex)), fixed.data(),
                  GL_STATIC_DRAW);
     constexpr size_t kStride = sizeof(FixedVertex);
-    attribute(ATTRIBUTE_TANGENT, 4, GL_FLOAT, kStride, offsetof(FixedVertex, tangent));
-    attribute(ATTRIBUTE_UV0, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv0));
-    attribute(ATTRIBUTE_UV1, 2, GL_FLOAT, kStride, offsetof(FixedVertex, uv1));
-    attribute(ATTRIBUTE_COLOUR, 4, GL_FLOAT, kStride, offsetof(FixedVertex, colour));
-    attribute(ATTRIBUTE_WEIGHTS, 4, GL_FLOAT, kStride, offsetof(FixedVertex, weights));
-    attribute(ATTRIBUTE_SELF_OCCLUSION, 4, GL_FLOAT, kStride, offsetof(FixedVertex, selfOcclusion));
-    attribute(ATTRIBUTE_SELF_OCCLUSION_BESIDE_OWN, 4, GL_FLOAT, kStride,
-              offsetof(FixedVertex, selfOcclusionBesideOwn));
+    gl::setAttribute(ATTRIBUTE_TANGENT, 4, kStride, offsetof(FixedVertex, tangent));
+    gl::setAttribute(ATTRIBUTE_UV0, 2, kStride, offsetof(FixedVertex, uv0));
+    gl::setAttribute(ATTRIBUTE_UV1, 2, kStride, offsetof(FixedVertex, uv1));
+    gl::setAttribute(ATTRIBUTE_COLOUR, 4, kStride, offsetof(FixedVertex, colour));
+    gl::setAttribute(ATTRIBUTE_WEIGHTS, 4, kStride, offsetof(FixedVertex, weights));
+    gl::setAttribute(ATTRIBUTE_SELF_OCCLUSION, 4, kStride, offsetof(FixedVertex, selfOcclusion));
+    gl::setAttribute(ATTRIBUTE_SELF_OCCLUSION_BESIDE_OWN, 4, kStride,
+                     offsetof(FixedVertex, selfOcclusionBesideOwn));
     glEnableVertexAttribArray(ATTRIBUTE_JOINTS);
     glVertexAttribIPointer(ATTRIBUTE_JOINTS, 4, GL_UNSIGNED_SHORT, kStride,
                            reinterpret_cast<const void*>(offsetof(FixedVertex, joints)));
@@ -155,17 +149,13 @@ ImageRgba8 halved(const ImageRgba8& image) {
 }
 
 gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image, bool srgb, Detail detail) {
-    gl::Texture gpu = gl::Texture::make();
-    glBindTexture(GL_TEXTURE_2D, gpu.name());
+    gl::Texture gpu = gl::makeTexture(
+        detail == Detail::Lean ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR,
+        texture.nearest ? GL_NEAREST : GL_LINEAR, wrapMode(texture.wrapS), wrapMode(texture.wrapT));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA,
                  GL_UNSIGNED_BYTE, image.pixels.data());
     glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapMode(texture.wrapS));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapMode(texture.wrapT));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, texture.nearest ? GL_NEAREST : GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                    detail == Detail::Lean ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     return gpu;
 }
 

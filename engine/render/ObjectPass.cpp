@@ -92,10 +92,6 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
     return features;
 }
 
-bool blended(const ModelGpu& gpu, const PrimitiveGpu& primitive) {
-    return gpu.materialOf(primitive).alphaMode == scene::AlphaMode::Blend;
-}
-
 // Whether the sphere reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
 bool sees(const View& view, const Sphere& sphere) {
     const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (sphere.centre - view.eyeWorld);
@@ -128,15 +124,10 @@ bool isSmall(const Sphere& sphere, const View& view) {
 
 gl::Texture makeDfgTable() {
     const math::DfgTable table = math::makeDfgTable(64);
-    gl::Texture texture = gl::Texture::make();
-    glBindTexture(GL_TEXTURE_2D, texture.name());
+    gl::Texture texture = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, table.size, table.size, 0, GL_RG, GL_FLOAT,
                  table.scaleBias.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return texture;
 }
 
@@ -152,9 +143,7 @@ void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& li
 void bindMap(const gl::Program& program, const scene::TextureUse& use,
              const std::vector<gl::Texture>& textures, GLenum unit, const char* map, const char* uvSet) {
     if (use.texture < 0) return;
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, textures[static_cast<size_t>(use.texture)].name());
-    program.set(map, static_cast<int>(unit));
+    program.setTexture(map, unit, textures[static_cast<size_t>(use.texture)].name());
     program.set(uvSet, use.texCoord);
 }
 
@@ -251,32 +240,32 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
     return program;
 }
 
-Status ObjectPass::draw(Part part, const EnvironmentGpu& environment, const View& view,
-                        const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
-                        Glossy glossy) {
+Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
+                        const Exposure& exposure, const water::Water& water, Glossy glossy) {
     order_.clear();
-    const float sign = part == Part::Opaque ? 1.0f : -1.0f;
-    for (size_t i = 0; i < items_.size(); ++i)
-        if (blended(*items_[i].gpu, *items_[i].primitive) == (part == Part::Blended) &&
-            sees(view, items_[i].bound))
-            order_.emplace_back(sign * glm::distance(items_[i].bound.centre, view.eyeWorld), i);
+    for (size_t i = 0; i < items_.size(); ++i) {
+        const Item& item = items_[i];
+        if (!sees(view, item.bound)) continue;
+        const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
+        const float distance = glm::distance(item.bound.centre, view.eyeWorld);
+        order_.push_back({blended, blended ? -distance : distance, i});
+    }
     std::sort(order_.begin(), order_.end());
 
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glFrontFace(GL_CCW);
-    if (part == Part::Blended) {
-        glEnable(GL_BLEND);
-        glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
-        glDepthMask(GL_FALSE);
-    } else {
-        glDisable(GL_BLEND);
-    }
+    glDisable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
     const glm::mat4 clipFromWorld = view.clipFromWorld();
     const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? kLean : 0u);
     const gl::Program* current = nullptr;
-    for (const auto& [distance, index] : order_) {
-        const Item& item = items_[index];
+    for (const ToDraw& next : order_) {
+        const Item& item = items_[next.item];
+        if (next.blended) {
+            glEnable(GL_BLEND);
+            glDepthMask(GL_FALSE);
+        }
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
         const bool lean = detail_ == Detail::Lean;
         const float smoothest =
@@ -300,9 +289,7 @@ Status ObjectPass::draw(Part part, const EnvironmentGpu& environment, const View
             current = *program;
             current->use();
             environment.bindLight(*current);
-            glActiveTexture(GL_TEXTURE0 + UNIT_DFG);
-            glBindTexture(GL_TEXTURE_2D, dfg_.name());
-            current->set("dfgTable", UNIT_DFG);
+            current->setTexture("dfgTable", UNIT_DFG, dfg_.name());
             current->set("clipFromWorld", clipFromWorld);
             current->set("eyeWorld", view.eyeWorld);
             current->set("envFromWorld", envFromWorld);

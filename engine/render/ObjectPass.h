@@ -7,13 +7,12 @@
 #include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/render/BodyOccluders.h"
-#include "engine/render/Composition.h"
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
-#include <array>
+#include <compare>
 #include <vector>
 
 namespace shoal::render {
@@ -40,9 +39,8 @@ class ObjectPass {
     // Sends what was added to the graphics side. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
-    enum class Part { Opaque, Blended };
-    // Opaque objects front to back, before the background; blended ones back to front, after it.
-    Status draw(Part part, const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
+    // Opaque objects front to back, then blended ones back to front.
+    Status draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, Glossy glossy);
 
     // Spheres that hold all objects in the view; world. Valid until the next call.
@@ -71,6 +69,13 @@ class ObjectPass {
         size_t firstPart, parts; // of parts_
     };
 
+    struct ToDraw {
+        bool blended;
+        float order; // within those
+        size_t item;
+        auto operator<=>(const ToDraw&) const = default;
+    };
+
     struct Shade {              // what takes light from a body
         size_t offset = 0;      // bytes into the buffer of matrices
         int count = 0, own = 0; // the first are its own parts,
@@ -91,7 +96,7 @@ class ObjectPass {
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
     std::vector<Item> items_;
-    std::vector<std::pair<float, size_t>> order_;
+    std::vector<ToDraw> order_;     // scratch
     std::vector<uint8_t> matrices_; // and occluders
     NearBodies near_;
     std::vector<Shade> shades_; // by body

@@ -45,13 +45,8 @@ Result<ShadowPass> ShadowPass::make() {
     pass.indexBuffer_ = gl::Buffer::make();
     glBindVertexArray(pass.vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, pass.vertexBuffer_.name());
-    const auto attribute = [](GLuint location, size_t offset) {
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offset));
-    };
-    attribute(ATTRIBUTE_POSITION, offsetof(Vertex, place));
-    attribute(ATTRIBUTE_COLOUR, offsetof(Vertex, left));
+    gl::setAttribute(ATTRIBUTE_POSITION, 3, sizeof(Vertex), offsetof(Vertex, place));
+    gl::setAttribute(ATTRIBUTE_COLOUR, 3, sizeof(Vertex), offsetof(Vertex, left));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, pass.indexBuffer_.name());
     glBindVertexArray(0);
     return pass;
@@ -140,9 +135,7 @@ Status ShadowPass::draw(const View& view, const FloorLight& light, const water::
     program.use();
     program.set("clipFromWorld", clipFromWorld);
     if (cover) {
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, cover->texture);
-        program.set("cover", 0);
+        program.setTexture("cover", 0, cover->texture);
         program.set("coverScale", 1.0f / (cover->wider * glm::vec2(cover->size)));
         program.set("coverShift", glm::vec2(0.5f - 0.5f / cover->wider));
     }

@@ -10,8 +10,7 @@ TriangleBatch TriangleBatch::make() {
     corners.vertices_ = gl::Buffer::make();
     glBindVertexArray(corners.vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, corners.vertices_.name());
-    glEnableVertexAttribArray(ATTRIBUTE_POSITION);
-    glVertexAttribPointer(ATTRIBUTE_POSITION, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+    gl::setAttribute(ATTRIBUTE_POSITION, 2, sizeof(glm::vec2), 0);
     glBindVertexArray(0);
     return corners;
 }

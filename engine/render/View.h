@@ -1,4 +1,4 @@
-// One eye: where it stands, where it looks, what it covers.
+// One eye: where it stands, where it looks, what it covers; and the choices of how its picture is drawn.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 namespace shoal::render {
 
@@ -47,6 +48,47 @@ struct Exposure {
     float exposure_ev = 0; // objects and background alike
 
     float scale() const { return std::exp2(exposure_ev); }
+};
+
+// How virtual objects are combined with the filmed background.
+enum class Composition {
+    BackgroundOnly,    // no objects
+    Plain,             // objects at the resolution of the picture
+    MatchedResolution, // objects at the resolution of the video, where that is coarser, and enlarged as it is
+    VideoTexels,       // objects in the texels of the video's frame, displayed with it
+    CameraResponse     // as VideoTexels, with the blur, glare, noise, levels and chroma of the video's camera
+};
+
+// Which implementation samples the background and paints the frame's texels. OpenGL draws the objects in
+// either case.
+enum class Backend {
+    Auto, // Software where the OpenGL driver renders on the processor
+    OpenGL,
+    Software
+};
+
+// A pass that can be left out, to find out which one draws what.
+enum class SkippedPass { None, Background, Objects, Particles, Shadows, Overlay };
+
+// What objects are drawn as, to find out where their light comes from.
+enum class ShownQuantity {
+    Light,
+    Normals,   // world; -1 to 1 as black to white
+    Roughness, // of the surface, with its map
+    Occlusion, // share of the diffuse light that is left
+    Diffuse,   // light, without the base colour
+    Depth      // 1 / (1 + metres from the eye)
+};
+
+// A frame as it is drawn: display-coded rows of it or of one eye's part of it, from the top: blue, green, red
+// and a byte that is 255. Drivers keep such texels as they come; three bytes a pixel they would turn into
+// these first.
+struct DisplayFrame {
+    const uint8_t* pixels = nullptr;
+    int width = 0, height = 0;
+    int rowPixels = 0; // from one row to the next, in pixels
+
+    bool operator==(const DisplayFrame&) const = default;
 };
 
 } // namespace shoal::render

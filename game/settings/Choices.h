@@ -3,7 +3,6 @@
 
 #include "engine/core/EnumNames.h"
 #include "engine/light/EnvironmentLight.h"
-#include "engine/render/Composition.h"
 #include "engine/render/View.h"
 
 #include <array>

@@ -225,12 +225,10 @@ Status Viewer::draw(const gl::Target& target) {
         orbit_.view(glm::radians(options_.fov_deg),
                     static_cast<float>(target.width()) / static_cast<float>(target.height()));
     const render::Exposure exposure{environment_->toneCurve(options_.look.tone), options_.look.exposure_ev};
-    const render::Glossy glossy = options_.look.glossy;
     objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
     objects_->begin();
     objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit_.target, orbit_.modelRadius}, &body_);
     objects_->upload(environment_->envFromWorld());
-    using Part = render::ObjectPass::Part;
     const glm::mat3 turn = environment_->envFromWorld();
     if (options_.background == Background::Environment &&
         options_.look.skip != render::SkippedPass::Background)
@@ -243,9 +241,7 @@ Status Viewer::draw(const gl::Target& target) {
             !s)
             return s;
     if (options_.look.skip == render::SkippedPass::Objects) return Done{};
-    if (Status s = objects_->draw(Part::Opaque, environment_->gpu(0), view, turn, exposure, {}, glossy); !s)
-        return s;
-    return objects_->draw(Part::Blended, environment_->gpu(0), view, turn, exposure, {}, glossy);
+    return objects_->draw(environment_->gpu(0), view, turn, exposure, {}, options_.look.glossy);
 }
 
 // Half the size each way, by a filter two pixels wide that falls off towards its ends, as path tracers' pixel

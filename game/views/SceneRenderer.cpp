@@ -21,7 +21,7 @@ Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup
     if (setup.shadows) {
         if (Status s = render::ShadowPass::make().moveTo(passes.shadows); !s) return s.error();
     }
-    if (Status s = render::makeCompositor(setup.compositor).moveTo(passes.compositor); !s) return s.error();
+    if (Status s = render::Compositor::make(setup.compositor).moveTo(passes.compositor); !s) return s.error();
     return passes;
 }
 
@@ -32,9 +32,7 @@ Result<SceneRenderer> SceneRenderer::make(CreatureModels creatureModels, const S
 }
 
 Status SceneRenderer::setCompositor(const render::CompositorSetup& setup) {
-    auto compositor = render::makeCompositor(setup);
-    if (!compositor) return compositor.error();
-    passes_.compositor = std::move(*compositor);
+    if (Status s = render::Compositor::make(setup).moveTo(passes_.compositor); !s) return s;
     setup_.compositor = setup;
     return Done{};
 }
@@ -54,7 +52,7 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     time_s_ = snapshot.time_s;
     headWorld_ = snapshot.headWorld;
     passes_.objects.begin();
-    if (!passes_.compositor->drawsObjects()) return;
+    if (!passes_.compositor.drawsObjects()) return;
     creatureModels_.show(snapshot, passes_.objects);
     if (passes_.shadows) castShadows(snapshot.ground);
     passes_.objects.upload(environment.envFromWorld());
@@ -92,7 +90,7 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
 Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye) {
     pictures_.clear();
     for (const Eye& eye : eyes) pictures_.push_back(pictureOf(eye));
-    Status drawn = passes_.compositor->draw(pictures_, *this, afterEye);
+    Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
     passes_ = std::move(*beforeReload_); // they draw from the next frame on
@@ -110,12 +108,8 @@ Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     const gl::PassTimers::Scope scope(timers_, "objects");
-    for (const auto part : {render::ObjectPass::Part::Opaque, render::ObjectPass::Part::Blended})
-        if (Status s = passes_.objects.draw(part, picture.environment, picture.view, picture.envFromWorld,
-                                            picture.exposure, environment_->water(), glossy_);
-            !s)
-            return s;
-    return Done{};
+    return passes_.objects.draw(picture.environment, picture.view, picture.envFromWorld, picture.exposure,
+                                environment_->water(), glossy_);
 }
 
 Status SceneRenderer::drawParticles(render::SnowPass::On on, const render::EyePicture& picture) {

@@ -9,7 +9,6 @@
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -62,7 +61,7 @@ class SceneRenderer final : private render::CompositorScene {
         render::ObjectPass objects;
         std::optional<render::SnowPass> snow;
         std::optional<render::ShadowPass> shadows;
-        std::unique_ptr<render::Compositor> compositor;
+        render::Compositor compositor;
     };
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)

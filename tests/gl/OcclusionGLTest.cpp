@@ -91,8 +91,8 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
         pass->add(nothing, gpu, pose, other.worldFromModel, {glm::vec3(other.worldFromModel[3]), 1},
                   &other.body);
     pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw(render::ObjectPass::Part::Opaque, environment, view, glm::mat3(1),
-                           {.curve = render::ToneCurve::Linear}, {}, render::Glossy::Prefiltered));
+    EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {.curve = render::ToneCurve::Linear}, {},
+                           render::Glossy::Prefiltered));
     return target.read();
 }
 

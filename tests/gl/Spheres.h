@@ -78,8 +78,8 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
     pass->begin();
     pass->add(model, gpu, pose, glm::mat4(1), {{}, 1});
     pass->upload(glm::mat3(1));
-    const Status drawn = pass->draw(render::ObjectPass::Part::Opaque, environment, view, glm::mat3(1),
-                                    {.exposure_ev = exposure_ev}, water, render::Glossy::Prefiltered);
+    const Status drawn = pass->draw(environment, view, glm::mat3(1), {.exposure_ev = exposure_ev}, water,
+                                    render::Glossy::Prefiltered);
     EXPECT_TRUE(drawn);
     return target.read();
 }

@@ -2,7 +2,7 @@
 // texture unit takes 6.
 #pragma once
 
-#include "engine/render/DisplayFrame.h"
+#include "engine/render/View.h"
 
 #include <glm/vec2.hpp>
 

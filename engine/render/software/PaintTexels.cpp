@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 
+// The compilers that know these have operators of vectors too.
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #define SHOAL_AVX2 __attribute__((target("avx2")))
@@ -52,28 +53,19 @@ struct Colours { // of eight texels
 };
 
 SHOAL_AVX2 __m256 all(float value) { return _mm256_set1_ps(value); }
-SHOAL_AVX2 __m256 mix(__m256 a, __m256 b, __m256 share) {
-    return _mm256_add_ps(a, _mm256_mul_ps(share, _mm256_sub_ps(b, a)));
-}
+SHOAL_AVX2 __m256 mix(__m256 a, __m256 b, __m256 share) { return a + share * (b - a); }
 SHOAL_AVX2 __m256 channel(__m256i pixels, int shift) {
     return _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(pixels, shift), _mm256_set1_epi32(0xff)));
 }
-SHOAL_AVX2 __m256 luma(__m256 b, __m256 g, __m256 r) {
-    return _mm256_add_ps(_mm256_mul_ps(all(0.2126f), r),
-                         _mm256_add_ps(_mm256_mul_ps(all(0.7152f), g), _mm256_mul_ps(all(0.0722f), b)));
-}
+SHOAL_AVX2 __m256 luma(__m256 b, __m256 g, __m256 r) { return 0.2126f * r + (0.7152f * g + 0.0722f * b); }
 
 // What the layer shows along eight rays, from `ray` on; 0 to 255. False: nothing at all.
 SHOAL_AVX2 bool seen(const TexelPaint& paint, const glm::vec3& ray, const glm::vec3& step, Colours& out) {
     const __m256 k = _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
-    const auto along = [&](int axis) SHOAL_AVX2 {
-        return _mm256_add_ps(all(ray[axis]), _mm256_mul_ps(k, all(step[axis])));
-    };
-    const __m256 ahead = _mm256_max_ps(_mm256_sub_ps(_mm256_setzero_ps(), along(2)), all(1e-4f));
-    const __m256 perAhead = _mm256_div_ps(all(1), ahead);
+    const auto along = [&](int axis) SHOAL_AVX2 { return ray[axis] + k * step[axis]; };
+    const __m256 perAhead = 1.0f / _mm256_max_ps(-along(2), all(1e-4f));
     const auto place = [&](int axis) SHOAL_AVX2 {
-        return _mm256_mul_ps(_mm256_sub_ps(_mm256_mul_ps(along(axis), perAhead), all(paint.rayShift[axis])),
-                             all(1 / paint.rayScale[axis]));
+        return (along(axis) * perAhead - paint.rayShift[axis]) * (1 / paint.rayScale[axis]);
     };
     const __m256 x = place(0), y = place(1);
     const __m256 positive = _mm256_castsi256_ps(_mm256_set1_epi32(0x7fffffff));
@@ -81,8 +73,7 @@ SHOAL_AVX2 bool seen(const TexelPaint& paint, const glm::vec3& ray, const glm::v
                                         all(1), _CMP_LE_OQ);
     if (_mm256_testz_ps(inside, inside)) return false;
     const auto texels = [&](__m256 at, int size) SHOAL_AVX2 {
-        const __m256 t = _mm256_sub_ps(
-            _mm256_mul_ps(_mm256_add_ps(at, all(1)), all(0.5f * static_cast<float>(size))), all(0.5f));
+        const __m256 t = (at + 1.0f) * (0.5f * static_cast<float>(size)) - 0.5f;
         return _mm256_min_ps(_mm256_max_ps(t, all(0)), all(static_cast<float>(size - 1)));
     };
     const auto floorOf = [&](__m256 t, int size) SHOAL_AVX2 {
@@ -99,8 +90,7 @@ SHOAL_AVX2 bool seen(const TexelPaint& paint, const glm::vec3& ray, const glm::v
         _mm256_castps_si256(inside),
         _mm256_or_si256(_mm256_or_si256(corners[0], corners[1]), _mm256_or_si256(corners[2], corners[3])));
     if (_mm256_testz_si256(any, _mm256_set1_epi32(static_cast<int>(0xff000000u)))) return false;
-    const __m256 u = _mm256_sub_ps(s, _mm256_cvtepi32_ps(column)),
-                 v = _mm256_sub_ps(t, _mm256_cvtepi32_ps(row));
+    const __m256 u = s - _mm256_cvtepi32_ps(column), v = t - _mm256_cvtepi32_ps(row);
     const auto mixed = [&](int shift) SHOAL_AVX2 {
         return _mm256_and_ps(inside, mix(mix(channel(corners[0], shift), channel(corners[1], shift), u),
                                          mix(channel(corners[2], shift), channel(corners[3], shift), u), v));
@@ -148,15 +138,13 @@ SHOAL_AVX2 __m256 grainAt(const TexelPaint& paint, int x, int y, __m256 light) {
     const __m256i grains =
         _mm256_srlv_epi32(pairs, _mm256_slli_epi32(_mm256_and_si256(columns, _mm256_set1_epi32(1)), 4));
     const auto signedOf = [&](int shift) SHOAL_AVX2 {
-        return _mm256_mul_ps(_mm256_sub_ps(_mm256_mul_ps(channel(grains, shift), all(2 / 255.0f)), all(1)),
-                             all(n.perGrain));
+        return (channel(grains, shift) * (2 / 255.0f) - 1.0f) * n.perGrain;
     };
-    const __m256 band = _mm256_min_ps(
-        _mm256_max_ps(_mm256_sub_ps(_mm256_mul_ps(light, all(8)), all(0.5f)), all(0)), all(6.999f));
+    const __m256 band = _mm256_min_ps(_mm256_max_ps(light * 8.0f - 0.5f, all(0)), all(6.999f));
     const __m256i below = _mm256_cvttps_epi32(band);
-    const __m256 share = _mm256_sub_ps(band, _mm256_cvtepi32_ps(below));
-    return _mm256_add_ps(_mm256_mul_ps(signedOf(0), between(n.fineNoise, below, share)),
-                         _mm256_mul_ps(signedOf(8), between(n.coarseNoise, below, share)));
+    const __m256 share = band - _mm256_cvtepi32_ps(below);
+    return signedOf(0) * between(n.fineNoise, below, share) +
+           signedOf(8) * between(n.coarseNoise, below, share);
 }
 
 // Eight texels from (x, y) on: c of the layer, c2 of the row that it shares colours with.
@@ -164,46 +152,43 @@ SHOAL_AVX2 __m256i filmed(const TexelPaint& paint, const Colours& c, const Colou
                           int y, const glm::vec3& glow, const glm::vec3& glowStep) {
     const CameraUniforms& n = *paint.filmed;
     const __m256 covered = _mm256_cmp_ps(c.a, all(0.002f * 255), _CMP_GE_OQ);
-    const __m256 perAlpha = _mm256_div_ps(all(1), _mm256_max_ps(c.a, all(0.25f)));
-    __m256 own[3] = {_mm256_mul_ps(c.b, perAlpha), _mm256_mul_ps(c.g, perAlpha),
-                     _mm256_mul_ps(c.r, perAlpha)};
+    const __m256 perAlpha = 1.0f / _mm256_max_ps(c.a, all(0.25f));
+    __m256 own[3] = {c.b * perAlpha, c.g * perAlpha, c.r * perAlpha};
     if (n.shares != glm::vec2(0)) {
         const __m256 alpha = sharedBy(n.shares, c.a, c2.a);
         const __m256 square[3] = {sharedBy(n.shares, c.b, c2.b), sharedBy(n.shares, c.g, c2.g),
                                   sharedBy(n.shares, c.r, c2.r)};
         const __m256 enough = _mm256_cmp_ps(alpha, all(0.01f * 255), _CMP_GT_OQ);
-        const __m256 per = _mm256_div_ps(all(1), _mm256_max_ps(alpha, all(0.25f)));
+        const __m256 per = 1.0f / _mm256_max_ps(alpha, all(0.25f));
         const __m256 ownLuma = luma(own[0], own[1], own[2]),
                      squareLuma = luma(square[0], square[1], square[2]);
         for (int k = 0; k < 3; ++k) {
-            const __m256 hue = _mm256_mul_ps(_mm256_sub_ps(square[k], squareLuma), per);
-            own[k] = _mm256_blendv_ps(own[k], _mm256_max_ps(_mm256_add_ps(ownLuma, hue), all(0)), enough);
+            const __m256 hue = (square[k] - squareLuma) * per;
+            own[k] = _mm256_blendv_ps(own[k], _mm256_max_ps(ownLuma + hue, all(0)), enough);
         }
     }
-    const __m256 alpha = _mm256_mul_ps(c.a, all(1 / 255.0f));
+    const __m256 alpha = c.a * (1 / 255.0f);
     const __m256 steps = _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7);
     __m256 shown[3];
     for (int k = 0; k < 3; ++k) { // blue first; vectors have red first
         const int rgb = 2 - k;
-        const __m256 levelled = _mm256_add_ps(all(n.black[rgb]), _mm256_mul_ps(all(n.range[rgb]), own[k]));
-        const __m256 around = _mm256_add_ps(all(glow[rgb]), _mm256_mul_ps(steps, all(glowStep[rgb])));
-        const __m256 light = mix(_mm256_mul_ps(levelled, levelled), around, all(n.glare));
-        const __m256 was = _mm256_mul_ps(channel(behind, 8 * k), all(1 / 255.0f));
-        shown[k] = _mm256_sqrt_ps(_mm256_max_ps(mix(_mm256_mul_ps(was, was), light, alpha), all(0)));
+        const __m256 levelled = n.black[rgb] + n.range[rgb] * own[k];
+        const __m256 around = glow[rgb] + steps * glowStep[rgb];
+        const __m256 light = mix(levelled * levelled, around, all(n.glare));
+        const __m256 was = channel(behind, 8 * k) * (1 / 255.0f);
+        shown[k] = _mm256_sqrt_ps(_mm256_max_ps(mix(was * was, light, alpha), all(0)));
     }
     if (paint.grainy) {
-        const __m256 noise = _mm256_mul_ps(alpha, grainAt(paint, x, y, luma(shown[0], shown[1], shown[2])));
-        for (__m256& channelShown : shown) channelShown = _mm256_add_ps(channelShown, noise);
+        const __m256 noise = alpha * grainAt(paint, x, y, luma(shown[0], shown[1], shown[2]));
+        for (__m256& value : shown) value += noise;
     }
-    for (__m256& value : shown) value = _mm256_mul_ps(value, all(255));
-    return _mm256_blendv_epi8(behind, packed(shown[0], shown[1], shown[2]), _mm256_castps_si256(covered));
+    return _mm256_blendv_epi8(behind, packed(shown[0] * 255.0f, shown[1] * 255.0f, shown[2] * 255.0f),
+                              _mm256_castps_si256(covered));
 }
 
 SHOAL_AVX2 __m256i laidOver(const Colours& c, __m256i behind) {
-    const __m256 open = _mm256_sub_ps(all(1), _mm256_mul_ps(c.a, all(1 / 255.0f)));
-    const auto over = [&](__m256 own, int shift) SHOAL_AVX2 {
-        return _mm256_add_ps(own, _mm256_mul_ps(open, channel(behind, shift)));
-    };
+    const __m256 open = 1.0f - c.a * (1 / 255.0f);
+    const auto over = [&](__m256 own, int shift) SHOAL_AVX2 { return own + open * channel(behind, shift); };
     return packed(over(c.b, 0), over(c.g, 8), over(c.r, 16));
 }
 

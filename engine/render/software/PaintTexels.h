@@ -3,7 +3,7 @@
 
 #include "engine/core/Image.h"
 #include "engine/render/CameraComposite.h"
-#include "engine/render/DisplayFrame.h"
+#include "engine/render/View.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>

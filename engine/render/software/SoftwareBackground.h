@@ -4,31 +4,78 @@
 // canvases, hidden areas.
 #pragma once
 
+#include "engine/core/ThreadPool.h"
 #include "engine/render/BackgroundPass.h"
-#include "engine/render/software/BackgroundSampler.h"
+#include "engine/render/software/FrameSampler.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace shoal::render {
+
+struct TexelPaint;
 
 class SoftwareBackground final : public BackgroundPass {
   public:
     static Result<std::unique_ptr<BackgroundPass>> make(bool withLayers);
 
+    // Begins to sample the cells without objects, on helper threads, while OpenGL still draws the objects.
+    // Cells without objects are kept from an earlier picture of the same frame and view: a second eye's
+    // picture differs by objects only.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
     Status draw(const EyePicture& picture, const TexelLayer* layer) override;
 
   private:
+    struct Shown {
+        DisplayFrame frame;
+        uint64_t frameNumber = 0;
+        glm::vec2 halfExtent{0}, shift{0}; // of the view
+        glm::mat3 envFromRay{1};
+        glm::ivec2 size{0}; // of the picture
+        bool operator==(const Shown&) const = default;
+    };
+    struct State { // of a cell
+        SampledCell sampled;
+        bool here = false;    // else OpenGL draws it
+        bool clean = false;   // in the picture, without objects
+        bool painted = false; // there may be objects
+    };
+    struct SampleRow { // of cells
+        SoftwareBackground* pass;
+        DisplayFrame frame;
+        void operator()(int row) const;
+    };
+    struct Run {                         // of tiles,
+        int row = 0, first = 0, end = 0; // of columns, as FrameTiles counts them
+        glm::ivec2 low{0}, high{0};      // and in texels
+    };
+
     SoftwareBackground();
-    void finish(const EyePicture& picture, const TexelLayer& layer);
+    void classify(const View& view);
+    template <class Due> void collect(Due&& due);
+    int rows() const { return static_cast<int>(dueRow_.size()) - 1; }
+    void paintObjects(const EyePicture& picture, const TexelLayer& layer);
+    void paintFrame(const FrameTiles& tiles, const TexelPaint& paint);
     void uploadPainted();
 
-    BackgroundSampler sampler_;
-    std::vector<uint32_t> layer_; // scratch: the layer's pixels
-    std::vector<uint8_t> grain_;  // once something is filmed
-    gl::Texture painted_;         // of cells that the sampler leaves; once there is one
-    glm::ivec2 paintedSize_{0};
+    Shown shown_;
+    bool started_ = false;
+    BackgroundCells grid_;
+    std::vector<State> states_;     // of the grid's cells
+    std::vector<uint32_t> picture_; // rows from the bottom
+    std::vector<size_t> due_;       // cells to be sampled
+    std::vector<size_t> dueRow_;    // where in them each row of cells begins, and their end
+    std::vector<uint32_t> layer_;   // scratch: the layer's pixels
+    std::vector<uint8_t> grain_;    // once something is filmed
+    // A copy of the frame with objects in its texels, of which only the wanted tiles are written. Not a
+    // vector, which would touch all of its memory: objects are in few places.
+    std::unique_ptr<uint32_t[]> texels_;
+    glm::ivec2 texelsSize_{0}, paintedSize_{0};
+    std::vector<Run> runs_; // of wanted tiles
+    gl::Texture painted_;   // the same, for cells that OpenGL draws; once there is one
+    SampleRow sampleRow_{};
+    ThreadPool threadPool_; // last, so that it ends before what it reads
 };
 
 } // namespace shoal::render
