@@ -145,7 +145,10 @@ int run(int argc, char** argv) {
     const Command& command = named == commands.end() ? commands.front() : *named;
     if (named == commands.end() && !global) words.insert(words.begin(), command.name);
     log::setUp(false);
-    if (command.readsFile) loadSettings(command.table); // first: the command line overrides the file
+    // First, so that the command line overrides the file. Runs without a window are for scripts and tests:
+    // equal on every machine, whatever its player has set.
+    if (command.readsFile && std::ranges::find(words, "--headless") == words.end())
+        loadSettings(command.table);
     return parseAndRun(app, std::move(words), commands);
 }
 

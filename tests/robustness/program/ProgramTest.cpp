@@ -163,6 +163,14 @@ TEST_F(Program, HeadlessIsAcceptedByEveryCommand) {
     expectOneMessage(run("view --headless model.glb"), "--out", 2);
 }
 
+TEST_F(Program, HeadlessRunsDoNotDependOnThePlayersSettings) {
+    std::filesystem::create_directories(folder_ / "shoal");
+    write("shoal/settings.json", "broken");
+    EXPECT_NE(run("play").err.find("settings.json"), std::string::npos);
+    EXPECT_EQ(run("play --headless --mute --size 64x64 --at 0.1").err.find("settings.json"),
+              std::string::npos);
+}
+
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
 TEST_F(Program, EnvironmentsThatAreNone) {
