@@ -54,6 +54,12 @@ glm::vec3 vectorFrom(const nlohmann::json& json) {
     return {v[0], v[1], v[2]};
 }
 
+// -1: there is none.
+int jointNamed(std::string_view name) {
+    const auto at = std::find(kJointNames.begin(), kJointNames.end(), name);
+    return at == kJointNames.end() ? -1 : static_cast<int>(at - kJointNames.begin());
+}
+
 } // namespace
 
 Result<HandRig> HandRig::load(const Path& file) {
@@ -86,8 +92,7 @@ Result<HandRig> HandRig::load(const Path& file) {
         if (!(glm::length(position[i]) < 1)) return fail("joint \"" + name + "\" is a metre away");
         if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
             return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
-        const auto at = std::find(kJointNames.begin(), kJointNames.end(), next);
-        towards[i] = at == kJointNames.end() ? -1 : static_cast<int>(at - kJointNames.begin());
+        towards[i] = jointNamed(next);
         if (towards[i] < 0 && !next.empty())
             return fail("joint \"" + name + "\" points towards unknown \"" + next + "\"");
     }

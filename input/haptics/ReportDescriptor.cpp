@@ -66,7 +66,8 @@ struct Reader {
         return true;
     }
 
-    // One short item, by its prefix without the size; false: no use reading on.
+    // One short item, by its prefix without the size; false: no use reading on. Long because it is the
+    // specification's table of items, a case each.
     bool item(uint8_t prefix, std::span<const uint8_t> data) {
         const uint32_t value = plain(data);
         bool sound = true;
