@@ -12,21 +12,22 @@
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
 //    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another without
 //    a past has no side; where their cores all but cross, Bullet gives the shortest way out.
-// 3. Pushing (ContactWorld.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as fast as the
-//    bone comes. Contacts that contradict one another (a fish between two hands) share by regularised projected
-//    Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What overlaps is parted by a
-//    velocity that is not kept (a split impulse), so parting adds no energy.
+// 3. Pushing (ContactWorld.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as
+// fast as the
+//    bone comes. Contacts that contradict one another (a fish between two hands) share by regularised
+//    projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What overlaps is
+//    parted by a velocity that is not kept (a split impulse), so parting adds no energy.
 // 4. Wrapping (Finger.h). Fingers that close around a body are straightened, then bent knuckle by knuckle
 //    until they rest on it, as the underactuated fingers of grippers close (Birglen, Laliberte and Gosselin
 //    2008, "Underactuated Robotic Hands"). How far the device's finger would still go is how hard it presses.
 // 5. Gripping (Grip.h). Each contact can push along its normal with as much as it presses, and across by
 //    Coulomb friction. A body is held while the convex set of the forces that all contacts together can give
-//    contains the force that its struggle, the water's drag and the hand's acceleration ask for. With no force
-//    asked this is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"; Ponce and Faverjon 1995, "On
-//    Computing Three-Finger Force-Closure Grasps of Polygonal Objects"). The margin is the set's
+//    contains the force that its struggle, the water's drag and the hand's acceleration ask for. With no
+//    force asked this is force closure (Nguyen 1988, "Constructing Force-Closure Grasps"; Ponce and Faverjon
+//    1995, "On Computing Three-Finger Force-Closure Grasps of Polygonal Objects"). The margin is the set's
 //    distance to that force, the worst case over all directions of Ferrari and Canny 1992, "Planning Optimal
-//    Grasps". Where it is negative the body slides, the way the contacts cannot stop it. Torques are left out:
-//    a hand touches with a dozen bones.
+//    Grasps". Where it is negative the body slides, the way the contacts cannot stop it. Torques are left
+//    out: a hand touches with a dozen bones.
 #pragma once
 
 namespace shoal::physics {

@@ -5,9 +5,9 @@
 #include "engine/core/Files.h"
 #include "engine/render/ModelGpu.h"
 #include "engine/render/ObjectPass.h"
-#include "engine/scene/Surface.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Spine.h"
+#include "engine/scene/Surface.h"
 #include "game/rules/Snapshot.h"
 #include "game/rules/Species.h"
 

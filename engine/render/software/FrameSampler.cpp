@@ -67,8 +67,8 @@ __m256i mixed(__m256i aboveLeft, __m256i aboveRight, __m256i belowLeft, __m256i 
     return _mm256_packs_epi16(first, second);
 }
 
-// s, t: of the first pixel, in fixed texels from the frame's first; ds, dt: from pixel to pixel. In one piece, as
-// both ways of loading share a dozen registers that a call would spill.
+// s, t: of the first pixel, in fixed texels from the frame's first; ds, dt: from pixel to pixel. In one
+// piece, as both ways of loading share a dozen registers that a call would spill.
 SHOAL_AVX2
 void sampleRow(const DisplayFrame& frame, int s, int t, int ds, int dt, int count, uint32_t* out) {
     const __m256i steps = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), one = _mm256_set1_epi32(1);

@@ -1,8 +1,8 @@
 // Processor time of a tick of forty fish, user's share alone: without hands, with two hands that swing and
 // close among them, and with all forty piled into two fists again every half second.
-#include "tests/playthrough/Play.h"
 #include "game/rules/Dive.h"
 #include "input/hands/MouseHands.h"
+#include "tests/playthrough/Play.h"
 
 #include <sys/resource.h>
 

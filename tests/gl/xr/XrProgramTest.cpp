@@ -1,12 +1,12 @@
 // `shoal --xr` from its start to its exit status, in a headset that does what the test says.
 #include "engine/core/Log.h"
 #include "engine/xr/Headset.h"
-#include "game/tools/Commands.h"
-#include "tests/playthrough/Play.h"
 #include "game/rules/TickInput.h"
+#include "game/tools/Commands.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
+#include "tests/playthrough/Play.h"
 
 #include <glm/geometric.hpp>
 

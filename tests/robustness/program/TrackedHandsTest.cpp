@@ -1,11 +1,11 @@
 // The program with a tracking service that behaves as services do: a hand over the device closes on a fish;
 // the service drops, stalls, talks rubbish and starts anew in the middle, and the game plays on. Time is that
 // of the frames' stamps, so nothing waits for a clock.
-#include "tests/playthrough/Play.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "input/hands/leap/LeapTracks.h"
 #include "tests/TestPaths.h"
+#include "tests/playthrough/Play.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 

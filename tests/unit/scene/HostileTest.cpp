@@ -54,7 +54,8 @@ TEST(Hostile, Ranges) {
     file.root["bufferViews"][0]["byteLength"] = 2'147'483'647;
     EXPECT_THAT(refusal(file.load()), HasSubstr("bufferViews[0] reaches past the end of buffers[0]"));
     file = triangle();
-    file.root["buffers"] = {{{"byteLength", 2'000'000'000}, {"uri", "data:application/octet-stream;base64,AAAA"}}};
+    file.root["buffers"] = {
+        {{"byteLength", 2'000'000'000}, {"uri", "data:application/octet-stream;base64,AAAA"}}};
     EXPECT_EQ(refusal(file.load()), "buffers[0].byteLength is 2000000000, but there are only 3 bytes");
 }
 

@@ -27,10 +27,11 @@ TEST(VideoSound, DriftsLessThanFortyMillisecondsInTenMinutes) {
     auto audio = audio::Audio::open({.loopback = true});
     ASSERT_TRUE(audio);
     int seeks = 0;
-    audio->setTrack({.length = track->passLength(),
-                     .seek = [&](int64_t frame) { track->seek(frame), ++seeks; },
-                     // Waits, because here a second passes in a hundredth.
-                     .read = [&](std::span<int16_t> stereo) { return media::test::readAll(*track, stereo); }});
+    audio->setTrack(
+        {.length = track->passLength(),
+         .seek = [&](int64_t frame) { track->seek(frame), ++seeks; },
+         // Waits, because here a second passes in a hundredth.
+         .read = [&](std::span<int16_t> stereo) { return media::test::readAll(*track, stereo); }});
     double owed = 0, worst_s = 0, maximum = 0;
     int clicks = 0, quiet = 0;
     std::vector<float> samples;
