@@ -89,7 +89,6 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
         const Status same = replay(*read, *files);
         EXPECT_TRUE(same) << same.error().message();
     }
-    std::filesystem::remove(file);
 }
 
 TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {

@@ -61,8 +61,7 @@ void mutate(std::string& bytes, size_t jsonEnd, Random& random) {
 TEST(MutatedModels, EachIsAModelOrAnError) {
     const std::vector<Path> files = smallModels();
     if (files.empty()) GTEST_SKIP() << "no models";
-    std::string folder = (std::filesystem::temp_directory_path() / "shoal-mutated-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+    const tests::ScratchFolder folder;
     const auto level = spdlog::get_level();
     spdlog::set_level(spdlog::level::err); // thousands of warnings say nothing
     LoadLimits limits;
@@ -74,7 +73,7 @@ TEST(MutatedModels, EachIsAModelOrAnError) {
     for (const Path& file : files) {
         for (const auto& beside : std::filesystem::directory_iterator(file.parent_path()))
             if (beside.path().extension() == ".bin")
-                std::filesystem::copy(beside.path(), Path(folder) / beside.path().filename(),
+                std::filesystem::copy(beside.path(), folder / beside.path().filename(),
                                       std::filesystem::copy_options::overwrite_existing);
         const std::string good = bytesOf(file);
         const size_t jsonEnd = file.extension() == ".gltf" ? good.size() : good.find(std::string("BIN\0", 4));
@@ -82,7 +81,7 @@ TEST(MutatedModels, EachIsAModelOrAnError) {
             std::string bytes = good;
             for (uint32_t i = 0, count = 1 + random.below(3); i < count && !bytes.empty(); ++i)
                 mutate(bytes, jsonEnd, random);
-            const Path changed = Path(folder) / ("changed" + file.extension().string());
+            const Path changed = folder / ("changed" + file.extension().string());
             std::ofstream(changed, std::ios::binary) << bytes;
             SCOPED_TRACE(file.string() + ", round " + std::to_string(round));
             const auto model = loadModel(changed, limits);
@@ -92,7 +91,6 @@ TEST(MutatedModels, EachIsAModelOrAnError) {
         }
     }
     spdlog::set_level(level);
-    std::filesystem::remove_all(folder);
     std::cout << files.size() << " models: " << loaded << " variants loaded, " << refused << " refused\n";
 }
 

@@ -1,4 +1,4 @@
-// The hands' baked baked is of the hands that it stands beside, and what is not is refused.
+// The hands' baked occlusion is of the hands that it stands beside, and what is not is refused.
 #include "content/make/models/occlusion/HandOcclusion.h"
 
 #include <gtest/gtest.h>

@@ -8,28 +8,12 @@
 #include <gtest/gtest.h>
 #include <opencv2/videoio.hpp>
 
-#include <cstdlib>
 #include <fstream>
 #include <string>
 
 namespace shoal::media {
 
-// A folder of its own for one test, gone afterwards.
-class TempFolder {
-  public:
-    TempFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "shoal-media-XXXXXX").string();
-        path_ = ::mkdtemp(name.data());
-    }
-    ~TempFolder() { std::filesystem::remove_all(path_); }
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-
-    Path operator/(const std::string& name) const { return path_ / name; }
-
-  private:
-    Path path_;
-};
+using TempFolder = tests::ScratchFolder;
 
 // Reference data, or an empty path.
 inline Path sharedData(const std::string& name) {

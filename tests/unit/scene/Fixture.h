@@ -22,30 +22,14 @@ using Json = nlohmann::json;
 inline Path sharedData() { return tests::sharedDataFolder(); }
 
 // A folder that goes with the test.
-class Folder {
+class Folder : public tests::ScratchFolder {
   public:
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "shoal-scene-XXXXXX").string();
-        if (::mkdtemp(name.data()) != nullptr) path_ = name;
-    }
-    ~Folder() {
-        std::error_code code;
-        std::filesystem::remove_all(path_, code);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    const Path& path() const { return path_; }
-
     Path write(const std::string& name, const std::string& bytes) const {
-        const Path file = path_ / name;
+        const Path file = path() / name;
         std::filesystem::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << bytes;
         return file;
     }
-
-  private:
-    Path path_;
 };
 
 inline std::string base64(const std::vector<uint8_t>& bytes) {
