@@ -18,8 +18,8 @@ enum FeatureBit : unsigned {
     kAces = 1u << 3,
     kLinear = 1u << 4,
 };
-constexpr std::array<const char*, 5> kDefines = {"POLAR", "AS_IS", "FRAME_IS_CODED", "TONE_ACES",
-                                                 "TONE_LINEAR"};
+constexpr std::array<const char*, 5> kBackgroundDefines = {"POLAR", "AS_IS", "FRAME_IS_CODED", "TONE_ACES",
+                                                           "TONE_LINEAR"};
 
 unsigned featuresOf(const EnvironmentGpu& environment, const Exposure& exposure) {
     if (showsFrameAsCoded(environment, exposure)) return kAsIs;
@@ -43,7 +43,7 @@ Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(bool withLayers) {
 }
 
 Status BackgroundPass::setUp(bool withLayers) {
-    programs_ = gl::Variants("render/Background", kDefines);
+    programs_ = gl::Variants("render/Background", kBackgroundDefines);
     // Compiled now, so that a broken shader is known at the start.
     for (const unsigned features : {0u, static_cast<unsigned>(kPolarBit)})
         if (auto program = programs_.get(kAsIs | features); !program) return program.error();

@@ -7,13 +7,14 @@ namespace shoal::render {
 
 namespace {
 
-constexpr std::array<const char*, 3> kDefines = {"FILMED", "GRAINY", "SHARES_COLOUR"}; // as CameraFeature
+constexpr std::array<const char*, 3> kCompositeDefines = {"FILMED", "GRAINY",
+                                                          "SHARES_COLOUR"}; // as CameraFeature
 
 } // namespace
 
 Result<EquirectComposite> EquirectComposite::make() {
     EquirectComposite pass;
-    pass.programs_ = gl::Variants("render/EquirectComposite", kDefines);
+    pass.programs_ = gl::Variants("render/EquirectComposite", kCompositeDefines);
     // Compiled now, so that a broken shader is known at the start.
     for (const unsigned features : {0u, static_cast<unsigned>(kFilmed)})
         if (auto program = pass.programs_.get(features); !program) return program.error();

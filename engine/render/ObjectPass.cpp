@@ -38,32 +38,32 @@ enum FeatureBit : unsigned {
     kLayersThesis = 1u << 20,
     kShowNormals = 1u << 21, // these as ShownQuantity orders them
 };
-constexpr std::array<const char*, 26> kDefines = {"SKINNED",
-                                                  "BASE_COLOUR_MAP",
-                                                  "METALLIC_ROUGHNESS_MAP",
-                                                  "NORMAL_MAP",
-                                                  "OCCLUSION_MAP",
-                                                  "EMISSIVE_MAP",
-                                                  "ALPHA_MASK",
-                                                  "ALPHA_BLEND",
-                                                  "PHONG_RINGS",
-                                                  "MIRRORS",
-                                                  "WATER",
-                                                  "TONE_ACES",
-                                                  "TONE_LINEAR",
-                                                  "LEAN",
-                                                  "VERTEX_DIFFUSE",
-                                                  "VERTEX_LIT",
-                                                  "OCCLUDED",
-                                                  "VERTEX_COLOURS",
-                                                  "SECOND_UV",
-                                                  "LAYERS",
-                                                  "LAYERS_THESIS",
-                                                  "SHOW_NORMALS",
-                                                  "SHOW_ROUGHNESS",
-                                                  "SHOW_OCCLUSION",
-                                                  "SHOW_DIFFUSE",
-                                                  "SHOW_DEPTH"};
+constexpr std::array<const char*, 26> kObjectDefines = {"SKINNED",
+                                                        "BASE_COLOUR_MAP",
+                                                        "METALLIC_ROUGHNESS_MAP",
+                                                        "NORMAL_MAP",
+                                                        "OCCLUSION_MAP",
+                                                        "EMISSIVE_MAP",
+                                                        "ALPHA_MASK",
+                                                        "ALPHA_BLEND",
+                                                        "PHONG_RINGS",
+                                                        "MIRRORS",
+                                                        "WATER",
+                                                        "TONE_ACES",
+                                                        "TONE_LINEAR",
+                                                        "LEAN",
+                                                        "VERTEX_DIFFUSE",
+                                                        "VERTEX_LIT",
+                                                        "OCCLUDED",
+                                                        "VERTEX_COLOURS",
+                                                        "SECOND_UV",
+                                                        "LAYERS",
+                                                        "LAYERS_THESIS",
+                                                        "SHOW_NORMALS",
+                                                        "SHOW_ROUGHNESS",
+                                                        "SHOW_OCCLUSION",
+                                                        "SHOW_DIFFUSE",
+                                                        "SHOW_DEPTH"};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
@@ -160,7 +160,7 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
     pass.matrixAlignment_ = static_cast<size_t>(std::max(alignment, 16));
     // Compiled now, so that a broken shader is known at the start and not when the first object appears.
-    pass.programs_ = gl::Variants("render/Object", kDefines);
+    pass.programs_ = gl::Variants("render/Object", kObjectDefines);
     auto program = pass.programFor(0);
     if (!program) return program.error();
     return pass;

@@ -13,7 +13,7 @@
 namespace shoal::render {
 
 namespace {
-constexpr std::array<const char*, 1> kDefines = {"COVERED"};
+constexpr std::array<const char*, 1> kShadowDefines = {"COVERED"};
 constexpr float kMin = 0.012f; // of the ground's light: three of 255 display values where it is bright
 constexpr float kUnseen = 1 - 0.5f / 255; // a factor that leaves display values what they are
 
@@ -38,7 +38,7 @@ glm::vec3 leftOfGround(const FloorLight& light, float hidden, const water::Water
 
 Result<ShadowPass> ShadowPass::make() {
     ShadowPass pass;
-    pass.programs_ = gl::Variants("render/Shadow", kDefines);
+    pass.programs_ = gl::Variants("render/Shadow", kShadowDefines);
     if (auto program = pass.programs_.get(0); !program) return program.error();
     pass.vertexArray_ = gl::VertexArray::make();
     pass.vertexBuffer_ = gl::Buffer::make();

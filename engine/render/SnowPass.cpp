@@ -13,7 +13,7 @@ constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 
-constexpr std::array<const char*, 2> kDefines = {"TONE_ACES", "TONE_LINEAR"};
+constexpr std::array<const char*, 2> kSnowDefines = {"TONE_ACES", "TONE_LINEAR"};
 
 unsigned featuresOf(const Exposure& exposure) {
     return exposure.curve == ToneCurve::Aces ? 1u : exposure.curve == ToneCurve::Linear ? 2u : 0u;
@@ -23,7 +23,7 @@ unsigned featuresOf(const Exposure& exposure) {
 
 Result<SnowPass> SnowPass::make() {
     SnowPass pass;
-    pass.programs_ = gl::Variants("render/Snow", kDefines);
+    pass.programs_ = gl::Variants("render/Snow", kSnowDefines);
     pass.nothing_ = gl::VertexArray::make();
     if (auto program = pass.programs_.get(0); !program) return program.error();
     return pass;

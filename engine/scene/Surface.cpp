@@ -54,15 +54,15 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
 // Skin that several nodes move lies beside where any of them would take it, and so do triangles between two
 // spheres. Of radii: what fingers bent by more than a right angle need.
 constexpr float kWider = 1.2f;
-constexpr float kLongest = 1.6f; // of the next longest side: longer things are two,
-constexpr size_t kFewest = 8;    // but not things of so few positions
+constexpr float kLongest = 1.6f;       // of the next longest side: longer things are two,
+constexpr size_t kFewestPositions = 8; // but not things of so few positions
 
 void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere>& all) {
     glm::vec3 low = positions[0], high = positions[0];
     for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
     const glm::vec3 sides = high - low, middle = 0.5f * (low + high);
     const int longest = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
-    if (positions.size() > kFewest &&
+    if (positions.size() > kFewestPositions &&
         sides[longest] > kLongest * std::max(sides[(longest + 1) % 3], sides[(longest + 2) % 3])) {
         const auto half = std::ranges::partition(
             positions, [&](const glm::vec3& p) { return p[longest] < middle[longest]; });

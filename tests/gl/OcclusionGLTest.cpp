@@ -13,7 +13,7 @@ namespace {
 class OcclusionGL : public WithContext {};
 
 constexpr float kLight = 0.8f; // radiance all around
-constexpr int kSize = 96;
+constexpr int kPictureSize = 96;
 
 render::BodyOccluders sphereBody(const glm::vec3& semiAxes) {
     render::BodyOccluders body;
@@ -80,7 +80,7 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     view.verticalFov = 0.4f;
     view.aspect = 1;
     view.heightPixels = detail == render::Detail::Lean ? 4000 : 0; // fine enough to compare
-    const gl::Target target(kSize, kSize, 1);
+    const gl::Target target(kPictureSize, kPictureSize, 1);
     target.bind();
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -145,10 +145,10 @@ void compare(render::Detail detail, float roughness, float tolerance) {
     const ImageRgba8 picture = drawAmong(others, smooth, detail, roughness);
     float darkest = 1;
     int compared = 0;
-    for (int y = 4; y < kSize; y += 4)
-        for (int x = 4; x < kSize; x += 4) {
-            const glm::vec2 at = glm::vec2((static_cast<float>(x) + 0.5f) / kSize * 2 - 1,
-                                           1 - (static_cast<float>(y) + 0.5f) / kSize * 2) *
+    for (int y = 4; y < kPictureSize; y += 4)
+        for (int x = 4; x < kPictureSize; x += 4) {
+            const glm::vec2 at = glm::vec2((static_cast<float>(x) + 0.5f) / kPictureSize * 2 - 1,
+                                           1 - (static_cast<float>(y) + 0.5f) / kPictureSize * 2) *
                                  std::tan(0.2f);
             const glm::vec3 d = glm::normalize(glm::vec3(at, -1)), eye(0, 0, 6);
             const float b = glm::dot(eye, d), c = glm::dot(eye, eye) - 1;

@@ -25,7 +25,7 @@ class RenderGL : public WithContext {};
 // A colour that turns smoothly with direction, so that bilinear reading adds next to nothing.
 glm::vec3 smoothColour(const glm::vec3& dir) { return 0.5f + 0.4f * dir; }
 
-ImageRgb8 smoothFrame(int width) {
+ImageRgb8 smoothSurround(int width) {
     ImageRgb8 frame(width, width / 2);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -65,7 +65,7 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
     auto pass = render::makeBackgroundPass(GetParam(), false);
     ASSERT_TRUE(pass) << pass.error().message();
     render::EnvironmentGpu environment;
-    const ImageRgba8 frame = upload(environment, smoothFrame(512));
+    const ImageRgba8 frame = upload(environment, smoothSurround(512));
     const gl::Target target(96, 64, 1);
     // Ahead, behind (the seam), both poles, and askew.
     for (const glm::vec3 ahead : {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0),
@@ -98,7 +98,7 @@ TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
     auto pass = render::BackgroundPass::make(false);
     ASSERT_TRUE(pass);
     render::EnvironmentGpu environment;
-    const ImageRgba8 shown = upload(environment, smoothFrame(256));
+    const ImageRgba8 shown = upload(environment, smoothSurround(256));
     const gl::Target target(9, 9, 1);
     target.bind();
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -149,7 +149,7 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
     for (const bool smooth : {false, true})
         for (const float metallic : {0.0f, 1.0f})
             for (const float roughness : {0.2f, 0.5f, 1.0f}) {
-                const ImageRgb8 video = smooth ? smoothFrame(512) : uniformFrame(200, 180, 40);
+                const ImageRgb8 video = smooth ? smoothSurround(512) : uniformFrame(200, 180, 40);
                 render::EnvironmentGpu environment;
                 const ImageRgba8 shown = upload(environment, video);
                 environment.uploadLight(lightOf(video));
@@ -231,7 +231,7 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
 }
 
 TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
-    const ImageRgb8 frame = smoothFrame(512);
+    const ImageRgb8 frame = smoothSurround(512);
     render::EnvironmentGpu environment;
     const ImageRgba8 shown = upload(environment, frame);
     environment.uploadLight(lightOf(frame));

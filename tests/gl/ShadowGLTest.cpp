@@ -9,7 +9,7 @@ namespace {
 
 class ShadowGL : public WithContext {};
 
-constexpr int kSize = 200;
+constexpr int kShadowSize = 200;
 constexpr uint8_t kBefore = 200;
 
 render::FloorLight sunlight() {
@@ -32,7 +32,7 @@ ImageRgba8 shaded(std::span<const occlusion::Ellipsoid> body, const render::Floo
                   const render::ShadowPass::Cover* cover = nullptr) {
     auto pass = render::ShadowPass::make();
     EXPECT_TRUE(pass) << pass.error().message();
-    const gl::Target target(kSize, kSize, 1);
+    const gl::Target target(kShadowSize, kShadowSize, 1);
     target.bind();
     glClearColor(kBefore / 255.0f, kBefore / 255.0f, kBefore / 255.0f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -57,10 +57,10 @@ TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
     const ImageRgba8 picture = shaded(body, light, view, sea);
     int darkest = 255;
     double differences = 0;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
-            const glm::vec2 place(2 * (static_cast<float>(x) + 0.5f) / kSize - 1,
-                                  1 - 2 * (static_cast<float>(y) + 0.5f) / kSize);
+    for (int y = 0; y < kShadowSize; ++y)
+        for (int x = 0; x < kShadowSize; ++x) {
+            const glm::vec2 place(2 * (static_cast<float>(x) + 0.5f) / kShadowSize - 1,
+                                  1 - 2 * (static_cast<float>(y) + 0.5f) / kShadowSize);
             const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
             const glm::vec3 ground = ray * (light.height_m / ray.y);
             const glm::vec3 left = render::leftOfGround(
@@ -75,7 +75,7 @@ TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
             }
             darkest = std::min<int>(darkest, picture.at(x, y)[0]);
         }
-    EXPECT_LT(differences / (3.0 * kSize * kSize), 0.6);
+    EXPECT_LT(differences / (3.0 * kShadowSize * kShadowSize), 0.6);
     EXPECT_LT(darkest, 175); // there is a shadow at all
 }
 
@@ -88,13 +88,13 @@ TEST_F(ShadowGL, SparesWhatIsBeforeTheGround) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     constexpr float kWider = 1.5f; // the picture shows its middle two thirds
-    const render::ShadowPass::Cover cover{texture.name(), kWider, glm::ivec2(kSize)};
+    const render::ShadowPass::Cover cover{texture.name(), kWider, glm::ivec2(kShadowSize)};
     const ImageRgba8 bare = shaded(shark(), sunlight(), downwards(), {}),
                      spared = shaded(shark(), sunlight(), downwards(), {}, &cover);
     int compared = 0;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
-            const float u = 0.5f + ((static_cast<float>(x) + 0.5f) / kSize - 0.5f) / kWider;
+    for (int y = 0; y < kShadowSize; ++y)
+        for (int x = 0; x < kShadowSize; ++x) {
+            const float u = 0.5f + ((static_cast<float>(x) + 0.5f) / kShadowSize - 0.5f) / kWider;
             const float hides = static_cast<float>(texels[4 * static_cast<size_t>(3 * u) + 3]) / 255;
             const int dimmed = kBefore - bare.at(x, y)[0];
             compared += dimmed > 10;

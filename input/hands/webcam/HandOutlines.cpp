@@ -10,8 +10,8 @@ namespace shoal::hands {
 namespace {
 
 // In radii of the palm but where another unit stands.
-constexpr double kMinArea = 0.006; // of the picture
-constexpr float kReach = 3.6f;     // what is farther from the palm is an arm, not a finger
+constexpr double kMinArea = 0.006;   // of the picture
+constexpr float kFingerReach = 3.6f; // what is farther from the palm is an arm, not a finger
 constexpr float kCleftDepth = 0.6f;
 constexpr float kCleftAngle = 1.5f; // radians between two fingers that stand; wider is a wrist
 constexpr float kStands = 1.75f;    // a fingertip is farther from the palm's middle than this
@@ -102,7 +102,7 @@ std::vector<Outline> findHands(const cv::Mat& mask) {
         if (distance(hand.palm, middle) > hand.radius) hand.palm = middle; // two ridges
         cv::Mat near = cv::Mat::zeros(filled.size(), CV_8U);
         cv::circle(near, cv::Point(cvRound(hand.palm.x) + 1, cvRound(hand.palm.y) + 1),
-                   cvRound(kReach * hand.radius), 255, cv::FILLED);
+                   cvRound(kFingerReach * hand.radius), 255, cv::FILLED);
         near &= filled;
         std::vector<std::vector<cv::Point>> parts;
         cv::findContours(near, parts, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE, {-1, -1});

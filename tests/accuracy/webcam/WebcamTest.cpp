@@ -6,6 +6,7 @@
 #include "input/hands/HandTracker.h"
 #include "input/hands/webcam/HandDetector.h"
 #include "tests/TestPaths.h"
+#include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
@@ -27,10 +28,7 @@ using test::Shown;
 
 constexpr double kRate_Hz = 30;
 
-const HandRig& rig() {
-    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
+using tests::rig;
 
 // What a person does in front of a webcam: out of sight, an open hand in the middle for two seconds, then
 // here and there with gestures held for half a second each.

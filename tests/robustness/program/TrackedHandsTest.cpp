@@ -5,6 +5,7 @@
 #include "input/hands/leap/LeapMessage.h"
 #include "input/hands/leap/LeapTracks.h"
 #include "tests/TestPaths.h"
+#include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
@@ -25,11 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using hands::test::Server;
 
-const hands::HandRig& rig() {
-    static const hands::HandRig loaded =
-        hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
+using tests::rig;
 
 struct Fist {
     glm::vec3 grasp{0}; // viewer's frame, when it closes for the first time

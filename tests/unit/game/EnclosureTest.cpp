@@ -6,10 +6,10 @@
 namespace shoal::game {
 namespace {
 
-const std::vector<Enclosure> kMarks = {{10, 14, 0.5f}, {14, 20, 1}};
+const std::vector<Enclosure> kEnclosures = {{10, 14, 0.5f}, {14, 20, 1}};
 
 TEST(Enclosure, RisesBeforeAMarkStaysAndFades) {
-    const auto at = [](double time_s) { return enclosureAt(kMarks, 60, time_s); };
+    const auto at = [](double time_s) { return enclosureAt(kEnclosures, 60, time_s); };
     EXPECT_EQ(at(0), 0);
     EXPECT_EQ(at(8), 0);
     EXPECT_FLOAT_EQ(at(9), 0.25f);
@@ -22,8 +22,8 @@ TEST(Enclosure, RisesBeforeAMarkStaysAndFades) {
 }
 
 TEST(Enclosure, FollowsTheVideoAroundItsEnd) {
-    EXPECT_FLOAT_EQ(enclosureAt(kMarks, 60, 60 + 15), 1);
-    EXPECT_FLOAT_EQ(enclosureAt(kMarks, 60, 120 + 9), 0.25f);
+    EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 60, 60 + 15), 1);
+    EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 60, 120 + 9), 0.25f);
     const std::vector<Enclosure> atTheEnd = {{58, 60, 1}};
     EXPECT_FLOAT_EQ(enclosureAt(atTheEnd, 60, 61), 0.5f); // fades into the next pass
     const std::vector<Enclosure> atTheStart = {{0, 3, 1}};
@@ -31,15 +31,15 @@ TEST(Enclosure, FollowsTheVideoAroundItsEnd) {
 }
 
 TEST(Enclosure, MarksOfALongerVideoAreNotHeard) {
-    EXPECT_EQ(enclosureAt(kMarks, 6, 5.9), 0);
-    EXPECT_EQ(enclosureAt(kMarks, 0, 15), 0); // no video
-    EXPECT_FLOAT_EQ(enclosureAt(kMarks, 12, 11), 0.5f);
+    EXPECT_EQ(enclosureAt(kEnclosures, 6, 5.9), 0);
+    EXPECT_EQ(enclosureAt(kEnclosures, 0, 15), 0); // no video
+    EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 12, 11), 0.5f);
 }
 
 TEST(Enclosure, NeverJumps) {
-    float before = enclosureAt(kMarks, 30, 0);
+    float before = enclosureAt(kEnclosures, 30, 0);
     for (int tick = 1; tick < 90 * 120; ++tick) {
-        const float now = enclosureAt(kMarks, 30, tick / 120.0);
+        const float now = enclosureAt(kEnclosures, 30, tick / 120.0);
         ASSERT_LE(std::abs(now - before), 1.01f / 240); // all of it in two seconds
         before = now;
     }

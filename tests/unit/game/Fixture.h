@@ -5,6 +5,7 @@
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
+#include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"
 
 #include <gtest/gtest.h>
@@ -22,14 +23,7 @@ inline const DiveFiles& cove() {
     return files;
 }
 
-inline const hands::HandRig& rig() {
-    static const hands::HandRig loaded = [] {
-        auto read = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-        if (!read) throw std::runtime_error(read.error().message());
-        return *read;
-    }();
-    return loaded;
-}
+using tests::rig;
 
 // A hand whose grasp centre is there; the player looks along -Z, so viewer's frame and world agree.
 inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {

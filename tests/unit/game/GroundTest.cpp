@@ -6,10 +6,10 @@
 namespace shoal::game {
 namespace {
 
-const std::vector<GroundMark> kMarks = {{10, 14, -1.2f}, {15, 20, -1.4f}, {40, 50, -1}};
+const std::vector<GroundMark> kGroundMarks = {{10, 14, -1.2f}, {15, 20, -1.4f}, {40, 50, -1}};
 
 TEST(Ground, IsThereWithinMarksAndFadesAround) {
-    const auto at = [](double time_s) { return groundAt(kMarks, 60, time_s); };
+    const auto at = [](double time_s) { return groundAt(kGroundMarks, 60, time_s); };
     EXPECT_EQ(at(5).presence, 0);
     EXPECT_FLOAT_EQ(at(9).presence, 0.5f);
     EXPECT_FLOAT_EQ(at(9).height_m, -1.2f);
@@ -22,14 +22,14 @@ TEST(Ground, IsThereWithinMarksAndFadesAround) {
 }
 
 TEST(Ground, OfAnotherVideoIsNotKnown) {
-    EXPECT_EQ(groundAt(kMarks, 0, 12).presence, 0);
+    EXPECT_EQ(groundAt(kGroundMarks, 0, 12).presence, 0);
     EXPECT_EQ(groundAt({}, 60, 12).presence, 0);
 }
 
 TEST(Ground, NeverJumps) {
-    Ground before = groundAt(kMarks, 60, 0);
+    Ground before = groundAt(kGroundMarks, 60, 0);
     for (int tick = 1; tick < 120 * 120; ++tick) {
-        const Ground now = groundAt(kMarks, 60, tick / 120.0);
+        const Ground now = groundAt(kGroundMarks, 60, tick / 120.0);
         ASSERT_LE(std::abs(now.presence - before.presence), 1.01f / 240);
         if (before.presence > 0 && now.presence > 0) {
             ASSERT_LE(std::abs(now.height_m - before.height_m), 0.001f);

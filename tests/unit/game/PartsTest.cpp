@@ -18,7 +18,7 @@ using test::count;
 using test::cove;
 using test::handAt;
 
-constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
+constexpr glm::vec3 kHandPlace(0, -0.1f, -0.6f);
 
 TEST(Swimmer, BlendsFromOneGaitToTheNextAndKeepsTheOneItHas) {
     Gait gait;
@@ -83,7 +83,7 @@ TEST(HandTracking, ALostHandStaysForATenthOfASecondAndAJumpGivesNoSpeed) {
     TickInput input;
     Viewpoint view;
     Hands hands;
-    input.hands[1] = handAt(kPlace);
+    input.hands[1] = handAt(kHandPlace);
     trackHands(input, view, hands);
     EXPECT_TRUE(hands[1].visible && hands[1].solid);
     EXPECT_FALSE(hands[0].visible);
@@ -110,14 +110,14 @@ TEST(ClosingHands, AnEmptyOneMissesOnceAfterItsWindow) {
     Events& events = out;
     std::vector<Fish> none;
     for (int tick = 0; tick < 60; ++tick) {
-        input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(tick) / 15));
+        input.hands[1] = handAt(kHandPlace, std::min(1.0f, static_cast<float>(tick) / 15));
         trackHands(input, view, hands);
         closeHands(hands, cove().species, none, {}, 0, true, events);
     }
     EXPECT_EQ(count<EventKind::Miss>(out), 1);
     EXPECT_TRUE(hands[1].grasp.closed);
     out.clear();
-    input.hands[1] = handAt(kPlace, 0);
+    input.hands[1] = handAt(kHandPlace, 0);
     trackHands(input, view, hands);
     closeHands(hands, cove().species, none, {}, 0, true, events);
     EXPECT_FALSE(hands[1].grasp.closed);
@@ -128,9 +128,10 @@ TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     TickInput input;
     Viewpoint view;
     Hands hands;
-    input.hands[1] = handAt(kPlace, 1);
+    input.hands[1] = handAt(kHandPlace, 1);
     trackHands(input, view, hands);
-    const physics::Capsule fish{kPlace - glm::vec3(0.03f, 0, 0), kPlace + glm::vec3(0.03f, 0, 0), 0.024f};
+    const physics::Capsule fish{kHandPlace - glm::vec3(0.03f, 0, 0), kHandPlace + glm::vec3(0.03f, 0, 0),
+                                0.024f};
     wrapFingers(fish, hands[1]);
     EXPECT_GT(hands[1].fingers.pressCount, 2);
     hands[1].grasp.encloses = 4;
@@ -150,7 +151,7 @@ struct SharkBeforeHand {
         shark.present = true;
         shark.species = dive.shark.species;
         hands[1].visible = true;
-        hands[1].graspCentre = kPlace;
+        hands[1].graspCentre = kHandPlace;
         shark.position = {0, -0.1f, -3.2f};
         shark.forward = {0, 0, 1}; // its mouth is 1.6 m away from the hand
     }

@@ -1,5 +1,6 @@
 #include "input/hands/CompleteHand.h"
 #include "input/hands/Mount.h"
+#include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +11,7 @@
 namespace shoal::hands {
 namespace {
 
-const HandRig& rig() {
-    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
+using tests::rig;
 
 enum class Sent { Everything, Skeleton, Tips, LooseTips, Nothing };
 

@@ -2,6 +2,7 @@
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandTuning.h"
+#include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +11,9 @@
 namespace shoal::hands {
 namespace {
 
-constexpr float kTick_s = 1.0f / 120;
+using tests::rig;
 
-const HandRig& rig() {
-    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
+constexpr float kStep_s = 1.0f / 120;
 
 HandPose handAt(float x) { return rig().pose(Side::Right, {}, {{x, 0, -0.5f}, {1, 0, 0, 0}}); }
 
@@ -43,7 +41,7 @@ struct Game {
         device.advance(stream, 1.0 / 60);
         for (int left = 2; left > 0; --left) {
             hands = {handAt(-0.4f), handAt(-0.3f)};
-            choice.tick(device, hands, left, kTick_s);
+            choice.tick(device, hands, left, kStep_s);
         }
     }
 };
@@ -98,7 +96,7 @@ TEST(HandSourceSelector, MotionIsSpreadEvenlyOverTheTicksOfAFrame) {
         game.stream.push(frameAt(game.time_us, x += 0.01f));
         game.device.advance(game.stream, 1.0 / 60);
         for (int left = 2; left > 0; --left) {
-            game.choice.tick(game.device, game.hands, left, kTick_s);
+            game.choice.tick(game.device, game.hands, left, kStep_s);
             xs.push_back(xOf(game.hands[1]));
         }
     }

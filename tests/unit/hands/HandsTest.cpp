@@ -1,6 +1,7 @@
 #include "input/hands/HandRig.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
+#include "tests/TestRig.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,16 +14,12 @@
 namespace shoal::hands {
 namespace {
 
+using tests::rig;
+
 using testing::HasSubstr;
 
 // Chains of five float rotations on lengths below 0.2 m.
 constexpr float kTol = 2e-6f;
-
-HandRig rig() {
-    auto loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    EXPECT_TRUE(loaded) << loaded.error().message();
-    return *std::move(loaded);
-}
 
 HandShape shape(float curl, float spread = 0) {
     HandShape s;

@@ -2,6 +2,7 @@
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandSourceSelector.h"
+#include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
@@ -14,15 +15,12 @@
 namespace shoal::hands {
 namespace {
 
+using tests::rig;
+
 using namespace tuning;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kTick_s = 1.0f / 120;
-
-const HandRig& rig() {
-    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
 
 HandPose handAt(glm::vec3 wrist, float curl = 0) {
     HandShape shape;

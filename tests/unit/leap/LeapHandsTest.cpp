@@ -2,6 +2,7 @@
 // frames and messages to come.
 #include "input/hands/HandTracker.h"
 #include "input/hands/Mount.h"
+#include "tests/TestRig.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
 
@@ -19,10 +20,7 @@ namespace {
 using test::Server;
 using testing::ElementsAre;
 
-const HandRig& rig() {
-    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
+using tests::rig;
 
 using Tracker = std::unique_ptr<HandTracker>;
 

@@ -5,6 +5,7 @@
 #include "input/hands/HandTuning.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "input/hands/leap/LeapTracks.h"
+#include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +19,7 @@
 namespace shoal::hands {
 namespace {
 
-const HandRig& rig() {
-    static const HandRig loaded = HandRig::load(dataRoot() / "content/models/hand_skeleton.json").value();
-    return loaded;
-}
+using tests::rig;
 
 // The palm of one hand over one unbroken stretch of tracking; hands as they are, on no mount.
 struct Track {

@@ -12,15 +12,15 @@ namespace {
 
 using shoal::heap::kUnlimited, shoal::heap::left;
 
-constexpr int kWidth = 256, kHeight = 128;
+constexpr int kFrameWidth = 256, kFrameHeight = 128;
 
 TEST(LightLibraryMemory, ASecondFrameTakesNone) {
-    const std::vector<uint8_t> bytes(4 * kWidth * kHeight, 99);
-    const std::vector<float> floats(4 * kWidth * kHeight, 0.5f);
+    const std::vector<uint8_t> bytes(4 * kFrameWidth * kFrameHeight, 99);
+    const std::vector<float> floats(4 * kFrameWidth * kFrameHeight, 0.5f);
     for (const int32_t format : {SHOAL_LIGHT_BGR8, SHOAL_LIGHT_RGBA8, SHOAL_LIGHT_RGBA32F}) {
         const bool coded = format != SHOAL_LIGHT_RGBA32F;
         const void* pixels = coded ? static_cast<const void*>(bytes.data()) : floats.data();
-        const ShoalLightFrame frame{pixels, kWidth, kHeight, 0, format};
+        const ShoalLightFrame frame{pixels, kFrameWidth, kFrameHeight, 0, format};
         shoallight::Maker maker({SHOAL_LIGHT_VIDEO, 0.05f, 512});
         shoallight::Light light;
         maker.make(frame, light);
@@ -31,8 +31,8 @@ TEST(LightLibraryMemory, ASecondFrameTakesNone) {
 }
 
 TEST(LightLibraryMemory, TooLittleIsSaidWhereverItEnds) {
-    const std::vector<uint8_t> bytes(4 * kWidth * kHeight, 99);
-    const ShoalLightFrame frame{bytes.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGBA8};
+    const std::vector<uint8_t> bytes(4 * kFrameWidth * kFrameHeight, 99);
+    const ShoalLightFrame frame{bytes.data(), kFrameWidth, kFrameHeight, 0, SHOAL_LIGHT_RGBA8};
     const ShoalLightOptions options{SHOAL_LIGHT_VIDEO, 0.5f, 256};
     ShoalLightMaker* none = nullptr;
     left = 0;

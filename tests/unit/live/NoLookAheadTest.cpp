@@ -33,7 +33,7 @@ template <class Send> void eachIsSeenAtOnce(LivePlayer& player, int next, int he
     }
 }
 
-LiveFeed feedOf(const std::string& address) { return feedFrom(**liveAddress(address), {60, 60}); }
+LiveFeed patientFeed(const std::string& address) { return feedFrom(**liveAddress(address), {60, 60}); }
 
 LiveOptions patient() {
     LiveOptions options;
@@ -46,7 +46,7 @@ TEST(NoLookAhead, Rtsp) {
     if (!made) GTEST_SKIP() << "FFmpeg has no H.264 encoder here";
     RtspServer server(made->description);
     int next = 0;
-    auto player = LivePlayer::open(feedOf(server.url()), patient(), [&] {
+    auto player = LivePlayer::open(patientFeed(server.url()), patient(), [&] {
         if (server.accepted() == 0 && !server.accept()) return false;
         return next < kPictures / 2 && server.send(made->pieces[static_cast<size_t>(next++)]);
     });
@@ -72,7 +72,7 @@ void transportStream(const std::string& options, int held) {
         return true;
     };
     int next = 0;
-    auto player = LivePlayer::open(feedOf(server.url()), patient(), [&] {
+    auto player = LivePlayer::open(patientFeed(server.url()), patient(), [&] {
         if (server.accepted() == 0)
             return server.accept() && server.send("HTTP/1.1 200 OK\r\nConnection: close\r\n\r\n");
         return next < kPictures / 2 && send(next++) && send(next++) && send(next++) && send(next++);

@@ -11,19 +11,19 @@ namespace shoal::physics {
 namespace {
 
 // Single precision on lengths below 1 m, a handful of operations.
-constexpr float kTol = 1e-5f;
+constexpr float kCapsuleTol = 1e-5f;
 
 TEST(Separation, MatchesClosedForms) {
     const auto point = [](glm::vec3 p, float r) { return Capsule{p, p, r}; };
-    EXPECT_NEAR(separation(point({0, 0, 0}, 0.1f), point({1, 0, 0}, 0.2f)), 0.7f, kTol);
+    EXPECT_NEAR(separation(point({0, 0, 0}, 0.1f), point({1, 0, 0}, 0.2f)), 0.7f, kCapsuleTol);
     // A point beside the middle of a segment, and beyond its end.
     const Capsule bar{{-1, 0, 0}, {1, 0, 0}, 0.1f};
-    EXPECT_NEAR(separation(point({0.3f, 0.5f, 0}, 0.1f), bar), 0.3f, kTol);
-    EXPECT_NEAR(separation(point({4, 4, 0}, 0.1f), bar), 5 - 0.2f, kTol);
+    EXPECT_NEAR(separation(point({0.3f, 0.5f, 0}, 0.1f), bar), 0.3f, kCapsuleTol);
+    EXPECT_NEAR(separation(point({4, 4, 0}, 0.1f), bar), 5 - 0.2f, kCapsuleTol);
     // Crossed bars, parallel bars, crossing bars.
-    EXPECT_NEAR(separation(bar, {{0, 0.7f, -1}, {0, 0.7f, 1}, 0.1f}), 0.5f, kTol);
-    EXPECT_NEAR(separation(bar, {{-1, 0.4f, 0}, {1, 0.4f, 0}, 0.1f}), 0.2f, kTol);
-    EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kTol);
+    EXPECT_NEAR(separation(bar, {{0, 0.7f, -1}, {0, 0.7f, 1}, 0.1f}), 0.5f, kCapsuleTol);
+    EXPECT_NEAR(separation(bar, {{-1, 0.4f, 0}, {1, 0.4f, 0}, 0.1f}), 0.2f, kCapsuleTol);
+    EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kCapsuleTol);
 }
 
 glm::vec3 anywhere(Random& random, float maximum) {
@@ -62,7 +62,7 @@ TEST(FirstTouch, AgreesWithFineSteps) {
         ++hits;
         ASSERT_LE(found, 1) << "round " << round << ": passed through";
         const float gap = separation(between(from, to, found), between(fishFrom, fishTo, found));
-        EXPECT_GT(gap, -2 * kTol) << "round " << round << ": too late";
+        EXPECT_GT(gap, -2 * kCapsuleTol) << "round " << round << ": too late";
         EXPECT_LT(gap, 2 * kTouchGap_m) << "round " << round << ": too early";
     }
     EXPECT_GT(hits, 800);

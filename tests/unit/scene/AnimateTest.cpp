@@ -9,7 +9,7 @@ namespace shoal::scene {
 namespace {
 
 // Few float operations on numbers near 1: a few units in the last place.
-constexpr float kTol = 1e-6f;
+constexpr float kAnimateTol = 1e-6f;
 
 Model withChannel(Channel channel) {
     Model model;
@@ -71,7 +71,7 @@ TEST(Animate, CubicSplineFollowsACubic) {
     // x(t) = t^3 between t = 1 and 3 is its own Hermite spline: values 1 and 27, slopes 3 and 27.
     const std::vector<float> values = {9, 9, 9, 1, 0, 0, 3, 0, 0, 27, 0, 0, 27, 0, 0, 9, 9, 9};
     for (const float t : {1.0f, 1.25f, 2.0f, 2.5f, 3.0f})
-        EXPECT_NEAR(translationAt(I::CubicSpline, values, t).x, t * t * t, 27 * kTol) << t;
+        EXPECT_NEAR(translationAt(I::CubicSpline, values, t).x, t * t * t, 27 * kAnimateTol) << t;
     EXPECT_EQ(translationAt(I::CubicSpline, values, 0), glm::vec3(1, 0, 0));
     EXPECT_EQ(translationAt(I::CubicSpline, values, 4), glm::vec3(27, 0, 0));
 }
@@ -79,11 +79,11 @@ TEST(Animate, CubicSplineFollowsACubic) {
 TEST(Animate, RotationsTurnEvenlyByTheShorterWay) {
     const float quarter = glm::half_pi<float>();
     const glm::quat a(1, 0, 0, 0), b = about({0, 1, 0}, quarter);
-    EXPECT_LT(distance(rotationAt(xyzw({a, b}), 0.25f), about({0, 1, 0}, quarter / 4)), kTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, b}), 0.25f), about({0, 1, 0}, quarter / 4)), kAnimateTol);
     // -b is the same rotation by the longer way round: it must not be taken.
-    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 0.25f), about({0, 1, 0}, quarter / 4)), kTol);
-    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 1), b), kTol);
-    EXPECT_LT(distance(rotationAt(xyzw({a, -a}), 0.5f), a), kTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 0.25f), about({0, 1, 0}, quarter / 4)), kAnimateTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, -b}), 1), b), kAnimateTol);
+    EXPECT_LT(distance(rotationAt(xyzw({a, -a}), 0.5f), a), kAnimateTol);
 }
 
 TEST(Animate, CubicRotationsStayOfLengthOne) {
@@ -93,8 +93,8 @@ TEST(Animate, CubicRotationsStayOfLengthOne) {
     Pose pose;
     restPose(model, pose);
     animate(model, 0, 0.5f, pose);
-    EXPECT_NEAR(glm::length(pose.local[0].rotation), 1, kTol);
-    EXPECT_LT(distance(pose.local[0].rotation, about({1, 0, 0}, 1)), kTol); // halfway by symmetry
+    EXPECT_NEAR(glm::length(pose.local[0].rotation), 1, kAnimateTol);
+    EXPECT_LT(distance(pose.local[0].rotation, about({1, 0, 0}, 1)), kAnimateTol); // halfway by symmetry
 }
 
 TEST(Animate, WeightBlendsBetweenPoseAndAnimation) {

@@ -6,7 +6,7 @@
 namespace shoal::scene {
 namespace {
 
-constexpr float kTol = 1e-6f; // a few float operations on numbers near 1
+constexpr float kPoseTol = 1e-6f; // a few float operations on numbers near 1
 
 void expectNear(const glm::vec3& actual, const glm::vec3& expected, float tolerance) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
@@ -58,10 +58,10 @@ TEST(Skin, ABentJointCarriesItsVertices) {
     updateGlobals(model, pose);
     std::vector<glm::mat4> matrices;
     skinMatrices(model, 0, pose, matrices);
-    expectNear(matrices[1] * glm::vec4(0, 2, 0, 1), {-1, 1, 0}, kTol);
+    expectNear(matrices[1] * glm::vec4(0, 2, 0, 1), {-1, 1, 0}, kPoseTol);
     const Bounds bounds = posedBounds(model, pose);
-    expectNear(bounds.low, {-1, 0, 0}, kTol);
-    expectNear(bounds.high, {0, 1, 0}, kTol);
+    expectNear(bounds.low, {-1, 0, 0}, kPoseTol);
+    expectNear(bounds.high, {0, 1, 0}, kPoseTol);
     const glm::mat4* data = matrices.data();
     skinMatrices(model, 0, pose, matrices);
     EXPECT_EQ(matrices.data(), data);
@@ -79,7 +79,7 @@ TEST(Globals, AreTranslationAfterRotationAfterScaleDownTheTree) {
     Pose pose;
     restPose(model, pose);
     // (1,1,1) scaled to (2,3,4), turned to (-3,2,4), moved to (-2,2,4).
-    expectNear(pose.modelFromNode[1] * glm::vec4(0, 0, 0, 1), {-2, 2, 4}, 4 * kTol);
+    expectNear(pose.modelFromNode[1] * glm::vec4(0, 0, 0, 1), {-2, 2, 4}, 4 * kPoseTol);
 }
 
 TEST(Bounds, FollowMorphs) {

@@ -12,7 +12,7 @@
 namespace shoal::scene {
 namespace {
 
-constexpr float kTol = 1e-6f; // a few float operations on numbers near 1
+constexpr float kTangentTol = 1e-6f; // a few float operations on numbers near 1
 
 // A square in the XY plane seen from +Z, its texture laid on it upright or mirrored.
 Primitive square(bool mirrored) {
@@ -26,7 +26,7 @@ Primitive square(bool mirrored) {
     return p;
 }
 
-void expectNear(const glm::vec4& actual, const glm::vec4& expected, float tolerance = kTol) {
+void expectNear(const glm::vec4& actual, const glm::vec4& expected, float tolerance = kTangentTol) {
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
 }
 
@@ -117,7 +117,7 @@ TEST(Tangents, AreFiniteAndPerpendicularWhereThereIsNoDirection) {
     p.texCoords[0].assign(4, {0.5f, 0.5f});
     p.indices.insert(p.indices.end(), {0, 0, 1});
     for (const glm::vec4& t : makeTangents(p, 0).tangents) {
-        EXPECT_NEAR(glm::length(glm::vec3(t)), 1, kTol);
+        EXPECT_NEAR(glm::length(glm::vec3(t)), 1, kTangentTol);
         EXPECT_EQ(glm::dot(glm::vec3(t), glm::vec3(0, 0, 1)), 0);
         EXPECT_EQ(std::abs(t.w), 1);
     }

@@ -1,5 +1,6 @@
 // Joints and controllers as hands in the viewer's frame.
 #include "input/hands/OpenXrHands.h"
+#include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +14,7 @@ namespace {
 // Sums and products of a few floats below 3.
 constexpr float kTol = 3e-6f;
 
-const HandRig& rig() {
-    static const HandRig loaded = [] {
-        auto read = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-        if (!read) throw std::runtime_error(read.error().message());
-        return *read;
-    }();
-    return loaded;
-}
+using tests::rig;
 
 const xr::Pose kHead{{0.4f, -0.1f, 0.7f}, glm::normalize(glm::quat(0.8f, 0.2f, -0.5f, 0.1f))};
 

@@ -16,7 +16,7 @@ namespace shoal::make {
 
 namespace {
 
-constexpr int kRays = 192; // from each of three points in a triangle
+constexpr int kBakeRays = 192; // from each of three points in a triangle
 constexpr size_t kParts = 20;
 constexpr int kPlaces = 4000; // around each pose
 // As most of what a hand's own parts count for is; and nearly a fist.
@@ -101,8 +101,8 @@ render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::B
     std::vector<occlusion::Occluder> own;
     for (const auto& part : render::makeBodyOccluders(hand.model, hand.rest, parts, true).parts)
         own.push_back({placed(part, half, glm::mat4(1)), 1, {}});
-    render::bakeSelfOcclusion(hand.model, hand.rest, kRays);
-    render::bakeSelfOcclusion(hand.model, half, kRays, &scene::Primitive::selfOcclusionBesideOwn, own);
+    render::bakeSelfOcclusion(hand.model, hand.rest, kBakeRays);
+    render::bakeSelfOcclusion(hand.model, half, kBakeRays, &scene::Primitive::selfOcclusionBesideOwn, own);
     render::BakedOcclusion baked{render::skinHash(hand.model), parts, {}, {}};
     for (const int index : hand.model.order) {
         const int mesh = hand.model.nodes[static_cast<size_t>(index)].mesh;
