@@ -11,13 +11,12 @@
 // 2. Lasting touch (ContactWorld.h). A contact keeps the side on which it began while the bone sinks in, as
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
 //    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another without
-//    a past has no side; where their cores all but cross, Bullet gives the shortest way out.
+//    a past is pushed apart along the line of nearest points, or across both axes where these cross.
 // 3. Pushing (ContactWorld.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as
-// fast as the
-//    bone comes. Contacts that contradict one another (a fish between two hands) share by regularised
-//    projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What overlaps is
-//    parted by a velocity that is not kept (a split impulse), so parting adds no energy.
-// 4. Wrapping (Finger.h). Fingers that close around a body are straightened, then bent knuckle by knuckle
+//    fast as the bone comes. Contacts that contradict one another (a fish between two hands) share by
+//    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What
+//    overlaps is parted by a velocity that is not kept (a split impulse), so parting adds no energy.
+// 4. Wrapping (Grip.h). Fingers that close around a body are straightened, then bent knuckle by knuckle
 //    until they rest on it, as the underactuated fingers of grippers close (Birglen, Laliberte and Gosselin
 //    2008, "Underactuated Robotic Hands"). How far the device's finger would still go is how hard it presses.
 // 5. Gripping (Grip.h). Each contact can push along its normal with as much as it presses, and across by
@@ -39,6 +38,7 @@ constexpr float kTouchGap_m        = 1e-4f;   // surfaces this near touch
 constexpr int   kAdvances          = 24;      // steps of conservative advancement; 3 are usual
 constexpr float kLift_m            = 0.0015f; // a lasting contact ends when the gap exceeds this
 constexpr float kTeleport_m        = 1.5f;    // a bone that goes farther in a tick was not moved but replaced
+constexpr float kCrossed_m         = 1e-5f;   // axes this near cross
 constexpr float kCoreShare         = 0.3f;    // of both radii: nearer to the axis a normal is not renewed
 constexpr float kNormalTurn_rad    = 0.2f;    // of a lasting contact's normal, a tick, at most
 

@@ -1,9 +1,5 @@
 #include "engine/physics/ContactWorld.h"
 
-#include "engine/math/Sphere.h"
-
-#include <btBulletCollisionCommon.h>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -15,24 +11,9 @@ namespace shoal::physics {
 
 namespace {
 
-btVector3 toBullet(glm::vec3 v) { return {v.x, v.y, v.z}; }
-
 glm::vec3 middle(const Capsule& c) { return 0.5f * (c.a + c.b); }
 
 auto key(const Contact& c) { return std::tuple(c.body, c.group, c.tag); }
-
-// Holds the capsule's whole way.
-Sphere around(const Capsule& from, const Capsule& to) {
-    const glm::vec3 a = middle(from), b = middle(to);
-    const float half = 0.5f * std::max(glm::distance(from.a, from.b), glm::distance(to.a, to.b));
-    return {0.5f * (a + b), 0.5f * glm::distance(a, b) + half + to.radius};
-}
-
-bool meet(const Sphere& p, const Sphere& q) {
-    const glm::vec3 apart = p.centre - q.centre;
-    const float reach = p.radius + q.radius + kLift_m;
-    return glm::dot(apart, apart) < reach * reach;
-}
 
 bool teleported(const Mover& m) {
     return std::max(glm::distance(m.before.a, m.after.a), glm::distance(m.before.b, m.after.b)) > kTeleport_m;
@@ -57,94 +38,6 @@ glm::vec3 turned(glm::vec3 from, glm::vec3 to) {
     return glm::normalize(from + across * (kNormalTurn_rad / length));
 }
 
-// Pairs are looked at one by one; Bullet would take 4 MiB for 4096 at a time.
-btDefaultCollisionConstructionInfo fewPairs() {
-    btDefaultCollisionConstructionInfo info;
-    info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = 16;
-    return info;
-}
-
-} // namespace
-
-struct ContactWorld::Bullet {
-    btDefaultCollisionConfiguration configuration{fewPairs()};
-    btCollisionDispatcher dispatcher{&configuration};
-    btDbvtBroadphase broadphase; // stays empty: pairs are chosen by collide()
-    btCollisionWorld world{&dispatcher, &broadphase, &configuration};
-    btCapsuleShape moverShape{1, 1}, bodyShape{1, 1};
-    btCollisionObject mover, body;
-    std::vector<Sphere> spheres; // around the movers: scratch
-
-    Bullet() {
-        mover.setCollisionShape(&moverShape);
-        body.setCollisionShape(&bodyShape);
-    }
-
-    // The way by which the body gets out of the mover soonest.
-    glm::vec3 wayOut(const Capsule& mover, const Capsule& body);
-    bool begin(const Mover&, const Body&, Contact&);
-};
-
-namespace {
-
-void shapeTo(btCapsuleShape& shape, const Capsule& c) {
-    shape.setMargin(c.radius); // a capsule's margin is its radius
-    shape.setImplicitShapeDimensions({c.radius, 0.5f * glm::distance(c.a, c.b), c.radius});
-}
-
-// A shape whose core is the capsule's segment about its middle, along Bullet's Y.
-btTransform place(const Capsule& c) {
-    const glm::vec3 along = c.b - c.a;
-    const float length = glm::length(along);
-    btTransform world;
-    world.setIdentity();
-    world.setOrigin(toBullet(middle(c)));
-    if (length > 1e-6f) world.setRotation(shortestArcQuat(btVector3(0, 1, 0), toBullet(along / length)));
-    return world;
-}
-
-// Keeps the deepest point of a pair.
-struct Deepest : btCollisionWorld::ContactResultCallback {
-    bool hit = false;
-    float distance = 0;
-    btVector3 fromSecond{0, 1, 0}; // Bullet's normal points from its second object to its first
-    const btCollisionObject* mover = nullptr;
-
-    btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper* first, int, int,
-                             const btCollisionObjectWrapper*, int, int) override {
-        if (!hit || p.getDistance() < distance) {
-            distance = p.getDistance();
-            fromSecond =
-                first->getCollisionObject() == mover ? -p.m_normalWorldOnB : btVector3(p.m_normalWorldOnB);
-            hit = true;
-        }
-        return 0;
-    }
-};
-
-} // namespace
-
-glm::vec3 ContactWorld::Bullet::wayOut(const Capsule& bone, const Capsule& flesh) {
-    shapeTo(moverShape, bone);
-    shapeTo(bodyShape, flesh);
-    mover.setWorldTransform(place(bone));
-    body.setWorldTransform(place(flesh));
-    Deepest deepest;
-    deepest.mover = &mover;
-    world.contactPairTest(&mover, &body, deepest);
-    const btVector3 n = deepest.fromSecond;
-    const glm::vec3 way(n.x(), n.y(), n.z());
-    const float length = glm::length(way);
-    return length > 0.5f && length < 2 ? way / length : glm::vec3(0, 1, 0);
-}
-
-ContactWorld::ContactWorld() : bullet_(std::make_unique<Bullet>()) {}
-ContactWorld::~ContactWorld() = default;
-ContactWorld::ContactWorld(ContactWorld&&) noexcept = default;
-ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
-
-namespace {
-
 // A pair of a mover and a body during the tick. A mover that was replaced is only looked at where it is now.
 struct Pair {
     const Mover& mover;
@@ -160,6 +53,13 @@ struct Pair {
           bodyFrom(jumped ? b.after : b.before), radii(m.after.radius + b.after.radius),
           at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
 };
+
+// The shortest way out of two capsules whose axes cross: at a right angle to both.
+glm::vec3 acrossBoth(const Capsule& p, const Capsule& q) {
+    const glm::vec3 across = glm::cross(p.b - p.a, q.b - q.a);
+    const float length = glm::length(across);
+    return length > 1e-9f ? across / length : glm::vec3(0, 1, 0);
+}
 
 // A lasting contact keeps its side; its normal turns towards the line of nearest points where that is
 // certain.
@@ -185,58 +85,46 @@ bool complete(const Pair& pair, float dt_s, Contact& c) {
     return true;
 }
 
-} // namespace
-
 // Normal and time of a contact without a past. False: the two do not touch.
-bool ContactWorld::Bullet::begin(const Mover& bone, const Body& flesh, Contact& c) {
-    const Pair pair(bone, flesh);
+bool begin(const Pair& pair, Contact& c) {
+    const Capsule &bone = pair.mover.after, &flesh = pair.body.after;
     c.fresh = true;
     const Nearest was = nearest(pair.moverFrom, pair.bodyFrom);
     const glm::vec3 start = was.onSecond - was.onFirst;
     const float room = glm::length(start);
     if (room <= pair.radii) { // inside one another, and nobody knows how
-        c.normal = room > kCoreShare * pair.radii ? start / room : wayOut(pair.moverFrom, pair.bodyFrom);
+        c.normal = room > kCrossed_m ? start / room : acrossBoth(pair.moverFrom, pair.bodyFrom);
         return true;
     }
-    c.time = firstTouch(pair.moverFrom, bone.after, pair.bodyFrom, flesh.after);
+    c.time = firstTouch(pair.moverFrom, bone, pair.bodyFrom, flesh);
     if (c.time > 1) return false;
-    const Nearest met =
-        nearest(between(pair.moverFrom, bone.after, c.time), between(pair.bodyFrom, flesh.after, c.time));
+    const Nearest met = nearest(between(pair.moverFrom, bone, c.time), between(pair.bodyFrom, flesh, c.time));
     const glm::vec3 way = met.onSecond - met.onFirst;
     c.normal = way / std::max(glm::length(way), 1e-9f); // both radii apart: never near 0
     return true;
 }
 
-void ContactWorld::collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
-                           std::span<const Contact> last, std::vector<Contact>& out) {
+} // namespace
+
+void collide(std::span<const Body> bodies, std::span<const Mover> movers, float dt_s,
+             std::span<const Contact> last, std::vector<Contact>& out) {
+    const auto byKey = [](const Contact& l, const Contact& r) { return key(l) < key(r); };
     out.clear();
-    std::vector<Sphere>& spheres = bullet_->spheres;
-    spheres.clear();
-    for (const Mover& mover : movers)
-        spheres.push_back(around(teleported(mover) ? mover.after : mover.before, mover.after));
-    for (const Body& body : bodies) {
-        const Sphere bodySphere = around(body.before, body.after);
-        for (size_t i = 0; i < movers.size(); ++i) {
-            if (!meet(spheres[i], bodySphere)) continue;
-            const Pair pair(movers[i], body);
-            Contact c;
-            c.body = body.id;
-            c.group = pair.mover.group;
-            c.tag = pair.mover.tag;
-            const auto before =
-                std::lower_bound(last.begin(), last.end(), c,
-                                 [](const Contact& l, const Contact& r) { return key(l) < key(r); });
+    for (const Body& body : bodies)
+        for (const Mover& mover : movers) {
+            const Pair pair(mover, body);
+            Contact c{.body = body.id, .group = mover.group, .tag = mover.tag};
+            const auto before = std::lower_bound(last.begin(), last.end(), c, byKey);
             const bool lasted =
                 before != last.end() && key(*before) == key(c) && before->lasting && !pair.jumped;
             if (lasted)
                 c.normal = renewedNormal(pair, before->normal);
-            else if (!bullet_->begin(pair.mover, body, c))
+            else if (!begin(pair, c))
                 continue;
             if (complete(pair, dt_s, c)) out.push_back(c);
         }
-    }
     // A total order, so the result does not depend on the callers' order.
-    std::sort(out.begin(), out.end(), [](const Contact& l, const Contact& r) { return key(l) < key(r); });
+    std::sort(out.begin(), out.end(), byKey);
 }
 
 namespace {

@@ -6,7 +6,6 @@
 #include "engine/physics/ContactModel.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -42,23 +41,11 @@ struct Contact {
     float time = 0;             // of first touch, 0 to 1 within the tick; 0 for lasting ones
 };
 
-class ContactWorld {
-  public:
-    ContactWorld();
-    ~ContactWorld();
-    ContactWorld(ContactWorld&&) noexcept;
-    ContactWorld& operator=(ContactWorld&&) noexcept;
-
-    // Replaces out by the contacts of this tick, at most one for each (body, group, tag), sorted by these.
-    // last: what the tick before gave. Deterministic: a function of its arguments alone, whatever the order
-    // of bodies and movers. A mover that goes farther than kTeleport_m is only tested at its end.
-    void collide(std::span<const Body>, std::span<const Mover>, float dt_s, std::span<const Contact> last,
-                 std::vector<Contact>& out);
-
-  private:
-    struct Bullet;
-    std::unique_ptr<Bullet> bullet_;
-};
+// Replaces out by the contacts of this tick, at most one for each (body, group, tag), sorted by these.
+// last: what the tick before gave. Deterministic: a function of its arguments alone, whatever the order
+// of bodies and movers. A mover that goes farther than kTeleport_m is only tested at its end.
+void collide(std::span<const Body>, std::span<const Mover>, float dt_s, std::span<const Contact> last,
+             std::vector<Contact>& out);
 
 // Velocity of a free body after contacts with hands; see ContactModel.h, step 3. All contacts are those of
 // one body.

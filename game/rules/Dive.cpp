@@ -7,21 +7,7 @@
 
 namespace shoal::game {
 
-namespace {
-
-size_t fishIn(const DiveFile& dive) {
-    size_t count = 0;
-    for (const School& school : dive.schools) count += static_cast<size_t>(school.count);
-    return count;
-}
-
-} // namespace
-
-Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed)
-    : files_{std::move(species), std::move(file)}, handContacts_(fishIn(files_.dive)),
-      neighbours_(fishIn(files_.dive)) {
-    state_.fish.reserve(neighbours_.size());
-    state_.contacts.reserve((neighbours_.size() + 1) * 2 * hands::kJointCount);
+Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed) : files_{std::move(species), std::move(file)} {
     begin(seed);
 }
 
@@ -38,6 +24,7 @@ void Dive::begin(uint64_t seed) {
     }
     state_.contacts.clear();
     spawnFish(files_, state_.random, state_.fish);
+    neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
 }
 

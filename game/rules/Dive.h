@@ -74,6 +74,16 @@ class Dive {
 
 sim::RecordingHeader recordingHeader(const Dive&);
 
+// A mark's effect grows over the two seconds before it and fades over the two after it, beyond the video's
+// end from its start on. Nothing is known where videoLength_s is 0 (no video) or where a mark begins behind
+// the end (it belongs to a longer one).
+//
+// 0 to 1 at a time of a video that repeats every videoLength_s; where marks meet the greater counts.
+float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s);
+
+// Where marks meet the height changes smoothly.
+Ground groundAt(std::span<const VideoMark> marks, double videoLength_s, double time_s);
+
 // What lies between two snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are not smeared.
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);
 

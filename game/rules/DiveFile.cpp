@@ -10,6 +10,35 @@ constexpr int kMaxFish = 1000;
 constexpr size_t kMaxVisits = 100;
 constexpr size_t kMaxMarks = 100;
 
+Species readOne(TomlTable& table) {
+    Species s;
+    table.need("name", "model", "length");
+    table.text("name", s.name);
+    table.text("model", s.model);
+    table.flag("shark", s.shark);
+    table.number("length", s.length_m, 0.03f, 5);
+    table.number("body_radius", s.bodyRadius_m, 0.01f, 0.6f);
+    table.number("body_half", s.bodyHalf_m, 0, 2);
+    table.number("cruise", s.cruise_mps, 0.05f, 2);
+    table.number("dart", s.dart_mps, 0.1f, kMaxSpeed_mps);
+    table.number("turn", s.turn_radps, 0.2f, 10);
+    table.number("shyness", s.shyness, 0, 3);
+    table.number("spacing", s.spacing, 0.6f, 5);
+    table.number("stride", s.stride, 0.2f, 1.5f);
+    table.flag("coasts", s.coasts);
+    if (const auto company = table.choice("company", kCompanyNames))
+        s.company = static_cast<Company>(*company);
+    if (s.shark) s.points = 0;
+    table.whole("points", s.points, 0, 1000);
+    if (s.name.empty()) table.complain("name", "must not be empty");
+    if (s.model.find("..") != std::string::npos || s.model.starts_with('/'))
+        table.complain("model", "must name a file below content/");
+    if (s.dart_mps < s.cruise_mps) table.complain("dart", "must not be slower than \"cruise\"");
+    if (2 * (s.bodyHalf_m + s.bodyRadius_m) > 1.1f * s.length_m)
+        table.complain("body_half", "makes the body longer than \"length\"");
+    return s;
+}
+
 int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     std::string name;
     table.need("species");
@@ -53,12 +82,17 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
     return shark;
 }
 
-template <class Mark> void readStretch(TomlTable& table, Mark& mark) {
-    table.need("from_s");
-    table.need("to_s");
-    table.number("from_s", mark.from_s, 0, 36000);
-    table.number("to_s", mark.to_s, 0, 36000);
-    if (mark.to_s <= mark.from_s) table.complain("to_s", "must come after \"from_s\"");
+void readMarks(TomlTable& root, std::string_view key, std::vector<VideoMark>& marks,
+               std::string_view valueKey, float low, float high) {
+    root.tables(key, kMaxMarks, [&](TomlTable& table) {
+        VideoMark& mark = marks.emplace_back();
+        table.need("from_s", "to_s");
+        table.number("from_s", mark.from_s, 0, 36000);
+        table.number("to_s", mark.to_s, 0, 36000);
+        if (mark.to_s <= mark.from_s) table.complain("to_s", "must come after \"from_s\"");
+        if (!(low <= mark.value && mark.value <= high)) table.need(valueKey);
+        table.number(valueKey, mark.value, low, high);
+    });
 }
 
 void readSchools(TomlTable& root, const SpeciesTable& known, DiveFile& dive) {
@@ -74,6 +108,27 @@ void readSchools(TomlTable& root, const SpeciesTable& known, DiveFile& dive) {
 
 } // namespace
 
+int findSpecies(const SpeciesTable& table, std::string_view name) {
+    for (size_t i = 0; i < table.size(); ++i)
+        if (table[i].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+Result<SpeciesTable> loadSpecies(const Path& path) {
+    SpeciesTable species;
+    const Status read = readToml(path, [&](TomlTable& root) {
+        root.need("species");
+        root.tables("species", 64, [&](TomlTable& table) {
+            species.push_back(readOne(table));
+            if (findSpecies(species, species.back().name) + 1 != static_cast<int>(species.size()))
+                table.complain("species", "occurs twice: \"" + species.back().name + "\"");
+        });
+        if (species.empty()) root.complain("species", "holds no species");
+    });
+    if (!read) return read.error();
+    return species;
+}
+
 Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
     DiveFile dive;
     dive.name = dive.title = path.stem().string();
@@ -88,17 +143,8 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             root.complain("video", "must name a file below content/");
         readSchools(root, known, dive);
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
-        root.tables("shelter", kMaxMarks, [&](TomlTable& table) {
-            Enclosure& enclosure = dive.enclosure.emplace_back();
-            readStretch(table, enclosure);
-            table.number("amount", enclosure.amount, 0, 1);
-        });
-        root.tables("ground", kMaxMarks, [&](TomlTable& table) {
-            GroundMark& ground = dive.ground.emplace_back();
-            readStretch(table, ground);
-            table.need("height");
-            table.number("height", ground.height_m, -10, -0.3f);
-        });
+        readMarks(root, "shelter", dive.enclosure, "amount", 0, 1);
+        readMarks(root, "ground", dive.ground, "height", -10, -0.3f);
     });
     if (!read) return read.error();
     return dive;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "game/rules/Species.h"
-#include "game/rules/VideoMarks.h"
 
 #include <vector>
 
@@ -24,6 +23,14 @@ struct SharkPlan {
     float prowlRadius_m = 1.7f;
 };
 
+// What a dive marks in its video, by stretches in seconds from the video's start: how enclosed the place is,
+// and where the ground is that shadows fall on.
+struct VideoMark {
+    float from_s = 0, to_s = 0;
+    float value =
+        1; // of enclosure, 0 open water to 1 a tunnel; or the ground's height against the viewer's eyes
+};
+
 struct DiveFile {
     std::string name;  // stem of the file; its path if it lies outside content/
     std::string title; // as shown
@@ -34,8 +41,8 @@ struct DiveFile {
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
-    std::vector<Enclosure> enclosure; // of the video
-    std::vector<GroundMark> ground;   // of the video; none: no shadow falls on it
+    std::vector<VideoMark> enclosure; // of the video
+    std::vector<VideoMark> ground;    // of the video; none: no shadow falls on it
     // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
     // video, or another.
     double videoLength_s = 0;

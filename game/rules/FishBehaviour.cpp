@@ -1,6 +1,8 @@
 #include "game/rules/FishBehaviour.h"
 
+#include "game/rules/Holding.h"
 #include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +129,242 @@ void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<
             if (closing < 1.2f || distance > shyness * (0.05f + 0.15f * closing)) continue;
             startle(f, static_cast<int>(i), hand.graspCentre, random, events);
         }
+    }
+}
+
+// How they swim.
+
+namespace {
+
+constexpr float kInner_m = 0.45f;     // no fish nearer to the vertical axis through the player
+constexpr float kEyeRoom_m = 0.35f;   // no part of a fish nearer to the eyes
+constexpr float kEyeShy_m = 0.45f;    // beyond that, it turns away
+constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish leaves its band
+constexpr float kCeiling_m = 1.3f;
+constexpr float kSharkShy_m = 0.95f;
+constexpr float kSteepest = 0.42f;    // sine of the pitch while cruising...
+constexpr float kSteepestDart = 0.6f; // ...and in flight
+
+// A fast start: the body snaps into a C, away from the threat, and only then drives off. Domenici & Blake
+// 1997, "The kinematics and performance of fish fast-start swimming": turns of 1 to 2 rad in 20 to 60 ms by
+// fish of this size, then 40 to 100 m/s^2; both slowed here so that an eye can follow.
+constexpr float kSnap_s = 0.07f;
+
+bool darts(const Fish& f) { return f.state == Fish::State::Dart; }
+bool snaps(const Fish& f) { return f.flight_s > 0 && f.flight_s <= kSnap_s; }
+
+// Where it wants to go and how fast.
+struct Desire {
+    glm::vec3 way{0}; // m/s
+    float speed = 0;  // m/s
+    bool afraid = false;
+};
+
+Desire flee(const Fish& f, const Species& kind, const Place& place, const School& school) {
+    Desire desire;
+    desire.way = f.flee * kind.dart_mps + place.outward * (place.radius < 0.6f ? 0.8f : 0.0f);
+    desire.speed = kind.dart_mps * std::min(1.0f, 0.35f + f.dart_s);
+    const float outer = school.radiusHigh_m + 0.6f * kOuterSlack_m;
+    if (place.radius > outer) desire.way -= place.outward * kind.dart_mps * 1.2f;
+    desire.afraid = true;
+    return desire;
+}
+
+// Along its circle, back to it, to its companions and along with them.
+Desire cruise(const Fish& f, const Species& kind, const Place& place, const Neighbours& around) {
+    Desire desire;
+    const float own = kind.company == Company::Alone ? 0.3f : 0.25f;
+    desire.way = glm::cross(kUp, place.outward) * f.sense +
+                 place.outward * std::clamp(1.5f * (f.radius - place.radius), -1.2f, 1.2f) +
+                 kUp * std::clamp(1.5f * (f.height - f.position.y), -0.7f, 0.7f) + own * f.wander;
+    desire.way *= f.cruise;
+    desire.speed = f.cruise * f.pace;
+    if (around.aligned > 0) desire.way += normalizedOr(around.headings, f.forward) * (1.0f * f.cruise);
+    if (around.attracted > 0) {
+        const glm::vec3 towards = around.towards / static_cast<float>(around.attracted);
+        const float reach = 3 * kind.spacing * kind.length_m;
+        const glm::vec3 pull = limited(towards / reach, 1);
+        desire.way += pull * (1.2f * f.cruise);
+        // Who is behind hurries, who is ahead waits.
+        desire.speed *= 1 + 0.5f * glm::dot(pull, f.forward);
+    }
+    return desire;
+}
+
+// Round the player's head.
+void avoidEyes(const Fish& f, float length_m, Desire& desire) {
+    const float distance = glm::length(f.position);
+    const float room = distance - kEyeRoom_m - 0.5f * length_m;
+    if (room < kEyeShy_m && distance > 1e-4f)
+        desire.way += f.position / distance * (2.5f * (1 - room / kEyeShy_m) * std::max(f.cruise, f.speed));
+}
+
+// A slow hand is merely swum around.
+void avoidHands(const Fish& f, const Hands& hands, Desire& desire) {
+    for (const Hand& hand : hands) {
+        if (!hand.visible || darts(f)) continue;
+        const glm::vec3 apart = f.position - hand.graspCentre;
+        const float distance = glm::length(apart);
+        if (distance < 0.25f && distance > 1e-4f)
+            desire.way += apart / distance * (0.7f * f.cruise * (1 - distance / 0.25f));
+    }
+}
+
+void avoidShark(const Fish& f, const Species& kind, const Shark& shark, const SpeciesTable& species,
+                Desire& desire) {
+    if (!shark.present) return;
+    const float half = species[shark.species].bodyHalf_m;
+    const float t = std::clamp(glm::dot(f.position - shark.position, shark.forward), -half, half);
+    const glm::vec3 apart = f.position - (shark.position + shark.forward * t);
+    const float distance = glm::length(apart);
+    if (distance >= kSharkShy_m || distance <= 1e-4f) return;
+    const float fear = 1 - distance / kSharkShy_m;
+    desire.way += apart / distance * (2.5f * fear * kind.dart_mps);
+    desire.speed = std::max(desire.speed, std::min(kind.dart_mps, f.cruise + 2.2f * fear * kind.dart_mps));
+    desire.afraid = true;
+}
+
+// Levels out above the floor and below the ceiling before they are reached.
+void avoidFloor(const Fish& f, float floor_m, Desire& desire) {
+    const float firmly = 2 + 5 * f.speed;
+    const float low = floor_m + 0.25f, high = kCeiling_m - 0.25f;
+    if (f.position.y < low) desire.way.y += firmly * (low - f.position.y);
+    if (f.position.y > high) desire.way.y -= firmly * (f.position.y - high);
+}
+
+Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) {
+    const Species& kind = s.species[f.species];
+    const Place place = placeOf(f.position);
+    Desire desire =
+        darts(f) ? flee(f, kind, place, s.dive.schools[f.school]) : cruise(f, kind, place, around);
+    avoidEyes(f, kind.length_m, desire);
+    avoidHands(f, s.hands, desire);
+    avoidShark(f, kind, s.shark, s.species, desire);
+    desire.way += around.giveWay * (desire.afraid ? 3.5f : 1.0f);
+    if (!desire.afraid) // brakes for who is in its way
+        desire.speed =
+            std::max(0.3f * f.cruise, desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
+    avoidFloor(f, s.dive.floor_m, desire);
+    return desire;
+}
+
+// Turns the heading; returns the spin that it strives for.
+glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::vec3 goal) {
+    const bool darting = darts(f), snapping = snaps(f), afraid = desire.afraid;
+    const float rate = snapping ? 26.0f : darting ? 9.0f : afraid ? 1.8f * kind.turn_radps : kind.turn_radps;
+    const float eager = snapping ? 24.0f : darting ? 14.0f : afraid ? 6.0f : 3.0f;
+    const float acceleration = snapping ? 1200 : darting ? 250 : 9 * rate;
+    const glm::vec3 spin = turnSmoothly(f.forward, f.spin, goal, eager, rate, acceleration, kDt);
+    f.forward = levelled(f.forward, kSteepestDart);
+    if (f.flightSide == 0 && f.flight_s > 0)
+        f.flightSide = glm::dot(spin, kUp) < 0 || (glm::dot(spin, kUp) == 0 && id % 2) ? -1.0f : 1.0f;
+    bankIntoTurn(f, 0.35f, 0.7f, 5);
+    return spin;
+}
+
+// Bursts and glides: Weihs 1974, "Energetic advantages of burst swimming of fish".
+void chooseGliding(Fish& f, const Species& kind, const Desire& desire) {
+    if (desire.afraid || !kind.coasts)
+        f.coasting = false;
+    else if (f.speed > 1.2f * desire.speed)
+        f.coasting = true;
+    else if (f.speed < 0.75f * desire.speed)
+        f.coasting = false;
+}
+
+void accelerate(Fish& f, const Species& kind, Desire desire, glm::vec3 goal) {
+    // Sharp turns are swum slowly.
+    if (!desire.afraid) desire.speed *= 0.6f + 0.4f * std::max(0.0f, glm::dot(f.forward, goal));
+    if (kind.coasts && !desire.afraid) desire.speed *= f.coasting ? 0.0f : 1.35f;
+    const float drag = f.coasting ? 0.9f * f.speed : std::max(1.2f, 0.8f * f.speed);
+    const float drive = darts(f) ? 22.0f : desire.afraid ? 9.0f : 2.5f * f.cruise;
+    f.speed = towards(f.speed, desire.speed, (desire.speed > f.speed ? drive : drag) * kDt);
+}
+
+void bendAndBeat(Fish& f, const Species& kind, glm::vec3 desiredSpin) {
+    BodyShape& shape = f.shape;
+    beatTail(f, kind);
+    const float amplitude = f.coasting ? 0.0f : tailAmplitude(f.speed / kind.cruise_mps);
+    shape.amplitude = eased(shape.amplitude, amplitude, 8);
+    shape.bendUp = eased(shape.bendUp, bendUpFor(f, desiredSpin, kind.length_m, 0.35f), 6);
+    shape.finsDown = eased(shape.finsDown, 0, 6);
+
+    // The C of a fast start, the tail's stroke back, then as its way bends.
+    constexpr float kC_s = 0.07f, kStroke_s = 0.17f, kC = 1.9f, kStroke = -0.7f;
+    if (f.flight_s > 0 && f.flight_s < kStroke_s) {
+        const float goal = f.flight_s < kC_s ? kC : kStroke;
+        shape.bendLeft = towards(shape.bendLeft, goal * f.flightSide, 34 * kDt);
+    } else {
+        const float goal = bendLeftFor(f, desiredSpin, kind.length_m, kMaxBendLeft);
+        shape.bendLeft = eased(shape.bendLeft, goal, darts(f) ? 14.0f : 5.0f);
+    }
+}
+
+void keepInBounds(Fish& f, const Species& kind, const DiveFile& dive) {
+    const float outer = dive.schools[f.school].radiusHigh_m + kOuterSlack_m;
+    const auto [radius, outward] = placeOf(f.position);
+    const float kept = std::clamp(radius, kInner_m, outer);
+    // Drawn back at no more than a brisk swim, so that nobody sees it jump.
+    if (kept != radius) f.position += outward * std::clamp(kept - radius, -0.008f, 0.008f);
+    const float room = kEyeRoom_m + 0.5f * kind.length_m - glm::length(f.position);
+    if (room > 0) f.position += normalizedOr(f.position, outward) * std::min(room, 0.008f);
+    const float low = dive.floor_m + kind.bodyRadius_m + 0.04f;
+    f.position.y = std::clamp(f.position.y, low, kCeiling_m);
+}
+
+void move(Fish& f, const Species& kind, const DiveFile& dive) {
+    f.push *= 1 - 2.5f * kDt; // water stops what was pushed within a second
+    f.push = limited(f.push, kMaxSpeed_mps);
+    const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.parting, kMaxSpeed_mps);
+    const glm::vec3 from = f.position;
+    f.position += goal * kDt;
+    keepInBounds(f, kind, dive);
+    f.velocity = limited((f.position - from) / kDt, kMaxSpeed_mps);
+    f.worldFromBody = bodyTurn(f.forward, f.bank);
+}
+
+void chooseGait(Fish& f, const Species& kind) {
+    const bool hurried = darts(f) || f.speed > 2.2f * f.cruise;
+    f.gait.set(hurried ? Motion::Dart : Motion::Swim);
+    // Fins row while the body hovers or brakes, and rest while it glides.
+    const float pace = f.speed / kind.cruise_mps;
+    f.gait.advance(f.coasting ? 0.5f : pace < 0.6f ? 1.4f : 1.0f);
+}
+
+void countDown(Fish& f) {
+    if (darts(f) && (f.dart_s -= kDt) <= 0) f.state = Fish::State::Cruise;
+    f.flight_s = darts(f) ? f.flight_s + kDt : 0;
+    if (f.flight_s == 0) f.flightSide = 0;
+}
+
+void swim(Fish& f, int id, const Neighbours& around, const Surroundings& s) {
+    const Species& kind = s.species[f.species];
+    f.push += around.push;
+    const Desire desire = desireOf(f, around, s);
+    const glm::vec3 goal =
+        levelled(normalizedOr(desire.way, f.forward), darts(f) ? kSteepestDart : kSteepest);
+    const glm::vec3 spin = turn(f, id, kind, desire, goal);
+    chooseGliding(f, kind, desire);
+    if (!snaps(f)) accelerate(f, kind, desire, goal);
+    bendAndBeat(f, kind, spin);
+    move(f, kind, s.dive);
+    chooseGait(f, kind);
+}
+
+} // namespace
+
+void swimFish(std::span<Fish> fish, const Surroundings& s, std::span<Neighbours> neighbours, Random& random) {
+    gatherNeighbours(fish, s.species, neighbours);
+    for (size_t i = 0; i < fish.size(); ++i) {
+        Fish& f = fish[i];
+        const int id = static_cast<int>(i);
+        f.uncatchable_s = std::max(0.0f, f.uncatchable_s - kDt);
+        f.frightRest_s = std::max(0.0f, f.frightRest_s - kDt);
+        if (f.state == Fish::State::Held) struggle(f, s.hands[f.heldBy], random);
+        if (!f.free()) continue;
+        countDown(f);
+        chooseRoute(f, id, fish, s.dive.schools[f.school], s.species[f.species], random);
+        swim(f, id, neighbours[i], s);
     }
 }
 

@@ -16,12 +16,6 @@ constexpr float kPatience_s = 0.5f; // ...for so long
 
 } // namespace
 
-HandContacts::HandContacts(size_t maxFish) {
-    bodies_.reserve(maxFish + 1);
-    movers_.reserve(2 * hands::kJointCount);
-    last_.reserve((maxFish + 1) * movers_.capacity());
-}
-
 // Only those within reach of a hand's way.
 void HandContacts::addBody(const Swimmer& swimmer, int id, const Species& kind, const Hands& hands) {
     const auto near = [&](const Hand& hand) {
@@ -41,6 +35,10 @@ void HandContacts::addBody(const Swimmer& swimmer, int id, const Species& kind, 
 
 void HandContacts::collide(const Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
                            const Shark& shark, std::vector<physics::Contact>& contacts) {
+    const size_t maxBodies = fish.size() + 1, maxMovers = 2 * hands::kJointCount;
+    bodies_.reserve(maxBodies);
+    movers_.reserve(maxMovers);
+    for (auto* found : {&contacts, &last_}) found->reserve(maxBodies * maxMovers);
     movers_.clear();
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
@@ -62,7 +60,7 @@ void HandContacts::collide(const Hands& hands, const SpeciesTable& species, std:
     }
     if (shark.present) addBody(shark, static_cast<int>(fish.size()), species[shark.species], hands);
     std::swap(contacts, last_);
-    world_.collide(bodies_, movers_, kDt, last_, contacts);
+    physics::collide(bodies_, movers_, kDt, last_, contacts);
 }
 
 void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {

@@ -11,11 +11,9 @@
 
 namespace shoal::game {
 
-// Finds the contacts of a tick. Holds scratch memory only, no state.
+// Finds the contacts of a tick. Holds scratch memory only, no state; takes none after the first tick.
 class HandContacts {
   public:
-    explicit HandContacts(size_t maxFish);
-
     // Replaces the last tick's contacts by this tick's, sorted by creature id, hand and joint. The shark's id
     // is fish.size(). Resets the parting velocities of all fish and counts down their loose_s.
     void collide(const Hands&, const SpeciesTable&, std::span<Fish> fish, const Shark&,
@@ -24,7 +22,6 @@ class HandContacts {
   private:
     void addBody(const Swimmer&, int id, const Species&, const Hands&);
 
-    physics::ContactWorld world_;
     std::vector<physics::Body> bodies_;
     std::vector<physics::Mover> movers_;
     std::vector<physics::Contact> last_;

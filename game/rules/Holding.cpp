@@ -2,7 +2,7 @@
 
 #include "engine/math/Sine.h"
 #include "engine/physics/ContactModel.h"
-#include "engine/physics/Finger.h"
+#include "engine/physics/Grip.h"
 #include "game/rules/Hand.h"
 #include "game/rules/Steering.h"
 

@@ -2,6 +2,9 @@
 #include "game/rules/Dive.h"
 #include "game/rules/Steering.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace shoal::game {
 
 namespace {
@@ -31,7 +34,39 @@ void showCreature(const Swimmer& from, size_t id, int species, float length_m, i
     view.heldBy = heldBy;
 }
 
+// How far the time lies within a mark, 0 to 1.
+double within(const VideoMark& mark, double videoLength_s, double time_s) {
+    constexpr double kRamp_s = 2;
+    const auto from_s = static_cast<double>(mark.from_s);
+    if (!(videoLength_s > 0) || from_s >= videoLength_s) return 0;
+    const double to_s = std::min(static_cast<double>(mark.to_s), videoLength_s);
+    const auto wrapped = [&](double s) { return s - std::floor(s / videoLength_s) * videoLength_s; };
+    const double now_s = wrapped(time_s);
+    const bool inside = now_s >= from_s && now_s <= to_s;
+    const double away_s = inside ? 0 : std::min(wrapped(from_s - now_s), wrapped(now_s - to_s));
+    return std::max(0.0, 1 - away_s / kRamp_s);
+}
+
 } // namespace
+
+float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s) {
+    double maximum = 0;
+    for (const VideoMark& mark : marks)
+        maximum = std::max(maximum, static_cast<double>(mark.value) * within(mark, videoLength_s, time_s));
+    return static_cast<float>(maximum);
+}
+
+Ground groundAt(std::span<const VideoMark> marks, double videoLength_s, double time_s) {
+    double presence = 0, heights = 0, weights = 0;
+    for (const VideoMark& mark : marks) {
+        const double weight = within(mark, videoLength_s, time_s);
+        presence = std::max(presence, weight);
+        heights += weight * static_cast<double>(mark.value);
+        weights += weight;
+    }
+    if (weights == 0) return {};
+    return {static_cast<float>(heights / weights), static_cast<float>(presence)};
+}
 
 void Dive::snapshot(Snapshot& out) const {
     const DiveState& s = state_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "engine/scene/HandPose.h"
-#include "game/rules/VideoMarks.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -68,6 +67,11 @@ struct HandView {
     int holds = -1;                                        // creature id
     float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
     std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
+};
+
+struct Ground { // about the viewer it is as good as level
+    float height_m = 0;
+    float presence = 0; // 0: none is known, and shadows fall nowhere; 1
 };
 
 struct Snapshot {

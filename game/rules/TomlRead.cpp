@@ -37,45 +37,34 @@ void TomlTable::complain(std::string_view key, std::string reason) {
     mistake_.complain(node ? node : &table_, "\"" + std::string(key) + "\" " + reason);
 }
 
-void TomlTable::need(std::string_view key) {
-    if (!has(key)) complain(key, "is missing");
-}
-
-void TomlTable::number(std::string_view key, float& value, float low, float high) {
-    const toml::node* node = at(key);
-    if (!node) return;
-    const auto read = node->value<double>();
-    if (!node->is_number() || !read || !(*read >= low && *read <= high))
-        complain(key, fmt::format("must be a number from {} to {}", low, high));
-    else
-        value = static_cast<float>(*read);
-}
-
-std::optional<int64_t> TomlTable::readWhole(std::string_view key, int64_t low, int64_t high) {
+template <class T, class Good>
+std::optional<T> TomlTable::read(std::string_view key, const std::string& mustBe, const Good& good) {
     const toml::node* node = at(key);
     if (!node) return std::nullopt;
-    const auto read = node->is_integer() ? node->value<int64_t>() : std::nullopt;
-    if (read && *read >= low && *read <= high) return read;
-    complain(key, fmt::format("must be a whole number from {} to {}", low, high));
+    const bool whole = std::is_same_v<T, double> && node->is_integer(); // is a number too
+    const auto value = whole ? node->value<T>() : node->value_exact<T>();
+    if (value && good(*value)) return value;
+    complain(key, mustBe);
     return std::nullopt;
 }
 
+void TomlTable::number(std::string_view key, float& value, float low, float high) {
+    const auto good = [&](double v) { return v >= low && v <= high; };
+    if (const auto v = read<double>(key, fmt::format("must be a number from {} to {}", low, high), good))
+        value = static_cast<float>(*v);
+}
+
+std::optional<int64_t> TomlTable::readWhole(std::string_view key, int64_t low, int64_t high) {
+    return read<int64_t>(key, fmt::format("must be a whole number from {} to {}", low, high),
+                         [&](int64_t v) { return v >= low && v <= high; });
+}
+
 void TomlTable::flag(std::string_view key, bool& value) {
-    const toml::node* node = at(key);
-    if (!node) return;
-    if (const auto* read = node->as_boolean())
-        value = read->get();
-    else
-        complain(key, "must be true or false");
+    value = read<bool>(key, "must be true or false", [](bool) { return true; }).value_or(value);
 }
 
 void TomlTable::text(std::string_view key, std::string& value) {
-    const toml::node* node = at(key);
-    if (!node) return;
-    if (const auto* read = node->as_string())
-        value = read->get();
-    else
-        complain(key, "must be a string");
+    value = read<std::string>(key, "must be a string", [](const auto&) { return true; }).value_or(value);
 }
 
 std::optional<size_t> TomlTable::choice(std::string_view key, std::span<const char* const> names) {

@@ -50,13 +50,19 @@ class TomlTable {
     void table(std::string_view key, const Read& read);
     void tables(std::string_view key, size_t maximum, const Read& read);
 
-    void need(std::string_view key);
+    template <class... Key> void need(Key... keys) {
+        for (const std::string_view key : {std::string_view(keys)...})
+            if (!has(key)) complain(key, "is missing");
+    }
     void complain(std::string_view key, std::string reason);
     // Complains about keys that nobody has read.
     void finish();
 
   private:
     const toml::node* at(std::string_view key);
+    // Empty where the key is missing, or its value is not a T or not `good`, which is complained of.
+    template <class T, class Good>
+    std::optional<T> read(std::string_view key, const std::string& mustBe, const Good& good);
     std::optional<int64_t> readWhole(std::string_view key, int64_t low, int64_t high);
 
     TomlMistake& mistake_;

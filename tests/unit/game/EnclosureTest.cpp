@@ -6,7 +6,7 @@
 namespace shoal::game {
 namespace {
 
-const std::vector<Enclosure> kEnclosures = {{10, 14, 0.5f}, {14, 20, 1}};
+const std::vector<VideoMark> kEnclosures = {{10, 14, 0.5f}, {14, 20, 1}};
 
 TEST(Enclosure, RisesBeforeAMarkStaysAndFades) {
     const auto at = [](double time_s) { return enclosureAt(kEnclosures, 60, time_s); };
@@ -24,9 +24,9 @@ TEST(Enclosure, RisesBeforeAMarkStaysAndFades) {
 TEST(Enclosure, FollowsTheVideoAroundItsEnd) {
     EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 60, 60 + 15), 1);
     EXPECT_FLOAT_EQ(enclosureAt(kEnclosures, 60, 120 + 9), 0.25f);
-    const std::vector<Enclosure> atTheEnd = {{58, 60, 1}};
+    const std::vector<VideoMark> atTheEnd = {{58, 60, 1}};
     EXPECT_FLOAT_EQ(enclosureAt(atTheEnd, 60, 61), 0.5f); // fades into the next pass
-    const std::vector<Enclosure> atTheStart = {{0, 3, 1}};
+    const std::vector<VideoMark> atTheStart = {{0, 3, 1}};
     EXPECT_FLOAT_EQ(enclosureAt(atTheStart, 60, 59), 0.5f);
 }
 
@@ -71,7 +71,7 @@ TEST(Enclosure, TheShippedDiveHasATunnel) {
     const auto reef = loadDiveFiles("reef");
     ASSERT_TRUE(reef) << reef.error().message();
     float maximum = 0;
-    for (const Enclosure& mark : reef->dive.enclosure) maximum = std::max(maximum, mark.amount);
+    for (const VideoMark& mark : reef->dive.enclosure) maximum = std::max(maximum, mark.value);
     EXPECT_EQ(maximum, 1); // else its bed is never heard
 }
 

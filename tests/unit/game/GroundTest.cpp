@@ -6,7 +6,7 @@
 namespace shoal::game {
 namespace {
 
-const std::vector<GroundMark> kGroundMarks = {{10, 14, -1.2f}, {15, 20, -1.4f}, {40, 50, -1}};
+const std::vector<VideoMark> kGroundMarks = {{10, 14, -1.2f}, {15, 20, -1.4f}, {40, 50, -1}};
 
 TEST(Ground, IsThereWithinMarksAndFadesAround) {
     const auto at = [](double time_s) { return groundAt(kGroundMarks, 60, time_s); };

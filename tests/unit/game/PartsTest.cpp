@@ -135,8 +135,8 @@ TEST(FingerWrap, FingersPressOnWhatLiesInTheFistFromBothSides) {
     wrapFingers(fish, hands[1]);
     EXPECT_GT(hands[1].fingers.pressCount, 2);
     hands[1].grasp.encloses = 4;
-    EXPECT_GT(holdOn(4, hands, {}, glm::vec3(0)).squeeze_N, 0);
-    EXPECT_EQ(holdOn(5, hands, {}, glm::vec3(0)).squeeze_N, 0) << "another fish is not pressed";
+    EXPECT_GT(holdOn(4, hands, {}, glm::vec3(0)).margin_N, 0);
+    EXPECT_EQ(holdOn(5, hands, {}, glm::vec3(0)).margin_N, 0) << "another fish is not pressed";
 }
 
 // A shark before a hand, and what it decides within some seconds.

@@ -34,12 +34,11 @@ Body fishAt(glm::vec3 at, float radius, float half, glm::vec3 velocity = glm::ve
 }
 
 TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
-    ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {0, 0, 0}, 5);
     // A sphere of 1 cm, 3.5 cm left of the axis: 5 mm deep.
     const Mover tip = still({{-0.035f, 0, 0.02f}, {-0.035f, 0, 0.02f}, 0.01f}, 7);
     std::vector<Contact> contacts;
-    world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+    collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     ASSERT_EQ(contacts.size(), 1u);
     const Contact& c = contacts[0];
     EXPECT_EQ(c.body, 5u);
@@ -51,11 +50,10 @@ TEST(ContactWorld, TellsDepthNormalAndPointOfSphereAgainstCapsule) {
 }
 
 TEST(ContactWorld, ClosingSpeedIsRelative) {
-    ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f, {-0.5f, 0, 0});
     const Mover tip = sphere({-0.06f, 0, 0}, {-0.03f, 0, 0}, 0.01f); // 3.6 m/s towards it
     std::vector<Contact> contacts;
-    world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+    collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     ASSERT_EQ(contacts.size(), 1u);
     EXPECT_NEAR(contacts[0].closingSpeed, 4.1f, 1e-3f);
     // From 60 mm and another 4.17 mm that the body comes, 40 mm of radii: 24.17 mm of gap closing 34.17 mm a
@@ -65,7 +63,6 @@ TEST(ContactWorld, ClosingSpeedIsRelative) {
 }
 
 TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
-    ContactWorld world;
     std::vector<Contact> contacts;
     const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
     for (float speed : {1.0f, 5.0f, 20.0f, 60.0f, 150.0f})
@@ -74,17 +71,16 @@ TEST(ContactWorld, NothingTunnelsAtAnySpeedBelowATeleport) {
                 const float way = speed * kDt;
                 const Mover tip =
                     sphere({-way * offset - 0.0f, aside, 0}, {way * (1 - offset), aside, 0}, 0.006f);
-                world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+                collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
                 EXPECT_EQ(contacts.size(), 1u) << speed << " m/s, offset " << offset << ", aside " << aside;
             }
 }
 
 TEST(ContactWorld, ATeleportTouchesNothingOnItsWay) {
-    ContactWorld world;
     std::vector<Contact> contacts;
     const Body fish = fishAt({0, 0, 0}, 0.02f, 0.03f);
     const Mover tip = sphere({-1, 0, 0}, {1, 0, 0}, 0.006f);
-    world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+    collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
     EXPECT_TRUE(contacts.empty());
 }
 
@@ -103,28 +99,26 @@ TEST(ContactWorld, ResultIsSortedAndIndependentOfOrderAndHistory) {
     const auto same = [&](const Contact& a, const Contact& b) {
         return key(a) == key(b) && a.point == b.point && a.normal == b.normal && a.depth == b.depth;
     };
-    ContactWorld first, second;
     std::vector<Contact> forwards, backwards;
-    first.collide(bodies, movers, kDt, {}, forwards);
+    collide(bodies, movers, kDt, {}, forwards);
     ASSERT_GT(forwards.size(), 10u);
     for (size_t i = 1; i < forwards.size(); ++i) EXPECT_LT(key(forwards[i - 1]), key(forwards[i]));
     std::reverse(bodies.begin(), bodies.end());
     std::reverse(movers.begin(), movers.end());
-    for (int round = 0; round < 3; ++round) second.collide(bodies, movers, kDt, {}, backwards);
+    for (int round = 0; round < 3; ++round) collide(bodies, movers, kDt, {}, backwards);
     ASSERT_EQ(forwards.size(), backwards.size());
     for (size_t i = 0; i < forwards.size(); ++i) EXPECT_TRUE(same(forwards[i], backwards[i])) << i;
 }
 
 // Four times the tick: the same touch at the same place of the way.
 TEST(ContactWorld, TicksOfAThirtiethOfASecondTouchAsTicksOf120Do) {
-    ContactWorld world;
     std::vector<Contact> contacts;
     constexpr float kSlow = 1.0f / 30;
     for (float speed : {0.5f, 3.0f, 20.0f}) {
         const Body fish = fishAt({0, 0, 0}, 0.024f, 0.03f);
         const glm::vec3 from(-0.6f * speed * kSlow - 0.03f, 0.005f, 0), way(speed * kSlow, 0, 0);
         const Mover slow = moving({from, from, 0.008f}, {from + way, from + way, 0.008f}, kSlow);
-        world.collide({&fish, 1}, {&slow, 1}, kSlow, {}, contacts);
+        collide({&fish, 1}, {&slow, 1}, kSlow, {}, contacts);
         ASSERT_EQ(contacts.size(), 1u) << speed;
         const glm::vec3 met = from + way * contacts[0].time;
         EXPECT_NEAR(contacts[0].closingSpeed, speed * contacts[0].normal.x, 1e-3f * speed);
@@ -133,7 +127,7 @@ TEST(ContactWorld, TicksOfAThirtiethOfASecondTouchAsTicksOf120Do) {
             const glm::vec3 a = from + way * (0.25f * static_cast<float>(i)), b = a + 0.25f * way;
             const Mover quick = moving({a, a, 0.008f}, {b, b, 0.008f}, kDt);
             std::vector<Contact> own;
-            world.collide({&fish, 1}, {&quick, 1}, kDt, {}, own);
+            collide({&fish, 1}, {&quick, 1}, kDt, {}, own);
             if (own.empty()) continue;
             found = true;
             // Both stop within kTouchGap_m of the surface, met at most a little askew.
@@ -146,14 +140,13 @@ TEST(ContactWorld, TicksOfAThirtiethOfASecondTouchAsTicksOf120Do) {
 
 // A finger that presses on past the axis keeps pushing the way it came from.
 TEST(ContactWorld, ALastingContactNeverFlipsHoweverDeepItGoes) {
-    ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> last, now;
     float depth = 0;
     for (int i = 0; i < 60; ++i) {
         const auto x = [](int step) { return -0.045f + 0.001f * static_cast<float>(step); };
         const Mover tip = sphere({x(i), 0.002f, 0.01f}, {x(i + 1), 0.002f, 0.01f}, 0.008f);
-        world.collide({&fish, 1}, {&tip, 1}, kDt, last, now);
+        collide({&fish, 1}, {&tip, 1}, kDt, last, now);
         if (!now.empty()) {
             EXPECT_GT(now[0].normal.x, 0.7f) << "step " << i;
             EXPECT_GE(now[0].depth, depth);
@@ -170,14 +163,13 @@ TEST(ContactWorld, ALastingContactNeverFlipsHoweverDeepItGoes) {
 }
 
 TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
-    ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> last, now;
     int touching = 0;
     for (int i = 0; i < 40; ++i) {
         const float a = -0.1f + 0.005f * static_cast<float>(i);
         const Mover tip = sphere({a, 0.002f, 0}, {a + 0.005f, 0.002f, 0}, 0.008f);
-        world.collide({&fish, 1}, {&tip, 1}, kDt, last, now);
+        collide({&fish, 1}, {&tip, 1}, kDt, last, now);
         touching += !now.empty();
         std::swap(last, now);
     }
@@ -187,12 +179,11 @@ TEST(ContactWorld, ABoneThatHasGoneRightThroughIsFree) {
 
 // A hand that appears in a fish has no past; even where the core segments cross there is a way out.
 TEST(ContactWorld, WhatAppearsInsideGetsAWayOut) {
-    ContactWorld world;
     const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
     std::vector<Contact> contacts;
     for (glm::vec3 across : {glm::vec3(0.03f, 0, 0), glm::vec3(0, 0.03f, 0), glm::vec3(0.01f, 0, 0.03f)}) {
         const Mover tip = still({-across, across, 0.008f});
-        world.collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
+        collide({&fish, 1}, {&tip, 1}, kDt, {}, contacts);
         ASSERT_EQ(contacts.size(), 1u);
         EXPECT_NEAR(glm::length(contacts[0].normal), 1, kTol);
         // Crossed at the middles, the shortest way is across both.

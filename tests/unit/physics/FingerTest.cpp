@@ -1,4 +1,4 @@
-#include "engine/physics/Finger.h"
+#include "engine/physics/Grip.h"
 
 #include "engine/physics/ContactModel.h"
 
