@@ -20,14 +20,7 @@ bool isTip(int joint) {
 }
 
 glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
-    const auto unit = [](glm::vec3 v, glm::vec3 otherwise) {
-        const float length = glm::length(v);
-        return length > 1e-4f ? v / length : otherwise;
-    };
-    const glm::vec3 ahead = unit(direction, {0, 0, -1}), up = unit(-normal, {0, 1, 0});
-    const bool parallel = glm::length(glm::cross(up, ahead)) < 4e-3f;
-    const glm::vec3 aside = std::fabs(ahead.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    return glm::normalize(glm::quatLookAt(ahead, parallel ? aside : up));
+    return glm::normalize(glm::quatLookAt(glm::normalize(direction), glm::normalize(-normal)));
 }
 
 // The smallest rotation from one direction to another.

@@ -66,35 +66,32 @@ Result<HandRig> HandRig::load(const Path& file) {
     auto text = readText(file, 1u << 20);
     if (!text) return text.error();
     const auto fail = [&](std::string reason) { return Error{file.string(), std::move(reason)}; };
-    const auto json = nlohmann::json::parse(*text, nullptr, false);
-    if (!json.is_object() || !json.contains("joints") || !json["joints"].is_array())
-        return fail("is not a hand skeleton: no array \"joints\"");
-
-    const auto& list = json["joints"];
-    if (list.size() != kJointCount) return fail("needs exactly 26 joints");
     std::array<glm::vec3, kJointCount> position{}, up{};
     std::array<int, kJointCount> towards{};
     HandRig rig;
-    for (int i = 0; i < kJointCount; ++i) {
-        const auto& entry = list[i];
-        const std::string name(kJointNames[i]);
-        if (!entry.is_object() || entry.value("name", nlohmann::json()) != name)
-            return fail("joint " + std::to_string(i) + " must be \"" + name + "\"");
-        std::string next;
-        try {
+    std::string name;
+    try {
+        const auto list = nlohmann::json::parse(*text).at("joints");
+        if (list.size() != kJointCount) return fail("needs exactly 26 joints");
+        for (int i = 0; i < kJointCount; ++i) {
+            const auto& entry = list.at(i);
+            name = kJointNames[i];
+            if (entry.at("name") != name)
+                return fail("joint " + std::to_string(i) + " must be \"" + name + "\"");
             position[i] = vectorFrom(entry.at("position"));
             up[i] = vectorFrom(entry.at("up"));
             rig.radius_[i] = entry.at("radius").get<float>();
-            next = entry.value("towards", "");
-        } catch (const nlohmann::json::exception&) {
-            return fail("joint \"" + name + "\" needs position, radius and up");
+            if (!(glm::length(position[i]) < 1)) return fail("joint \"" + name + "\" is a metre away");
+            if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
+                return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
+            const std::string next = entry.value("towards", "");
+            towards[i] = jointNamed(next);
+            if (towards[i] < 0 && !next.empty())
+                return fail("joint \"" + name + "\" points towards unknown \"" + next + "\"");
         }
-        if (!(glm::length(position[i]) < 1)) return fail("joint \"" + name + "\" is a metre away");
-        if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
-            return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
-        towards[i] = jointNamed(next);
-        if (towards[i] < 0 && !next.empty())
-            return fail("joint \"" + name + "\" points towards unknown \"" + next + "\"");
+    } catch (const nlohmann::json::exception&) {
+        return fail(name.empty() ? "is not a hand skeleton: no array \"joints\""
+                                 : "joint \"" + name + "\" needs name, position, radius and up");
     }
 
     std::array<glm::quat, kJointCount> turn{};

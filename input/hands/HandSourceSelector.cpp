@@ -1,6 +1,6 @@
 #include "input/hands/HandSourceSelector.h"
 
-#include "input/hands/HandTuning.h"
+#include "input/hands/HandFilter.h"
 
 #include <glm/geometric.hpp>
 

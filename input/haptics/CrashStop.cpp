@@ -1,6 +1,6 @@
 #include "input/haptics/CrashStop.h"
 
-#include "input/haptics/Driver.h"
+#include "input/haptics/DeviceTable.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-// Driver of the fingertip glove of GLOVE.md.
+// Driver of the fingertip glove of content/glove/GLOVE.md.
 #include "input/haptics/DeviceTable.h"
 
-#include "input/haptics/glove/GloveCore.h"
+#include "input/haptics/GloveReport.h"
 
 #include <algorithm>
 #include <cmath>

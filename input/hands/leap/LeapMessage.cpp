@@ -74,7 +74,8 @@ std::optional<PartialHand> readHand(const json& from) {
     const auto palm = point(from, "palmPosition");
     const auto normal = triple(from, "palmNormal", 1, 10), direction = triple(from, "direction", 1, 10);
     if (!identity || !palm || !normal || !direction) return std::nullopt;
-    if (glm::length(glm::cross(*normal, *direction)) < 1e-3f) return std::nullopt;
+    const float sine = glm::length(glm::cross(glm::normalize(*normal), glm::normalize(*direction)));
+    if (!(sine > 4e-3f)) return std::nullopt; // NaN too
     PartialHand hand;
     hand.identity = *identity;
     hand.palm = *palm;
@@ -154,6 +155,40 @@ Result<LeapMessage> readLeapMessage(std::string_view text) {
             return LeapMessage(
                 LeapDevice{yes(*state, "attached"), yes(*state, "streaming"), words(*state, "type")});
     return LeapMessage();
+}
+
+// Old services do not tell: then a hand stays what it was, shows it by its thumb, or stands on that side.
+Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
+    if (hand.side) return *hand.side;
+    if (hand.identity == identity_[0]) return Side::Left;
+    if (hand.identity == identity_[1]) return Side::Right;
+    if (const auto shown = completer_.sideOfTips(hand)) return *shown;
+    for (const PartialHand& other : seen.hands)
+        if (other.identity != hand.identity) return hand.palm.x < other.palm.x ? Side::Left : Side::Right;
+    const float viewerX = (mount_.viewerFromDevice * hand.palm).x;
+    return viewerX < 0 ? Side::Left : Side::Right;
+}
+
+HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
+    HandFrame frame;
+    frame.time_us = time_us;
+    std::array<int64_t, 2> found{-1, -1};
+    for (const PartialHand& hand : seen.hands) {
+        const Side side = sideOf(hand, seen);
+        const size_t i = side == Side::Left ? 0 : 1;
+        // Of two hands said to be the same, the one that was there before, then the surer one.
+        const bool known = hand.identity == identity_[i];
+        if (frame.hands[i].tracked && (found[i] == identity_[i] ||
+                                       (!known && hand.confidence.value_or(1) <= frame.hands[i].confidence)))
+            continue;
+        frame.hands[i] = completer_.complete(hand, side);
+        frame.hands[i].time_us = time_us;
+        mount_.apply(frame.hands[i]);
+        found[i] = hand.identity;
+        frame.identity[i] = (connection_ << 40) + hand.identity;
+    }
+    identity_ = found;
+    return frame;
 }
 
 } // namespace shoal::hands

@@ -1,8 +1,10 @@
-// Parser of the messages of the Leap / Ultraleap service: JSON, protocol versions 1 to 6.
+// Parser of the messages of the Leap / Ultraleap service: JSON, protocol versions 1 to 6; and the hands in
+// its frames as the game wants them.
 #pragma once
 
 #include "engine/core/Result.h"
 #include "input/hands/CompleteHand.h"
+#include "input/hands/HandTracker.h"
 
 #include <string>
 #include <string_view>
@@ -32,5 +34,23 @@ constexpr int kLeapMessageDepth = 16;
 
 // Fails on what is no JSON object, and on what exceeds the bounds above, before memory is taken for it.
 Result<LeapMessage> readLeapMessage(std::string_view text);
+
+// Assignment of the hands in a service's frame to left and right, completed and in the viewer's frame.
+class LeapTracks {
+  public:
+    LeapTracks(const HandRig& rig, const Mount& mount) : completer_(rig), mount_(mount) {}
+
+    // A service that starts anew counts its hands anew: another connection, another identity.
+    void connected() { ++connection_; }
+    HandFrame frame(const LeapFrame& seen, int64_t time_us);
+
+  private:
+    Side sideOf(const PartialHand& hand, const LeapFrame& seen) const;
+
+    HandCompleter completer_;
+    Mount mount_;
+    int64_t connection_ = 0;
+    std::array<int64_t, 2> identity_{-1, -1}; // as the service gave them, of the last frame
+};
 
 } // namespace shoal::hands

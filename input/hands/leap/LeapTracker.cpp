@@ -1,6 +1,6 @@
 #include "input/hands/HandTracker.h"
 
-#include "input/hands/leap/LeapTracks.h"
+#include "input/hands/leap/LeapMessage.h"
 
 #include <libwebsockets.h>
 

@@ -1,6 +1,6 @@
 #include "input/hands/webcam/HandDetector.h"
 
-#include "input/hands/Mount.h"
+#include "input/hands/HandTracker.h"
 #include "input/hands/MouseHands.h"
 
 #include <opencv2/imgproc.hpp>
@@ -16,9 +16,9 @@ constexpr int kChangedBy = 14;       // of 255, in any channel: no longer the ba
 constexpr int kLikely = 110;         // of 255: the hand's colour
 constexpr float kDiscRadius = 0.10f; // of the picture's height: where the hand is held to be learnt
 constexpr double kDiscFilled = 0.6;
-constexpr int kVotes = 2;           // pictures in a row that change a gesture
-constexpr double kForget_s = 0.5;   // a hand not seen for so long may come back as the other one
-constexpr float kSizeTau_s = 0.10f; // the palm's size is smoothed: distance is its reciprocal
+constexpr int kVotes = 2;          // pictures in a row that change a gesture
+constexpr double kForget_s = 0.5;  // a hand not seen for so long may come back as the other one
+constexpr double kSizeTau_s = 0.1; // the palm's size is smoothed: distance is its reciprocal
 
 // Radius of the largest circle inside a hand's outline, metres, for each Gesture; of the rig's hand.
 constexpr std::array kPalmRadius_m = {0.0441f, 0.0446f, 0.0437f};
@@ -114,18 +114,16 @@ void HandDetector::learn(double time_s) {
 // was.
 void HandDetector::assign(const std::vector<Outline>& outlines, double time_s) {
     const float focal_px = static_cast<float>(small_.cols) / 2 / std::tan(kWebcamFov / 2);
-    std::array<std::optional<WebcamHand>, 2> found;
+    const auto known = [&](size_t side) { return time_s - tracked_[side].seen_s < kForget_s; };
     std::array<size_t, 2> sides{};
     if (outlines.size() == 2) {
         sides[0] = outlines[0].palm.x > outlines[1].palm.x ? 0 : 1;
         sides[1] = 1 - sides[0];
     } else if (outlines.size() == 1) {
         const auto apart = [&](size_t side) {
-            if (!last_[side] || time_s - lastSeen_s_[side] > kForget_s) return 1e6;
-            return cv::norm(last_[side]->palm_px - outlines[0].palm);
+            return known(side) ? cv::norm(tracked_[side].last.palm_px - outlines[0].palm) : 1e6;
         };
-        const bool neither = apart(0) == apart(1);
-        if (!neither)
+        if (apart(0) != apart(1))
             sides[0] = apart(0) < apart(1) ? 0 : 1;
         else if (outlines[0].thumb != 0) // of a palm to the camera
             sides[0] = outlines[0].thumb > 0 ? 1 : 0;
@@ -134,39 +132,30 @@ void HandDetector::assign(const std::vector<Outline>& outlines, double time_s) {
     }
     for (size_t i = 0; i < outlines.size(); ++i) {
         const Outline& outline = outlines[i];
-        const size_t side = sides[i];
-        WebcamHand hand;
-        hand.palm_px = outline.palm;
-        hand.radius_px = outline.radius;
-        hand.gesture = outline.gesture;
-        const bool goesOn = last_[side] && time_s - lastSeen_s_[side] < kForget_s;
-        Vote& vote = votes_[side];
-        if (goesOn) {
-            const auto share = static_cast<float>(
-                1 - std::exp((lastSeen_s_[side] - time_s) / static_cast<double>(kSizeTau_s)));
-            hand.radius_px = last_[side]->radius_px + (outline.radius - last_[side]->radius_px) * share;
-            vote.count = outline.gesture == vote.proposed ? vote.count + 1 : 1;
-            vote.proposed = outline.gesture;
-            if (vote.count < kVotes) hand.gesture = last_[side]->gesture;
+        Tracked& tracked = tracked_[sides[i]];
+        WebcamHand hand{.palm_px = outline.palm, .radius_px = outline.radius, .gesture = outline.gesture};
+        if (known(sides[i])) {
+            const double share = 1 - std::exp((tracked.seen_s - time_s) / kSizeTau_s);
+            hand.radius_px = std::lerp(tracked.last.radius_px, outline.radius, static_cast<float>(share));
+            tracked.votes = outline.gesture == tracked.proposed ? tracked.votes + 1 : 1;
+            if (tracked.votes < kVotes) hand.gesture = tracked.last.gesture;
         } else {
-            vote = {outline.gesture, kVotes};
-            ++identity_[side];
+            tracked.votes = kVotes;
+            ++tracked.identity;
         }
+        tracked.proposed = outline.gesture;
         const float z =
             focal_px * kPalmRadius_m[static_cast<size_t>(hand.gesture)] / std::max(hand.radius_px, 1.0f);
         hand.palm = {(outline.palm.x + 0.5f - static_cast<float>(small_.cols) / 2) * z / focal_px,
                      (static_cast<float>(small_.rows) / 2 - outline.palm.y - 0.5f) * z / focal_px, -z};
-        found[side] = last_[side] = hand;
-        lastSeen_s_[side] = time_s;
+        hands_[sides[i]] = tracked.last = hand;
+        tracked.seen_s = time_s;
     }
-    hands_ = found;
 }
 
 // Only the palm's place and the gesture are seen; the rest is how a hand reaches there.
 HandPose HandDetector::poseOf(const WebcamHand& hand, Side side) const {
-    const Mount& mount = kCameraMount;
-    const glm::vec3 palm =
-        mount.centreViewer_m + mount.viewerFromDevice * (hand.palm - mount.centreDevice_m) * mount.reach;
+    const glm::vec3 palm = kCameraMount.place(hand.palm);
     HandPose pose = reachingHand(rig_, side, palm, hand.gesture == Gesture::Fist ? 1.0f : 0.0f);
     if (hand.gesture == Gesture::Pinch)
         pose = rig_.pose(side, kPinchShape, {pose.joints[1].position, pose.joints[1].orientation});
@@ -212,7 +201,7 @@ HandFrame HandDetector::detect(const cv::Mat& bgr, double time_s) {
         if (!hands_[side]) continue;
         frame.hands[side] = poseOf(*hands_[side], side == 0 ? Side::Left : Side::Right);
         frame.hands[side].time_us = frame.time_us;
-        frame.identity[side] = identity_[side];
+        frame.identity[side] = tracked_[side].identity;
     }
     return frame;
 }

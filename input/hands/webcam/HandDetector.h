@@ -89,14 +89,14 @@ class HandDetector {
     double since_s_ = -1;
     cv::Mat small_, ycc_, background_, changed_, likely_, mask_;
     std::array<std::optional<WebcamHand>, 2> hands_;
-    std::array<std::optional<WebcamHand>, 2> last_; // as last seen, at lastSeen_s_
-    std::array<double, 2> lastSeen_s_{-1e9, -1e9};
-    std::array<int64_t, 2> identity_{0, 0};
-    struct Vote {
+    struct Tracked {
+        WebcamHand last; // as last seen
+        double seen_s = -1e9;
+        int64_t identity = 0;
         Gesture proposed = Gesture::Open;
-        int count = 0;
+        int votes = 0; // pictures in a row that propose it
     };
-    std::array<Vote, 2> votes_;
+    std::array<Tracked, 2> tracked_; // left, right
 };
 
 } // namespace shoal::hands

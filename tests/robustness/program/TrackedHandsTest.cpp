@@ -3,7 +3,6 @@
 // of the frames' stamps, so nothing waits for a clock.
 #include "input/hands/HandFilter.h"
 #include "input/hands/leap/LeapMessage.h"
-#include "input/hands/leap/LeapTracks.h"
 #include "tests/TestPaths.h"
 #include "tests/TestRig.h"
 #include "tests/playthrough/Play.h"

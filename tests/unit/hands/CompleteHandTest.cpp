@@ -1,5 +1,5 @@
 #include "input/hands/CompleteHand.h"
-#include "input/hands/Mount.h"
+#include "input/hands/HandTracker.h"
 #include "tests/TestRig.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Devices that come and go beside the mouse.
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandRig.h"
-#include "input/hands/HandTuning.h"
+#include "input/hands/HandFilter.h"
 #include "tests/TestRig.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What each constant of HandTuning.h promises.
+// What each constant of HandFilter.h promises.
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandSourceSelector.h"

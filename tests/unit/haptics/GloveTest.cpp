@@ -1,8 +1,8 @@
 // The glove's firmware, as far as it is plain arithmetic, and the game's side of the same report.
 #include "FakeBus.h"
 
+#include "content/glove/GloveCore.h"
 #include "input/haptics/HapticDevices.h"
-#include "input/haptics/glove/GloveCore.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // The client against a real WebSocket server on a loopback port. Nothing here sleeps: the tests wait for
 // frames and messages to come.
 #include "input/hands/HandTracker.h"
-#include "input/hands/Mount.h"
 #include "tests/TestRig.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"

@@ -2,9 +2,7 @@
 #include "tests/unit/leap_service/Recordings.h"
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandSourceSelector.h"
-#include "input/hands/HandTuning.h"
 #include "input/hands/leap/LeapMessage.h"
-#include "input/hands/leap/LeapTracks.h"
 #include "tests/TestRig.h"
 
 #include <gtest/gtest.h>

@@ -1,21 +1,14 @@
-// The glove, apart from its hardware: the report, the watchdog, the wave each actuator follows. Plain C++17
-// without a library, so that the same lines run on the microcontroller, in the game and in its tests.
-// ../GLOVE.md is the specification.
+// The glove, apart from its hardware: the watchdog, the wave each actuator follows. Plain C++17 without a
+// library, so that the same lines run on the microcontroller and in the game's tests. GLOVE.md is the
+// specification.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include "../../input/haptics/GloveReport.h"
 
 namespace glove {
 
 constexpr uint16_t kVendor = 0x1209, kProduct = 0x0001; // pid.codes, "for testing": a maker takes an own one
-constexpr uint16_t kUsagePage = 0xFF48;                 // vendor-defined; with the usage it names this report
-constexpr uint8_t kUsage = 0x01;
-
-constexpr int kActuators = 12; // thumb, index, middle, ring, little, palm; left hand, then right
-constexpr size_t kReportBytes = 1 + kActuators + kActuators; // sequence, amplitudes, frequencies
-constexpr uint32_t kSilence_ms = 100;                        // without a report all actuators stop
-constexpr uint32_t kHzPerStep = 2;                           // of a frequency's byte
+constexpr uint32_t kSilence_ms = 100;                   // without a report all actuators stop
 constexpr uint32_t kSampleRate_Hz = 10000;
 
 // One output report without a number, all bytes plain.
