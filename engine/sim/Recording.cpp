@@ -15,7 +15,9 @@ namespace {
 
 constexpr char kMagic[8] = {'S', 'H', 'O', 'A', 'L', 'R', 'E', 'C'};
 constexpr size_t kPrefix = sizeof kMagic + 4 + 8 + 8 + 4;
-constexpr uint32_t kMaxInputBytes = 65536;
+constexpr int kVersion = 1;
+constexpr uint64_t kMaxFileBytes = 256u << 20;
+constexpr uint32_t kMaxInputBytes = 65536, kMaxHeaderBytes = 1u << 20;
 
 template <class T> void append(std::string& to, T value) {
     to.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -26,26 +28,6 @@ template <class T> T take(const uint8_t*& from) {
     std::memcpy(&value, from, sizeof value);
     from += sizeof value;
     return value;
-}
-
-nlohmann::json jsonFrom(const RecordingHeader& header) {
-    return {{"version", header.version},
-            {"seed", header.seed},
-            {"dive", header.dive},
-            {"settings", nlohmann::json::object()}, // of the format; never used
-            {"tick_rate_Hz", header.tickRate_Hz},
-            {"input_bytes", header.inputBytes}};
-}
-
-// Throws nlohmann's exceptions on missing or mistyped fields; caught by readRecording.
-RecordingHeader headerFrom(const nlohmann::json& json) {
-    RecordingHeader header;
-    json.at("version").get_to(header.version);
-    json.at("seed").get_to(header.seed);
-    json.at("dive").get_to(header.dive);
-    json.at("tick_rate_Hz").get_to(header.tickRate_Hz);
-    json.at("input_bytes").get_to(header.inputBytes);
-    return header;
 }
 
 uint32_t crcOf(const uint8_t* data, size_t size, uint32_t crc = 0) {
@@ -84,12 +66,8 @@ Status writeRecording(const Path& file, const Recording& recording) {
     for (size_t tick = 0; tick < recording.ticks(); ++tick) {
         const auto now = recording.input(tick);
         uint8_t* out = body.data() + tick * stride;
-        if (tick == 0)
-            std::memcpy(out, now.data(), inputBytes);
-        else {
-            const auto then = recording.input(tick - 1);
-            for (size_t i = 0; i < inputBytes; ++i) out[i] = now[i] ^ then[i];
-        }
+        for (size_t i = 0; i < inputBytes; ++i)
+            out[i] = tick == 0 ? now[i] : now[i] ^ recording.input(tick - 1)[i];
         const uint64_t hash = recording.hash(tick);
         std::memcpy(out + inputBytes, &hash, 8);
     }
@@ -98,7 +76,13 @@ Status writeRecording(const Path& file, const Recording& recording) {
     if (compress2(packed.data(), &packedSize, body.data(), body.size(), 6) != Z_OK)
         return Error{file.string(), "could not be packed"};
 
-    const std::string header = jsonFrom(recording.header()).dump();
+    const nlohmann::json json = {{"version", kVersion},
+                                 {"seed", recording.header().seed},
+                                 {"dive", recording.header().dive},
+                                 {"settings", nlohmann::json::object()}, // of the format; never used
+                                 {"tick_rate_Hz", kTickRate_Hz},
+                                 {"input_bytes", inputBytes}};
+    const std::string header = json.dump();
     uint32_t crc = crcOf(reinterpret_cast<const uint8_t*>(header.data()), header.size());
     crc = crcOf(packed.data(), packedSize, crc);
     std::string bytes(kMagic, sizeof kMagic);
@@ -111,8 +95,8 @@ Status writeRecording(const Path& file, const Recording& recording) {
     return writeFileWhole(file, bytes);
 }
 
-Result<Recording> readRecording(const Path& file, const RecordingLimits& limits) {
-    auto read = readFile(file, limits.maxFileBytes);
+Result<Recording> readRecording(const Path& file, uint64_t maxUnpackedBytes) {
+    auto read = readFile(file, kMaxFileBytes);
     if (!read) return read.error();
     const auto fail = [&](std::string reason) { return Error{file.string(), std::move(reason)}; };
     const std::vector<uint8_t>& bytes = *read;
@@ -125,26 +109,29 @@ Result<Recording> readRecording(const Path& file, const RecordingLimits& limits)
     const auto packedSize = take<uint64_t>(at);
     const auto crc = take<uint32_t>(at);
     const uint64_t rest = bytes.size() - kPrefix;
-    if (headerSize > limits.maxHeaderBytes || headerSize > rest || packedSize != rest - headerSize)
+    if (headerSize > kMaxHeaderBytes || headerSize > rest || packedSize != rest - headerSize)
         return fail("is cut short or damaged: its lengths do not add up");
     if (crcOf(at, rest) != crc) return fail("is damaged: its checksum is wrong");
 
     RecordingHeader header;
     try {
-        header = headerFrom(nlohmann::json::parse(at, at + headerSize));
+        const auto json = nlohmann::json::parse(at, at + headerSize);
+        if (const int version = json.at("version"); version != kVersion)
+            return fail("has version " + std::to_string(version) + ", this game reads version " +
+                        std::to_string(kVersion));
+        if (const int rate_Hz = json.at("tick_rate_Hz"); rate_Hz != kTickRate_Hz)
+            return fail("ticks at " + std::to_string(rate_Hz) + " Hz, this game at " +
+                        std::to_string(kTickRate_Hz));
+        json.at("seed").get_to(header.seed);
+        json.at("dive").get_to(header.dive);
+        json.at("input_bytes").get_to(header.inputBytes);
     } catch (const nlohmann::json::exception&) {
         return fail("has a header that cannot be read");
     }
-    if (header.version != RecordingHeader::kVersion)
-        return fail("has version " + std::to_string(header.version) + ", this game reads version " +
-                    std::to_string(RecordingHeader::kVersion));
-    if (header.tickRate_Hz != kTickRate_Hz)
-        return fail("ticks at " + std::to_string(header.tickRate_Hz) + " Hz, this game at " +
-                    std::to_string(kTickRate_Hz));
     if (header.inputBytes == 0 || header.inputBytes > kMaxInputBytes)
         return fail("claims an impossible size of input");
     const uint64_t stride = uint64_t{header.inputBytes} + 8;
-    if (ticks > limits.maxBodyBytes / stride) return fail("claims more ticks than are allowed");
+    if (ticks > maxUnpackedBytes / stride) return fail("claims more ticks than are allowed");
 
     std::vector<uint8_t> body(ticks * stride);
     uLongf bodySize = body.size();

@@ -18,11 +18,8 @@
 namespace shoal::sim {
 
 struct RecordingHeader {
-    static constexpr int kVersion = 1;
-    int version = kVersion;
     uint64_t seed = 0;
-    std::string dive; // name of content/dives/NAME.toml
-    int tickRate_Hz = kTickRate_Hz;
+    std::string dive;        // name of content/dives/NAME.toml
     uint32_t inputBytes = 0; // per tick; 1 to 65536
 
     bool operator==(const RecordingHeader&) const = default;
@@ -50,14 +47,8 @@ class Recording {
     std::vector<uint64_t> hashes_;
 };
 
-struct RecordingLimits {
-    uint64_t maxFileBytes = 256u << 20;
-    uint64_t maxBodyBytes = 1u << 30; // unpacked
-    uint32_t maxHeaderBytes = 1u << 20;
-};
-
 Status writeRecording(const Path& file, const Recording&);
 // Fails on anything that is not exactly one whole recording of this version and tick rate.
-Result<Recording> readRecording(const Path& file, const RecordingLimits& = {});
+Result<Recording> readRecording(const Path& file, uint64_t maxUnpackedBytes = 1u << 30);
 
 } // namespace shoal::sim

@@ -33,16 +33,13 @@ struct AddOption {
         return option;
     }
     CLI::Option* operator()(bool* value) const { return command.add_flag(row.option, *value, row.help); }
-    CLI::Option* operator()(const ChoiceSetting& choice) const {
-        return command.add_option_function<std::string>(row.option, choice.set, row.help)
-            ->check(CLI::IsMember(choice.names))
-            ->default_str(choice.get());
-    }
     CLI::Option* operator()(const TextSetting& text) const {
         const auto set = [name = row.option, set = text.set, wants = text.wants](const std::string& given) {
             if (!set(given)) throw CLI::ValidationError(name, wants);
         };
-        return command.add_option_function<std::string>(row.option, set, row.help);
+        CLI::Option* option = command.add_option_function<std::string>(row.option, set, row.help);
+        if (!text.names.empty()) option->check(CLI::IsMember(text.names))->default_str(text.get());
+        return option;
     }
 
     template <class T> void limit(CLI::Option& option) const {

@@ -4,7 +4,7 @@
 
 #include "engine/audio/Audio.h"
 #include "engine/core/Random.h"
-#include "game/feedback/Sounds.h"
+#include "game/feedback/EventTable.h"
 #include "game/rules/Events.h"
 #include "game/rules/Snapshot.h"
 

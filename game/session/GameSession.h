@@ -6,7 +6,6 @@
 #include "engine/xr/Tracked.h"
 #include "game/rules/Dive.h"
 #include "game/session/HandSource.h"
-#include "game/session/TrackedHands.h"
 #include "game/settings/PlayOptions.h"
 
 #include <optional>

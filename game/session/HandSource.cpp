@@ -1,11 +1,14 @@
 #include "game/session/HandSource.h"
 
-#include "input/hands/HandSourceSelector.h"
+#include "engine/core/Files.h"
+#include "engine/core/Log.h"
 
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <numbers>
 
 namespace shoal::app {
@@ -15,6 +18,16 @@ namespace {
 constexpr float kKeyTurn_radps = 1.6f;
 constexpr float kDragTurn_rad = 0.0032f; // a pixel
 constexpr float kPitchMax = 1.45f;
+
+constexpr double kCaption_s = 4;
+constexpr double kFindDevices_s = 1; // before the mouse is said to be all there is
+
+// No text: the first camera.
+hands::WebcamOptions webcamFrom(const std::string& which, bool live) {
+    const bool isIndex = which.size() <= 2 && which.find_first_not_of("0123456789") == std::string::npos;
+    return isIndex ? hands::WebcamOptions{"", std::atoi(which.c_str()), live}
+                   : hands::WebcamOptions{which, 0, live};
+}
 
 } // namespace
 
@@ -57,6 +70,52 @@ void MouseSource::next(game::TickInput& out) const {
     out.hands = poses_;
     out.worldFromView =
         glm::angleAxis(-yaw_, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0));
+}
+
+TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& options,
+                           const hands::HandRig& rig, bool live)
+    : asked_(source.kind != HandSourceKind::Auto),
+      tracker_(source.kind == HandSourceKind::Webcam
+                   ? hands::makeWebcamTracker(webcamFrom(source.argument, live), rig)
+                   : hands::makeLeapTracker(
+                         {options.leapHost, options.leapPort, options.leapMount == LeapMount::Head}, rig)),
+      hands_(live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps) {}
+
+void TrackedHands::announce() {
+    announced_ = state_.present;
+    announcedAt_s_ = played_s_;
+    const std::string name(tracker_->name());
+    announcement_ = "Hands: mouse";
+    if (state_.present)
+        announcement_ = "Hands: " + name + ", " + state_.description;
+    else if (asked_) // why not this one
+        announcement_ += "; " + name + ": " + state_.description;
+    log::info("{}", announcement_);
+}
+
+void TrackedHands::frame(double elapsed_s) {
+    hands::HandStream& stream = tracker_->stream();
+    hands_.advance(stream, elapsed_s);
+    played_s_ += elapsed_s;
+    state_ = stream.state();
+    if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
+}
+
+void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
+    choice_.tick(hands_, input.hands, ticksLeft, static_cast<float>(sim::kTick_s));
+}
+
+std::string_view TrackedHands::caption() const {
+    if (!state_.instruction.empty()) return state_.instruction;
+    return played_s_ - announcedAt_s_ < kCaption_s ? std::string_view(announcement_) : std::string_view();
+}
+
+Status checkHandSource(const HandSourceChoice& source) {
+    const bool isClip =
+        source.kind == HandSourceKind::Webcam && !webcamFrom(source.argument, false).file.empty();
+    std::error_code code;
+    if (!isClip || std::filesystem::is_regular_file(source.argument, code)) return Done{};
+    return Error{source.argument, "there is no such clip"};
 }
 
 void OpenXrSource::next(game::TickInput& out, float share) const {

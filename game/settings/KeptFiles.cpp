@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace shoal::app {
 
 namespace {
@@ -45,11 +43,6 @@ struct ReadEntry {
     void operator()(std::string* value) const {
         if (entry.is_string()) *value = entry.get<std::string>();
     }
-    void operator()(const ChoiceSetting& choice) const {
-        if (entry.is_string() &&
-            std::ranges::find(choice.names, entry.get<std::string>()) != choice.names.end())
-            choice.set(entry.get<std::string>());
-    }
     void operator()(const TextSetting& text) const {
         if (entry.is_string()) text.set(entry.get<std::string>());
     }
@@ -59,7 +52,6 @@ struct ReadEntry {
 struct MakeEntry {
     template <class T> Json operator()(T* value) const { return *value; }
     template <class T> Json operator()(std::optional<T>*) const { return nullptr; }
-    Json operator()(const ChoiceSetting& choice) const { return choice.get(); }
     Json operator()(const TextSetting& text) const { return text.get(); }
 };
 

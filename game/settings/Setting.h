@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -20,34 +21,30 @@ namespace shoal::app {
 
 enum class Category { General, Dive, Environment, Picture, Hands, Sound, Measuring };
 
-// A setting that is one of a few names.
-struct ChoiceSetting {
-    std::vector<std::string> names;                   // that may be set
-    std::function<std::string()> get;                 // the name of the present value
-    std::function<void(const std::string& name)> set; // one of `names`
+// A setting that is text: one of a few names, or of a notation of its own.
+struct TextSetting {
+    std::function<bool(const std::string& text)> set; // false, and nothing changed: the text is malformed
+    std::string wants;                                // says what is well formed: "wants ..."
+    std::function<std::string()> get;                 // of a setting that is kept
+    std::vector<std::string> names{};                 // that may be set, if it is one of a few
 };
 
 // values: those that may be set, empty: all of the enumeration. alias: another name for one of them.
 template <class E>
-ChoiceSetting choice(E& value, const std::vector<E>& values = {},
-                     std::optional<std::pair<std::string, E>> alias = {}) {
+TextSetting choice(E& value, const std::vector<E>& values = {},
+                   std::optional<std::pair<std::string, E>> alias = {}) {
     const auto& all = EnumNames<E>::kNames;
     std::vector<std::string> names;
     for (const E allowed : values) names.emplace_back(enumName(allowed));
     if (names.empty()) names.assign(all.begin(), all.end());
     if (alias) names.push_back(alias->first);
-    return {std::move(names), [&value] { return std::string(enumName(value)); },
-            [&value, alias](const std::string& name) {
-                value = alias && name == alias->first ? alias->second : *enumNamed<E>(name);
-            }};
+    const auto set = [&value, names, alias](const std::string& name) {
+        if (std::ranges::find(names, name) == names.end()) return false;
+        value = alias && name == alias->first ? alias->second : *enumNamed<E>(name);
+        return true;
+    };
+    return {set, "", [&value] { return std::string(enumName(value)); }, names};
 }
-
-// A setting with a notation of its own.
-struct TextSetting {
-    std::function<bool(const std::string& text)> set; // false, and nothing changed: the text is malformed
-    std::string wants;                                // says what is well formed: "wants ..."
-    std::function<std::string()> get;                 // of a setting that is kept
-};
 
 TextSetting sizeSetting(glm::ivec2& pixels);                   // WIDTHxHEIGHT
 TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT
@@ -55,7 +52,7 @@ TextSetting vectorSetting(std::optional<glm::vec3>& value);    // X,Y,Z
 
 struct Setting {
     using Value = std::variant<bool*, int*, uint64_t*, float*, std::string*, std::vector<std::string>*,
-                               std::optional<float>*, std::optional<double>*, ChoiceSetting, TextSetting>;
+                               std::optional<float>*, std::optional<double>*, TextSetting>;
     struct Range {
         double low, high; // both included
     };

@@ -1,7 +1,7 @@
 #include "tests/bench/occlusion/Scene.h"
 
 #include "engine/core/Files.h"
-#include "engine/physics/Finger.h"
+#include "engine/physics/Grip.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"

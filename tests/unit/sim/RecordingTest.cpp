@@ -75,9 +75,7 @@ TEST_F(RecordingFile, EveryFlippedBitIsAnError) {
 
 TEST_F(RecordingFile, LimitsHoldBeforeMemoryIsTaken) {
     ASSERT_TRUE(writeRecording(file_, sample(100)));
-    RecordingLimits limits;
-    limits.maxBodyBytes = 100 * 45 - 1;
-    const auto read = readRecording(file_, limits);
+    const auto read = readRecording(file_, 100 * 45 - 1);
     ASSERT_FALSE(read);
     EXPECT_THAT(read.error().message(), HasSubstr("more ticks than are allowed"));
     EXPECT_FALSE(readRecording(file_.string() + ".absent"));
