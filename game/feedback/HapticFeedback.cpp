@@ -1,6 +1,7 @@
 #include "game/feedback/HapticFeedback.h"
 
 #include "game/feedback/EventTable.h"
+#include "input/haptics/Motors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,20 +19,17 @@ constexpr float kStrokeLow_Hz = 40, kStrokeHigh_Hz = 240;
 constexpr float kHeld = 0.15f, kStruggle = 0.6f; // a fish in the hand at rest, and its struggle on top
 constexpr float kHeld_Hz = 48, kStruggle_Hz = 30;
 
-haptics::Actuation stronger(const haptics::Actuation& a, const haptics::Actuation& b) {
-    return b.amplitude > a.amplitude ? b : a;
-}
-
 // For as long as it touches: what lies under a finger.
 haptics::Actuation underFinger(const TouchView& touch, bool held) {
     if (!touch.touches) return {};
     const float press = std::clamp(touch.depth_m / kPressFull_m, 0.0f, 1.0f);
     const float stroke = std::clamp(touch.slide_mps / kStrokeFull_mps, 0.0f, 1.0f);
-    haptics::Actuation out = stronger(
+    haptics::Actuation out = haptics::stronger(
         {kPress * press, kPress_Hz}, {kStroke * stroke * (0.5f + 0.5f * press),
                                       std::clamp(touch.slide_mps / kScale_m, kStrokeLow_Hz, kStrokeHigh_Hz)});
     if (held)
-        out = stronger(out, {kHeld + kStruggle * touch.struggle, kHeld_Hz + kStruggle_Hz * touch.struggle});
+        out = haptics::stronger(
+            out, {kHeld + kStruggle * touch.struggle, kHeld_Hz + kStruggle_Hz * touch.struggle});
     return out;
 }
 
@@ -70,7 +68,7 @@ haptics::HapticFrame HapticFeedback::frame(const Snapshot& shown, std::span<cons
         const HandView& hand = shown.hands[static_cast<size_t>(i / haptics::kActuatorsPerHand)];
         const TouchView& touch = hand.touching[static_cast<size_t>(i % haptics::kActuatorsPerHand)];
         haptics::Actuation out =
-            stronger({pulse.amplitude, pulse.frequency_Hz}, underFinger(touch, hand.holds >= 0));
+            haptics::stronger({pulse.amplitude, pulse.frequency_Hz}, underFinger(touch, hand.holds >= 0));
         out.amplitude = std::clamp(out.amplitude * strength, 0.0f, 1.0f);
         frame.actuators[static_cast<size_t>(i)] = out;
     }

@@ -68,7 +68,7 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     int best = -1;
     float bestCost = std::numeric_limits<float>::max();
     for (const CreatureView& creature : now.creatures) {
-        if (isShark(creature, species_) || creature.heldBy >= 0 || creature.motion == Motion::Struggle)
+        if (isShark(creature, species_) || creature.heldBy >= 0 || creature.gait.motion == Motion::Struggle)
             continue;
         if (step.kind != "any" && species_[creature.species].name != step.kind) continue;
         const int id = static_cast<int>(creature.id);
@@ -79,7 +79,7 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
         cost += 12 * std::max(0.0f, distance - (kReach_m - 0.1f)) + 4 * std::max(0.0f, 0.45f - distance);
         cost += 0.5f *
                 std::max(0.0f, -glm::dot(soon, now.worldFromView * glm::vec3(0, 0, -1))); // behind the back
-        if (creature.motion == Motion::Dart) cost += 1.5f;
+        if (creature.gait.motion == Motion::Dart) cost += 1.5f;
         if (cost < bestCost) bestCost = cost, best = id;
     }
     return best;
@@ -108,7 +108,7 @@ bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
     bool again = hand.target < 0 || spent % 240 == 0;
     if (!again && spent % 60 == 0) {
         const CreatureView& fish = now.creatures[hand.target];
-        again = fish.motion == Motion::Dart || glm::length(fish.position) > kReach_m;
+        again = fish.gait.motion == Motion::Dart || glm::length(fish.position) > kReach_m;
     }
     if (again) hand.target = chooseFish(step, now);
     hand.closedGoal = 0;

@@ -26,10 +26,7 @@ void showCreature(const Swimmer& from, size_t id, int species, float length_m, i
     view.worldFromBody = from.worldFromBody;
     view.velocity = from.velocity;
     view.length = length_m;
-    view.motion = from.gait.motion;
-    view.before = from.gait.before;
-    view.blend = from.gait.blend;
-    view.phase_s = from.gait.phase_s;
+    view.gait = from.gait;
     view.shape = from.shape;
     view.heldBy = heldBy;
 }
@@ -123,14 +120,15 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
         c.position = glm::mix(a.position, b.position, alpha);
         c.velocity = glm::mix(a.velocity, b.velocity, alpha);
         c.worldFromBody = blended(a.worldFromBody, b.worldFromBody, alpha);
-        c.phase_s = a.phase_s + (b.phase_s - a.phase_s) * alpha;
+        c.gait.phase_s = a.gait.phase_s + (b.gait.phase_s - a.gait.phase_s) * alpha;
         const auto between = [&](float BodyShape::*part) {
             c.shape.*part = a.shape.*part + (b.shape.*part - a.shape.*part) * alpha;
         };
         for (auto part : {&BodyShape::beats, &BodyShape::amplitude, &BodyShape::bendLeft, &BodyShape::bendUp,
                           &BodyShape::finsDown})
             between(part);
-        if (a.motion == b.motion) c.blend = a.blend + (b.blend - a.blend) * alpha;
+        if (a.gait.motion == b.gait.motion)
+            c.gait.blend = a.gait.blend + (b.gait.blend - a.gait.blend) * alpha;
     }
 }
 

@@ -34,6 +34,17 @@ struct BodyShape {
     auto fields() const { return std::tie(beats, amplitude, bendLeft, bendUp, finsDown); }
 };
 
+// Which animation clip plays, and which one it blends from.
+struct Gait {
+    Motion motion = Motion::Swim, before = Motion::Swim;
+    float blend = 1;   // 0: all `before`, 1: all `motion`
+    float phase_s = 0; // time inside the motion's clip, for all but the spine; not wrapped
+
+    void set(Motion next);
+    void advance(float rate); // rate 1: at the clip's own pace
+    auto fields() const { return std::tie(motion, before, blend, phase_s); }
+};
+
 struct CreatureView {
     uint32_t id = 0;                     // stable during a dive; also its place in Snapshot::creatures
     int species = 0;                     // index into the species table
@@ -41,12 +52,9 @@ struct CreatureView {
     glm::quat worldFromBody{1, 0, 0, 0}; // the body looks along its +Z, +Y up, as its model does
     glm::vec3 velocity{0};               // m/s
     float length = 0.2f;                 // metres, nose to tail
-    Motion motion = Motion::Swim;
-    Motion before = Motion::Swim; // what it blends from
-    float blend = 1;              // 0: all `before`, 1: all `motion`
-    float phase_s = 0;            // time inside the motion's clip, for all but the spine; not wrapped
-    BodyShape shape;              // the spine
-    int heldBy = -1;              // 0 left, 1 right, -1 free
+    Gait gait;
+    BodyShape shape; // the spine
+    int heldBy = -1; // 0 left, 1 right, -1 free
 };
 
 // What one finger, or the palm, has under it.

@@ -17,17 +17,6 @@ namespace shoal::game {
 
 constexpr float kDt = sim::kTick_s;
 
-// Which animation clip plays, and which one it blends from.
-struct Gait {
-    Motion motion = Motion::Swim, before = Motion::Swim;
-    float blend = 1;
-    float phase_s = 0;
-
-    void set(Motion next);
-    void advance(float rate); // rate 1: at the clip's own pace
-    auto fields() const { return std::tie(motion, before, blend, phase_s); }
-};
-
 struct Swimmer {
     glm::vec3 position{0};      // middle of the body
     glm::vec3 forward{0, 0, 1}; // unit

@@ -142,21 +142,22 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
         const int index = instance.animations[static_cast<size_t>(motion)];
         if (index < 0 || weight <= 0) return;
         const scene::Animation& clip = instance.model.animations[static_cast<size_t>(index)];
-        scene::animate(instance.model, index, clipTime(clip, creature.phase_s), instance.pose, weight);
+        scene::animate(instance.model, index, clipTime(clip, creature.gait.phase_s), instance.pose, weight);
         if (instance.spine.joints.empty()) return;
         const scene::TailBeat& beat = instance.beats[static_cast<size_t>(motion)];
         const float loops = shape.beats / beat.perLoop + beat.offset;
         scene::animate(instance.model, index, clipTime(clip, loops * clip.duration_s), instance.wave, weight);
     };
-    if (creature.blend < 1) play(creature.before, 1);
-    play(creature.motion, creature.blend);
+    if (creature.gait.blend < 1) play(creature.gait.before, 1);
+    play(creature.gait.motion, creature.gait.blend);
     for (const scene::Spine::Joint& joint : instance.spine.joints)
         instance.pose.local[static_cast<size_t>(joint.node)] =
             instance.wave.local[static_cast<size_t>(joint.node)];
     const auto swing = [&](game::Motion motion) {
         return instance.beats[static_cast<size_t>(motion)].amplitude;
     };
-    const float clips = glm::mix(swing(creature.before), swing(creature.motion), creature.blend);
+    const float clips =
+        glm::mix(swing(creature.gait.before), swing(creature.gait.motion), creature.gait.blend);
     if (clips > kMinSwing)
         scene::scaleWave(instance.spine, std::min(shape.amplitude / clips, kMaxScale), instance.pose);
     scene::bend(instance.spine, shape.bendLeft, shape.bendUp, instance.pose);

@@ -14,11 +14,6 @@ namespace {
 constexpr float kSizeMin = 0.6f, kSizeMax = 1.5f; // of the rig's hand, a man's: a child's, a giant's
 constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger that an old service no longer shows
 
-bool isTip(int joint) {
-    const int finger = fingerOfJoint(joint);
-    return finger >= 0 && kFingerJoints[finger].tip == joint;
-}
-
 glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
     return glm::normalize(glm::quatLookAt(glm::normalize(direction), glm::normalize(-normal)));
 }

@@ -2,7 +2,6 @@
 
 #include "input/hands/HandRig.h"
 
-#include <glm/ext/quaternion_exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -16,13 +15,19 @@ namespace {
 // The way from a to b: of quaternions the shorter one, as axis times angle in a's frame.
 glm::vec3 wayBetween(const glm::vec3& a, const glm::vec3& b) { return b - a; }
 glm::vec3 wayBetween(const glm::quat& a, const glm::quat& b) {
-    const glm::quat half = glm::log(glm::conjugate(a) * (glm::dot(a, b) < 0 ? -b : b));
-    return 2.0f * glm::vec3(half.x, half.y, half.z);
+    glm::quat d = glm::conjugate(a) * b;
+    if (d.w < 0) d = -d;
+    const glm::vec3 v(d.x, d.y, d.z);
+    const float sine = glm::length(v);
+    if (sine < 1e-7f) return 2.0f * v;
+    return v * (2 * std::atan2(sine, d.w) / sine);
 }
 
 glm::vec3 moved(const glm::vec3& from, const glm::vec3& way) { return from + way; }
 glm::quat moved(const glm::quat& from, const glm::vec3& way) {
-    return glm::normalize(from * glm::exp(glm::quat(0, 0.5f * way)));
+    const float angle = glm::length(way);
+    if (angle < 1e-7f) return from;
+    return glm::normalize(from * glm::angleAxis(angle, way / angle));
 }
 
 } // namespace

@@ -54,12 +54,6 @@ glm::vec3 vectorFrom(const nlohmann::json& json) {
     return {v[0], v[1], v[2]};
 }
 
-// -1: there is none.
-int jointNamed(std::string_view name) {
-    const auto at = std::find(kJointNames.begin(), kJointNames.end(), name);
-    return at == kJointNames.end() ? -1 : static_cast<int>(at - kJointNames.begin());
-}
-
 } // namespace
 
 Result<HandRig> HandRig::load(const Path& file) {
@@ -67,7 +61,6 @@ Result<HandRig> HandRig::load(const Path& file) {
     if (!text) return text.error();
     const auto fail = [&](std::string reason) { return Error{file.string(), std::move(reason)}; };
     std::array<glm::vec3, kJointCount> position{}, up{};
-    std::array<int, kJointCount> towards{};
     HandRig rig;
     std::string name;
     try {
@@ -84,10 +77,6 @@ Result<HandRig> HandRig::load(const Path& file) {
             if (!(glm::length(position[i]) < 1)) return fail("joint \"" + name + "\" is a metre away");
             if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
                 return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
-            const std::string next = entry.value("towards", "");
-            towards[i] = jointNamed(next);
-            if (towards[i] < 0 && !next.empty())
-                return fail("joint \"" + name + "\" points towards unknown \"" + next + "\"");
         }
     } catch (const nlohmann::json::exception&) {
         return fail(name.empty() ? "is not a hand skeleton: no array \"joints\""
@@ -95,18 +84,18 @@ Result<HandRig> HandRig::load(const Path& file) {
     }
 
     std::array<glm::quat, kJointCount> turn{};
-    for (int pass = 0; pass < 2; ++pass) // the tips, which copy their parent, after the others
-        for (int i = 0; i < kJointCount; ++i) {
-            if ((towards[i] < 0) != (pass == 1)) continue;
-            if (towards[i] < 0) {
-                turn[i] = kJointParent[i] < 0 ? glm::quat(1, 0, 0, 0) : turn[kJointParent[i]];
-                continue;
-            }
-            const glm::vec3 ahead = position[towards[i]] - position[i];
-            if (glm::length(ahead) < 1e-4f || glm::length(glm::cross(ahead, up[i])) < 1e-5f)
-                return fail("joint \"" + std::string(kJointNames[i]) + "\" has no usable direction");
-            turn[i] = glm::normalize(glm::quatLookAt(glm::normalize(ahead), up[i]));
+    for (int i = 0; i < kJointCount; ++i) {
+        if (isTip(i)) {
+            turn[i] = turn[kJointParent[i]];
+            continue;
         }
+        // Palm and wrist look along the middle finger, all others at the next joint.
+        const int next = fingerOfJoint(i) < 0 ? kFingerJoints[2].proximal : i + 1;
+        const glm::vec3 ahead = position[next] - position[i];
+        if (glm::length(ahead) < 1e-4f || glm::length(glm::cross(ahead, up[i])) < 1e-5f)
+            return fail("joint \"" + std::string(kJointNames[i]) + "\" has no usable direction");
+        turn[i] = glm::normalize(glm::quatLookAt(glm::normalize(ahead), up[i]));
+    }
     for (int i = 0; i < kJointCount; ++i) {
         const int parent = kJointParent[i];
         if (parent < 0) {

@@ -9,6 +9,11 @@
 
 namespace shoal::hands {
 
+constexpr bool isTip(int joint) {
+    const int finger = fingerOfJoint(joint);
+    return finger >= 0 && kFingerJoints[finger].tip == joint;
+}
+
 struct HandShape {
     std::array<float, kFingerCount> curl{}; // per hands::Finger: 0 straight to 1 bent into a fist
     float spread = 0;                       // -1 fingers together, 0 as at rest, 1 fanned

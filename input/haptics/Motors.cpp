@@ -16,8 +16,6 @@ void add(Motors& motors, const Actuation& actuation) {
     motors.weak = std::max(motors.weak, actuation.amplitude * quick);
 }
 
-Actuation stronger(const Actuation& a, const Actuation& b) { return b.amplitude > a.amplitude ? b : a; }
-
 } // namespace
 
 Motors motorsOf(std::span<const Actuation> actuations) {

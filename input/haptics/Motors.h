@@ -21,6 +21,10 @@ Motors motorsOf(const HapticFrame& frame); // of everything, the body too
 // A hand's six actuators.
 std::span<const Actuation> handOf(const HapticFrame& frame, int hand);
 
+inline Actuation stronger(const Actuation& a, const Actuation& b) {
+    return b.amplitude > a.amplitude ? b : a;
+}
+
 // The strongest with a frequency of min_Hz or above and below limit_Hz; amplitude 0 if there is none.
 Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz = 0,
                       float limit_Hz = std::numeric_limits<float>::infinity());

@@ -36,7 +36,8 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
                 for (const CreatureView& c : now.creatures) {
                     const glm::vec3 p = c.position;
                     const float distance = glm::length(p);
-                    if (files->species[c.species].shark || c.motion != Motion::Swim || p.z > -0.3f) continue;
+                    if (files->species[c.species].shark || c.gait.motion != Motion::Swim || p.z > -0.3f)
+                        continue;
                     if (std::fabs(p.x) > -0.8f * tanX * p.z || std::fabs(p.y) > -0.8f * tanY * p.z) continue;
                     if (distance < best && distance < 1.4f) best = distance, target = static_cast<int>(c.id);
                 }

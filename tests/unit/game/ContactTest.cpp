@@ -524,8 +524,8 @@ TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
             glm::vec3 goal = kPlace;
             float best = 10;
             for (const CreatureView& c : now.creatures)
-                if ((c.position.x > 0) == (h == 1) && c.position.z < -0.3f && c.motion != Motion::Cruise &&
-                    glm::length(c.position) < best)
+                if ((c.position.x > 0) == (h == 1) && c.position.z < -0.3f &&
+                    c.gait.motion != Motion::Cruise && glm::length(c.position) < best)
                     best = glm::length(c.position), goal = c.position;
             const glm::vec3 at = hands::graspCentre(now.hands[h].joints);
             const glm::vec3 to = now.hands[h].visible ? at + 0.04f * (goal - at) : kPlace;

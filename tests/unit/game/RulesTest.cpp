@@ -31,7 +31,7 @@ TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     one.world.snapshot(now);
     EXPECT_EQ(now.hands[1].holds, 0);
     EXPECT_EQ(now.creatures[0].heldBy, 1);
-    EXPECT_EQ(now.creatures[0].motion, Motion::Struggle);
+    EXPECT_EQ(now.creatures[0].gait.motion, Motion::Struggle);
 
     const uint64_t grabbed = one.tickOfFirst<EventKind::Grab>();
     while (one.world.state().totalTicks < grabbed + 119) one.step();
