@@ -9,7 +9,7 @@
 #include "game/session/HeadsetPause.h"
 #include "game/ui/PanelPlacement.h"
 #include "input/hands/HandRig.h"
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "game/feedback/HapticFeedback.h"
 
 #include "game/feedback/EventTable.h"
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <algorithm>
 #include <cmath>

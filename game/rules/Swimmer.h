@@ -5,8 +5,8 @@
 
 #include "engine/physics/Capsule.h"
 #include "engine/sim/FixedStep.h"
+#include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
-#include "game/rules/Species.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>

@@ -77,8 +77,7 @@ TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& op
     : asked_(source.kind != HandSourceKind::Auto),
       tracker_(source.kind == HandSourceKind::Webcam
                    ? hands::makeWebcamTracker(webcamFrom(source.argument, live), rig)
-                   : hands::makeLeapTracker(
-                         {options.leapHost, options.leapPort, options.leapMount == LeapMount::Head}, rig)),
+                   : hands::makeLeapTracker(options.leap, rig)),
       hands_(live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps) {}
 
 void TrackedHands::announce() {

@@ -6,7 +6,7 @@
 #include "game/feedback/HapticFeedback.h"
 #include "game/feedback/SoundCues.h"
 #include "game/settings/PlayOptions.h"
-#include "input/haptics/HapticOutput.h"
+#include "input/haptics/HapticDevices.h"
 
 #include <optional>
 

@@ -4,6 +4,7 @@
 #include "engine/core/EnumNames.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/render/View.h"
+#include "input/hands/HandTracker.h"
 
 #include <array>
 
@@ -24,7 +25,6 @@ enum class QualityControl { Auto, Fixed };
 enum class WaterChoice { Auto, On, Off };
 enum class ShadowChoice { On, Off };
 enum class Skin { Light, Medium, Dark, Glove };
-enum class LeapMount { Desk, Head };
 enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
 enum class Background { Environment, None };
 enum class LightFormat { Pfm, Exr, Hdr };
@@ -65,7 +65,7 @@ template <> struct EnumNames<app::Skin> { // variants of the hands' models
 template <> struct EnumNames<app::HandSourceKind> {
     static constexpr std::array kNames = {"auto", "mouse", "leap", "webcam", "openxr", "script", "replay"};
 };
-template <> struct EnumNames<app::LeapMount> { static constexpr std::array kNames = {"desk", "head"}; };
+template <> struct EnumNames<hands::LeapMount> { static constexpr std::array kNames = {"desk", "head"}; };
 template <> struct EnumNames<app::Background> { static constexpr std::array kNames = {"env", "none"}; };
 template <> struct EnumNames<app::LightFormat> { // also the files' extensions
     static constexpr std::array kNames = {"pfm", "exr", "hdr"};

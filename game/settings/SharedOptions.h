@@ -94,9 +94,7 @@ struct HandSourceChoice {
 
 struct HandOptions {
     std::string source; // "KIND" or "KIND:ARGUMENT"; empty: auto in a window, else mouse
-    std::string leapHost = "127.0.0.1";
-    uint16_t leapPort = 6437;
-    LeapMount leapMount = LeapMount::Desk;
+    hands::LeapOptions leap;
 
     void addTo(SettingsTable& table) {
         table.category = Category::Hands;
@@ -109,12 +107,12 @@ struct HandOptions {
             .takes("SOURCE");
         addLeapTo(table);
         table.addKept(
-            "--leap-mount", choice(leapMount),
+            "--leap-mount", choice(leap.mount),
             "desk: the device lies on the desk and looks up; head: it is on a headset and looks ahead");
     }
     void addLeapTo(SettingsTable& table) { // where a tracking service listens, for `shoal devices` too
         table
-            .addKept("--leap", addressSetting(leapHost, leapPort),
+            .addKept("--leap", addressSetting(leap.host, leap.port),
                      "Where the Leap / Ultraleap tracking service listens; 127.0.0.1:6437 if not given")
             .takes("HOST:PORT");
     }

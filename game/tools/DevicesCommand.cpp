@@ -98,7 +98,7 @@ void listHandSources(const HandOptions& options) {
     std::printf("Hands\n  mouse: always\n");
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     if (!rig) return;
-    const auto leap = hands::makeLeapTracker({options.leapHost, options.leapPort, false}, *rig);
+    const auto leap = hands::makeLeapTracker(options.leap, *rig);
     hands::HandFrame frame;
     leap->stream().take(frame, std::chrono::milliseconds(500)); // a service that is there answers at once
     const hands::DeviceState state = leap->stream().state();

@@ -8,8 +8,8 @@
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Spine.h"
 #include "engine/scene/Surface.h"
+#include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
-#include "game/rules/Species.h"
 
 #include <array>
 #include <optional>

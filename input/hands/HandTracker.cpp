@@ -7,32 +7,26 @@ namespace shoal::hands {
 HandStream::HandStream(size_t capacity, Full full) : capacity_(capacity), full_(full) {}
 
 void HandStream::push(const HandFrame& frame) {
-    {
-        std::unique_lock lock(mutex_);
-        if (full_ == Full::Wait) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
-        if (frames_.size() >= capacity_) frames_.pop_front();
-        frames_.push_back(frame);
-    }
+    std::unique_lock lock(mutex_);
+    if (full_ == Full::Wait) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
+    if (frames_.size() >= capacity_) frames_.pop_front();
+    frames_.push_back(frame);
     changed_.notify_all();
 }
 
 bool HandStream::take(HandFrame& out, std::chrono::milliseconds patience) {
-    {
-        std::unique_lock lock(mutex_);
-        changed_.wait_for(lock, patience, [&] { return closed_ || !frames_.empty(); });
-        if (frames_.empty()) return false;
-        out = frames_.front();
-        frames_.pop_front();
-    }
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience, [&] { return closed_ || !frames_.empty(); });
+    if (frames_.empty()) return false;
+    out = frames_.front();
+    frames_.pop_front();
     changed_.notify_all();
     return true;
 }
 
 void HandStream::close() {
-    {
-        const std::lock_guard lock(mutex_);
-        closed_ = true;
-    }
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
     changed_.notify_all();
 }
 

@@ -73,10 +73,11 @@ class HandTracker {
 };
 
 // The service of Leap / Ultraleap, over its WebSocket: no library of theirs is needed.
+enum class LeapMount { Desk, Head };
 struct LeapOptions {
     std::string host = "127.0.0.1";
     uint16_t port = 6437;
-    bool onHeadset = false; // else on the desk: kHeadMount or kDeskMount
+    LeapMount mount = LeapMount::Desk;
 };
 
 // Its thread connects, and connects again whenever the service goes: at once if it was there a moment ago,

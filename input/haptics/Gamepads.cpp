@@ -1,6 +1,6 @@
 // Drivers of the common game controllers with two or four motors.
 #include "input/haptics/DeviceTable.h"
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <algorithm>
 #include <cmath>

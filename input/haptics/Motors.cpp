@@ -1,4 +1,4 @@
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "input/haptics/DeviceTable.h"
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <algorithm>
 #include <cmath>

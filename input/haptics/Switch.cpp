@@ -1,6 +1,6 @@
 // Driver of Nintendo's controllers: a voice coil in each hand that plays two tones at a time.
 #include "input/haptics/DeviceTable.h"
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -96,7 +96,7 @@ void LeapTracker::sendSettings() {
     greeted_ = true;
     tracks_.connected();
     unsent_ = {"{\"background\":true}"};
-    if (options_.onHeadset) unsent_.push_back("{\"optimizeHMD\":true}");
+    if (options_.mount == LeapMount::Head) unsent_.push_back("{\"optimizeHMD\":true}");
     unsent_.push_back("{\"focused\":true}");
     lws_callback_on_writable(socket_);
 }
@@ -187,7 +187,7 @@ void LeapTracker::run() {
 
 LeapTracker::LeapTracker(const LeapOptions& options, const HandRig& rig)
     : HandTracker("Leap Motion"), options_(options),
-      tracks_(rig, options.onHeadset ? kHeadMount : kDeskMount) {
+      tracks_(rig, options.mount == LeapMount::Head ? kHeadMount : kDeskMount) {
     static const lws_protocols protocols[] = {
         {"leap",
          [](lws* wsi, lws_callback_reasons reason, void*, void* in, size_t length) {

@@ -39,8 +39,8 @@ TEST_F(KeptFiles, SettingsComeBack) {
                     .hapticStrength = 0.5f,
                     .captions = false,
                     .snow = false};
-    set.hands.leapHost = "tracker";
-    set.hands.leapPort = 7000;
+    set.hands.leap.host = "tracker";
+    set.hands.leap.port = 7000;
     ASSERT_TRUE(saveSettings(settingsOf(set)));
     const PlayOptions settings = load();
     EXPECT_EQ(settings.volume, 0.25f);
@@ -53,8 +53,8 @@ TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(settings.stereo, StereoOutput::SideBySide);
     EXPECT_EQ(settings.compose, render::Composition::VideoTexels);
     EXPECT_EQ(settings.eyeDistance_mm, 61);
-    EXPECT_EQ(settings.hands.leapHost, "tracker");
-    EXPECT_EQ(settings.hands.leapPort, 7000);
+    EXPECT_EQ(settings.hands.leap.host, "tracker");
+    EXPECT_EQ(settings.hands.leap.port, 7000);
 }
 
 // What a command is given for one run only must not stay.
@@ -79,7 +79,7 @@ TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
     EXPECT_EQ(load().volume, PlayOptions().volume);
     EXPECT_TRUE(load().captions);
     EXPECT_EQ(load().skin, PlayOptions().skin);
-    EXPECT_EQ(load().hands.leapHost, PlayOptions().hands.leapHost);
+    EXPECT_EQ(load().hands.leap.host, PlayOptions().hands.leap.host);
     EXPECT_EQ(load().look.samples, 0);
     EXPECT_EQ(load().fov_deg, PlayOptions().fov_deg);
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json", "{\"volume\": "));

@@ -2,7 +2,7 @@
 // printed, not asserted: other programs share the machine.
 #include "engine/core/Files.h"
 #include "game/feedback/HapticFeedback.h"
-#include "input/haptics/HapticOutput.h"
+#include "input/haptics/HapticDevices.h"
 #include "tests/playthrough/Play.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include "engine/core/Files.h"
 #include "input/haptics/DeviceTable.h"
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The thread that writes.
 #include "FakeBus.h"
 
-#include "input/haptics/HapticOutput.h"
+#include "input/haptics/HapticDevices.h"
 
 #include <gtest/gtest.h>
 

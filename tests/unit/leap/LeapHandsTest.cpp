@@ -24,7 +24,9 @@ using tests::rig;
 using Tracker = std::unique_ptr<HandTracker>;
 
 Tracker connectTo(const Server& server, bool onHeadset = false) {
-    return makeLeapTracker({"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset}, rig());
+    return makeLeapTracker(
+        {"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset ? LeapMount::Head : LeapMount::Desk},
+        rig());
 }
 
 // The next frame; fails the test where none comes.
@@ -125,7 +127,7 @@ TEST(LeapHands, DeviceEventsAndTheServicesAbsenceAreSaid) {
         next(hands);
         EXPECT_FALSE(hands->stream().state().present) << "no device, no hands";
     }
-    EXPECT_FALSE(makeLeapTracker({"127.0.0.1", port, false}, rig())->stream().state().present);
+    EXPECT_FALSE(makeLeapTracker({"127.0.0.1", port}, rig())->stream().state().present);
 }
 
 TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {

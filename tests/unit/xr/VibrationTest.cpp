@@ -1,5 +1,5 @@
 // One motor a hand, told no more often than it needs.
-#include "input/haptics/Motors.h"
+#include "input/haptics/HapticFrame.h"
 
 #include <gtest/gtest.h>
 
