@@ -17,9 +17,10 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr float kGap = 1e-4f;     // of a ray's start from its surface, of the body's extent
-constexpr int kSweeps = 4;        // of fitting corners to samples: more would fit the noise of few rays
-constexpr int kSmoothings = 2;    // more would smooth away detail
+constexpr float kMeanBack = -2 / 3.0f; // of directions in a cosine-weighted hemisphere, along its normal
+constexpr float kGap = 1e-4f;          // of a ray's start from its surface, of the body's extent
+constexpr int kSweeps = 4;             // of fitting corners to samples: more would fit the noise of few rays
+constexpr int kSmoothings = 2;         // more would smooth away detail
 constexpr float kSeen = 0.1f;     // share of the hemisphere that must be free for a sample to count in full
 constexpr float kBuried = 0.03f;  // its weight where nothing is free: such places are never seen
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
@@ -151,8 +152,44 @@ class SelfOcclusionOf {
 
 } // namespace
 
-std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, std::span<const Occluder> own,
-                                          int rays) {
+AxisOcclusion withSelfOcclusion(AxisOcclusion hidden, const glm::vec3& normal,
+                                const glm::vec4& selfOcclusion) {
+    for (size_t k = 0; k < kAxisCount; ++k)
+        hidden[k] =
+            glm::clamp(hidden[k] + selfOcclusionAlong(selfOcclusion, axisAbove(normal, k)), 0.0f, 1.0f);
+    return hidden;
+}
+
+glm::vec4 occlusionMoments(const AxisOcclusion& hidden, const glm::vec3& normal) {
+    glm::vec4 sum(0);
+    float all = 0;
+    for (size_t k = 0; k < kAxisCount; ++k) {
+        const float along = glm::dot(normal, kAxes[k]);
+        all += std::abs(along);
+        sum += hidden[k] * glm::vec4(along * kAxes[k], std::abs(along));
+    }
+    return sum / all;
+}
+
+// What is amiss is added as if nothing were clamped, again and again. Across the normal the variance of a
+// cosine-weighted hemisphere is a quarter.
+glm::vec4 fitSelfOcclusion(const AxisOcclusion& hidden, const glm::vec3& normal, const glm::vec4& moments) {
+    constexpr int kSteps = 8;
+    constexpr float kMin = 0.05f; // of the hemisphere: less is as good as none
+    const float byOthers = std::min(occlusionMoments(hidden, normal).w / std::max(moments.w, kMin), 1.0f);
+    const glm::vec3 middle = -kMeanBack * normal;
+    glm::vec4 selfOcclusion(0);
+    for (int step = 0; step < kSteps; ++step) {
+        const glm::vec4 amiss =
+            moments - occlusionMoments(withSelfOcclusion(hidden, normal, selfOcclusion), normal);
+        glm::vec3 slope = 4.0f * (glm::vec3(amiss) - amiss.w * middle);
+        slope -= byOthers * byOthers * glm::dot(slope, normal) * normal;
+        selfOcclusion += glm::vec4(slope, amiss.w - glm::dot(slope, middle));
+    }
+    return selfOcclusion;
+}
+
+std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, int rays) {
     glm::vec3 low(INFINITY), high(-INFINITY);
     for (const glm::vec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
     const float gap = kGap * glm::distance(low, high);
@@ -168,15 +205,8 @@ std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, std::sp
     folding.smooth(selfOcclusion);
     std::vector<bool> used(selfOcclusion.size(), false);
     for (const uint32_t corner : body.indices) used[corner] = true;
-    for (size_t v = 0; v < selfOcclusion.size(); ++v) {
-        if (!used[v]) continue;
-        const glm::vec3 &p = body.positions[v], &normal = body.normals[v];
-        selfOcclusion[v] = fitSelfOcclusion({}, normal, selfOcclusion[v]);
-        if (own.empty()) continue;
-        // Few rays may ask for what nothing hides; what is there to be completed must not add to it.
-        const glm::vec4 moments = occlusionMoments(withSelfOcclusion({}, normal, selfOcclusion[v]), normal);
-        selfOcclusion[v] = fitSelfOcclusion(axisOcclusion(p, normal, own), normal, moments);
-    }
+    for (size_t v = 0; v < selfOcclusion.size(); ++v)
+        if (used[v]) selfOcclusion[v] = fitSelfOcclusion({}, body.normals[v], selfOcclusion[v]);
     return selfOcclusion;
 }
 

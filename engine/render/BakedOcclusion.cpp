@@ -87,13 +87,16 @@ std::vector<glm::vec4> selfOcclusionFrom(const json& list) {
 
 } // namespace
 
-void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays,
-                       std::vector<glm::vec4> scene::Primitive::*kept,
-                       std::span<const occlusion::Occluder> own) {
+void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays) {
     const scene::Surface surface = scene::posedSurface(model, pose);
     const std::vector<uint32_t> solid = scene::opaqueTriangles(model, surface);
-    const auto selfOcclusion =
-        occlusion::traceSelfOcclusion({surface.positions, surface.normals, solid}, own, rays);
+    keepSelfOcclusion(model, pose,
+                      occlusion::traceSelfOcclusion({surface.positions, surface.normals, solid}, rays),
+                      &scene::Primitive::selfOcclusion);
+}
+
+void keepSelfOcclusion(scene::Model& model, const scene::Pose& pose, std::span<const glm::vec4> traced,
+                       std::vector<glm::vec4> scene::Primitive::*kept) {
     std::vector<glm::mat4> joints;
     size_t next = 0; // in the surface's order
     for (const int index : model.order) {
@@ -117,7 +120,7 @@ void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays,
                     for (int k = 0; k < 4; ++k)
                         modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
                 }
-                (primitive.*kept)[v] = turned(glm::inverse(glm::mat3(modelFromMesh)), selfOcclusion[next]);
+                (primitive.*kept)[v] = turned(glm::inverse(glm::mat3(modelFromMesh)), traced[next]);
             }
         }
     }
@@ -166,12 +169,13 @@ Result<BakedOcclusion> readBakedOcclusion(const Path& file) {
 }
 
 bool applyBakedOcclusion(const BakedOcclusion& baked, scene::Model& model) {
-    size_t vertices = 0;
-    eachPrimitive(model, [&](const scene::Primitive& primitive) { vertices += primitive.positions.size(); });
-    if (baked.selfOcclusion.size() != vertices || baked.besideOwn.size() != vertices) return false;
     for (const occlusion::BodyPart& part : baked.parts)
         if (part.joint >= model.nodes.size()) return false;
     if (baked.skin != skinHash(model)) return false;
+    if (baked.selfOcclusion.empty() && baked.besideOwn.empty()) return true;
+    size_t vertices = 0;
+    eachPrimitive(model, [&](const scene::Primitive& primitive) { vertices += primitive.positions.size(); });
+    if (baked.selfOcclusion.size() != vertices || baked.besideOwn.size() != vertices) return false;
     size_t next = 0;
     eachPrimitive(model, [&](scene::Primitive& primitive) {
         const auto from = static_cast<std::ptrdiff_t>(next);

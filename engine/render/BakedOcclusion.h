@@ -1,10 +1,9 @@
 // What a body hides of light, found once with more rays and a better fit than loading has time for, and kept
-// in a file beside its model.
+// in a file beside its model. content/make/models/make_occlusion makes these files.
 #pragma once
 
 #include "engine/core/Files.h"
-#include "engine/occlusion/EllipsoidOcclusion.h"
-#include "engine/occlusion/FitEllipsoids.h"
+#include "engine/occlusion/Ellipsoid.h"
 #include "engine/scene/Model.h"
 
 #include <span>
@@ -16,8 +15,9 @@ namespace shoal::render {
 struct BakedOcclusion {
     uint64_t skin = 0;                      // skinHash() of the model that it is of
     std::vector<occlusion::BodyPart> parts; // model frame, at rest; joint: the node that carries it
-    std::vector<glm::vec4> selfOcclusion,
-        besideOwn; // Primitive::self-occlusion and selfOcclusionBesideOwn, in the model's order
+    // Primitive::selfOcclusion and selfOcclusionBesideOwn, in the model's order. Both are empty for a body
+    // that is to be traced when it is loaded.
+    std::vector<glm::vec4> selfOcclusion, besideOwn;
 };
 
 // Of all that the self-occlusion and ellipsoids of a model come from, as its file has it.
@@ -33,16 +33,19 @@ constexpr int kMaxSelfOcclusionSteps = 2000; // either way: what is hidden is wh
 Result<BakedOcclusion> parseBakedOcclusion(std::string_view text);
 Result<BakedOcclusion> readBakedOcclusion(const Path& file);
 
-// Gives the model its self-occlusion. False, and nothing changed, if the baked is another model's.
+// Gives the model its self-occlusion, where there is any. False, and nothing changed, if the baked is another
+// model's.
 bool applyBakedOcclusion(const BakedOcclusion& baked, scene::Model& model);
 
-// Fills a self-occlusion of every mesh by rays from its surface, as it hides itself in this pose; it goes
-// with the joints that move it. What is blended neither hides nor takes. Meshes hung up more than once keep
-// what the last place says. Not where a material brings a map of its occlusion. rays: from each of three
-// points in a triangle. kept: by default in the rest pose; selfOcclusionBesideOwn takes its place once the
-// body's own parts count in full (BodyOccluders.h), so is of a pose so bent, and beside those parts.
-void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays,
-                       std::vector<glm::vec4> scene::Primitive::*kept = &scene::Primitive::selfOcclusion,
-                       std::span<const occlusion::Occluder> own = {});
+// Fills the selfOcclusion of every mesh by rays from its surface, as it hides itself in this pose; it goes
+// with the joints that move it. What is blended neither hides nor takes. rays: from each of three points in a
+// triangle.
+void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays);
+
+// Keeps what was traced on the model's surface in this pose. Meshes hung up more than once keep what the last
+// place says. Not where a material brings a map of its occlusion. kept: selfOcclusionBesideOwn takes the
+// place of selfOcclusion once the body's own parts count in full (BodyOccluders.h).
+void keepSelfOcclusion(scene::Model& model, const scene::Pose& pose, std::span<const glm::vec4> traced,
+                       std::vector<glm::vec4> scene::Primitive::*kept);
 
 } // namespace shoal::render

@@ -115,15 +115,6 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
     return {packed_, ownCount, self.ownStrength};
 }
 
-BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
-                                size_t maximum) {
-    const scene::Surface surface = scene::posedSurface(model, rest);
-    return makeBodyOccluders(
-        model, rest,
-        occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf}, parts, maximum),
-        parts == occlusion::Parts::ByJoint);
-}
-
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
                                 std::span<const occlusion::BodyPart> parts, bool onItself) {
     BodyOccluders body;

@@ -1,8 +1,7 @@
 // The one approximate body of a model: ellipsoids attached to its joints. Occlusion and shadows come from it.
 #pragma once
 
-#include "engine/occlusion/EllipsoidOcclusion.h"
-#include "engine/occlusion/FitEllipsoids.h"
+#include "engine/occlusion/Ellipsoid.h"
 #include "engine/scene/Model.h"
 
 #include <glm/vec4.hpp>
@@ -24,10 +23,8 @@ struct BodyOccluders {
     float length = 0;      // of all of it at rest, from centre to centre
 };
 
-// The model's meshes and pictures must still be there.
-BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest, occlusion::Parts parts,
-                                size_t maximum);
-// Of parts that are known: model frame, at rest; joint: the node that carries it.
+// parts: model frame, at rest; joint: the node that carries it. The model's meshes and pictures must still be
+// there.
 BodyOccluders makeBodyOccluders(const scene::Model& model, const scene::Pose& rest,
                                 std::span<const occlusion::BodyPart> parts, bool onItself);
 

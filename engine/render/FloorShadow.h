@@ -17,7 +17,7 @@
 // (root mean square) in half a second.
 #pragma once
 
-#include "engine/occlusion/FitEllipsoids.h"
+#include "engine/occlusion/Ellipsoid.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -1,5 +1,6 @@
 #include "game/views/CreatureModels.h"
 
+#include "engine/core/Log.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Surface.h"
 
@@ -16,8 +17,7 @@ namespace {
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
 constexpr float kMinSwing =
     0.01f; // of the tail in an animation, body lengths: below, there is no wave to scale
-constexpr size_t kBodyParts = 4, kHunterParts = 12, kHandParts = 20; // maximum number of ellipsoids
-constexpr float kMaxScale = 2.5f;                                    // of the wave: more would fold the body
+constexpr float kMaxScale = 2.5f; // of the wave: more would fold the body
 
 // The clip's time for this phase: clips loop.
 float clipTime(const scene::Animation& clip, float phase_s) {
@@ -32,18 +32,10 @@ void placeJoints(std::span<const hands::Joint> joints, std::span<const int> node
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
-} // namespace
-
-// Ellipsoids, and self-occlusion in the rest pose; of what bites with its mouth open, whose inside must not
-// glow.
-void CreatureModels::makeOcclusion(occlusion::Parts parts, ModelInstance& instance) {
+// Self-occlusion in the rest pose; of what bites with its mouth open, whose inside must not glow.
+void traceSelfOcclusion(scene::Model& model) {
     constexpr int kRays = 6; // per point
-    scene::Model& model = instance.model;
     const int bite = model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
-    const size_t maxParts = parts == occlusion::Parts::ByJoint ? kHandParts
-                            : bite < 0                         ? kBodyParts
-                                                               : kHunterParts;
-    instance.body = render::makeBodyOccluders(model, instance.pose, parts, maxParts);
     scene::Pose pose;
     scene::restPose(model, pose);
     if (bite >= 0)
@@ -51,6 +43,16 @@ void CreatureModels::makeOcclusion(occlusion::Parts parts, ModelInstance& instan
     scene::updateGlobals(model, pose);
     render::bakeSelfOcclusion(model, pose, kRays);
 }
+
+// For a model without a file of its own ellipsoids: one that fills its bounds.
+std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const scene::Bounds& bounds) {
+    if (model.order.empty()) return {};
+    return {{{0.5f * (bounds.low + bounds.high), glm::mat3(1),
+              glm::max(0.5f * (bounds.high - bounds.low), glm::vec3(1e-4f))},
+             static_cast<uint16_t>(model.order[0])}};
+}
+
+} // namespace
 
 Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRequest& request,
                                                                    render::Reflectance reflectance) {
@@ -67,15 +69,18 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     }
     scene::restPose(instance.model, instance.pose);
     scene::updateGlobals(instance.model, instance.pose);
-    const auto baked = render::readBakedOcclusion(render::bakedOcclusionBeside(request.file));
-    if (baked && render::applyBakedOcclusion(*baked, instance.model))
-        instance.body =
-            render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.side.has_value());
-    else
-        makeOcclusion(request.side ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape, instance);
+    const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
+    auto baked = render::readBakedOcclusion(render::bakedOcclusionBeside(request.file));
+    if (!baked || !render::applyBakedOcclusion(*baked, instance.model)) {
+        log::warn("{}: no ellipsoids are made for it; content/make/models/make_occlusion makes them",
+                  request.file.string());
+        baked = render::BakedOcclusion{.parts = ellipsoidOf(instance.model, bounds)};
+    }
+    if (baked->selfOcclusion.empty()) traceSelfOcclusion(instance.model);
+    instance.body =
+        render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.side.has_value());
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
-    const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
     instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
     instance.boundingSpheres = scene::boundingSpheresOf(instance.model, instance.pose);
     instance.spine = scene::findSpine(instance.model, instance.length_m, bounds.low.z);

@@ -51,7 +51,6 @@ class CreatureModels {
     };
     // On any thread; lacks what upload() makes.
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
-    static void makeOcclusion(occlusion::Parts parts, ModelInstance& instance); // where no file has it
     void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
 
     float minRoughness_ = 1;

@@ -1,5 +1,5 @@
 // Diffuse and glossy light that ellipsoids block at a surface point, and the light that they reflect back. Twin of
-// engine/occlusion/EllipsoidOcclusion.h, which has the derivation. All in the light's frame. OpenGL 3.3.
+// content/make/models/occlusion/Silhouettes.h, which has the derivation. All in the light's frame. OpenGL 3.3.
 #define AXIS_ROWS 6
 layout(std140) uniform OccluderBlock {
     // Each: centre, strength; the diagonal of the matrix that makes it a sphere, squared, and the product of its semi-axes;

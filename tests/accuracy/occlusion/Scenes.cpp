@@ -17,7 +17,6 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kFishParts = 4, kSharkParts = 12; // as the game has them
 constexpr int kSelfOcclusionRays = 6;
 
 Path content() { return tests::sourceFolder() / "content"; }
@@ -44,22 +43,27 @@ ModelInstance load(const std::string& name) {
     return instance;
 }
 
-ModelInstance loadAnimal(const std::string& name, size_t parts) {
+// Of the model's file.
+render::BakedOcclusion bakedOf(const std::string& name) {
+    const auto baked = render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json"));
+    if (!baked) throw std::runtime_error(baked.error().message());
+    return *baked;
+}
+
+ModelInstance loadAnimal(const std::string& name) {
     ModelInstance instance = load(name);
-    instance.body =
-        render::makeBodyOccluders(instance.model, instance.pose, occlusion::Parts::ByShape, parts);
+    instance.body = render::makeBodyOccluders(instance.model, instance.pose, bakedOf(name).parts, false);
     const scene::Surface surface = scene::posedSurface(instance.model, instance.rest);
     instance.selfOcclusion = occlusion::traceSelfOcclusion(
-        {surface.positions, surface.normals, surface.indices}, {}, kSelfOcclusionRays);
+        {surface.positions, surface.normals, surface.indices}, kSelfOcclusionRays);
     return instance;
 }
 
 ModelInstance loadHand(const std::string& name) {
     ModelInstance instance = load(name);
-    const auto shade = render::readBakedOcclusion(content() / "models" / (name + ".occlusion.json"));
-    if (!shade) throw std::runtime_error(shade.error().message());
-    instance.body = render::makeBodyOccluders(instance.model, instance.pose, shade->parts, true);
-    instance.selfOcclusion = shade->besideOwn;
+    const render::BakedOcclusion baked = bakedOf(name);
+    instance.body = render::makeBodyOccluders(instance.model, instance.pose, baked.parts, true);
+    instance.selfOcclusion = baked.besideOwn;
     return instance;
 }
 
@@ -94,7 +98,7 @@ SceneBody place(const ModelInstance& instance, const glm::mat4& worldFromModel) 
 
 struct ClosingHand::ModelInstances {
     ModelInstance hand = loadHand("hand_right");
-    ModelInstance fish = loadAnimal("clownfish", kFishParts);
+    ModelInstance fish = loadAnimal("clownfish");
     hands::HandRig rig;
 };
 
@@ -129,8 +133,8 @@ OcclusionScene handBySelf(float curl) {
 }
 
 OcclusionScene sharkAboveShoal() {
-    const ModelInstance shark = loadAnimal("shark", kSharkParts);
-    const ModelInstance fish = loadAnimal("sardine", kFishParts);
+    const ModelInstance shark = loadAnimal("shark");
+    const ModelInstance fish = loadAnimal("sardine");
     OcclusionScene scene{"shark above a shoal", {place(shark, glm::mat4(1))}, {}};
     for (int i = 0; i < 8; ++i) {
         const auto k = static_cast<float>(i);

@@ -1,8 +1,8 @@
 // Bodies near each other, as the game has them, and the light of its own environment.
 #pragma once
 
+#include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/core/Image.h"
-#include "engine/occlusion/EllipsoidOcclusion.h"
 #include "engine/render/BodyOccluders.h"
 #include "engine/scene/Surface.h"
 

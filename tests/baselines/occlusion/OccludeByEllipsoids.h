@@ -2,7 +2,7 @@
 // the processor: twin of shaders/occlusion/Bodies.glsl, and the reference that it is tested against.
 #pragma once
 
-#include "engine/occlusion/EllipsoidOcclusion.h"
+#include "content/make/models/occlusion/Silhouettes.h"
 
 namespace shoal::occlusion {
 

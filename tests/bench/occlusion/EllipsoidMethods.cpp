@@ -26,7 +26,7 @@ struct State {
 std::vector<glm::vec4> selfOcclusionOf(const Mesh& mesh) {
     std::vector<uint32_t> indices;
     for (const glm::uvec3& t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
-    return occlusion::traceSelfOcclusion({mesh.positions, mesh.normals, indices}, {}, kRays);
+    return occlusion::traceSelfOcclusion({mesh.positions, mesh.normals, indices}, kRays);
 }
 
 // As the skin turns each vertex, without its scale.

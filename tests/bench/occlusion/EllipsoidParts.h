@@ -1,8 +1,8 @@
 // The ellipsoids that the game gives bodies.
 #pragma once
 
-#include "engine/occlusion/EllipsoidOcclusion.h"
-#include "engine/occlusion/FitEllipsoids.h"
+#include "content/make/models/occlusion/FitEllipsoids.h"
+#include "content/make/models/occlusion/Silhouettes.h"
 #include "tests/bench/occlusion/Scene.h"
 
 namespace shoal::bench {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/occlusion/FitEllipsoids.h"
+#include "engine/occlusion/Ellipsoid.h"
 #include "tests/bench/occlusion/Mesh.h"
 #include "tests/bench/occlusion/Rays.h"
 

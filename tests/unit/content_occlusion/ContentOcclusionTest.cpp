@@ -1,10 +1,12 @@
-// The hands' baked occlusion is of the hands that it stands beside, and what is not is refused.
+// Baked occlusion is of the models that it stands beside, and what is not is refused.
 #include "content/make/models/occlusion/HandOcclusion.h"
+#include "engine/scene/LoadModel.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace shoal::render {
 namespace {
@@ -67,6 +69,27 @@ TEST_P(EachHandOcclusion, OfAnotherModelIsRefusedAndChangesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Both, EachHandOcclusion, testing::Values(Side::Left, Side::Right),
                          [](const auto& side) { return side.param == Side::Left ? "left" : "right"; });
+
+// Of every creature. But for rounding, another compiler's too.
+TEST(CreatureOcclusion, IsOfTheModelBesideItAndWhatItsMakerMakes) {
+    int compared = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(models())) {
+        const Path& file = entry.path();
+        if (file.extension() != ".glb" || file.stem().string().starts_with("hand_")) continue;
+        auto model = scene::loadModel(file);
+        const auto baked = readBakedOcclusion(bakedOcclusionBeside(file)), again = make::fitCreature(file);
+        ASSERT_TRUE(model.ok() && baked.ok() && again.ok()) << file;
+        EXPECT_TRUE(applyBakedOcclusion(*baked, *model)) << file;
+        ASSERT_EQ(baked->parts.size(), again->parts.size()) << file;
+        for (size_t k = 0; k < baked->parts.size(); ++k, ++compared) {
+            const occlusion::Ellipsoid &a = baked->parts[k].atRest, &b = again->parts[k].atRest;
+            EXPECT_EQ(baked->parts[k].joint, again->parts[k].joint) << file;
+            EXPECT_LT(glm::distance(a.centre, b.centre), 1e-4f) << file;
+            EXPECT_LT(glm::distance(a.semiAxes, b.semiAxes), 1e-4f) << file;
+        }
+    }
+    EXPECT_GE(compared, 8 * 4);
+}
 
 TEST(HandOcclusion, OfOneHandMirrorsTheOthers) {
     const auto left = readBakedOcclusion(models() / "hand_left.occlusion.json"),

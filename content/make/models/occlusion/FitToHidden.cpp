@@ -1,9 +1,9 @@
 #include "content/make/models/occlusion/FitToHidden.h"
 
+#include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/core/Random.h"
 #include "engine/occlusion/Bvh.h"
 #include "engine/occlusion/Directions.h"
-#include "engine/occlusion/EllipsoidOcclusion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

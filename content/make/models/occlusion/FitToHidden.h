@@ -1,7 +1,7 @@
 // Ellipsoids on joints, moved and shaped until they hide what a skin hides, seen from around it.
 #pragma once
 
-#include "engine/occlusion/FitEllipsoids.h"
+#include "content/make/models/occlusion/FitEllipsoids.h"
 #include "engine/occlusion/SmoothLight.h"
 #include "engine/scene/Surface.h"
 

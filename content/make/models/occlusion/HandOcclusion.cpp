@@ -1,6 +1,7 @@
 #include "content/make/models/occlusion/HandOcclusion.h"
 
 #include "content/make/models/occlusion/FitToHidden.h"
+#include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/render/BodyOccluders.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Surface.h"
@@ -17,8 +18,8 @@ namespace shoal::make {
 namespace {
 
 constexpr int kBakeRays = 192; // from each of three points in a triangle
-constexpr size_t kParts = 20;
-constexpr int kPlaces = 4000; // around each pose
+constexpr size_t kParts = 20, kCreatureParts = 4, kHunterParts = 12; // maximum number of ellipsoids
+constexpr int kPlaces = 4000;                                        // around each pose
 // As most of what a hand's own parts count for is; and nearly a fist.
 const hands::HandShape kHalf{{0.45f, 0.45f, 0.45f, 0.45f, 0.45f}, 0},
     kClosed{{0.65f, 0.75f, 0.75f, 0.75f, 0.75f}, 0};
@@ -102,7 +103,12 @@ render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::B
     for (const auto& part : render::makeBodyOccluders(hand.model, hand.rest, parts, true).parts)
         own.push_back({placed(part, half, glm::mat4(1)), 1, {}});
     render::bakeSelfOcclusion(hand.model, hand.rest, kBakeRays);
-    render::bakeSelfOcclusion(hand.model, half, kBakeRays, &scene::Primitive::selfOcclusionBesideOwn, own);
+    const scene::Surface surface = scene::posedSurface(hand.model, half);
+    const std::vector<uint32_t> opaque = scene::opaqueTriangles(hand.model, surface);
+    const occlusion::SelfOccludingMesh skin{surface.positions, surface.normals, opaque};
+    std::vector<glm::vec4> traced = occlusion::traceSelfOcclusion(skin, kBakeRays);
+    occlusion::completeOwn(skin, own, traced);
+    render::keepSelfOcclusion(hand.model, half, traced, &scene::Primitive::selfOcclusionBesideOwn);
     render::BakedOcclusion baked{render::skinHash(hand.model), parts, {}, {}};
     for (const int index : hand.model.order) {
         const int mesh = hand.model.nodes[static_cast<size_t>(index)].mesh;
@@ -115,6 +121,21 @@ render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::B
         }
     }
     return baked;
+}
+
+Result<render::BakedOcclusion> fitCreature(const Path& file) {
+    const auto model = scene::loadModel(file);
+    if (!model) return model.error();
+    scene::Pose rest;
+    scene::restPose(*model, rest);
+    const scene::Surface surface = scene::posedSurface(*model, rest);
+    const size_t maximum = model->findAnimation("bite") < 0 ? kCreatureParts : kHunterParts;
+    return render::BakedOcclusion{
+        render::skinHash(*model),
+        occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf},
+                                 occlusion::Parts::ByShape, maximum),
+        {},
+        {}};
 }
 
 std::string written(const render::BakedOcclusion& baked) {

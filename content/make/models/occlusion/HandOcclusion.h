@@ -1,4 +1,4 @@
-// The shade of the game's own hands (engine/render/BakedOcclusion.h).
+// What the game's own creatures and hands hide of light (engine/render/BakedOcclusion.h).
 #pragma once
 
 #include "engine/render/BakedOcclusion.h"
@@ -29,6 +29,9 @@ std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts
 
 // TraceSelfOcclusion at rest, and half closed beside these ellipsoids. Seconds.
 render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts);
+
+// The ellipsoids of a creature that bends softly; its self-occlusion is traced when it is loaded.
+Result<render::BakedOcclusion> fitCreature(const Path& model);
 
 // As its file holds it; self-occlusion to 1 / kSelfOcclusionSteps.
 std::string written(const render::BakedOcclusion& baked);

@@ -1,24 +1,51 @@
-// Makes content/models/hand_*.occlusion.json: make_occlusion MODELS. Same program, same bytes.
+// Makes content/models/*.occlusion.json: make_occlusion MODELS. Same program, same bytes.
 #include "content/make/models/occlusion/HandOcclusion.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
-int main(int count, char** arguments) {
-    using namespace shoal;
-    if (count != 2) return std::fputs("make_occlusion FOLDER: of the hands' models\n", stderr), 2;
+namespace {
+
+using namespace shoal;
+
+Status write(const Path& model, const render::BakedOcclusion& baked) {
+    const std::string text = make::written(baked);
+    const Path file = render::bakedOcclusionBeside(model);
+    std::printf("%s: %zu ellipsoids, %.1f kB\n", file.filename().c_str(), baked.parts.size(),
+                static_cast<double>(text.size()) / 1e3);
+    std::fflush(stdout);
+    return writeFileWhole(file, text);
+}
+
+Status makeAll(const Path& models) {
+    std::vector<Path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(models))
+        if (entry.path().extension() == ".glb") files.push_back(entry.path());
+    std::ranges::sort(files);
+    for (const Path& file : files) {
+        if (file.stem().string().starts_with("hand_")) continue;
+        const auto baked = make::fitCreature(file);
+        if (!baked) return baked.error();
+        if (Status kept = write(file, *baked); !kept) return kept;
+    }
     std::vector<occlusion::BodyPart> parts;
     for (const hands::Side side : {hands::Side::Right, hands::Side::Left}) {
-        const char* name = side == hands::Side::Left ? "hand_left" : "hand_right";
-        auto hand = make::loadHand(arguments[1], side);
-        if (!hand) return std::fprintf(stderr, "%s\n", hand.error().message().c_str()), 1;
-        std::printf("%s: ellipsoids\n", name), std::fflush(stdout);
+        auto hand = make::loadHand(models, side);
+        if (!hand) return hand.error();
         parts = parts.empty() ? make::fitHand(*hand) : make::mirrored(parts);
-        std::printf("%s: self-occlusion\n", name), std::fflush(stdout);
-        const std::string text = make::written(make::selfOccludeHand(std::move(*hand), parts));
-        const Path file = render::bakedOcclusionBeside(Path(arguments[1]) / (std::string(name) + ".glb"));
-        if (const Status kept = writeFileWhole(file, text); !kept)
-            return std::fprintf(stderr, "%s\n", kept.error().message().c_str()), 1;
-        std::printf("%s: %zu ellipsoids, %.0f kB\n", file.filename().c_str(), parts.size(),
-                    static_cast<double>(text.size()) / 1e3);
+        const char* name = side == hands::Side::Left ? "hand_left.glb" : "hand_right.glb";
+        if (Status kept = write(models / name, make::selfOccludeHand(std::move(*hand), parts)); !kept)
+            return kept;
     }
+    return Done{};
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) return std::fputs("make_occlusion FOLDER: of the models\n", stderr), 2;
+    const Status made = makeAll(arguments[1]);
+    if (!made) std::fprintf(stderr, "%s\n", made.error().message().c_str());
+    return made ? 0 : 1;
 }

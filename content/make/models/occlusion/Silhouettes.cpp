@@ -1,4 +1,4 @@
-#include "engine/occlusion/EllipsoidOcclusion.h"
+#include "content/make/models/occlusion/Silhouettes.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,11 +12,6 @@ namespace {
 
 // Sine of the angle in which a cap has an end's share of the sphere.
 const float kCellSine = std::sqrt(1 - (1 - 1.0f / kAxisCount) * (1 - 1.0f / kAxisCount));
-constexpr float kMeanBack = -2 / 3.0f; // of directions in a cosine-weighted hemisphere, along its normal
-
-float sideOf(const glm::vec3& normal, size_t axis) {
-    return glm::dot(normal, kAxes[axis]) < 0 ? -1.0f : 1.0f;
-}
 
 } // namespace
 
@@ -46,8 +41,8 @@ float EllipsoidSilhouette::hides(const glm::vec3& direction, float sine, float s
 void addOcclusion(const EllipsoidSilhouette& silhouette, float strength, const glm::vec3& normal,
                   AxisOcclusion& hidden) {
     for (size_t k = 0; k < kAxisCount; ++k)
-        hidden[k] += (1 - hidden[k]) * strength *
-                     silhouette.hides(sideOf(normal, k) * kAxes[k], kCellSine, 0.5f / kAxisCount);
+        hidden[k] +=
+            (1 - hidden[k]) * strength * silhouette.hides(axisAbove(normal, k), kCellSine, 0.5f / kAxisCount);
 }
 
 AxisOcclusion axisOcclusion(const glm::vec3& p, const glm::vec3& normal,
@@ -58,41 +53,17 @@ AxisOcclusion axisOcclusion(const glm::vec3& p, const glm::vec3& normal,
     return hidden;
 }
 
-AxisOcclusion withSelfOcclusion(AxisOcclusion hidden, const glm::vec3& normal,
-                                const glm::vec4& selfOcclusion) {
-    for (size_t k = 0; k < kAxisCount; ++k)
-        hidden[k] = glm::clamp(hidden[k] + selfOcclusionAlong(selfOcclusion, sideOf(normal, k) * kAxes[k]),
-                               0.0f, 1.0f);
-    return hidden;
-}
-
-glm::vec4 occlusionMoments(const AxisOcclusion& hidden, const glm::vec3& normal) {
-    glm::vec4 sum(0);
-    float all = 0;
-    for (size_t k = 0; k < kAxisCount; ++k) {
-        const float along = glm::dot(normal, kAxes[k]);
-        all += std::abs(along);
-        sum += hidden[k] * glm::vec4(along * kAxes[k], std::abs(along));
+void completeOwn(const SelfOccludingMesh& mesh, std::span<const Occluder> own,
+                 std::span<glm::vec4> selfOcclusion) {
+    std::vector<bool> used(selfOcclusion.size(), false);
+    for (const uint32_t corner : mesh.indices) used[corner] = true;
+    for (size_t v = 0; v < selfOcclusion.size(); ++v) {
+        if (!used[v]) continue;
+        const glm::vec3& normal = mesh.normals[v];
+        // Few rays may ask for what nothing hides; what is there to be completed must not add to it.
+        const glm::vec4 moments = occlusionMoments(withSelfOcclusion({}, normal, selfOcclusion[v]), normal);
+        selfOcclusion[v] = fitSelfOcclusion(axisOcclusion(mesh.positions[v], normal, own), normal, moments);
     }
-    return sum / all;
-}
-
-// What is amiss is added as if nothing were clamped, again and again. Across the normal the variance of a
-// cosine-weighted hemisphere is a quarter.
-glm::vec4 fitSelfOcclusion(const AxisOcclusion& hidden, const glm::vec3& normal, const glm::vec4& moments) {
-    constexpr int kSteps = 8;
-    constexpr float kMin = 0.05f; // of the hemisphere: less is as good as none
-    const float byOthers = std::min(occlusionMoments(hidden, normal).w / std::max(moments.w, kMin), 1.0f);
-    const glm::vec3 middle = -kMeanBack * normal;
-    glm::vec4 selfOcclusion(0);
-    for (int step = 0; step < kSteps; ++step) {
-        const glm::vec4 amiss =
-            moments - occlusionMoments(withSelfOcclusion(hidden, normal, selfOcclusion), normal);
-        glm::vec3 slope = 4.0f * (glm::vec3(amiss) - amiss.w * middle);
-        slope -= byOthers * byOthers * glm::dot(slope, normal) * normal;
-        selfOcclusion += glm::vec4(slope, amiss.w - glm::dot(slope, middle));
-    }
-    return selfOcclusion;
 }
 
 } // namespace shoal::occlusion

@@ -1,6 +1,8 @@
-#include "engine/occlusion/FitEllipsoids.h"
+#include "content/make/models/occlusion/FitEllipsoids.h"
 
 #include "engine/occlusion/Bvh.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,10 @@
 // How much of the directions above a surface point ellipsoids hide: for a few axes, the same for all points
-// (SmoothLight.h). From these, what a body's baked self-occlusion has to add is worked out. The light itself
-// is taken in shaders/occlusion/Bodies.glsl. All in the light's frame.
+// (engine/occlusion/SmoothLight.h). From these, what a body's baked self-occlusion has to add is worked out.
+// The light itself is taken in shaders/occlusion/Bodies.glsl. All in the light's frame.
 #pragma once
 
-#include "engine/occlusion/FitEllipsoids.h"
-#include "engine/occlusion/SmoothLight.h"
-
-#include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
+#include "engine/occlusion/Ellipsoid.h"
+#include "engine/occlusion/TraceSelfOcclusion.h"
 
 #include <span>
 
@@ -39,28 +36,13 @@ class EllipsoidSilhouette {
     float edge_ = 0, width_ = 0, cap_ = 0;
 };
 
-// How much is hidden of that end of each axis that lies above a surface, 0 to 1. Where several ellipsoids
-// hide a direction in part, they do so as if they lay there at random.
-using AxisOcclusion = std::array<float, kAxisCount>;
+// Where several ellipsoids hide a direction in part, they do so as if they lay there at random.
 void addOcclusion(const EllipsoidSilhouette& silhouette, float strength, const glm::vec3& normal,
                   AxisOcclusion& hidden);
 AxisOcclusion axisOcclusion(const glm::vec3& p, const glm::vec3& normal, std::span<const Occluder> occluders);
 
-// Baked self-occlusion: the hidden share of a direction d is w + dot(xyz, d), which may be negative.
-inline float selfOcclusionAlong(const glm::vec4& selfOcclusion, const glm::vec3& direction) {
-    return selfOcclusion.w + glm::dot(glm::vec3(selfOcclusion), direction);
-}
-// Self-occlusion added.
-AxisOcclusion withSelfOcclusion(AxisOcclusion hidden, const glm::vec3& normal,
-                                const glm::vec4& selfOcclusion);
-
-// Of the cosine-weighted hemisphere how much is hidden (w, 0 to 1), and that share's first moment (xyz: w
-// times the mean direction).
-glm::vec4 occlusionMoments(const AxisOcclusion& hidden, const glm::vec3& normal);
-
-// The self-occlusion with which what is hidden has nearly these moments. As far as ellipsoids hide as much,
-// it is made independent of a direction's height above the surface: ellipsoids move against the skin, and the
-// skin turns the self-occlusion.
-glm::vec4 fitSelfOcclusion(const AxisOcclusion& hidden, const glm::vec3& normal, const glm::vec4& moments);
+// Traced self-occlusion becomes what completes the body's own ellipsoids. mesh: that it was traced on.
+void completeOwn(const SelfOccludingMesh& mesh, std::span<const Occluder> own,
+                 std::span<glm::vec4> selfOcclusion);
 
 } // namespace shoal::occlusion

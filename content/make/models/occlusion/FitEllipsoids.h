@@ -1,32 +1,18 @@
-// The one approximate description of a body: a few solid ellipsoids, each attached to one joint. Occlusion
-// and shadows are derived from it.
+// Fits a body's ellipsoids to its skin at rest.
 #pragma once
 
-#include <glm/mat3x3.hpp>
-#include <glm/vec3.hpp>
+#include "engine/occlusion/Ellipsoid.h"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace shoal::occlusion {
-
-struct Ellipsoid {
-    glm::vec3 centre{0};
-    glm::mat3 worldFromAxes{1}; // columns: its axes, unit length
-    glm::vec3 semiAxes{1};      // metres
-};
 
 // At rest. Views only.
 struct RestBody {
     std::span<const glm::vec3> positions;
     std::span<const uint32_t> indices;  // three a triangle
     std::span<const uint16_t> jointsOf; // which joint moves each position most
-};
-
-struct BodyPart {
-    Ellipsoid atRest; // in the frame of the positions
-    uint16_t joint = 0;
 };
 
 enum class Parts {
