@@ -21,17 +21,17 @@ Axes::Axes(int count) {
     if (count == 0) return;
     for (int i = 0; i < count; ++i) {
         const double z = (i + 0.5) / count, r = std::sqrt(1 - z * z);
-        axes_.emplace_back(r * std::cos(kGoldenAngle * i), r * std::sin(kGoldenAngle * i), z);
+        axes.emplace_back(r * std::cos(kGoldenAngle * i), r * std::sin(kGoldenAngle * i), z);
     }
-    table_.resize(kTableWidth * kTableWidth);
-    for (size_t c = 0; c < table_.size(); ++c) {
+    table.resize(kTableWidth * kTableWidth);
+    for (size_t c = 0; c < table.size(); ++c) {
         const glm::vec2 place(static_cast<float>(c % kTableWidth) + 0.5f,
                               static_cast<float>(c / kTableWidth) + 0.5f);
         const glm::vec3 middle = halfFromSquare(place * (2.0f / kTableWidth) - 1.0f);
-        const auto nearest = std::max_element(axes_.begin(), axes_.end(), [&](const auto& p, const auto& q) {
+        const auto nearest = std::max_element(axes.begin(), axes.end(), [&](const auto& p, const auto& q) {
             return std::abs(glm::dot(p, middle)) < std::abs(glm::dot(q, middle));
         });
-        table_[c] = static_cast<uint16_t>(nearest - axes_.begin());
+        table[c] = static_cast<uint16_t>(nearest - axes.begin());
     }
 }
 

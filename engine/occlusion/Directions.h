@@ -15,20 +15,15 @@ inline constexpr double kGoldenAngle = std::numbers::pi * 0.7639320225002103; //
 
 // Any number of axes spread over half a sphere (a Fibonacci lattice), each serving the rays along it both
 // ways. A shader reads the nearest from a table.
-class Axes {
-  public:
+struct Axes {
     static constexpr int kTableWidth = 64;
 
     explicit Axes(int count = 0); // 0 to 65536
-    const std::vector<glm::vec3>& axes() const { return axes_; }
+
+    std::vector<glm::vec3> axes;
     // The index of the axis nearest to +-each direction: kTableWidth rows over the half of the octahedron
     // with z >= 0, turned by 45 degrees so that it fills the square.
-    const std::vector<uint16_t>& table() const { return table_; }
-    size_t bytes() const { return table_.size() * sizeof(uint16_t); }
-
-  private:
-    std::vector<glm::vec3> axes_;
-    std::vector<uint16_t> table_;
+    std::vector<uint16_t> table;
 };
 
 // Cosine-weighted over the half sphere around +Z, stratified: Shirley and Chiu 1997 by rings of Vogel's

@@ -5,6 +5,7 @@
 #include "engine/occlusion/Scan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,7 +14,6 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr int kMaxViews = 4096, kMaxResolution = 256;
 constexpr int kTurns = 8; // in a quarter turn, tried for the smallest frame
 // Of what one view sees, before it is merged; some 600 MB.
 constexpr size_t kMaxFragments = 1u << 24;
@@ -112,50 +112,48 @@ OllfbLayer pack(const Plane& plane, float depthRange_px) {
 
 Result<Ollfb> Ollfb::make(const BodyMesh& mesh, const Options& options) {
     if (Status status = checkMesh(mesh); !status) return status.error();
-    if (options.views < 1 || options.views > kMaxViews) return Error{"", "views must be 1 to 4096"};
-    if (options.resolution < 1 || options.resolution > kMaxResolution)
-        return Error{"", "the resolution of a view must be 1 to 256"};
+    assert(options.views >= 1 && options.views <= 4096 && options.resolution >= 1 &&
+           options.resolution <= 256);
     Ollfb result;
-    result.sphere_ = boundingSphere(mesh);
-    if (!(result.sphere_.radius > 0)) return result;
-    result.closed_ = isClosed(mesh);
-    result.onlyOuter_ = options.sides == Sides::Outer || (options.sides == Sides::ByMesh && result.closed_);
-    result.axes_ = Axes(options.views);
+    result.sphere = boundingSphere(mesh);
+    if (!(result.sphere.radius > 0)) return result;
+    result.closed = isClosed(mesh);
+    result.axes = Axes(options.views);
     const bool withNormals = runsWithNormals(mesh);
 
     Frame frame;
     std::vector<std::vector<Fragment>> seen;
     std::vector<Plane> planes;
-    for (const glm::vec3& axis : result.axes_.axes()) {
+    for (const glm::vec3& axis : result.axes.axes) {
         frameView(mesh, axis, options.resolution, frame);
         if (Status status = see(mesh, frame, withNormals, seen); !status) return status.error();
-        frame.view.firstRow = static_cast<uint32_t>(result.rows_.size());
-        result.views_.push_back(frame.view);
+        frame.view.firstRow = static_cast<uint32_t>(result.rows.size());
+        result.views.push_back(frame.view);
         for (int y = 0; y < frame.view.size.y; ++y) {
             std::vector<Fragment>* const pixels = seen.data() + y * frame.view.size.x;
-            OllfbRow row{static_cast<uint32_t>(result.layers_.size()),
-                         static_cast<uint32_t>(result.starts_.size()), 0,
+            OllfbRow row{static_cast<uint32_t>(result.layers.size()),
+                         static_cast<uint32_t>(result.starts.size()), 0,
                          static_cast<uint16_t>(frame.view.size.x)};
             while (row.begin < row.end && pixels[row.begin].empty()) ++row.begin;
             while (row.begin < row.end && pixels[row.end - 1].empty()) --row.end;
-            result.rows_.push_back(row);
-            result.starts_.push_back(0);
+            result.rows.push_back(row);
+            result.starts.push_back(0);
             for (int x = row.begin; x < row.end; ++x) {
                 planes.clear();
                 mergeLayers(pixels[x], planes);
                 for (const Plane& plane : planes)
-                    result.layers_.push_back(pack(plane, frame.view.depthRange_px));
-                const size_t end = result.layers_.size() - row.firstLayer;
+                    result.layers.push_back(pack(plane, frame.view.depthRange_px));
+                const size_t end = result.layers.size() - row.firstLayer;
                 if (end > UINT16_MAX)
                     return Error{"", "a body has more than 65535 layers in a row of pixels"};
-                result.starts_.push_back(static_cast<uint16_t>(end));
+                result.starts.push_back(static_cast<uint16_t>(end));
             }
         }
         if (result.bytes() > options.maxBytes)
             return Error{"", "a body's layers would take more than " + std::to_string(options.maxBytes) +
                                  " bytes; see it from fewer sides or with fewer pixels"};
     }
-    result.rows_.shrink_to_fit(), result.starts_.shrink_to_fit(), result.layers_.shrink_to_fit();
+    result.rows.shrink_to_fit(), result.starts.shrink_to_fit(), result.layers.shrink_to_fit();
     return result;
 }
 

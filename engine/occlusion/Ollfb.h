@@ -41,7 +41,7 @@ struct OllfbView {
     float pixelsPerMetre = 1; // along all three axes
     float depthRange_px = 1;  // of OllfbLayer::depth, margins included
     glm::ivec2 size{0};       // pixels
-    uint32_t firstRow = 0;    // index into Ollfb::rows()
+    uint32_t firstRow = 0;    // index into Ollfb::rows
 
     glm::vec3 pixelFromBody(const glm::vec3& position) const {
         return viewFromBody * position * pixelsPerMetre - low;
@@ -50,57 +50,41 @@ struct OllfbView {
 
 // What a view sees in one row of pixels.
 struct OllfbRow {
-    uint32_t firstLayer = 0;     // index into Ollfb::layers()
-    uint32_t firstStart = 0;     // index into Ollfb::starts(), of pixel `begin`
+    uint32_t firstLayer = 0;     // index into Ollfb::layers
+    uint32_t firstStart = 0;     // index into Ollfb::starts, of pixel `begin`
     uint16_t begin = 0, end = 0; // pixels from the first to past the last that have layers
 };
 static_assert(sizeof(OllfbRow) == 12);
 
-// From which sides rays meet a surface.
-enum class Sides {
-    Outer,  // only where they enter, as what is drawn with its back faces culled
-    Both,   // also where they leave
-    ByMesh, // Outer if the mesh is closed, else Both
-};
-
-class Ollfb {
-  public:
+struct Ollfb {
     struct Options {
         int views = 150;     // axes over half the sphere; 1 to 4096
         int resolution = 64; // pixels along the longer side of a view; 1 to 256
-        Sides sides = Sides::ByMesh;
         size_t maxBytes = 64u << 20;
     };
 
-    // Errors: a mesh that cannot be (CheckMesh.h), options out of range, more than maxBytes, more than 65535
-    // layers in a row of pixels. What has no triangles or no extent is met by no ray.
+    // Errors: a mesh that cannot be (BodyMesh.h), more than maxBytes, more than 65535 layers in a row of
+    // pixels. What has no triangles or no extent is met by no ray.
     static Result<Ollfb> make(const BodyMesh& mesh, const Options& options);
-    static Result<Ollfb> make(const BodyMesh& mesh) { return make(mesh, Options{}); }
 
     size_t bytes() const {
-        return axes_.bytes() + views_.size() * sizeof(OllfbView) + rows_.size() * sizeof(OllfbRow) +
-               starts_.size() * sizeof(uint16_t) + layers_.size() * sizeof(OllfbLayer);
+        return axes.table.size() * sizeof(uint16_t) + views.size() * sizeof(OllfbView) +
+               rows.size() * sizeof(OllfbRow) + starts.size() * sizeof(uint16_t) +
+               layers.size() * sizeof(OllfbLayer);
     }
-    const Sphere& sphere() const { return sphere_; }
-    bool closed() const { return closed_; }       // isClosed(): what lies between two layers is inside
-    bool onlyOuter() const { return onlyOuter_; } // Sides::Outer, or by the mesh
 
-    // The buffers themselves. Pixel x of a row has the layers from starts()[firstStart + x - begin] after its
-    // firstLayer to where the next begins, by growing depth.
-    const Axes& axes() const { return axes_; }
-    const std::vector<OllfbView>& views() const { return views_; }
-    const std::vector<OllfbRow>& rows() const { return rows_; }
-    const std::vector<uint16_t>& starts() const { return starts_; }
-    const std::vector<OllfbLayer>& layers() const { return layers_; }
+    Sphere sphere;
+    // isClosed(): what lies between two layers is inside, and rays meet surfaces only where they enter, as
+    // what is drawn with its back faces culled; else from both sides.
+    bool closed = false;
 
-  private:
-    Sphere sphere_;
-    bool closed_ = false, onlyOuter_ = true;
-    Axes axes_{0};
-    std::vector<OllfbView> views_;
-    std::vector<OllfbRow> rows_;
-    std::vector<uint16_t> starts_;
-    std::vector<OllfbLayer> layers_;
+    // Pixel x of a row has the layers from starts[firstStart + x - begin] after its firstLayer to where the
+    // next begins, by growing depth.
+    Axes axes;
+    std::vector<OllfbView> views;
+    std::vector<OllfbRow> rows;
+    std::vector<uint16_t> starts;
+    std::vector<OllfbLayer> layers;
 };
 
 } // namespace shoal::occlusion

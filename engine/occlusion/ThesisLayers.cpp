@@ -4,6 +4,7 @@
 #include "engine/occlusion/Scan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numbers>
 #include <string>
 
@@ -56,23 +57,22 @@ std::vector<glm::vec3> cubeDirections(int cells) {
 
 Result<ThesisLayers> ThesisLayers::make(const BodyMesh& mesh, const Options& options) {
     if (Status status = checkMesh(mesh); !status) return status.error();
-    if (options.cells < 1 || options.cells > 16) return Error{"", "views must be 6 n^2 with n from 1 to 16"};
-    if (options.resolution < 1 || options.resolution > 1024)
-        return Error{"", "the resolution of a view must be 1 to 1024"};
+    assert(options.cells >= 1 && options.cells <= 16 && options.resolution >= 1 &&
+           options.resolution <= 1024);
     ThesisLayers result;
-    result.views_ = {options.cells, options.resolution, boundingSphere(mesh)};
-    const Error tooLarge{"", "a body's layers would take more than " + std::to_string(options.maxBytes) +
-                                 " bytes; see it from fewer sides or with fewer pixels"};
+    result.views = {options.cells, options.resolution, boundingSphere(mesh)};
     std::vector<std::vector<ThesisLayer>> seen(options.resolution * options.resolution); // by pixel
     for (const glm::vec3& direction : cubeDirections(options.cells)) {
-        see(mesh, result.views_, lookingAlong(direction, 0), seen);
+        see(mesh, result.views, lookingAlong(direction, 0), seen);
         for (const std::vector<ThesisLayer>& pixel : seen) {
-            result.starts_.push_back(static_cast<uint32_t>(result.layers_.size()));
-            result.layers_.insert(result.layers_.end(), pixel.begin(), pixel.end());
+            result.starts.push_back(static_cast<uint32_t>(result.layers.size()));
+            result.layers.insert(result.layers.end(), pixel.begin(), pixel.end());
         }
-        if (result.bytes() > options.maxBytes) return tooLarge;
+        if (result.bytes() > options.maxBytes)
+            return Error{"", "a body's layers would take more than " + std::to_string(options.maxBytes) +
+                                 " bytes; see it from fewer sides or with fewer pixels"};
     }
-    result.starts_.push_back(static_cast<uint32_t>(result.layers_.size()));
+    result.starts.push_back(static_cast<uint32_t>(result.layers.size()));
     return result;
 }
 

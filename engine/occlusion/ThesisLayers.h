@@ -42,28 +42,23 @@ struct ThesisViews {
 // Unit vectors through the middles of all cells: face by face (+x, -x, +y ...), row by row.
 std::vector<glm::vec3> cubeDirections(int cells);
 
-class ThesisLayers {
-  public:
+struct ThesisLayers {
     struct Options {
         int cells = 5;       // 1 to 16: 6 to 1536 views
         int resolution = 64; // 1 to 1024
         size_t maxBytes = 256u << 20;
     };
 
-    // Errors: a mesh that cannot be (BodyMesh.h), options out of range, more than maxBytes.
+    // Errors: a mesh that cannot be (BodyMesh.h), more than maxBytes.
     static Result<ThesisLayers> make(const BodyMesh& mesh, const Options& options);
 
-    size_t bytes() const { return starts_.size() * sizeof(uint32_t) + layers_.size() * sizeof(ThesisLayer); }
-    const ThesisViews& views() const { return views_; }
+    size_t bytes() const { return starts.size() * sizeof(uint32_t) + layers.size() * sizeof(ThesisLayer); }
+
+    ThesisViews views;
     // First layer of each pixel (view by view, row by row), and the end of the last; then the layers, in each
     // pixel by growing depth.
-    const std::vector<uint32_t>& starts() const { return starts_; }
-    const std::vector<ThesisLayer>& layers() const { return layers_; }
-
-  private:
-    ThesisViews views_;
-    std::vector<uint32_t> starts_;
-    std::vector<ThesisLayer> layers_;
+    std::vector<uint32_t> starts;
+    std::vector<ThesisLayer> layers;
 };
 
 } // namespace shoal::occlusion

@@ -23,7 +23,7 @@ layout(std430, binding = OCCLUSION_STARTS) readonly buffer Starts { uint starts[
 layout(std430, binding = OCCLUSION_LAYERS) readonly buffer Layers { uint layers[]; };  // 3 times 16 bits each
 layout(std430, binding = OCCLUSION_AXES) readonly buffer AxisTable { uint axisTable[]; }; // 16 bits each
 
-uniform bool closed, onlyOuter;
+uniform bool closed; // rays meet surfaces only where they enter
 
 const int kTableWidth = 64;
 const float kSteepest = 12.0, kLeaving_px = 3.0, kDepthMargin_px = kSteepest * 0.75;
@@ -68,7 +68,7 @@ vec2 slopeOf(vec3 normal) { return -normal.xy / normal.z; }
 
 bool hasSunk(float behind, uint surface) {
     vec2 slope = slopeOf(normalOf(surface));
-    return closed && onlyOuter && behind > kSunk_px * sqrt(1.0 + dot(slope, slope));
+    return closed && behind > kSunk_px * sqrt(1.0 + dot(slope, slope));
 }
 
 bool crossLayers(uvec2 here, ivec2 pixel, uint bit, float in_, float out_, bool started) {
@@ -95,12 +95,12 @@ bool crossLayers(uvec2 here, ivec2 pixel, uint bit, float in_, float out_, bool 
         if (ahead || aside) {
             float t = in_ + (out_ - in_) * (fIn / (fIn - fOut));
             bool enters = ahead == facing;
-            if (t < at && (enters || (!onlyOuter && t > left))) {
+            if (t < at && (enters || (!closed && t > left))) {
                 at = t;
                 hit = layer;
             }
         }
-        int deeper = facing || !onlyOuter ? 1 : -1;
+        int deeper = facing || !closed ? 1 : -1;
         if (fIn >= 0.0 && fIn <= reach) deepIn += deeper;
         if (fOut >= 0.0 && fOut <= reach) deepOut += deeper;
         if (fIn >= 0.0 && fIn < passedIn) {
@@ -249,7 +249,7 @@ vec4 traceFrom(vec3 origin, vec3 direction, inout float nearest, out bool again)
         again = true;
         return kNothing;
     }
-    vec3 normal = away <= 0.0 ? outwards : onlyOuter ? normalize(outwards - away * direction) : -outwards;
+    vec3 normal = away <= 0.0 ? outwards : closed ? normalize(outwards - away * direction) : -outwards;
     return vec4(max(at, nearest), normal);
 }
 

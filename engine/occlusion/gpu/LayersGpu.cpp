@@ -73,12 +73,12 @@ Result<LayersGpu> LayersGpu::make(const BodyMesh& mesh, LayerMethod method) {
     const auto made = Ollfb::make(mesh, options);
     if (!made) return made.error();
     auto layers = upload(*made);
-    if (layers) layers->nearest_m_ = startOf(kStartOllfb_px, made->sphere(), options.resolution);
+    if (layers) layers->nearest_m_ = startOf(kStartOllfb_px, made->sphere, options.resolution);
     return layers;
 }
 
-Status LayersGpu::keep(int binding, const void* data, size_t bytes) {
-    auto buffer = storageBuffer(data, bytes);
+template <class T> Status LayersGpu::keep(int binding, const std::vector<T>& values) {
+    auto buffer = storageBuffer(values.data(), values.size() * sizeof(T));
     if (!buffer) return buffer.error();
     buffers_.emplace_back(static_cast<GLuint>(binding), std::move(*buffer));
     return Done{};
@@ -87,10 +87,9 @@ Status LayersGpu::keep(int binding, const void* data, size_t bytes) {
 Result<LayersGpu> LayersGpu::upload(const Ollfb& ollfb) {
     if (Status status = canKeepLayers(); !status) return status.error();
     LayersGpu result;
-    result.closed_ = ollfb.closed();
-    result.onlyOuter_ = ollfb.onlyOuter();
+    result.closed_ = ollfb.closed;
     std::vector<GpuView> views;
-    for (const OllfbView& view : ollfb.views()) {
+    for (const OllfbView& view : ollfb.views) {
         const glm::mat3 rows = glm::transpose(view.viewFromBody);
         views.push_back(
             {{glm::vec4(rows[0], view.low.x), glm::vec4(rows[1], view.low.y), glm::vec4(rows[2], view.low.z)},
@@ -100,13 +99,10 @@ Result<LayersGpu> LayersGpu::upload(const Ollfb& ollfb) {
              view.firstRow,
              {}});
     }
-    const auto keep = [&](int binding, const auto& values) {
-        return result.keep(binding, values.data(), values.size() * sizeof values[0]);
-    };
     for (const Status& status :
-         {keep(OCCLUSION_VIEWS, views), keep(OCCLUSION_ROWS, ollfb.rows()),
-          keep(OCCLUSION_STARTS, ollfb.starts()), keep(OCCLUSION_LAYERS, ollfb.layers()),
-          keep(OCCLUSION_AXES, ollfb.axes().table())})
+         {result.keep(OCCLUSION_VIEWS, views), result.keep(OCCLUSION_ROWS, ollfb.rows),
+          result.keep(OCCLUSION_STARTS, ollfb.starts), result.keep(OCCLUSION_LAYERS, ollfb.layers),
+          result.keep(OCCLUSION_AXES, ollfb.axes.table)})
         if (!status) return status.error();
     return result;
 }
@@ -115,12 +111,10 @@ Result<LayersGpu> LayersGpu::upload(const ThesisLayers& layers) {
     if (Status status = canKeepLayers(); !status) return status.error();
     LayersGpu result;
     result.method_ = LayerMethod::Thesis;
-    result.views_ = layers.views();
-    result.nearest_m_ = startOf(kStartThesis_px, layers.views().sphere, layers.views().resolution);
+    result.views_ = layers.views;
+    result.nearest_m_ = startOf(kStartThesis_px, layers.views.sphere, layers.views.resolution);
     for (const Status& status :
-         {result.keep(OCCLUSION_STARTS, layers.starts().data(), layers.starts().size() * sizeof(uint32_t)),
-          result.keep(OCCLUSION_LAYERS, layers.layers().data(),
-                      layers.layers().size() * sizeof(ThesisLayer))})
+         {result.keep(OCCLUSION_STARTS, layers.starts), result.keep(OCCLUSION_LAYERS, layers.layers)})
         if (!status) return status.error();
     return result;
 }
@@ -134,7 +128,6 @@ void LayersGpu::bind(const gl::Program& program) const {
         program.set("pixelsPerMetre", views_.pixelsPerMetre());
     } else {
         program.set("closed", closed_);
-        program.set("onlyOuter", onlyOuter_);
     }
     for (const auto& [binding, buffer] : buffers_)
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());

@@ -40,11 +40,11 @@ class LayersGpu {
     void bind(const gl::Program& program) const;
 
   private:
-    Status keep(int binding, const void* data, size_t bytes);
+    template <class T> Status keep(int binding, const std::vector<T>& values);
 
     LayerMethod method_ = LayerMethod::Ollfb;
     float nearest_m_ = 0;                                // rays that leave the surface meet nothing nearer
-    bool closed_ = false, onlyOuter_ = false;            // of an Ollfb
+    bool closed_ = false;                                // of an Ollfb
     ThesisViews views_;                                  // of the thesis' layers
     std::vector<std::pair<GLuint, gl::Buffer>> buffers_; // by binding
 };

@@ -14,7 +14,7 @@ namespace shoal::occlusion {
 class ShadowRays {
   public:
     // count: over the whole sphere; even. The error of an open half sphere's weight is some 0.6 / count.
-    explicit ShadowRays(int count) : directions_(Axes(count / 2).axes()) {
+    explicit ShadowRays(int count) : directions_(Axes(count / 2).axes) {
         const size_t half = directions_.size();
         directions_.reserve(2 * half);
         for (size_t i = 0; i < half; ++i) directions_.push_back(-directions_[i]);

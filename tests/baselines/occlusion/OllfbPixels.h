@@ -15,8 +15,8 @@ struct OllfbPixels {
     const OllfbLayer* layers;
 
     OllfbPixels(const Ollfb& all, const OllfbView& seen)
-        : view(seen), rows(all.rows().data() + seen.firstRow), starts(all.starts().data()),
-          layers(all.layers().data()) {}
+        : view(seen), rows(all.rows.data() + seen.firstRow), starts(all.starts.data()),
+          layers(all.layers.data()) {}
 
     struct Layers {
         const OllfbLayer* begin;

@@ -118,15 +118,15 @@ int nearestAxis(const Axes& axes, const glm::vec3& direction) {
                             static_cast<float>(Axes::kTableWidth);
     const int x = std::clamp(static_cast<int>(place.x), 0, Axes::kTableWidth - 1);
     const int y = std::clamp(static_cast<int>(place.y), 0, Axes::kTableWidth - 1);
-    return axes.table()[static_cast<size_t>(y * Axes::kTableWidth + x)];
+    return axes.table[static_cast<size_t>(y * Axes::kTableWidth + x)];
 }
 
 std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                                       float farthest) const {
-    if (layers().empty()) return {};
-    const OllfbView& view = views()[static_cast<size_t>(nearestAxis(axes(), direction))];
-    Walk walk{OllfbPixels(*this, view),      closed(), onlyOuter(), view.pixelFromBody(origin),
-              view.viewFromBody * direction, true,     0,           false};
+    if (layers.empty()) return {};
+    const OllfbView& view = views[static_cast<size_t>(nearestAxis(axes, direction))];
+    Walk walk{OllfbPixels(*this, view),      closed, onlyOuter_, view.pixelFromBody(origin),
+              view.viewFromBody * direction, true,   0,          false};
     walk.forwards = walk.along.z > 0;
     const float first = nearest * view.pixelsPerMetre;
     walk.left = first + kLeaving_px;
@@ -171,7 +171,7 @@ std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& 
     float at = walk.metAt / view.pixelsPerMetre;
     glm::vec3 outwards = glm::transpose(view.viewFromBody) * OllfbPixels::normalOf(*walk.met);
     for (int pass = 0; pass < 2; ++pass) {
-        const OllfbView& straight = views()[static_cast<size_t>(nearestAxis(axes(), outwards))];
+        const OllfbView& straight = views[static_cast<size_t>(nearestAxis(axes, outwards))];
         const glm::vec3 place = straight.pixelFromBody(origin + at * direction);
         const auto surface =
             surfaceNear(OllfbPixels(*this, straight), place, straight.viewFromBody * outwards);
@@ -186,7 +186,7 @@ std::optional<Hit> TracedOllfb::trace(const glm::vec3& origin, const glm::vec3& 
     // It grazes the surface it has begun on, which blended falls away from it: on from where it has left.
     if (!walk.dived && at * view.pixelsPerMetre < walk.left && glm::dot(outwards, direction) >= 0)
         return trace(origin, direction, walk.left / view.pixelsPerMetre, farthest);
-    return Hit{glm::max(at, nearest), towards(outwards, direction, onlyOuter())};
+    return Hit{glm::max(at, nearest), towards(outwards, direction, onlyOuter_)};
 }
 
 } // namespace shoal::occlusion

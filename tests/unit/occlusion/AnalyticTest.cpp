@@ -110,8 +110,8 @@ TEST(Analytic, NearestDirectionsAreNearest) {
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 d = anyDirection(random);
         float best = 0;
-        for (const glm::vec3& axis : axes.axes()) best = std::max(best, std::abs(glm::dot(axis, d)));
-        const float chosen = std::abs(glm::dot(axes.axes()[static_cast<size_t>(nearestAxis(axes, d))], d));
+        for (const glm::vec3& axis : axes.axes) best = std::max(best, std::abs(glm::dot(axis, d)));
+        const float chosen = std::abs(glm::dot(axes.axes[static_cast<size_t>(nearestAxis(axes, d))], d));
         EXPECT_LT(std::acos(chosen), std::acos(best) + 0.1f); // there and back half a cell's diagonal
     }
 }
@@ -129,8 +129,8 @@ TEST(Analytic, NormalsKeepTheirPromisedPrecision) {
 TEST(Analytic, LayersOfAConvexBodyPairUp) {
     const Body body = sphere(1, 24, 12);
     const OllfbThesis thesis = OllfbThesis::make(body.mesh(), {.cells = 3, .resolution = 64}).value();
-    for (size_t i = 0; i + 1 < thesis.starts().size(); ++i) {
-        const uint32_t count = thesis.starts()[i + 1] - thesis.starts()[i];
+    for (size_t i = 0; i + 1 < thesis.starts.size(); ++i) {
+        const uint32_t count = thesis.starts[i + 1] - thesis.starts[i];
         EXPECT_TRUE(count == 0 || count == 2) << i << ": " << count;
     }
 }

@@ -36,9 +36,6 @@ TEST(Refusal, OfBrokenMeshesSaysWhy) {
     body = good;
     body.normals.pop_back();
     refused(body, "normals");
-    EXPECT_FALSE(TracedOllfb::make(good.mesh(), {.views = 0}));
-    EXPECT_FALSE(TracedOllfb::make(good.mesh(), {.resolution = 100000}));
-    EXPECT_FALSE(OllfbThesis::make(good.mesh(), {.cells = 0}));
     // Normals of no length are taken from the triangle.
     body = good;
     body.normals.assign(3, glm::vec3(0));
