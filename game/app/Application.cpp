@@ -3,7 +3,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/media/Pictures.h"
-#include "game/app/states/DiveStates.h"
+#include "game/app/DiveStates.h"
 
 #include <GLFW/glfw3.h>
 
@@ -15,34 +15,30 @@ namespace shoal::app {
 
 struct Application::Frame {
     GameSession& session;
-    StateContext& context;
-    StateMachine& states;
+    DiveStates& states;
     FrameClock& clock;
     double elapsed_s = 0;
     const platform::WindowInput* input = nullptr; // null: there is no window
     bool freshVideo = false;                      // a new frame of the video is shown
 };
 
-FrameClock::Mode Application::clockMode() const {
-    if (options_.timedemo) return FrameClock::Mode::TimeDemo;
-    return window_ ? FrameClock::Mode::RealTime : FrameClock::Mode::FixedStep;
-}
-
 Status Application::runSession(bool measured) {
     GameSession session(config_);
-    StateContext context{session, config_.dive.name, bestScore_, !options_.headless, leaving_};
-    StateMachine states(std::make_unique<DivingState>());
-    FrameClock clock(clockMode(), static_cast<double>(options_.fps));
+    DiveStates states(session, config_.dive.name, bestScore_, !options_.headless, leaving_);
+    FrameClock clock(options_.timedemo ? FrameClock::Mode::TimeDemo
+                     : window_         ? FrameClock::Mode::RealTime
+                                       : FrameClock::Mode::FixedStep,
+                     static_cast<double>(options_.fps));
     statistics_ = {.renderer = std::move(statistics_.renderer)};
     while (!leaving_) {
         if (Status begun = display_->begin(); !begun) return begun;
         clock.beginFrame();
-        Frame frame{session, context, states, clock, clock.elapsed_s(display_->elapsed_s())};
+        Frame frame{session, states, clock, clock.elapsed_s(display_->elapsed_s())};
         readInput(frame);
         simulate(frame);
         if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done)
             return done;
-        states.update(context);
+        states.update();
         // The video begins with the dive, pauses with it, and begins anew with it.
         frame.freshVideo = environment_->update(clock.video_s(session.shown.time_s), clock.exactVideo());
         const Result<bool> drawn = draw(frame);
@@ -75,11 +71,11 @@ void Application::readInput(Frame& frame) {
         leaving_ |= frame.input->closing;
         for (const int key : frame.input->keysPressed) globalKey(key);
         // A headset's player looks at no window; whether it is worn is for the headset to say.
-        frame.states.input(frame.context, *frame.input, display_->audience() == Audience::WindowPlayer);
+        frame.states.input(*frame.input, display_->audience() == Audience::WindowPlayer);
     }
     display_->feed(session);
     // In a headset a script waits for its onlooker.
-    if (display_->audience() == Audience::HeadsetPlayer && session.paused && !frame.context.byPerson())
+    if (display_->audience() == Audience::HeadsetPlayer && session.paused && !frame.states.byPerson())
         frame.elapsed_s = 0;
     if (auto* mouse = std::get_if<MouseSource>(&session.source)) {
         const glm::ivec2 size = window_ ? window_->framebufferSize() : options_.look.size;
@@ -173,7 +169,7 @@ void Application::drawHud(const Frame& frame, HudPart part, Audience audience, c
          .snapshot = &session.shown,
          .view = &view,
          .captions = options_.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),
-         .overlay = [&](const Pen& pen) { frame.states.drawOverlay(frame.context, pen); },
+         .overlay = [&](const Pen& pen) { frame.states.drawOverlay(pen); },
          .showTimes = options_.frameTimes && !onHeadsetsEye,
          .statistics = &statistics_,
          .quality = quality_ ? quality_->quality() : Quality(),
@@ -205,7 +201,7 @@ bool Application::isOver(const Frame& frame) const {
     }
     // Nobody is there to look at the results.
     return (!window_ || options_.timedemo) && std::holds_alternative<MouseSource>(session.source) &&
-           frame.context.showsResults();
+           frame.states.state() == DiveStates::State::Results;
 }
 
 Status Application::saveScreenshot() const {

@@ -6,7 +6,6 @@
 #include "engine/platform/Window.h"
 #include "game/app/Display.h"
 #include "game/app/FrameClock.h"
-#include "game/app/states/ProgramState.h"
 #include "game/session/GameSession.h"
 #include "game/session/SoundAndHaptics.h"
 #include "game/session/Statistics.h"
@@ -40,7 +39,6 @@ class Application {
     Status openContext();
     Status openDisplay(int samples);
     Status openScene(bool software);
-    FrameClock::Mode clockMode() const;
 
     void readInput(Frame& frame);
     void globalKey(int key);

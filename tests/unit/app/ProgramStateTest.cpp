@@ -1,6 +1,6 @@
 // What keys, clicks and the dive itself do in each state of the program.
+#include "game/app/DiveStates.h"
 #include "game/app/FrameClock.h"
-#include "game/app/states/DiveStates.h"
 #include "game/settings/KeptFiles.h"
 #include "tests/TestPaths.h"
 
@@ -24,16 +24,15 @@ class ProgramStates : public testing::Test {
     std::string dive_ = "reef";
     int best_ = 100;
     bool leaving_ = false;
-    StateContext context_{session_, dive_, best_, true, leaving_};
-    StateMachine states_{std::make_unique<DivingState>()};
+    DiveStates states_{session_, dive_, best_, true, leaving_};
 
     void SetUp() override { ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
 
-    void press(std::vector<int> keys) { states_.input(context_, {.keysPressed = std::move(keys)}, true); }
+    void press(std::vector<int> keys) { states_.input({.keysPressed = std::move(keys)}, true); }
     void end(int score) {
         session_.after.phase = game::Phase::Results;
         session_.after.score = score;
-        states_.update(context_);
+        states_.update();
     }
 };
 
@@ -65,22 +64,22 @@ TEST_F(ProgramStates, RStartsAgainOnlyWhilePausedOrAfterwards) {
 }
 
 TEST_F(ProgramStates, LosingTheFocusPausesButNotInAHeadset) {
-    states_.input(context_, {.focused = false}, false);
+    states_.input({.focused = false}, false);
     EXPECT_FALSE(session_.paused);
-    states_.input(context_, {.focused = false}, true);
+    states_.input({.focused = false}, true);
     EXPECT_TRUE(session_.paused);
-    states_.input(context_, {.focused = true}, true);
+    states_.input({.focused = true}, true);
     EXPECT_TRUE(session_.paused); // until the player goes on
 }
 
 TEST_F(ProgramStates, TheHeadsetMayPauseAndGoOn) {
     session_.paused = true;
-    states_.update(context_);
+    states_.update();
     press({GLFW_KEY_Q}); // as while paused by a key
     EXPECT_TRUE(leaving_);
     leaving_ = false;
     session_.paused = false;
-    states_.update(context_);
+    states_.update();
     press({GLFW_KEY_Q});
     EXPECT_FALSE(leaving_);
 }
@@ -89,14 +88,14 @@ TEST_F(ProgramStates, ResultsKeepTheBestScoreAndStartAgain) {
     end(120);
     EXPECT_EQ(best_, 120);
     EXPECT_EQ(bestScore("reef"), 120);
-    states_.input(context_, {.leftPressed = true}, true);
+    states_.input({.leftPressed = true}, true);
     EXPECT_TRUE(session_.restart);
     session_.restart = false;
     press({GLFW_KEY_ENTER});
     EXPECT_TRUE(session_.restart);
     session_.restart = false; // the simulation has taken it
     session_.after.phase = game::Phase::Diving;
-    states_.update(context_);
+    states_.update();
     press({GLFW_KEY_ESCAPE}); // dives again: pauses instead of leaving
     EXPECT_FALSE(leaving_);
     EXPECT_TRUE(session_.paused);
@@ -109,7 +108,7 @@ TEST_F(ProgramStates, ResultsKeepTheBestScoreAndStartAgain) {
 TEST_F(ProgramStates, AReplayCannotBePausedOnlyLeft) {
     session_.source = ReplaySource{sim::Recording(session_.recording.header(), 0)};
     press({GLFW_KEY_P});
-    states_.input(context_, {.focused = false}, true);
+    states_.input({.focused = false}, true);
     EXPECT_FALSE(session_.paused);
     press({GLFW_KEY_ESCAPE});
     EXPECT_TRUE(leaving_);
