@@ -5,7 +5,7 @@
 
 namespace shoal::gl {
 
-Target::Target(int width, int height, int samples, Kind kind) : width_(width), height_(height) {
+Target::Target(int width, int height, int samples) : width_(width), height_(height) {
     GLint maximum = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &maximum);
     samples_ = std::clamp(samples, 1, std::max(1, maximum));
@@ -21,8 +21,7 @@ Target::Target(int width, int height, int samples, Kind kind) : width_(width), h
     texture_ = makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
     if (samples_ > 1) make(samplesColour_, GL_RGBA8);
-    const bool stencil = kind == Kind::Stencilled;
-    make(depth_, stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24);
+    make(depth_, GL_DEPTH_COMPONENT24);
 
     const auto bindNew = [](Framebuffer& buffer) {
         buffer = Framebuffer::make();
@@ -40,14 +39,11 @@ Target::Target(int width, int height, int samples, Kind kind) : width_(width), h
         bindNew(resolved_);
         attachTexture();
     }
-    if (!stencil) {
-        bindNew(colourOnly_);
-        attachColour();
-    }
+    bindNew(colourOnly_);
+    attachColour();
     bindNew(drawn_);
     attachColour();
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-                              GL_RENDERBUFFER, depth_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
     assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
@@ -57,7 +53,7 @@ void Target::bind() const {
 }
 
 void Target::bindColour() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, (colourOnly_ ? colourOnly_ : drawn_).name());
+    glBindFramebuffer(GL_FRAMEBUFFER, colourOnly_.name());
     glViewport(0, 0, width_, height_);
 }
 

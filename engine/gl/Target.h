@@ -11,11 +11,9 @@ namespace shoal::gl {
 
 class Target {
   public:
-    enum class Kind { Plain, Stencilled };
-
     Target() = default;
     // samples: 1, or up to what the driver has (more is lowered to that).
-    Target(int width, int height, int samples, Kind kind = Kind::Plain);
+    Target(int width, int height, int samples);
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -23,7 +21,7 @@ class Target {
 
     void bind() const; // and sets the viewport
     // The same without depth, for what does not need it: Mesa's llvmpipe then takes rectangles whole instead
-    // of as triangles. A stencil stays, and with it the depth.
+    // of as triangles.
     void bindColour() const;
     GLuint framebuffer() const { return drawn_.name(); }
 

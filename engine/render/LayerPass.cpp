@@ -90,7 +90,10 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
 
     program_.use();
     program_.setTexture("layer", 0, layer_->texture());
-    drawn_.drawOver(corners_);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
+    drawn_.draw(corners_);
+    glDisable(GL_BLEND);
 }
 
 } // namespace shoal::render

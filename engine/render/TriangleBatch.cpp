@@ -2,35 +2,40 @@
 
 #include "shaders/render/Attributes.glsl"
 
+#include <algorithm>
+
 namespace shoal::render {
 
-TriangleBatch TriangleBatch::make() {
-    TriangleBatch corners;
-    corners.vertexArray_ = gl::VertexArray::make();
-    corners.vertices_ = gl::Buffer::make();
-    glBindVertexArray(corners.vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, corners.vertices_.name());
-    gl::setAttribute(ATTRIBUTE_POSITION, 2, sizeof(glm::vec2), 0);
+TriangleBatch TriangleBatch::make(std::initializer_list<Attribute> attributes) {
+    TriangleBatch batch;
+    batch.vertexArray_ = gl::VertexArray::make();
+    batch.vertices_ = gl::Buffer::make();
+    glBindVertexArray(batch.vertexArray_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, batch.vertices_.name());
+    size_t stride = 0, offset = 0;
+    for (const Attribute& each : attributes) stride += static_cast<size_t>(each.floats) * sizeof(float);
+    for (const Attribute& each : attributes) {
+        gl::setAttribute(each.location, each.floats, stride, offset);
+        offset += static_cast<size_t>(each.floats) * sizeof(float);
+    }
     glBindVertexArray(0);
-    return corners;
+    return batch;
 }
 
-void TriangleBatch::draw(std::span<const glm::vec2> corners) {
+TriangleBatch TriangleBatch::make() { return make({{ATTRIBUTE_POSITION, 2}}); }
+
+void TriangleBatch::draw(const void* vertices, size_t stride, size_t count) {
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size_bytes()), corners.data(),
-                 GL_STREAM_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride), vertices, GL_STREAM_DRAW);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+    // Few at a time: llvmpipe cuts longer draws between the triangles of a rectangle.
+    constexpr size_t kAtOnce = 960;
+    for (size_t first = 0; first < count; first += kAtOnce)
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first),
+                     static_cast<GLsizei>(std::min(kAtOnce, count - first)));
     glBindVertexArray(0);
-}
-
-void TriangleBatch::drawOver(std::span<const glm::vec2> corners) {
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw(corners);
-    glDisable(GL_BLEND);
 }
 
 void addRectangle(const glm::vec2& low, const glm::vec2& high, std::vector<glm::vec2>& corners) {

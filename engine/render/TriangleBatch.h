@@ -1,11 +1,11 @@
-// Triangles in a plane, new in every frame: of the picture or of a map, as the vertex shader takes them
-// (ATTRIBUTE_POSITION, two floats).
+// Triangles that are new in every frame.
 #pragma once
 
 #include "engine/gl/Objects.h"
 
 #include <glm/vec2.hpp>
 
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -13,14 +13,22 @@ namespace shoal::render {
 
 class TriangleBatch {
   public:
-    static TriangleBatch make();
+    struct Attribute {
+        GLuint location;
+        GLint floats;
+    };
+    // attributes: of a vertex, in their order in memory.
+    static TriangleBatch make(std::initializer_list<Attribute> attributes);
+    static TriangleBatch make(); // of places in a plane: glm::vec2
 
-    // Three corners a triangle, with the program in use, regardless of depth and of which way round.
-    void draw(std::span<const glm::vec2> corners);
-    // The same, over what is there: colours premultiplied by alpha.
-    void drawOver(std::span<const glm::vec2> corners);
+    // Three vertices a triangle, with the program in use, regardless of depth and of which way round.
+    template <class Vertex> void draw(const std::vector<Vertex>& vertices) {
+        draw(vertices.data(), sizeof(Vertex), vertices.size());
+    }
 
   private:
+    void draw(const void* vertices, size_t stride, size_t count);
+
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_;
 };

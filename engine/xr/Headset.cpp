@@ -17,6 +17,134 @@ Space makeSpace(XrSession session, const Pose& localFromOrigin) {
     return space;
 }
 
+static_assert(XR_HAND_JOINT_COUNT_EXT == hands::kJointCount);
+
+// A swapchain: the images that the runtime shows one after another.
+class Swapchain {
+  public:
+    Swapchain() = default;
+    // Pictures for display-coded values (sRGB's format, written raw), one sample a pixel.
+    static Swapchain make(XrSession session, glm::ivec2 size) {
+        const auto formats = enumerate(int64_t{0}, [&](uint32_t capacity, uint32_t* count, int64_t* items) {
+            SHOAL_XR(xrEnumerateSwapchainFormats(session, capacity, count, items));
+        });
+        // The picture is display-coded already, and written as it is (GL_FRAMEBUFFER_SRGB stays off): the
+        // runtime must know that, and does by the first format. The second is taken for linear by some, for
+        // coded by most.
+        XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
+        for (const int64_t wanted : {int64_t{GL_SRGB8_ALPHA8}, int64_t{GL_RGBA8}})
+            if (info.format == 0 && std::find(formats.begin(), formats.end(), wanted) != formats.end())
+                info.format = wanted;
+        if (info.format == 0)
+            throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
+        info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT;
+        info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
+        info.width = static_cast<uint32_t>(size.x);
+        info.height = static_cast<uint32_t>(size.y);
+        Swapchain chain;
+        chain.size_ = size;
+        SHOAL_XR(xrCreateSwapchain(session, &info, chain.handle_.fresh()));
+        const auto images = enumerate(
+            XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
+            [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
+                SHOAL_XR(xrEnumerateSwapchainImages(chain.name(), capacity, count,
+                                                    reinterpret_cast<XrSwapchainImageBaseHeader*>(items)));
+            });
+        for (const XrSwapchainImageOpenGLKHR& image : images) {
+            chain.framebuffers_.push_back(gl::Framebuffer::make());
+            glBindFramebuffer(GL_FRAMEBUFFER, chain.framebuffers_.back().name());
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.image, 0);
+            if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+                throw Failure("the runtime's pictures cannot be drawn into");
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return chain;
+    }
+
+    // A framebuffer on the next picture, once the runtime has done with it; release() hands it over.
+    GLuint acquire() {
+        uint32_t index = 0;
+        const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
+        SHOAL_XR(xrAcquireSwapchainImage(name(), &acquire, &index));
+        acquired_ = true;
+        // Not for ever: a runtime that hangs must not take the window with it.
+        constexpr XrDuration kPatience_ns = 2'000'000'000;
+        const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, kPatience_ns};
+        const XrResult waited = SHOAL_XR(xrWaitSwapchainImage(name(), &wait));
+        if (waited == XR_TIMEOUT_EXPIRED || index >= framebuffers_.size())
+            throw Failure("the headset's runtime gives no picture to draw into");
+        return framebuffers_[index].name();
+    }
+    void release() {
+        if (!std::exchange(acquired_, false)) return;
+        const XrSwapchainImageReleaseInfo info{XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO};
+        SHOAL_XR(xrReleaseSwapchainImage(name(), &info));
+    }
+
+    XrSwapchain name() const { return handle_.name(); }
+    glm::ivec2 size() const { return size_; }
+
+  private:
+    Handle<XrSwapchain, xrDestroySwapchain> handle_;
+    std::vector<gl::Framebuffer> framebuffers_; // one a picture
+    glm::ivec2 size_{0};
+    bool acquired_ = false;
+};
+
+// Hands without controllers, tracked through XR_EXT_hand_tracking.
+class HandTrackers {
+  public:
+    // Without the extension: hands that are never active.
+    static HandTrackers make(const Instance& instance, XrSession session) {
+        HandTrackers made;
+        if (!instance.bareHands) return made;
+        const XrInstance name = instance.handle.name();
+        const auto create = functionOf<PFN_xrCreateHandTrackerEXT>(name, "xrCreateHandTrackerEXT");
+        const auto destroy = functionOf<PFN_xrDestroyHandTrackerEXT>(name, "xrDestroyHandTrackerEXT");
+        made.locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
+        if (!create || !destroy || !made.locate_)
+            throw Failure("the runtime promises XR_EXT_hand_tracking and lacks its functions");
+        for (size_t i = 0; i < 2; ++i) {
+            const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr,
+                                                  i == 0 ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT,
+                                                  XR_HAND_JOINT_SET_DEFAULT_EXT};
+            XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+            check(create(session, &info, &tracker), "xrCreateHandTrackerEXT");
+            made.trackers_.emplace_back(tracker, destroy);
+        }
+        return made;
+    }
+    void locate(XrSpace world, XrTime time, std::array<hands::HandPose, 2>& out) const {
+        for (size_t i = 0; i < trackers_.size(); ++i) {
+            hands::HandPose& hand = out[i];
+            hand = {};
+            std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+            const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, world, time};
+            XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
+                                              static_cast<uint32_t>(joints.size()), joints.data()};
+            check(locate_(trackers_[i].get(), &info, &locations), "xrLocateHandJointsEXT");
+            hand.tracked = locations.isActive == XR_TRUE;
+            int seen = 0;
+            for (size_t j = 0; hand.tracked && j < joints.size(); ++j) {
+                const XrHandJointLocationEXT& joint = joints[j];
+                const Pose worldFromJoint = poseFrom(joint.pose);
+                hand.tracked = valid(joint.locationFlags) && believable(worldFromJoint);
+                seen += both(joint.locationFlags, XR_SPACE_LOCATION_POSITION_TRACKED_BIT,
+                             XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT);
+                hand.joints[j].position = worldFromJoint.position;
+                hand.joints[j].orientation = worldFromJoint.orientation;
+                if (joint.radius >= 0.001f && joint.radius <= 0.1f) hand.joints[j].radius = joint.radius;
+            }
+            hand.confidence = static_cast<float>(seen) / hands::kJointCount;
+        }
+    }
+
+  private:
+    using Tracker = std::unique_ptr<std::remove_pointer_t<XrHandTrackerEXT>, PFN_xrDestroyHandTrackerEXT>;
+    std::vector<Tracker> trackers_; // left, right, or none
+    PFN_xrLocateHandJointsEXT locate_ = nullptr;
+};
+
 } // namespace
 
 struct Headset::State {
@@ -27,11 +155,10 @@ struct Headset::State {
     HandTrackers hands;
     Actions actions;
     std::array<Swapchain, 3> pictures; // by Picture
-    PFN_xrGetVisibilityMaskKHR getMask = nullptr;
 
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
-    bool masksChanged = true, centring = true;
+    bool centring = true;
     Frame frame;
     Tracking tracking;
 
@@ -54,8 +181,6 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         s.actions = Actions::make(instance, session);
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
             s.picture(p) = Swapchain::make(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
-        if (s.instance.hiddenPixels)
-            s.getMask = functionOf<PFN_xrGetVisibilityMaskKHR>(instance, "xrGetVisibilityMaskKHR");
     });
     if (!opened) return opened.error();
     return Headset(std::move(state));
@@ -72,9 +197,6 @@ Status Headset::poll() {
                 break;
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
                 throw Failure("the headset's runtime is going away");
-            case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
-                state_->masksChanged = true;
-                break;
             case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: // the player has pressed "recentre"
                 state_->centring = true;
                 break;
@@ -205,7 +327,6 @@ Headset::~Headset() {
 bool Headset::wantsFrames() const { return state_->running; }
 bool Headset::plays() const { return state_->state == XR_SESSION_STATE_FOCUSED; }
 bool Headset::leaving() const { return state_->state == XR_SESSION_STATE_EXITING; }
-bool Headset::takeMasksChanged() { return std::exchange(state_->masksChanged, false); }
 void Headset::recentre() { state_->centring = true; }
 const Tracking& Headset::tracking() const { return state_->tracking; }
 
@@ -217,36 +338,6 @@ Result<GLuint> Headset::acquire(Picture picture) {
 
 Status Headset::release(Picture picture) {
     return statusOf([&] { state_->picture(picture).release(); });
-}
-
-Result<std::vector<glm::vec2>> Headset::hiddenArea(int eye) const {
-    std::vector<glm::vec2> corners;
-    if (!state_->getMask) return corners;
-    const auto get = [&](XrVisibilityMaskKHR& mask) {
-        return statusOf([&] {
-            check(state_->getMask(state_->session.name(), kStereo, static_cast<uint32_t>(eye),
-                                  XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask),
-                  "xrGetVisibilityMaskKHR");
-        });
-    };
-    XrVisibilityMaskKHR mask{XR_TYPE_VISIBILITY_MASK_KHR};
-    if (Status s = get(mask); !s) return s.error();
-    constexpr uint32_t kMax = 1u << 16;
-    if (mask.vertexCountOutput == 0 || mask.vertexCountOutput > kMax || mask.indexCountOutput > kMax)
-        return corners;
-    std::vector<XrVector2f> vertices(mask.vertexCountOutput);
-    std::vector<uint32_t> indices(mask.indexCountOutput);
-    mask.vertexCapacityInput = mask.vertexCountOutput;
-    mask.indexCapacityInput = mask.indexCountOutput;
-    mask.vertices = vertices.data();
-    mask.indices = indices.data();
-    if (Status s = get(mask); !s) return s.error();
-    indices.resize(std::min<size_t>(indices.size(), mask.indexCountOutput) / 3 * 3);
-    for (const uint32_t index : indices) {
-        if (index >= vertices.size()) return std::vector<glm::vec2>{}; // broken: draw everything
-        corners.emplace_back(vertices[index].x, vertices[index].y);
-    }
-    return corners;
 }
 
 Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {

@@ -14,7 +14,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace shoal::xr {
 
@@ -48,7 +47,6 @@ class Headset {
     bool wantsFrames() const; // else no waitFrame(), begin(), end(); empty frames are frames too
     bool plays() const;       // the headset is worn, and no menu of the runtime lies over the game
     bool leaving() const;     // the player told the runtime to end the game
-    bool takeMasksChanged();  // hiddenArea() has changed since this was last asked; true at first
     void recentre();          // from the next tracked frame on the dive's origin is where the eyes are
 
     Result<Frame> waitFrame();        // sleeps until the runtime wants the next one
@@ -59,10 +57,6 @@ class Headset {
     Result<GLuint> acquire(Picture picture);
     Status release(Picture picture);
     Status end(const Shown& shown);
-
-    // Triangles that the lenses hide, three corners each, on the plane at distance 1 before an eye (right and
-    // up positive). Empty where the runtime names none.
-    Result<std::vector<glm::vec2>> hiddenArea(int eye) const;
 
     // hand: 0 left, 1 right; amplitude 0 to 1. Goes on for up to a tenth of a second; 0 stops it.
     Status vibrate(int hand, float amplitude, float frequency_Hz);

@@ -115,9 +115,7 @@ Instance Instance::open(bool withHeadset) {
                           std::string(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) + ")");
         wanted.push_back(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME);
         instance.bareHands = has(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
-        instance.hiddenPixels = has(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
         if (instance.bareHands) wanted.push_back(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
-        if (instance.hiddenPixels) wanted.push_back(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
     }
     XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
     copyText(info.applicationInfo.applicationName, "Shoal");

@@ -96,7 +96,6 @@ struct Instance {
     XrSystemId system = XR_NULL_SYSTEM_ID;
     std::string runtimeName, systemName;
     bool bareHands = false;     // XR_EXT_hand_tracking, and the headset can
-    bool hiddenPixels = false;  // XR_KHR_visibility_mask
     bool tracksPosition = true; // else the head only turns
     glm::ivec2 eyeSize{0};      // as the runtime recommends, pixels
     XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
@@ -124,40 +123,6 @@ inline bool both(XrSpaceLocationFlags flags, XrSpaceLocationFlags a, XrSpaceLoca
 inline bool valid(XrSpaceLocationFlags flags) {
     return both(flags, XR_SPACE_LOCATION_POSITION_VALID_BIT, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT);
 }
-
-// A swapchain: the images that the runtime shows one after another.
-class Swapchain {
-  public:
-    Swapchain() = default;
-    // Pictures for display-coded values (sRGB's format, written raw), one sample a pixel.
-    static Swapchain make(XrSession session, glm::ivec2 size);
-
-    // A framebuffer on the next picture, once the runtime has done with it; release() hands it over.
-    GLuint acquire();
-    void release();
-
-    XrSwapchain name() const { return handle_.name(); }
-    glm::ivec2 size() const { return size_; }
-
-  private:
-    Handle<XrSwapchain, xrDestroySwapchain> handle_;
-    std::vector<gl::Framebuffer> framebuffers_; // one a picture
-    glm::ivec2 size_{0};
-    bool acquired_ = false;
-};
-
-// Hands without controllers, tracked through XR_EXT_hand_tracking.
-class HandTrackers {
-  public:
-    // Without the extension: hands that are never active.
-    static HandTrackers make(const Instance& instance, XrSession session);
-    void locate(XrSpace world, XrTime time, std::array<hands::HandPose, 2>& out) const;
-
-  private:
-    using Tracker = std::unique_ptr<std::remove_pointer_t<XrHandTrackerEXT>, PFN_xrDestroyHandTrackerEXT>;
-    std::vector<Tracker> trackers_; // left, right, or none
-    PFN_xrLocateHandJointsEXT locate_ = nullptr;
-};
 
 // Input and vibration of controllers: OpenXR's actions, bound for the common controllers.
 class Actions {

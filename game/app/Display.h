@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace shoal::app {
 
@@ -47,5 +48,8 @@ class Display {
     virtual std::span<const gl::Target> pictures() const = 0; // as last drawn: left, right
     virtual Audience audience() const { return Audience::WindowPlayer; }
 };
+
+// Makes so many of this size, if they are not.
+void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples);
 
 } // namespace shoal::app

@@ -4,8 +4,6 @@
 
 namespace shoal::app {
 
-namespace {
-
 void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples) {
     if (targets.size() == static_cast<size_t>(count) && targets[0].width() == size.x &&
         targets[0].height() == size.y)
@@ -13,8 +11,6 @@ void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int sa
     targets.clear();
     for (int i = 0; i < count; ++i) targets.emplace_back(size.x, size.y, samples);
 }
-
-} // namespace
 
 double FlatDisplay::period_s() const { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
 

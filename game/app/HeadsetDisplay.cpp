@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <thread>
 
 namespace shoal::app {
@@ -80,25 +79,6 @@ void HeadsetDisplay::feed(GameSession& session) {
     if (auto* source = std::get_if<OpenXrSource>(&session.source)) source->frame(poses);
 }
 
-Status HeadsetDisplay::prepareTargets(glm::ivec2 size) {
-    const bool resized = targets_.empty() || targets_[0].width() != size.x || targets_[0].height() != size.y;
-    if (!headset_.takeMasksChanged() && !resized) return Done{};
-    if (resized) {
-        targets_.clear();
-        for (int eye = 0; eye < 2; ++eye)
-            targets_.emplace_back(size.x, size.y, samples_, gl::Target::Kind::Stencilled);
-    }
-    // The stencil is written here only, so it stays from frame to frame.
-    for (size_t eye = 0; eye < 2; ++eye) {
-        const auto hidden = headset_.hiddenArea(static_cast<int>(eye));
-        if (!hidden) return hidden.error();
-        targets_[eye].bind();
-        fade_.hide(*hidden, xr::viewOf(headset_.tracking().eyes[eye]));
-        masked_[eye] = !hidden->empty();
-    }
-    return Done{};
-}
-
 Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windowSize) {
     const auto i = static_cast<size_t>(eye);
     const gl::Target& target = targets_[i];
@@ -106,15 +86,11 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     render::View view = xr::viewOf(headset_.tracking().eyes[i]);
     view.heightPixels = size.y;
     target.bind();
-    {
-        std::optional<render::FadePass::OnlySeen> seen;
-        if (masked_[i]) seen.emplace();
-        const SceneRenderer::Eye toDraw{eye, view, target};
-        if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
-    }
+    const SceneRenderer::Eye toDraw{eye, view, target};
+    if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
     target.bind();
     painter.hud(HudPart::Marks, Audience::HeadsetPlayer, view, size);
-    fade_.fade(kDark, pause_.fade());
+    fade_.draw(kDark, pause_.fade());
 
     const xr::Picture picture = eye == 0 ? xr::Picture::LeftEye : xr::Picture::RightEye;
     const auto framebuffer = headset_.acquire(picture);
@@ -167,7 +143,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
     xr::Shown shown;
     if (drawn) {
         const glm::ivec2 size = glm::max(glm::vec2(headset_.eyeSize()) * scale + 0.5f, glm::vec2(16));
-        if (Status ready = prepareTargets(size); !ready) return ready.error();
+        resize(targets_, 2, size, samples_);
         for (int eye = 0; eye < 2; ++eye)
             if (Status done = drawEye(eye, painter, windowSize); !done) return done.error();
         if (Status done = drawPanel(painter); !done) return done.error();

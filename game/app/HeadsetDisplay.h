@@ -41,7 +41,6 @@ class HeadsetDisplay : public Display {
                    render::FadePass fade, int samples)
         : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
           samples_(samples) {}
-    Status prepareTargets(glm::ivec2 size);
     Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
     Status drawPanel(const Painter& painter);
     void mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,
@@ -51,7 +50,6 @@ class HeadsetDisplay : public Display {
     const hands::HandRig* rig_;
     xr::Headset headset_;
     render::FadePass fade_;
-    std::array<bool, 2> masked_{}; // eyes of which the headset hides something
     int samples_;
     std::vector<gl::Target> targets_;
     HeadsetPause pause_;

@@ -176,25 +176,6 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     EXPECT_EQ(fake.last.panel->picture.rgba[2], 2);
 }
 
-TEST_F(HeadsetGL, HiddenAreasComeWholeOrNotAtAll) {
-    fake.masks[1] = {{{-1, -1}, {0, -1}, {-1, 0}, {1, 1}}, {0, 1, 2, 1, 3, 2}};
-    Headset headset = open();
-    EXPECT_TRUE(headset.takeMasksChanged());
-    EXPECT_FALSE(headset.takeMasksChanged());
-    const auto none = headset.hiddenArea(0), some = headset.hiddenArea(1);
-    ASSERT_TRUE(none && some);
-    EXPECT_TRUE(none->empty());
-    ASSERT_EQ(some->size(), 6u);
-    EXPECT_EQ((*some)[4], glm::vec2(1, 1));
-    fake.masks[1].indices[3] = 4; // beyond the vertices
-    fake.sayMaskChanged(1);
-    ASSERT_TRUE(headset.poll());
-    EXPECT_TRUE(headset.takeMasksChanged());
-    EXPECT_TRUE(headset.hiddenArea(1)->empty());
-    fake.masks[1].vertices.resize(1u << 20); // more than any lens hides
-    EXPECT_TRUE(headset.hiddenArea(1)->empty());
-}
-
 TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     fake.hands[1].active = true;
     for (size_t i = 0; i < fake.hands[1].joints.size(); ++i)
@@ -241,7 +222,7 @@ TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
     EXPECT_FALSE(seen().tracked);
 }
 
-TEST_F(HeadsetGL, WorksWithoutHandTrackingAndWithoutHiddenAreas) {
+TEST_F(HeadsetGL, WorksWithoutHandTracking) {
     fake.extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME};
     fake.hands[0].active = true;
     Headset headset = open();
@@ -249,7 +230,6 @@ TEST_F(HeadsetGL, WorksWithoutHandTrackingAndWithoutHiddenAreas) {
     untilFocused(headset);
     emptyFrame(headset);
     EXPECT_FALSE(headset.tracking().hands[0].tracked);
-    EXPECT_TRUE(headset.hiddenArea(0)->empty());
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
 }
 

@@ -142,30 +142,6 @@ TEST_F(XrPicture, MovesWithTheHead) {
     }
 }
 
-TEST_F(XrPicture, HiddenPixelsAreNotDrawnAndTheOthersAreTheSame) {
-    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
-    ASSERT_TRUE(headset) << headset.error().message();
-    show(*headset, 1);
-    // The left half of the left eye's image plane, in two triangles far beyond the picture's edges.
-    fake.masks[0] = {{{-9, -9}, {0, -9}, {0, 9}, {-9, 9}}, {0, 1, 2, 0, 2, 3}};
-    fake.sayMaskChanged(0);
-    show(*headset, 1);
-    const std::vector<uint8_t> whole = ordinary(0, {}, {200, 240}, 1);
-    const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
-    const float left = std::tan(fake.views[0].fov.angleLeft), right = std::tan(fake.views[0].fov.angleRight);
-    for (int y = 0; y < 240; ++y)
-        for (int x = 0; x < 200; ++x) {
-            const float place = left + (right - left) * (static_cast<float>(x) + 0.5f) / 200;
-            const auto at = static_cast<size_t>(y * 200 + x) * 4;
-            const bool hidden = place < 0;
-            // What has a mask is drawn by the graphics side where the other's background is sampled by us: a
-            // step of rounding.
-            for (size_t c = 0; c < 3; ++c)
-                ASSERT_NEAR(rgba[at + c], hidden ? 0 : whole[at + c], hidden ? 0 : 1) << x << "," << y;
-        }
-    EXPECT_EQ((*fake.last.eyes)[1].picture.rgba, ordinary(1, {}, {200, 240}, 1));
-}
-
 TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {
     auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
     ASSERT_TRUE(headset) << headset.error().message();

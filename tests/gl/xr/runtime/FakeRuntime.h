@@ -34,11 +34,6 @@ struct FakeController {
     bool menu = false;
 };
 
-struct FakeMask {
-    std::vector<XrVector2f> vertices;
-    std::vector<uint32_t> indices;
-};
-
 struct FakePicture {
     int width = 0, height = 0;
     std::vector<uint8_t> rgba; // lowest row first
@@ -73,8 +68,7 @@ struct FakeRuntime {
     // What the headset is and does. A test may change all of it, also in onWait.
     bool present = true; // a headset is plugged in
     std::set<std::string> extensions = {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME,
-                                        XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-                                        XR_KHR_VISIBILITY_MASK_EXTENSION_NAME};
+                                        XR_EXT_HAND_TRACKING_EXTENSION_NAME};
     std::map<std::string, XrResult> failing; // by function: it does nothing but return this
     std::vector<int64_t> formats = {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8};
     uint32_t eyeWidth = 200, eyeHeight = 240;
@@ -84,7 +78,6 @@ struct FakeRuntime {
     XrViewStateFlags viewFlags = 0xf;
     std::array<FakeHand, 2> hands;
     std::array<FakeController, 2> controllers;
-    std::array<FakeMask, 2> masks;
     double period_s = 1.0 / 90;
     bool shouldRender = true;
     bool focusesByItself = true;              // after the first frame
@@ -94,7 +87,6 @@ struct FakeRuntime {
     // News for the next xrPollEvent.
     void say(XrSessionState state);
     void sayInstanceLoss();
-    void sayMaskChanged(int eye);
     void sayRecentred();
 
     // What it saw.

@@ -53,15 +53,6 @@ void FakeRuntime::sayInstanceLoss() {
     buffer.type = XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING;
     events.push_back(buffer);
 }
-void FakeRuntime::sayMaskChanged(int eye) {
-    XrEventDataBuffer buffer{};
-    auto& event = reinterpret_cast<XrEventDataVisibilityMaskChangedKHR&>(buffer);
-    event.type = XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR;
-    event.session = handleOf<XrSession>(&session());
-    event.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-    event.viewIndex = static_cast<uint32_t>(eye);
-    events.push_back(buffer);
-}
 void FakeRuntime::sayRecentred() {
     XrEventDataBuffer buffer{};
     auto& event = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(buffer);

@@ -272,18 +272,6 @@ XrResult xrLocateViews(XrSession, const XrViewLocateInfo* info, XrViewState* sta
     return XR_SUCCESS;
 }
 
-XrResult xrGetVisibilityMaskKHR(XrSession, XrViewConfigurationType, uint32_t eye,
-                                XrVisibilityMaskTypeKHR type, XrVisibilityMaskKHR* out) {
-    FAKE_XR(xrGetVisibilityMaskKHR);
-    if (eye > 1 || type != XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR)
-        return XR_ERROR_VALIDATION_FAILURE;
-    const FakeMask& mask = shoalFakeRuntime().masks[eye];
-    const XrResult result =
-        giveList(mask.vertices, out->vertexCapacityInput, &out->vertexCountOutput, out->vertices);
-    if (XR_FAILED(result)) return result;
-    return giveList(mask.indices, out->indexCapacityInput, &out->indexCountOutput, out->indices);
-}
-
 } // namespace
 
 PFN_xrVoidFunction sessionFunction(const std::string& name) {
@@ -308,7 +296,6 @@ PFN_xrVoidFunction sessionFunction(const std::string& name) {
     GIVE(xrBeginFrame);
     GIVE(xrEndFrame);
     GIVE(xrLocateViews);
-    GIVE(xrGetVisibilityMaskKHR);
 #undef GIVE
     return nullptr;
 }
