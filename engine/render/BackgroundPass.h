@@ -1,17 +1,15 @@
 // Draws the environment behind everything, with a layer of objects in the texels of its frame if there is
 // one. Pairs with shaders/render/Background. This is the OpenGL implementation, for any context from 3.3;
-// where the driver renders on the processor, makeBackgroundPass() returns software/SoftwareBackground
-// instead.
+// where the driver renders on the processor, make() returns software/SoftwareBackground instead.
 #pragma once
 
 #include "engine/gl/Program.h"
 #include "engine/render/BackgroundCells.h"
 #include "engine/render/EquirectComposite.h"
 #include "engine/render/LayerPass.h"
+#include "engine/render/TriangleBatch.h"
 
-#include <array>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,8 +41,9 @@ struct TexelLayer {
 
 class BackgroundPass {
   public:
-    // withLayers: draw() will be given layers.
-    static Result<std::unique_ptr<BackgroundPass>> make(bool withLayers);
+    // The implementation for this context; Software anywhere is allowed, and draws with OpenGL what it cannot
+    // sample. withLayers: draw() will be given layers.
+    static Result<std::unique_ptr<BackgroundPass>> make(Backend backend, bool withLayers);
     virtual ~BackgroundPass() = default;
     BackgroundPass(const BackgroundPass&) = delete;
     BackgroundPass& operator=(const BackgroundPass&) = delete;
@@ -59,34 +58,24 @@ class BackgroundPass {
 
   protected:
     BackgroundPass() = default;
-    Status setUp(bool withLayers);
-    // painted: the frame with objects in it, of which only the tiles below painted cells need be defined; 0:
-    // none.
-    Status drawCells(const EyePicture& picture, std::span<const CellToDraw> cells, GLuint painted);
+    Status drawCells(const EyePicture& picture, const TexelLayer* layer); // those in drawn_
     void want(const FrameTiles& tiles, const BackgroundCell& cell); // marks the tiles that the cell shows
 
-    std::vector<CellToDraw> drawn_; // scratch
+    std::vector<CellToDraw> drawn_; // by OpenGL
     std::vector<bool> wanted_;      // tiles
 
   private:
     struct Corner {
         glm::vec2 place, uv;
     };
-    enum Kind { kPlain, kPolar, kPaintedPlain, kPaintedPolar, kKinds };
-    void upload(std::span<const CellToDraw> cells, const glm::ivec2& size);
+    Status setUp(bool withLayers);
 
     gl::Variants programs_;
-    gl::VertexArray vertexArray_;
-    gl::Buffer vertices_, indices_; // indices: of as many cells as there have been, the same for all
-    size_t indexedCells_ = 0;
+    TriangleBatch rectangles_;
     BackgroundCells cells_;
-    std::array<std::vector<Corner>, kKinds> corners_;
+    std::vector<Corner> corners_; // scratch
     EquirectComposite composite_;
 };
-
-// The implementation for this context; Software anywhere is allowed, and draws with OpenGL what it cannot
-// sample.
-Result<std::unique_ptr<BackgroundPass>> makeBackgroundPass(Backend backend, bool withLayers);
 
 // Whether the frame is displayed exactly as it is coded: no curve, no exposure.
 bool showsFrameAsCoded(const EnvironmentGpu& environment, const Exposure& exposure);

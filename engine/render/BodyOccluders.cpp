@@ -16,11 +16,6 @@ namespace {
 // Of the cosine-weighted hemisphere: less is not worth a look, and twice as much counts in full.
 constexpr float kMinShare = 0.01f;
 
-float smoothstep(float from, float to, float x) {
-    const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
-}
-
 PackedOccluder pack(const occlusion::Ellipsoid& shape, const glm::mat3& lightFromWorld, float strength,
                     const glm::vec3& albedo) {
     glm::mat3 scaled = lightFromWorld * shape.worldFromAxes;
@@ -110,7 +105,7 @@ NearBodies::Near NearBodies::near(size_t receiver, const glm::mat3& lightFromWor
     const size_t ownCount = packed_.size();
     for (const Found& found : found_)
         packed_.push_back(pack(shapes_[found.part], lightFromWorld,
-                               smoothstep(minimum, std::max(2 * kMinShare, 1.3f * minimum), found.share),
+                               glm::smoothstep(minimum, std::max(2 * kMinShare, 1.3f * minimum), found.share),
                                bodies_[found.body].albedo));
     return {packed_, ownCount, self.ownStrength};
 }

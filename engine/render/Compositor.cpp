@@ -30,7 +30,7 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
     made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(made.composition_);
-    if (Status s = makeBackgroundPass(setup.backend, made.intoTexels()).moveTo(made.background_); !s)
+    if (Status s = BackgroundPass::make(setup.backend, made.intoTexels()).moveTo(made.background_); !s)
         return s.error();
     if (made.intoTexels() || made.composition_ == Composition::MatchedResolution)
         for (LayerPass& layer : made.layers_)
@@ -82,10 +82,13 @@ Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& sc
             return s;
         }
     }
-    if (!drawsObjects()) return Done{};
-    if (!intoTexels()) return scene.drawShadows(picture, nullptr);
-    const ShadowPass::Cover cover{layer.layer.layer().texture(), kLayerWidth, picture.size()};
-    return scene.drawShadows(picture, &cover);
+    if (intoTexels()) {
+        const ShadowPass::Cover cover{layer.layer.layer().texture(), kLayerWidth, picture.size()};
+        scene.drawShadows(picture, &cover);
+    } else if (drawsObjects()) {
+        scene.drawShadows(picture, nullptr);
+    }
+    return Done{};
 }
 
 Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& scene) {
@@ -113,21 +116,11 @@ Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene
     for (const EyePicture& eye : eyes)
         if (usesLayer(eye))
             if (Status s = drawLayer(eye, scene); !s) return s;
-    // The background is infinitely far: parallel eyes see the same of it, and copying is quicker than
-    // drawing.
-    const bool shared =
-        eyes.size() == 2 && eyes[0].canvas.samples() == 1 && eyes[0].sharesFrame && !intoTexels();
     for (const EyePicture& eye : eyes) {
-        const bool first = &eye == eyes.data();
         eye.canvas.bindColour();
-        if (!first && intoTexels()) chooseTiles(eye, scene);
-        if (first || !shared)
-            // First, though objects hide some of it: testing the depth of every pixel costs more than that.
-            if (Status s = drawBackground(eye, scene); !s) return s;
-        if (first && shared) {
-            eye.canvas.blitTo(eyes[1].canvas.framebuffer(), 0, eye.canvas.width(), eye.canvas.height());
-            eye.canvas.bindColour();
-        }
+        if (&eye != eyes.data() && intoTexels()) chooseTiles(eye, scene);
+        // First, though objects hide some of it: testing the depth of every pixel costs more than that.
+        if (Status s = drawBackground(eye, scene); !s) return s;
         if (Status s = drawForeground(eye, scene); !s) return s;
         if (afterEye) afterEye(eye);
     }

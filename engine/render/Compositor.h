@@ -21,7 +21,7 @@ class CompositorScene {
     virtual Status drawObjects(const EyePicture& picture) = 0;
     virtual Status drawParticles(SnowPass::On on, const EyePicture& picture) = 0;
     // On the background just drawn. cover: where objects are in it already; null: nowhere.
-    virtual Status drawShadows(const EyePicture& picture, const ShadowPass::Cover* cover) = 0;
+    virtual void drawShadows(const EyePicture& picture, const ShadowPass::Cover* cover) = 0;
     virtual gl::PassTimers& timers() = 0;
     // Spheres that hold all objects in the view; world. Valid until the next call.
     virtual std::span<const scene::Sphere> visibleSpheres(const View& view) = 0;

@@ -10,15 +10,10 @@ namespace {
 
 constexpr size_t kMaxMaps = 17, kMaxMirrors = 6; // the arrays in shaders/light/Environment.glsl
 
-// Replaces level `level` of the bound texture; `fresh` makes new storage.
-void putLevel(int level, const light::HalfImage& image, bool fresh) {
+void putLevel(int level, const light::HalfImage& image) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    if (fresh)
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
-                     image.pixels.data());
-    else
-        glTexSubImage2D(GL_TEXTURE_2D, level, 0, 0, image.width, image.height, GL_RGBA, GL_HALF_FLOAT,
-                        image.pixels.data());
+    glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, image.width, image.height, 0, GL_RGBA, GL_HALF_FLOAT,
+                 image.pixels.data());
 }
 
 } // namespace
@@ -78,32 +73,23 @@ void EnvironmentGpu::setFrame(const ImageRgbF& radianceLin) {
 void EnvironmentGpu::uploadLight(const light::PackedLight& light, const occlusion::SmoothLight& smooth) {
     assert(light.places.size() <= kMaxMaps && light.mirrorRoughness.size() <= kMaxMirrors);
     glBindTexture(GL_TEXTURE_2D, light_.name());
-    putLevel(0, light.atlas, light.atlas.width != lightWidth_ || light.atlas.height != lightHeight_);
-    lightWidth_ = light.atlas.width;
-    lightHeight_ = light.atlas.height;
+    putLevel(0, light.atlas);
     places_ = light.places;
     mirrorRoughness_ = light.mirrorRoughness;
     smooth_ = smooth;
 
     if (light.mirrors.empty()) return;
     glBindTexture(GL_TEXTURE_2D, mirrors_.name());
-    const bool fresh = light.mirrors[0].width != mirrorWidth_ || light.mirrors.size() != mirrorLevels_;
-    for (size_t k = 0; k < light.mirrors.size(); ++k) putLevel(static_cast<int>(k), light.mirrors[k], fresh);
-    if (fresh)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
+    for (size_t k = 0; k < light.mirrors.size(); ++k) putLevel(static_cast<int>(k), light.mirrors[k]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(light.mirrors.size()) - 1);
     mirrorWidth_ = light.mirrors[0].width;
-    mirrorLevels_ = light.mirrors.size();
 }
 
 void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
     glBindTexture(GL_TEXTURE_2D, scattered_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    if (light.width != scatteredLight_.width || light.height != scatteredLight_.height)
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
-                     light.pixels.data());
-    else
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, light.width, light.height, GL_RGB, GL_FLOAT,
-                        light.pixels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
+                 light.pixels.data());
     scatteredLight_ = light;
 }
 
@@ -111,7 +97,7 @@ void EnvironmentGpu::bindLight(const gl::Program& program) const {
     program.setTexture("lightMap", UNIT_LIGHT, light_.name());
     program.setArray("lightPlaces[0]", places_);
     program.set("smoothestMap", static_cast<float>(places_.size() - 1));
-    if (mirrorLevels_ == 0) return;
+    if (mirrorWidth_ == 0) return;
     program.setTexture("radianceMap", UNIT_RADIANCE, mirrors_.name());
     program.set("radianceWidth", static_cast<float>(mirrorWidth_));
     program.set("mirrorLevels", static_cast<int>(mirrorRoughness_.size() - 1));

@@ -57,8 +57,7 @@ class EnvironmentGpu {
     uint64_t frameNumber_ = 0;
     bool coded_ = true;
     ImageRgbF scatteredLight_;
-    int lightWidth_ = 0, lightHeight_ = 0, mirrorWidth_ = 0;
-    size_t mirrorLevels_ = 0;
+    int mirrorWidth_ = 0; // 0: there are none
     std::vector<glm::vec4> places_;
     std::vector<float> mirrorRoughness_;
     occlusion::SmoothLight smooth_;

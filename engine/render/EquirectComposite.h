@@ -6,16 +6,57 @@
 // equirectangular map, where straight edges bend and a pole tears them apart: seam and poles need no care.
 #pragma once
 
+#include "engine/camera/CameraResponse.h"
 #include "engine/gl/Program.h"
-#include "engine/render/CameraComposite.h"
 #include "engine/render/EnvironmentGpu.h"
 #include "engine/render/FrameTiles.h"
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace shoal::render {
+
+// As the video's own camera would have filmed them: where objects cover a part of a texel, light is mixed,
+// not coded values; port and lens scatter the light of what is around onto them; then come levels, shared
+// colours and the frame's own grain.
+
+// Texels of the video to a pixel of the layer, so that painting it leaves objects' edges as soft as the
+// film's.
+//
+// Variances in texels^2: between a layer's pixels of k texels values are drawn straight, k^2 / 6, and where
+// it has several samples a pixel each is a mean over its square, k^2 / 12; the video's own texels are such
+// means, 1 / 12, and its camera's blur^2 comes on top. With one sample a pixel, as software renderers draw,
+// never finer than the video: twice the pixels took only a fifth off the distance to what is filmed.
+float layerTexels(const camera::CameraResponse& response, int samples);
+
+// The noise that films have: 256 x 256 texels that repeat, two bytes each, of single texels and of squares of
+// 2 x 2; 0.5 is none, a standard deviation is kGrainDeviation.
+constexpr float kGrainDeviation = 0.125f;
+constexpr int kGrainSize = 256;
+std::vector<uint8_t> makeGrain();
+
+// How the frame's camera would have seen what is painted into it.
+struct FilmedFrame {
+    camera::CameraResponse response;
+    int64_t index = 0; // of the frame, whose grain is its own
+};
+
+// The same as shaders/render/EquirectComposite calls it.
+struct CameraUniforms {
+    glm::vec3 black{0}, range{1};
+    float glare = 0;
+    glm::vec2 shares{0};
+    std::array<float, camera::kBrightnesses> fineNoise{}, coarseNoise{};
+    glm::ivec2 grainShift{0};
+    float perGrain = 0; // 0: no grain
+};
+CameraUniforms cameraUniforms(const FilmedFrame& filmed);
 
 class EquirectComposite {
   public:
@@ -23,17 +64,16 @@ class EquirectComposite {
 
     // Writes the wanted tiles (indices as FrameTiles counts them). layer: a texture of display values,
     // premultiplied, seen by layerView; nothing may be in it beside the chosen tiles. Leaves another
-    // framebuffer bound. Display-coded frames only. filmed: null for the layer as it is; the program for a
-    // camera response of a new kind is compiled first.
-    Status paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
-                 GLuint layer, const View& layerView, const glm::mat3& envFromWorld,
-                 const FilmedFrame* filmed = nullptr);
+    // framebuffer bound. Display-coded frames only. filmed: null for the layer as it is.
+    void paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
+               GLuint layer, const View& layerView, const glm::mat3& envFromWorld,
+               const FilmedFrame* filmed = nullptr);
 
     GLuint texture() const { return frame_.name(); } // undefined beside the tiles painted last
 
   private:
-    gl::Variants programs_;
-    gl::Texture grain_; // once something is filmed
+    gl::Program plain_, filmed_;
+    gl::Texture grain_;
     TriangleBatch drawn_;
     gl::Texture frame_;
     gl::Framebuffer framebuffer_;

@@ -125,15 +125,8 @@ PrimitiveGpu uploadPrimitive(const scene::Primitive& primitive, Reflectance refl
 }
 
 GLint wrapMode(scene::Texture::Wrap wrap) {
-    switch (wrap) {
-    case scene::Texture::Wrap::Mirror:
-        return GL_MIRRORED_REPEAT;
-    case scene::Texture::Wrap::Clamp:
-        return GL_CLAMP_TO_EDGE;
-    case scene::Texture::Wrap::Repeat:
-        break;
-    }
-    return GL_REPEAT;
+    constexpr GLint kModes[] = {GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE}; // as they are numbered
+    return kModes[static_cast<size_t>(wrap)];
 }
 
 ImageRgba8 halved(const ImageRgba8& image) {
@@ -158,16 +151,6 @@ gl::Texture uploadTexture(const scene::Texture& texture, const ImageRgba8& image
     glGenerateMipmap(GL_TEXTURE_2D);
     return gpu;
 }
-
-} // namespace
-
-const DetailGpu& PrimitiveGpu::detail(float tolerance) const {
-    size_t k = details.size() - 1;
-    while (k > 0 && details[k].error > tolerance) --k;
-    return details[k];
-}
-
-namespace {
 
 std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Reflectance reflectance,
                                                   Detail detail) {
@@ -203,6 +186,12 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
 }
 
 } // namespace
+
+const DetailGpu& PrimitiveGpu::detail(float tolerance) const {
+    size_t k = details.size() - 1;
+    while (k > 0 && details[k].error > tolerance) --k;
+    return details[k];
+}
 
 ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail detail,
                      std::shared_ptr<const TexturesGpu> textures) {

@@ -13,82 +13,46 @@ namespace shoal::render {
 
 namespace {
 
-// What a primitive needs of the shader; each set of features is compiled once, when it is first seen.
-enum FeatureBit : unsigned {
-    kSkinned = 1u << 0,
-    kBaseColourMap = 1u << 1,
-    kMetallicRoughnessMap = 1u << 2,
-    kNormalMap = 1u << 3,
-    kOcclusionMap = 1u << 4,
-    kEmissiveMap = 1u << 5,
-    kAlphaMask = 1u << 6,
-    kAlphaBlend = 1u << 7,
-    kPhongRings = 1u << 8,
-    kMirrors = 1u << 9,
-    kWater = 1u << 10,
-    kToneAces = 1u << 11,
-    kToneLinear = 1u << 12,
-    kLean = 1u << 13,
-    kVertexDiffuse = 1u << 14,
-    kVertexLit = 1u << 15,
-    kOccluded = 1u << 16,
-    kVertexColours = 1u << 17,
-    kSecondUv = 1u << 18,
-    kLayers = 1u << 19,
-    kLayersThesis = 1u << 20,
-    kShowNormals = 1u << 21, // these as ShownQuantity orders them
-};
-constexpr std::array<const char*, 26> kObjectDefines = {"SKINNED",
-                                                        "BASE_COLOUR_MAP",
-                                                        "METALLIC_ROUGHNESS_MAP",
-                                                        "NORMAL_MAP",
-                                                        "OCCLUSION_MAP",
-                                                        "EMISSIVE_MAP",
-                                                        "ALPHA_MASK",
-                                                        "ALPHA_BLEND",
-                                                        "PHONG_RINGS",
-                                                        "MIRRORS",
-                                                        "WATER",
-                                                        "TONE_ACES",
-                                                        "TONE_LINEAR",
-                                                        "LEAN",
-                                                        "VERTEX_DIFFUSE",
-                                                        "VERTEX_LIT",
-                                                        "OCCLUDED",
-                                                        "VERTEX_COLOURS",
-                                                        "SECOND_UV",
-                                                        "LAYERS",
-                                                        "LAYERS_THESIS",
-                                                        "SHOW_NORMALS",
-                                                        "SHOW_ROUGHNESS",
-                                                        "SHOW_OCCLUSION",
-                                                        "SHOW_DIFFUSE",
-                                                        "SHOW_DEPTH"};
+// What a primitive needs of the shader, by the name that the shader asks for; each set is compiled once, when
+// it is first seen. Those from SHOW_NORMALS on as ShownQuantity orders them.
+#define SHOAL_FEATURES(F)                                                                                    \
+    F(SKINNED)                                                                                               \
+    F(BASE_COLOUR_MAP)                                                                                       \
+    F(METALLIC_ROUGHNESS_MAP) F(NORMAL_MAP) F(OCCLUSION_MAP) F(EMISSIVE_MAP) F(ALPHA_MASK) F(ALPHA_BLEND)    \
+        F(PHONG_RINGS) F(MIRRORS) F(WATER) F(TONE_ACES) F(TONE_LINEAR) F(LEAN) F(VERTEX_DIFFUSE)             \
+            F(VERTEX_LIT) F(OCCLUDED) F(VERTEX_COLOURS) F(SECOND_UV) F(LAYERS) F(LAYERS_THESIS)              \
+                F(SHOW_NORMALS) F(SHOW_ROUGHNESS) F(SHOW_OCCLUSION) F(SHOW_DIFFUSE) F(SHOW_DEPTH)
+#define SHOAL_BIT(name) name##_BIT,
+enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
+#define SHOAL_FEATURE(name) name = 1u << name##_BIT,
+enum Feature : unsigned { SHOAL_FEATURES(SHOAL_FEATURE) };
+#define SHOAL_NAME(name) #name,
+constexpr std::array kObjectDefines = {SHOAL_FEATURES(SHOAL_NAME)};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
-    if (primitive.skinned) features |= kSkinned;
-    if (primitive.coloured) features |= kVertexColours;
+    if (primitive.skinned) features |= SKINNED;
+    if (primitive.coloured) features |= VERTEX_COLOURS;
     for (const scene::TextureUse& use : {material.baseColour, material.metallicRoughness, material.normal,
                                          material.occlusion, material.emissive})
-        if (use.texture >= 0 && use.texCoord == 1) features |= kSecondUv;
-    if (material.baseColour.texture >= 0) features |= kBaseColourMap;
-    if (material.metallicRoughness.texture >= 0) features |= kMetallicRoughnessMap;
-    if (material.normal.texture >= 0) features |= kNormalMap;
-    if (material.occlusion.texture >= 0) features |= kOcclusionMap;
-    if (material.emissive.texture >= 0) features |= kEmissiveMap;
-    if (material.alphaMode == scene::AlphaMode::Mask) features |= kAlphaMask;
-    if (material.alphaMode == scene::AlphaMode::Blend) features |= kAlphaBlend;
+        if (use.texture >= 0 && use.texCoord == 1) features |= SECOND_UV;
+    if (material.baseColour.texture >= 0) features |= BASE_COLOUR_MAP;
+    if (material.metallicRoughness.texture >= 0) features |= METALLIC_ROUGHNESS_MAP;
+    if (material.normal.texture >= 0) features |= NORMAL_MAP;
+    if (material.occlusion.texture >= 0) features |= OCCLUSION_MAP;
+    if (material.emissive.texture >= 0) features |= EMISSIVE_MAP;
+    if (material.alphaMode == scene::AlphaMode::Mask) features |= ALPHA_MASK;
+    if (material.alphaMode == scene::AlphaMode::Blend) features |= ALPHA_BLEND;
     return features;
 }
 
 // Of a whole draw.
 unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
     unsigned features = 0;
-    if (glossy == Glossy::PhongRings) features |= kPhongRings;
-    if (!water.none()) features |= kWater;
-    if (exposure.curve == ToneCurve::Aces) features |= kToneAces;
-    if (exposure.curve == ToneCurve::Linear) features |= kToneLinear;
+    if (glossy == Glossy::PhongRings) features |= PHONG_RINGS;
+    if (!water.none()) features |= WATER;
+    if (exposure.curve == ToneCurve::Aces) features |= TONE_ACES;
+    if (exposure.curve == ToneCurve::Linear) features |= TONE_LINEAR;
     return features;
 }
 
@@ -233,7 +197,7 @@ bool ObjectPass::shaded(const Item& item) const {
 }
 
 Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
-    auto program = programs_.get(features, features & kLayers ? occlusion::kStorageGlsl : 330);
+    auto program = programs_.get(features, features & LAYERS ? occlusion::kStorageGlsl : 330);
     if (!program) return program;
     (*program)->bindBlock("JointBlock", BLOCK_JOINTS);
     (*program)->bindBlock("OccluderBlock", BLOCK_OCCLUDERS);
@@ -258,7 +222,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
     glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
     const glm::mat4 clipFromWorld = view.clipFromWorld();
-    const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? kLean : 0u);
+    const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? LEAN : 0u);
     const gl::Program* current = nullptr;
     for (const ToDraw& next : order_) {
         const Item& item = items_[next.item];
@@ -271,18 +235,18 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         const float smoothest =
             lean ? item.primitive->gloss.meanRoughness : item.primitive->gloss.minRoughness;
         if (glossy == Glossy::Prefiltered && smoothest < 0.99f * environment.smoothestFiltered())
-            features |= kMirrors;
-        if (lean) features &= ~kMetallicRoughnessMap;
+            features |= MIRRORS;
+        if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
         if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
-            features |= kShowNormals << (static_cast<unsigned>(shown_) - 1);
+            features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
         else if (lean && isSmall(item.bound, view))
-            features = (features & ~(kNormalMap | kOcclusionMap | kMirrors)) | kVertexLit;
+            features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
-            features |= kVertexDiffuse;
-        if (shaded(item)) features |= kOccluded;
+            features |= VERTEX_DIFFUSE;
+        if (shaded(item)) features |= OCCLUDED;
         if (layers_)
-            features = (features & ~kOcclusionMap) | kLayers |
-                       (layers_->method() == occlusion::LayerMethod::Thesis ? kLayersThesis : 0u);
+            features = (features & ~OCCLUSION_MAP) | LAYERS |
+                       (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) {
@@ -295,7 +259,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
             current->set("envFromWorld", envFromWorld);
             current->set("exposureScale", exposure.scale());
             setWater(*current, water);
-            if (features & kOccluded) setSmoothLight(*current, environment.smoothLight());
+            if (features & OCCLUDED) setSmoothLight(*current, environment.smoothLight());
             if (layers_) layers_->bind(*current);
         }
         if (layers_) current->set("bodyAlbedo", item.albedo);

@@ -7,13 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 
 namespace shoal::render {
 
 namespace {
-constexpr std::array<const char*, 1> kShadowDefines = {"COVERED"};
 constexpr float kMin = 0.012f; // of the ground's light: three of 255 display values where it is bright
 constexpr float kUnseen = 1 - 0.5f / 255; // a factor that leaves display values what they are
 
@@ -38,17 +35,10 @@ glm::vec3 leftOfGround(const FloorLight& light, float hidden, const water::Water
 
 Result<ShadowPass> ShadowPass::make() {
     ShadowPass pass;
-    pass.programs_ = gl::Variants("render/Shadow", kShadowDefines);
-    if (auto program = pass.programs_.get(0); !program) return program.error();
-    pass.vertexArray_ = gl::VertexArray::make();
-    pass.vertexBuffer_ = gl::Buffer::make();
-    pass.indexBuffer_ = gl::Buffer::make();
-    glBindVertexArray(pass.vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, pass.vertexBuffer_.name());
-    gl::setAttribute(ATTRIBUTE_POSITION, 3, sizeof(Vertex), offsetof(Vertex, place));
-    gl::setAttribute(ATTRIBUTE_COLOUR, 3, sizeof(Vertex), offsetof(Vertex, left));
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, pass.indexBuffer_.name());
-    glBindVertexArray(0);
+    if (Status s = gl::Program::load("render/Shadow").moveTo(pass.plain_); !s) return s.error();
+    if (Status s = gl::Program::load("render/Shadow", {"COVERED"}).moveTo(pass.covered_); !s)
+        return s.error();
+    pass.drawn_ = TriangleBatch::make({{ATTRIBUTE_POSITION, 3}, {ATTRIBUTE_COLOUR, 3}});
     return pass;
 }
 
@@ -59,35 +49,21 @@ glm::vec2 ShadowPass::Patch::at(int x, int y) const {
 void ShadowPass::begin() {
     patches_.clear();
     flat_.clear();
-    hidden_.clear();
 }
 
 void ShadowPass::add(std::span<const occlusion::Ellipsoid> body, const FloorLight& light) {
     flatten(body, light, body_);
     const FloorPatch floor = patchOf(body_, light, kMin);
     if (floor.across == 0) return;
-    patches_.push_back({floor, flat_.size(), body_.size(), std::nullopt});
+    patches_.push_back({floor, flat_.size(), body_.size()});
     flat_.insert(flat_.end(), body_.begin(), body_.end());
 }
 
-std::span<const float> ShadowPass::hiddenIn(Patch& patch, const FloorLight& light) {
-    const FloorPatch& floor = patch.floor;
-    if (!patch.first) {
-        patch.first = hidden_.size();
-        const std::span body(flat_.data() + patch.firstPiece, patch.pieces);
-        for (int y = 0; y <= floor.down; ++y)
-            for (int x = 0; x <= floor.across; ++x)
-                hidden_.push_back(floor.strength * covered(body, light, patch.at(x, y)));
-    }
-    return {hidden_.data() + *patch.first, static_cast<size_t>((floor.across + 1) * (floor.down + 1))};
-}
-
-Status ShadowPass::draw(const View& view, const FloorLight& light, const water::Water& water,
-                        const Cover* cover) {
-    vertices_.clear();
-    indices_.clear();
+void ShadowPass::draw(const View& view, const FloorLight& light, const water::Water& water,
+                      const Cover* cover) {
+    triangles_.clear();
     const glm::mat4 clipFromWorld = view.clipFromWorld();
-    for (Patch& patch : patches_) {
+    for (const Patch& patch : patches_) {
         const int across = patch.floor.across, down = patch.floor.down, stride = across + 1;
         const auto onGround = [&](int x, int y) {
             const glm::vec2 xz = patch.at(x, y);
@@ -96,13 +72,13 @@ Status ShadowPass::draw(const View& view, const FloorLight& light, const water::
         if (isUnseen({onGround(0, 0), onGround(across, 0), onGround(0, down), onGround(across, down)},
                      clipFromWorld))
             continue;
-        const std::span<const float> hidden = hiddenIn(patch, light);
-        const size_t first = vertices_.size();
+        const std::span body(flat_.data() + patch.firstPiece, patch.pieces);
+        grid_.clear();
         for (int y = 0; y <= down; ++y)
             for (int x = 0; x <= across; ++x) {
                 const glm::vec3 place = onGround(x, y);
-                const float here = hidden[static_cast<size_t>(y * stride + x)];
-                vertices_.push_back(
+                const float here = patch.floor.strength * covered(body, light, {place.x, place.z});
+                grid_.push_back(
                     {place, here > 0 ? leftOfGround(light, here, water, glm::distance(place, view.eyeWorld))
                                      : glm::vec3(1)});
             }
@@ -110,26 +86,16 @@ Status ShadowPass::draw(const View& view, const FloorLight& light, const water::
             for (int x = 0; x < across; ++x) {
                 const int cell = y * stride + x;
                 const auto dims = [&](int i) {
-                    const glm::vec3& left = vertices_[first + static_cast<size_t>(cell + i)].left;
+                    const glm::vec3& left = grid_[static_cast<size_t>(cell + i)].left;
                     return std::min({left.x, left.y, left.z}) < kUnseen;
                 };
                 if (!dims(0) && !dims(1) && !dims(stride) && !dims(stride + 1)) continue;
                 for (const int i : {0, 1, stride, stride, 1, stride + 1})
-                    indices_.push_back(static_cast<uint32_t>(first) + static_cast<uint32_t>(cell + i));
+                    triangles_.push_back(grid_[static_cast<size_t>(cell + i)]);
             }
     }
-    if (indices_.empty()) return Done{};
-    auto found = programs_.get(cover ? 1 : 0);
-    if (!found) return found.error();
-    const gl::Program& program = **found;
-    glBindVertexArray(vertexArray_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer_.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)),
-                 vertices_.data(), GL_STREAM_DRAW);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices_.size() * sizeof(uint32_t)),
-                 indices_.data(), GL_STREAM_DRAW);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
+    if (triangles_.empty()) return;
+    const gl::Program& program = cover ? covered_ : plain_;
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     program.use();
@@ -139,10 +105,8 @@ Status ShadowPass::draw(const View& view, const FloorLight& light, const water::
         program.set("coverScale", 1.0f / (cover->wider * glm::vec2(cover->size)));
         program.set("coverShift", glm::vec2(0.5f - 0.5f / cover->wider));
     }
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT, nullptr);
+    drawn_.draw(triangles_);
     glDisable(GL_BLEND);
-    glBindVertexArray(0);
-    return Done{};
 }
 
 } // namespace shoal::render

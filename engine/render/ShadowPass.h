@@ -7,10 +7,10 @@
 
 #include "engine/gl/Program.h"
 #include "engine/render/FloorShadow.h"
+#include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,9 +40,9 @@ class ShadowPass {
 
     // After the background, before objects; depth is neither asked nor changed. view: from where the ground
     // was filmed, turned as the eye is. Nothing is drawn where nothing casts. cover: null where nothing
-    // covers. The program for a cover is compiled when first asked for.
-    Status draw(const View& view, const FloorLight& light, const water::Water& water,
-                const Cover* cover = nullptr);
+    // covers.
+    void draw(const View& view, const FloorLight& light, const water::Water& water,
+              const Cover* cover = nullptr);
 
     size_t patches() const { return patches_.size(); } // since begin()
 
@@ -50,7 +50,6 @@ class ShadowPass {
     struct Patch {
         FloorPatch floor;
         size_t firstPiece = 0, pieces = 0; // of its body, in flat_
-        std::optional<size_t> first;       // of its places, row by row, in hidden_: once it has been seen
 
         glm::vec2 at(int x, int y) const; // of its grid: world x and z
     };
@@ -58,17 +57,11 @@ class ShadowPass {
         glm::vec3 place, left;
     };
 
-    // The share of the light that is hidden at the patch's places.
-    std::span<const float> hiddenIn(Patch& patch, const FloorLight& light);
-
-    gl::Variants programs_;
-    gl::VertexArray vertexArray_;
-    gl::Buffer vertexBuffer_, indexBuffer_;
+    gl::Program plain_, covered_;
+    TriangleBatch drawn_;
     std::vector<Patch> patches_;
-    std::vector<FlatPiece> flat_, body_; // of all bodies; of one: scratch
-    std::vector<float> hidden_;
-    std::vector<Vertex> vertices_; // scratch
-    std::vector<uint32_t> indices_;
+    std::vector<FlatPiece> flat_, body_;   // of all bodies; of one: scratch
+    std::vector<Vertex> grid_, triangles_; // scratch: of a patch; of all
 };
 
 } // namespace shoal::render

@@ -206,7 +206,8 @@ Status Viewer::open() {
     }
     gpu_ = render::uploadModel(model_, reflectanceIn(options_.environment));
     uploadMorphed();
-    if (Status s = render::makeBackgroundPass(options_.look.backend, false).moveTo(background_); !s) return s;
+    if (Status s = render::BackgroundPass::make(options_.look.backend, false).moveTo(background_); !s)
+        return s;
     if (Status s = render::ObjectPass::make(render::Detail::Full, options_.look.occlusion != Occlusion::Off,
                                             options_.look.shown)
                        .moveTo(objects_);

@@ -120,13 +120,13 @@ Status SceneRenderer::drawParticles(render::SnowPass::On on, const render::EyePi
                               water, time_s_);
 }
 
-Status SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
-    if (!passes_.shadows || setup_.skip == render::SkippedPass::Shadows) return Done{};
+void SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
+    if (!passes_.shadows || setup_.skip == render::SkippedPass::Shadows) return;
     const gl::PassTimers::Scope scope(timers_, "shadows");
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     render::View filmed = picture.view;
     filmed.eyeWorld = picture.sharesFrame ? glm::vec3(0) : picture.view.eyeWorld - headWorld_;
-    return passes_.shadows->draw(filmed, floorLight_, environment_->water(), cover);
+    passes_.shadows->draw(filmed, floorLight_, environment_->water(), cover);
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {

@@ -70,7 +70,7 @@ class SceneRenderer final : private render::CompositorScene {
     render::EyePicture pictureOf(const Eye& eye) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::SnowPass::On on, const render::EyePicture& picture) override;
-    Status drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) override;
+    void drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) override;
     std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
 
     CreatureModels creatureModels_;

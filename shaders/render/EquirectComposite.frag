@@ -1,6 +1,6 @@
 // A texel of the frame with what a layer of objects shows in its direction; display values, premultiplied by coverage.
-// FILMED: as the video's camera would have it, see engine/render/CameraComposite.h. GRAINY: with its noise. SHARES_COLOUR:
-// squares of texels have one colour, as codecs keep it.
+// FILMED: as the video's camera would have it, with its noise and where codecs keep one colour for squares of texels, see
+// engine/render/EquirectComposite.h.
 uniform sampler2D layer;
 uniform vec2 rayScale; // half the layer's image plane's extent at distance 1
 uniform vec2 rayShift; // its centre
@@ -18,25 +18,19 @@ vec4 seen(vec3 ray) {
 noperspective in vec3 scatteredLight;
 uniform float glare; // share of the light that is scattered
 uniform vec3 black, range;
-#ifdef GRAINY
 uniform sampler2D grain;
 uniform ivec2 grainShift;
 uniform float perGrain;
 uniform float fineNoise[8], coarseNoise[8]; // standard deviation by luma
-#endif
-#ifdef SHARES_COLOUR
 uniform vec2 shares; // 1: two texels across, down, have one colour
-#endif
 
 float luma(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 void main() {
     vec4 c = seen(eyeRay);
-#ifdef SHARES_COLOUR
     // Fragments come in squares of two by two that begin where the codec's do: their mean is two differences away.
     vec2 aside = shares * (0.5 - mod(floor(gl_FragCoord.xy), 2.0));
     vec4 square = c + aside.x * dFdx(c) + aside.y * dFdy(c);
-#endif
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 behind = texelFetch(frame, at, 0).rgb;
     if (c.a < 0.002) {
@@ -44,20 +38,16 @@ void main() {
         return;
     }
     vec3 own = c.rgb / c.a;
-#ifdef SHARES_COLOUR
     if (square.a > 0.01) own = max(luma(own) + (square.rgb - luma(square.rgb)) / square.a, 0.0);
-#endif
     own = black + range * own;
     vec3 light = mix(own * own, scatteredLight, glare);
     vec3 shown = sqrt(mix(behind * behind, light, c.a));
-#ifdef GRAINY
     vec2 grains = (2.0 * texelFetch(grain, (at + grainShift) & 255, 0).rg - 1.0) * perGrain;
     float band = clamp(8.0 * luma(shown) - 0.5, 0.0, 6.999);
     int below = int(band);
     vec2 deviation = mix(vec2(fineNoise[below], coarseNoise[below]), vec2(fineNoise[below + 1], coarseNoise[below + 1]),
                          band - float(below));
     shown += c.a * dot(grains, deviation);
-#endif
     colour = vec4(shown, 1.0);
 }
 #else

@@ -74,8 +74,7 @@ class LatLongGL : public WithContext {
         const render::Sphere sphere{eyeWorld + 2.0f * direction, 2 * std::sin(halfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, eyeWorld);
         const std::vector<bool> everywhere(tiles_.chosen().size(), true);
-        ASSERT_TRUE(
-            pass_->paint(*environment_, tiles_, everywhere, layer_->layer().texture(), view, glm::mat3(1)));
+        pass_->paint(*environment_, tiles_, everywhere, layer_->layer().texture(), view, glm::mat3(1));
     }
     ImageRgba8 painted() const { return readTexture(pass_->texture(), frame_); }
     ImageRgba8 environments() const { return readTexture(environment_->frameTexture(), frame_); }
@@ -160,7 +159,7 @@ TEST_F(LatLongGL, OneEyesObjectsMakeWayForTheOthers) {
 // What the layer shows, the background shows in the same place: half a texel's worth of light along the
 // outline.
 TEST_F(LatLongGL, TheBackgroundShowsItWhereTheLayerHadIt) {
-    auto background = render::BackgroundPass::make(true);
+    auto background = render::BackgroundPass::make(render::Backend::OpenGL, true);
     ASSERT_TRUE(background) << background.error().message();
     const glm::vec3 direction = glm::normalize(glm::vec3(0.4f, 0.8f, 0.2f));
     paint(direction, 0.2f);
@@ -182,8 +181,8 @@ TEST_F(LatLongGL, TheBackgroundShowsItWhereTheLayerHadIt) {
 // Both backends show one picture, whether the processor begins before the layer is drawn or after.
 TEST_P(LatLongPlaces, AreShownFromMemoryAsTheyAreFromTheTexture) {
     if (!render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
-    auto openGL = render::makeBackgroundPass(render::Backend::OpenGL, true),
-         software = render::makeBackgroundPass(render::Backend::Software, true);
+    auto openGL = render::BackgroundPass::make(render::Backend::OpenGL, true),
+         software = render::BackgroundPass::make(render::Backend::Software, true);
     ASSERT_TRUE(openGL && software);
     const gl::Target target(640, 640, 1);
     const glm::vec3 direction = glm::normalize(GetParam());
@@ -212,7 +211,9 @@ TEST_P(LatLongPlaces, AreShownFromMemoryAsTheyAreFromTheTexture) {
 TEST_F(LatLongGL, NothingOfOneEyesObjectsStaysInTheOthersPicture) {
     if (!render::canSampleFrames()) GTEST_SKIP() << "this processor has no AVX2";
     const gl::Target target(640, 640, 1);
-    const auto make = [] { return std::move(*render::makeBackgroundPass(render::Backend::Software, true)); };
+    const auto make = [] {
+        return std::move(*render::BackgroundPass::make(render::Backend::Software, true));
+    };
     // The picture towards -Z, with a sphere elsewhere in it.
     const auto with = [&](const glm::vec3& to, render::BackgroundPass& background) {
         constexpr float kHalfAngle = 0.15f;

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(From, RenderGLBackground,
                          });
 
 TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
-    auto pass = render::makeBackgroundPass(GetParam(), false);
+    auto pass = render::BackgroundPass::make(GetParam(), false);
     ASSERT_TRUE(pass) << pass.error().message();
     render::EnvironmentGpu environment;
     const ImageRgba8 frame = upload(environment, smoothSurround(512));
@@ -95,7 +95,7 @@ TEST_P(RenderGLBackground, ShowsTheMapWhereItLies) {
 }
 
 TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
-    auto pass = render::BackgroundPass::make(false);
+    auto pass = render::BackgroundPass::make(render::Backend::OpenGL, false);
     ASSERT_TRUE(pass);
     render::EnvironmentGpu environment;
     const ImageRgba8 shown = upload(environment, smoothSurround(256));
@@ -297,7 +297,7 @@ TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
     render::EnvironmentGpu environment;
     const ImageRgba8 shown = upload(environment, frame);
     environment.uploadLight(lightOf(frame));
-    auto background = render::BackgroundPass::make(false);
+    auto background = render::BackgroundPass::make(render::Backend::OpenGL, false);
     ASSERT_TRUE(background);
     for (const float ev : {-1.5f, 0.7f, 3.0f}) {
         const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};

@@ -178,7 +178,7 @@ SHOAL_AVX2 __m256i filmed(const TexelPaint& paint, const Colours& c, const Colou
         const __m256 was = channel(behind, 8 * k) * (1 / 255.0f);
         shown[k] = _mm256_sqrt_ps(_mm256_max_ps(mix(was * was, light, alpha), all(0)));
     }
-    if (paint.grainy) {
+    if (n.perGrain > 0) {
         const __m256 noise = alpha * grainAt(paint, x, y, luma(shown[0], shown[1], shown[2]));
         for (__m256& value : shown) value += noise;
     }
@@ -192,8 +192,11 @@ SHOAL_AVX2 __m256i laidOver(const Colours& c, __m256i behind) {
     return packed(over(c.b, 0), over(c.g, 8), over(c.r, 16));
 }
 
-SHOAL_AVX2 void paintTile(const DisplayFrame& frame, const TexelPaint& paint, const glm::ivec2& low,
-                          const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride) {
+} // namespace
+
+SHOAL_AVX2 void paintTexels(const DisplayFrame& frame, const TexelPaint& paint, const glm::ivec2& low,
+                            const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride) {
+    assert(canSampleFrames() && paint.layerSize.x >= 2 && paint.layerSize.y >= 2);
     std::array<glm::vec3, 4> rays, glows{};
     for (size_t k = 0; k < 4; ++k) {
         const glm::vec2 uv =
@@ -241,18 +244,13 @@ SHOAL_AVX2 void paintTile(const DisplayFrame& frame, const TexelPaint& paint, co
         }
 }
 
-#endif
+#else
 
 } // namespace
 
-void paintTexels(const DisplayFrame& frame, const TexelPaint& paint, const glm::ivec2& low,
-                 const glm::ivec2& high, uint32_t* out, ptrdiff_t outStride) {
-    assert(canSampleFrames() && paint.layerSize.x >= 2 && paint.layerSize.y >= 2);
-#ifdef SHOAL_AVX2
-    paintTile(frame, paint, low, high, out, outStride);
-#else
-    (void)frame, (void)paint, (void)low, (void)high, (void)out, (void)outStride;
+void paintTexels(const DisplayFrame&, const TexelPaint&, const glm::ivec2&, const glm::ivec2&, uint32_t*,
+                 ptrdiff_t) {}
+
 #endif
-}
 
 } // namespace shoal::render

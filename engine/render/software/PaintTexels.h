@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/Image.h"
-#include "engine/render/CameraComposite.h"
+#include "engine/render/EquirectComposite.h"
 #include "engine/render/View.h"
 
 #include <glm/mat3x3.hpp>
@@ -22,7 +22,6 @@ struct TexelPaint {
     glm::vec2 rayScale{1}, rayShift{0}; // half the layer's image plane's extent at distance 1; its centre
     // Null: the layer as it is, without those that follow.
     const CameraUniforms* filmed = nullptr;
-    bool grainy = false;
     const uint8_t* grain = nullptr;       // makeGrain()
     const ImageRgbF* scattered = nullptr; // squares of display values, lat-long
 };

@@ -1,6 +1,5 @@
 #include "engine/render/software/SoftwareBackground.h"
 
-#include "engine/gl/Renderer.h"
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/software/PaintTexels.h"
 
@@ -13,31 +12,18 @@ namespace {
 
 bool canSample(const EyePicture& picture) {
     return canSampleFrames() && showsFrameAsCoded(picture.environment, picture.exposure) &&
-           picture.canvas.samples() == 1 && !glIsEnabled(GL_STENCIL_TEST);
+           picture.canvas.samples() == 1;
 }
 
 } // namespace
 
-Result<std::unique_ptr<BackgroundPass>> makeBackgroundPass(Backend backend, bool withLayers) {
-    if (backend == Backend::Auto)
-        backend = gl::rendersInSoftware() && canSampleFrames() ? Backend::Software : Backend::OpenGL;
-    return backend == Backend::Software ? SoftwareBackground::make(withLayers)
-                                        : BackgroundPass::make(withLayers);
-}
-
 SoftwareBackground::SoftwareBackground()
     : threadPool_(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4) - 1) {}
 
-Result<std::unique_ptr<BackgroundPass>> SoftwareBackground::make(bool withLayers) {
-    std::unique_ptr<SoftwareBackground> pass(new SoftwareBackground);
-    if (Status s = pass->setUp(withLayers); !s) return s.error();
-    return std::unique_ptr<BackgroundPass>(std::move(pass));
-}
-
 void SoftwareBackground::SampleRow::operator()(int row) const {
-    const auto r = static_cast<size_t>(row);
-    for (size_t k = pass->dueRow_[r]; k < pass->dueRow_[r + 1]; ++k)
-        sampleCell(frame, pass->states_[pass->due_[k]].sampled, pass->picture_.data(), pass->shown_.size.x);
+    const auto columns = static_cast<size_t>(pass->grid_.columns());
+    for (const State& state : std::span(pass->states_).subspan(static_cast<size_t>(row) * columns, columns))
+        if (state.due) sampleCell(frame, state.sampled, pass->picture_.data(), pass->shown_.size.x);
 }
 
 void SoftwareBackground::classify(const View& view) {
@@ -54,17 +40,6 @@ void SoftwareBackground::classify(const View& view) {
     picture_.resize(static_cast<size_t>(shown_.size.x) * static_cast<size_t>(shown_.size.y));
 }
 
-// due(state): whether that cell is to be sampled next.
-template <class Due> void SoftwareBackground::collect(Due&& due) {
-    due_.clear();
-    dueRow_.clear();
-    for (size_t k = 0; k < states_.size(); ++k) {
-        if (grid_.all()[k].low.x == 0) dueRow_.push_back(due_.size());
-        if (due(states_[k])) due_.push_back(k);
-    }
-    dueRow_.push_back(due_.size());
-}
-
 void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* tiles) {
     if (!canSample(picture)) return;
     if (started_) threadPool_.finish(); // of a picture that nobody wanted
@@ -79,15 +54,13 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     if (!same) classify(picture.view);
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
-        states_[k].painted = tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
+        State& state = states_[k];
+        state.painted = tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
+        state.due = state.here && !state.painted && !state.clean;
+        state.clean = state.here && !state.painted;
     }
-    collect([](State& s) {
-        const bool due = s.here && !s.painted && !s.clean;
-        s.clean = s.here && !s.painted;
-        return due;
-    });
     sampleRow_ = {this, shown_.frame};
-    threadPool_.start(rows(), sampleRow_);
+    threadPool_.start(grid_.rows(), sampleRow_);
     started_ = true;
 }
 
@@ -98,25 +71,22 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     started_ = false;
     drawn_.clear();
     wanted_.assign(FrameTiles::kAll, false);
-    bool anyPainted = false, paintedLeft = false;
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
         const bool painted = layer && states_[k].painted;
-        if (painted) want(layer->tiles, cell);
-        anyPainted |= painted;
-        if (states_[k].here) continue;
-        drawn_.push_back({&cell, painted});
-        paintedLeft |= painted;
+        if (!states_[k].here)
+            drawn_.push_back({&cell, painted});
+        else if (painted)
+            want(layer->tiles, cell);
     }
-    if (anyPainted) paintObjects(picture, *layer);
+    if (std::ranges::find(wanted_, true) != wanted_.end()) paintObjects(picture, *layer);
     if (drawn_.size() < states_.size()) {
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, shown_.size.x, shown_.size.y, GL_BGRA, GL_UNSIGNED_BYTE,
                         picture_.data());
     }
-    if (paintedLeft) uploadPainted();
-    return drawCells(picture, drawn_, painted_.name());
+    return drawCells(picture, layer);
 }
 
 // Into the wanted tiles, and those cells of the picture that show them.
@@ -134,14 +104,14 @@ void SoftwareBackground::paintObjects(const EyePicture& picture, const TexelLaye
         if (grain_.empty()) grain_ = makeGrain();
         uniforms = cameraUniforms(picture.filmed);
         paint.filmed = &uniforms;
-        paint.grainy = (cameraFeatures(picture.filmed.response) & kGrainy) != 0;
         paint.grain = grain_.data();
         paint.scattered = &picture.environment.scatteredLight();
     }
     paintFrame(layer.tiles, paint);
-    collect([](const State& s) { return s.here && s.painted; });
+    for (State& state : states_) state.due = state.here && state.painted;
     const auto* pixels = reinterpret_cast<const uint8_t*>(texels_.get());
-    threadPool_.parallelFor(rows(), SampleRow{this, {pixels, texelsSize_.x, texelsSize_.y, texelsSize_.x}});
+    threadPool_.parallelFor(grid_.rows(),
+                            SampleRow{this, {pixels, texelsSize_.x, texelsSize_.y, texelsSize_.x}});
 }
 
 // Of the wanted tiles those that are chosen are painted, others copied.
@@ -155,8 +125,7 @@ void SoftwareBackground::paintFrame(const FrameTiles& tiles, const TexelPaint& p
     }
     runs_.clear();
     eachRun(wanted_, FrameTiles::kCount, [&](int first, int end, int row) {
-        const glm::ivec2 low = tiles.lowOf({first, row}), high = tiles.lowOf({end, row + 1});
-        if (low.x < high.x && low.y < high.y) runs_.push_back({row, first, end, low, high});
+        runs_.push_back({row, first, end});
     });
     threadPool_.parallelFor(static_cast<int>(runs_.size()), [&](int index) {
         const Run& run = runs_[static_cast<size_t>(index)];
@@ -173,23 +142,6 @@ void SoftwareBackground::paintFrame(const FrameTiles& tiles, const TexelPaint& p
                             texels_.get() + ptrdiff_t{y} * size.x + low.x);
         }
     });
-}
-
-void SoftwareBackground::uploadPainted() {
-    if (texelsSize_ != paintedSize_) {
-        paintedSize_ = texelsSize_;
-        painted_ = makeLatLongTexture();
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, paintedSize_.x, paintedSize_.y, 0, GL_BGRA, GL_UNSIGNED_BYTE,
-                     nullptr);
-    }
-    glBindTexture(GL_TEXTURE_2D, painted_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, texelsSize_.x);
-    for (const Run& run : runs_)
-        glTexSubImage2D(GL_TEXTURE_2D, 0, run.low.x, run.low.y, run.high.x - run.low.x,
-                        run.high.y - run.low.y, GL_BGRA, GL_UNSIGNED_BYTE,
-                        texels_.get() + ptrdiff_t{run.low.y} * texelsSize_.x + run.low.x);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 } // namespace shoal::render

@@ -1,7 +1,7 @@
 // Samples the background, and paints objects into the frame's texels, on the processor: what llvmpipe takes 6
 // ns a pixel for takes 1 ns here. OpenGL draws the cells that this leaves (at the poles and the frame's
 // edges), and whole pictures that it cannot sample: HDR frames, other exposures or tone curves, multisampled
-// canvases, hidden areas.
+// canvases.
 #pragma once
 
 #include "engine/core/ThreadPool.h"
@@ -18,7 +18,7 @@ struct TexelPaint;
 
 class SoftwareBackground final : public BackgroundPass {
   public:
-    static Result<std::unique_ptr<BackgroundPass>> make(bool withLayers);
+    SoftwareBackground();
 
     // Begins to sample the cells without objects, on helper threads, while OpenGL still draws the objects.
     // Cells without objects are kept from an earlier picture of the same frame and view: a second eye's
@@ -40,40 +40,33 @@ class SoftwareBackground final : public BackgroundPass {
         bool here = false;    // else OpenGL draws it
         bool clean = false;   // in the picture, without objects
         bool painted = false; // there may be objects
+        bool due = false;     // is sampled next
     };
-    struct SampleRow { // of cells
+    struct SampleRow { // the due ones of a row of cells
         SoftwareBackground* pass;
         DisplayFrame frame;
         void operator()(int row) const;
     };
-    struct Run {                         // of tiles,
-        int row = 0, first = 0, end = 0; // of columns, as FrameTiles counts them
-        glm::ivec2 low{0}, high{0};      // and in texels
+    struct Run {             // of tiles, as FrameTiles counts them
+        int row, first, end; // of columns
     };
 
-    SoftwareBackground();
     void classify(const View& view);
-    template <class Due> void collect(Due&& due);
-    int rows() const { return static_cast<int>(dueRow_.size()) - 1; }
     void paintObjects(const EyePicture& picture, const TexelLayer& layer);
     void paintFrame(const FrameTiles& tiles, const TexelPaint& paint);
-    void uploadPainted();
 
     Shown shown_;
     bool started_ = false;
     BackgroundCells grid_;
     std::vector<State> states_;     // of the grid's cells
     std::vector<uint32_t> picture_; // rows from the bottom
-    std::vector<size_t> due_;       // cells to be sampled
-    std::vector<size_t> dueRow_;    // where in them each row of cells begins, and their end
     std::vector<uint32_t> layer_;   // scratch: the layer's pixels
     std::vector<uint8_t> grain_;    // once something is filmed
     // A copy of the frame with objects in its texels, of which only the wanted tiles are written. Not a
     // vector, which would touch all of its memory: objects are in few places.
     std::unique_ptr<uint32_t[]> texels_;
-    glm::ivec2 texelsSize_{0}, paintedSize_{0};
+    glm::ivec2 texelsSize_{0};
     std::vector<Run> runs_; // of wanted tiles
-    gl::Texture painted_;   // the same, for cells that OpenGL draws; once there is one
     SampleRow sampleRow_{};
     ThreadPool threadPool_; // last, so that it ends before what it reads
 };
