@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
+#include <span>
 
 namespace shoal::water {
 
@@ -21,8 +21,6 @@ constexpr int kRows = 256, kPerSector = 8;
 constexpr float kHorizon_deg = 8; // half the height of the band around the horizon
 // Elevations at which the veil is fitted. Above 41 degrees the surface shows the sky (Snell's window).
 constexpr float kVeilTop_deg = 40, kVeilBottom_deg = 60, kVeilBand_deg = 10;
-// Angles below the horizon that see the floor: steeper ones see the camera's own shadow and mount.
-constexpr float kFloorFar_deg = 2.5f, kFloorNear_deg = 45;
 // Red below this fraction of the larger of green and blue counts as lost; blue skies and haze keep more.
 constexpr float kLostRed = 0.5f;
 
@@ -174,6 +172,15 @@ float WaterEstimator::redLoss(int firstRow, int lastRow) const {
     return glm::smoothstep(0.35f, 0.65f, share);
 }
 
+glm::vec3 attenuationFromVeil(const glm::vec3& veilLin) {
+    constexpr float kMean_perM = 0.13f; // geometric mean of the channels
+    constexpr float kRed = 1.6f;        // times the mean: every water clear enough to dive in, within a fifth
+    constexpr float kMaxGreenToBlue = 1.8f; // bound of their ratio and of its inverse
+    const float greenToBlue = std::sqrt(std::max(veilLin.z, 1e-4f) / std::max(veilLin.y, 1e-4f));
+    const float root = std::sqrt(std::clamp(greenToBlue, 1 / kMaxGreenToBlue, kMaxGreenToBlue));
+    return kMean_perM * glm::vec3(kRed, root / std::sqrt(kRed), 1 / (root * std::sqrt(kRed)));
+}
+
 WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
     sample(frame);
     WaterEstimate result;
@@ -183,15 +190,7 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
     // Only the upper half of the band: towards the floor the water has an end.
     const glm::vec3 veilLin = medianLin(kOpenSectors, horizonTop, rowAt(0));
 
-    floor_.clear();
-    if (eyeHeight_m_)
-        for (int row = rowAt(-kFloorFar_deg); row < rowAt(-kFloorNear_deg); ++row) {
-            const float below = ((static_cast<float>(row) + 0.5f) / kRows - 0.5f) * std::numbers::pi_v<float>;
-            // Equal weight for equal steps of the distance's logarithm, bounded for the few farthest rows.
-            floor_.push_back({*eyeHeight_m_ / std::sin(below), std::min(1 / std::tan(below), 8.0f),
-                              medianLin(kOpenSectors, row, row + 1)});
-        }
-    result.water.attenuation_perM = fitAttenuation(floor_, veilLin);
+    result.water.attenuation_perM = attenuationFromVeil(veilLin);
 
     std::array<VeilCell, kSectors* static_cast<size_t>((kVeilTop_deg + kVeilBottom_deg) / kVeilBand_deg)>
         cells;

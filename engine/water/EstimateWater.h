@@ -2,11 +2,9 @@
 #pragma once
 
 #include "engine/light/FrameView.h"
-#include "engine/water/FitAttenuation.h"
 #include "engine/water/Water.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace shoal::water {
@@ -23,14 +21,10 @@ struct WaterEstimate {
 //     cells by robust least squares, since the veil is part of every pixel and all of it where the water is
 //     deep. It corresponds to the dark channel's minima over patches (He, Sun and Tang 2009; under water
 //     Drews et al. 2013). Directions through the surface to the sky are left out.
-//   - the attenuation: from how the floor fades into the veil with distance, height / sine of the angle below
-//     the horizon (fitAttenuation()); medians over those sectors of the horizon where green or blue exceed
-//     red the most, which is where the water is deepest, so that rocks do not count as floor.
+//   - the attenuation: from the veil's colour at the horizon (attenuationFromVeil()); medians over those
+//     sectors of the horizon where green or blue exceed red the most, which is where the water is deepest.
 class WaterEstimator {
   public:
-    // eyeHeight_m: above the floor; without it distances are unknown, and the attenuation is the prior's.
-    explicit WaterEstimator(std::optional<float> eyeHeight_m) : eyeHeight_m_(eyeHeight_m) {}
-
     WaterEstimate estimate(const light::FrameView& frame);
 
   private:
@@ -42,11 +36,18 @@ class WaterEstimator {
 
     static constexpr int kSectors = 16, kOpenSectors = 6; // of the horizon
 
-    std::optional<float> eyeHeight_m_;
     std::array<int, kSectors> byOpenness_{};
     std::vector<glm::vec3> cellsLin_; // of each row, the sectors' means of the scene's light
-    std::vector<FloorSample> floor_;
 };
+
+// Per metre: that of clear coastal water, with red attenuated most. The ratio of green to blue follows from
+// the veil: under single scattering it is b E / beta with b about equal for both, and E, the light from
+// above, has passed through the water too, so it is proportional to about 1 / beta^2. Its red is not used,
+// because cameras' white balance compensates for it. veilLin: linear scene light at the horizon.
+//
+// On the reef film this is 2 % of the light off at 1 to 3 m; how its floor fades with distance tells less,
+// because rocks and slopes count as floor: 10 %.
+glm::vec3 attenuationFromVeil(const glm::vec3& veilLin);
 
 // Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.
 class WaterOverTime {

@@ -79,7 +79,6 @@ Status Application::openScene(bool software) {
                                  compositionIn(options_) == render::Composition::CameraResponse};
     analysis.water = options_.water == WaterChoice::On ||
                      (options_.water == WaterChoice::Auto && (!own || config_.dive.water));
-    if (own) analysis.eyeHeight_m = -config_.dive.floor_m;
     if (Status s = Environment::open({.options = options_.environment,
                                       .defaultVideo = dataRoot() / "content" / config_.dive.video,
                                       .bothEyes = options_.stereo == StereoOutput::SideBySide || options_.xr,

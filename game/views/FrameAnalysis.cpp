@@ -23,7 +23,7 @@ FrameAnalysis::FrameAnalysis(const AnalysisOptions& options)
       maker_({options.quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
               options.minRoughness, options.quality}) {
     if (options.diffuse == light::DiffuseMethod::Thesis) thesisDiffuse_.emplace();
-    if (options.water) water_.emplace(options.eyeHeight_m);
+    if (options.water) water_.emplace();
     if (options.lights) lights_.emplace();
     if (options.cameraResponse) cameraResponse_.emplace();
 }

@@ -33,8 +33,7 @@ struct AnalysisOptions {
     light::LightQuality quality = light::LightQuality::Video; // stills have their own
     light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
     bool water = false;
-    std::optional<float> eyeHeight_m; // of the camera above the floor, where known
-    bool lights = false;              // directions of the light sources, for shadows
+    bool lights = false; // directions of the light sources, for shadows
     bool cameraResponse = false;
 };
 

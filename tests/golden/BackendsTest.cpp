@@ -37,7 +37,6 @@ class Backends : public testing::Test {
         auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / config_->dive.video,
                                               .analysis = {.minRoughness = creatures->minRoughness(),
                                                            .water = true,
-                                                           .eyeHeight_m = -config_->dive.floor_m,
                                                            .lights = true,
                                                            .cameraResponse = true}});
         ASSERT_TRUE(environment) << environment.error().message();

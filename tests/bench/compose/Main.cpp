@@ -84,7 +84,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
     const std::string number = std::to_string(scene.frame);
     const Path emptyFile = folder / ("film_" + number + ".mp4");
     if (Status s = encode(emptyFile, *frames, kFps); !s) return s;
-    auto empty = openVideo(emptyFile, plan);
+    auto empty = openVideo(emptyFile);
     if (!empty) return empty.error();
 
     // The objects move while they are filmed, as what is coded with them does. Twice, with other noise; the
@@ -119,7 +119,7 @@ Status measureScene(const Scene& scene, const app::SessionConfig& plan, Stages& 
         const std::span<const ImageRgb8> take =
             second ? std::span<const ImageRgb8>(again).subspan(1) : std::span<const ImageRgb8>(*frames);
         if (Status s = encode(file, take, kFps); !s) return s;
-        auto filmed = openVideo(file, plan);
+        auto filmed = openVideo(file);
         if (!filmed) return filmed.error();
         (*filmed)->update(timeOf(second ? kShown - 1 : kShown), true);
         stages.ways.back().set(moment, **filmed, {});
@@ -151,7 +151,7 @@ double processor_ms() {
 // All ways in turn, frame by frame of the same dive, so that whatever else runs slows each alike; each round
 // begins with another, because the decoder works on after a frame has come.
 Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, Report& report) {
-    auto environment = openVideo(dataRoot() / "content/video/reef.mp4", plan);
+    auto environment = openVideo(dataRoot() / "content/video/reef.mp4");
     if (!environment) return environment.error();
     const gl::Target target(kPicture.x, kPicture.y, 1);
     app::GameSession run = runTo(plan, 10);

@@ -30,12 +30,11 @@ Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Compo
                                {.detail = detail, .snow = false, .compositor = {.composition = composition}});
 }
 
-Result<std::unique_ptr<Environment>> openVideo(const Path& file, const SessionConfig& plan) {
+Result<std::unique_ptr<Environment>> openVideo(const Path& file) {
     EnvironmentSetup setup;
     setup.options.video = file.string();
     setup.options.layout = media::Layout::Mono;
-    setup.analysis = {
-        .minRoughness = 0.25f, .water = true, .eyeHeight_m = -plan.dive.floor_m, .cameraResponse = true};
+    setup.analysis = {.minRoughness = 0.25f, .water = true, .cameraResponse = true};
     return Environment::open(setup);
 }
 

@@ -28,7 +28,7 @@ app::GameSession runTo(const app::SessionConfig& plan, double time_s);
 void runOn(app::GameSession& session, double seconds);
 
 Result<app::SceneRenderer> makeSceneRenderer(const app::SessionConfig& plan, render::Composition composition);
-Result<std::unique_ptr<app::Environment>> openVideo(const Path& file, const app::SessionConfig& plan);
+Result<std::unique_ptr<app::Environment>> openVideo(const Path& file);
 
 // yaw: to the right.
 render::View viewOf(const game::Snapshot& snapshot, float yaw_deg, int heightPixels);
