@@ -11,8 +11,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
-#include <fcntl.h>
-#include <unistd.h>
+#include <sndfile.h>
 #include <utility>
 
 namespace shoal::audio {
@@ -24,28 +23,6 @@ constexpr std::chrono::seconds kRetry{2}; // between two looks for a new device
 constexpr double kGlide_s = 0.05;         // OpenAL Soft glides to a new gain over one mix, at most 43 ms
 
 constexpr int kLoopbackRate_Hz = 48000;
-
-// Sound libraries below OpenAL write pages about a missing sound card straight to standard error; the caller
-// says it in one sentence instead. Only while a device is opened.
-class QuietStandardError {
-  public:
-    QuietStandardError() : kept_(::dup(STDERR_FILENO)) {
-        if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
-            ::dup2(nowhere, STDERR_FILENO);
-            ::close(nowhere);
-        }
-    }
-    ~QuietStandardError() {
-        if (kept_ < 0) return;
-        ::dup2(kept_, STDERR_FILENO);
-        ::close(kept_);
-    }
-    QuietStandardError(const QuietStandardError&) = delete;
-    QuietStandardError& operator=(const QuietStandardError&) = delete;
-
-  private:
-    int kept_;
-};
 
 // OpenAL output device, or loopback to memory.
 class Device {
@@ -103,7 +80,9 @@ class Device {
 };
 
 Result<Device> Device::open(bool loopback, bool headphones) {
-    const QuietStandardError quiet;
+    // Sound libraries below OpenAL write pages about a missing sound card; the caller says it in one
+    // sentence.
+    const log::QuietStandardError quiet;
     Device made;
     made.device_.reset(loopback ? alcLoopbackOpenDeviceSOFT(nullptr) : alcOpenDevice(nullptr));
     if (!made.device_) return Error{"", "there is no sound device"};
@@ -274,6 +253,25 @@ void Audio::render(std::span<float> stereo) {
         state_->device.render(stereo);
     else
         std::fill(stereo.begin(), stereo.end(), 0.0f);
+}
+
+Result<Clip> readClip(const Path& file) {
+    SF_INFO info{};
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code)) return Error{file.string(), "there is no such sound"};
+    const std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> sound(sf_open(file.c_str(), SFM_READ, &info), sf_close);
+    if (!sound) return Error{file.string(), "is not a sound that can be read"};
+    if (info.channels < 1 || info.channels > 2)
+        return Error{file.string(), "has neither one nor two channels"};
+    if (info.samplerate < 8000 || info.samplerate > 192000)
+        return Error{file.string(), "has an unusable sample rate"};
+    if (info.frames < 1 || info.frames > static_cast<sf_count_t>(info.samplerate) * kMaxClip_s)
+        return Error{file.string(), "is empty or longer than a minute"};
+    Clip clip{info.samplerate, info.channels, {}};
+    clip.samples.resize(static_cast<size_t>(info.frames) * static_cast<size_t>(info.channels));
+    if (sf_readf_short(sound.get(), clip.samples.data(), info.frames) != info.frames)
+        return Error{file.string(), "is damaged or cut short"};
+    return clip;
 }
 
 std::vector<std::string> listOutputs() {

@@ -63,41 +63,18 @@ Result<std::string> readText(const Path& file, uint64_t maxBytes) {
 }
 
 Status writeFileWhole(const Path& file, std::string_view bytes) {
-    return writeWhole(file, [&](const Path& temporary) -> Status {
-        std::ofstream stream(temporary, std::ios::binary);
-        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        stream.close();
-        if (!stream)
-            return Error{temporary.string(), "cannot be written; is the disk full or the folder read-only?"};
-        return Done{};
-    });
+    std::error_code code, ignored;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+    const Path temporary =
+        file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ".part");
+    std::ofstream stream(temporary, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (stream) fs::rename(temporary, file, code);
+    if (stream && !code) return Done{};
+    fs::remove(temporary, ignored);
+    return Error{file.string(), stream ? "cannot be put in place: " + code.message()
+                                       : "cannot be written; is the disk full or the folder read-only?"};
 }
-
-namespace detail {
-
-Path temporaryBeside(const Path& file) {
-    std::error_code code;
-    if (file.has_parent_path()) fs::create_directories(file.parent_path(), code);
-    Path name = "." + file.stem().string() + "." + std::to_string(::getpid()) + ".part";
-    name += file.extension();
-    return file.parent_path() / name;
-}
-
-Status moveIntoPlace(const Path& temporary, const Path& file) {
-    std::error_code code;
-    fs::rename(temporary, file, code);
-    if (code) {
-        removeQuietly(temporary);
-        return Error{file.string(), "cannot be put in place: " + code.message()};
-    }
-    return Done{};
-}
-
-void removeQuietly(const Path& file) {
-    std::error_code code;
-    fs::remove(file, code);
-}
-
-} // namespace detail
 
 } // namespace shoal

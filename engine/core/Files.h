@@ -33,24 +33,4 @@ Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
 // the parent folder.
 Status writeFileWhole(const Path& file, std::string_view bytes);
 
-// As writeFileWhole for writers that want a file name: calls write(temporary path), then renames. The
-// temporary has the same extension as file.
-template <class Write> Status writeWhole(const Path& file, Write&& write);
-
-namespace detail {
-Path temporaryBeside(const Path& file);
-Status moveIntoPlace(const Path& temporary, const Path& file);
-void removeQuietly(const Path& file);
-} // namespace detail
-
-template <class Write> Status writeWhole(const Path& file, Write&& write) {
-    const Path temporary = detail::temporaryBeside(file);
-    Status written = write(temporary);
-    if (!written) {
-        detail::removeQuietly(temporary);
-        return Error{file.string(), written.error().reason};
-    }
-    return detail::moveIntoPlace(temporary, file);
-}
-
 } // namespace shoal

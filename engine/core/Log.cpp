@@ -3,12 +3,13 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace shoal::log {
 
 void write(Level level, fmt::string_view format, fmt::format_args arguments) {
-    constexpr spdlog::level::level_enum kLevels[] = {spdlog::level::debug, spdlog::level::info,
-                                                     spdlog::level::warn, spdlog::level::err}; // by Level
-    const spdlog::level::level_enum at = kLevels[static_cast<size_t>(level)];
+    const auto at = static_cast<spdlog::level::level_enum>(level);
     if (spdlog::should_log(at)) spdlog::log(at, fmt::vformat(format, arguments));
 }
 
@@ -18,6 +19,24 @@ void setUp(bool verbose) {
     logger->set_pattern(verbose ? "%n: [%o ms] %l: %v" : "%n: %v");
     logger->set_level(verbose ? spdlog::level::debug : spdlog::level::info);
     spdlog::set_default_logger(std::move(logger));
+}
+
+static std::mutex& quietTurn() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+QuietStandardError::QuietStandardError() : turn_(quietTurn()), kept_(::dup(STDERR_FILENO)) {
+    if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+        ::dup2(nowhere, STDERR_FILENO);
+        ::close(nowhere);
+    }
+}
+
+QuietStandardError::~QuietStandardError() {
+    if (kept_ < 0) return;
+    ::dup2(kept_, STDERR_FILENO);
+    ::close(kept_);
 }
 
 } // namespace shoal::log

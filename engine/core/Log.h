@@ -4,9 +4,11 @@
 
 #include <fmt/core.h>
 
+#include <mutex>
+
 namespace shoal::log {
 
-enum class Level { Debug, Info, Warning, Error };
+enum class Level { Debug = 1, Info, Warning, Error }; // as spdlog has them
 
 void write(Level level, fmt::string_view format, fmt::format_args arguments);
 
@@ -25,5 +27,19 @@ template <class... T> void error(fmt::format_string<T...> format, T&&... argumen
 
 // Prefixes each line with "shoal: "; debug lines are written only when verbose.
 void setUp(bool verbose);
+
+// Silences standard error while it lives, for what libraries write there past their own log levels. One at a
+// time: another thread waits for its turn.
+class QuietStandardError {
+  public:
+    QuietStandardError();
+    ~QuietStandardError();
+    QuietStandardError(const QuietStandardError&) = delete;
+    QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+  private:
+    std::unique_lock<std::mutex> turn_;
+    int kept_; // file descriptor
+};
 
 } // namespace shoal::log

@@ -1,10 +1,5 @@
 #include "engine/core/ThreadPool.h"
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
-#include <vector>
-
 #ifdef __linux__
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -13,75 +8,55 @@
 
 namespace shoal {
 
-struct ThreadPool::State {
-    std::mutex mutex;
-    std::condition_variable called, done;
-    // Guarded by mutex:
-    void (*part)(void*, int) = nullptr;
-    void* context = nullptr;
-    int next = 0, parts = 0, unfinished = 0;
-    bool stop = false;
-    std::vector<std::thread> helpers;
-
-    // With the lock held; parts are so large that taking one costs nothing beside it.
-    void work(std::unique_lock<std::mutex>& lock) {
-        while (next < parts) {
-            const int mine = next++;
-            lock.unlock();
-            part(context, mine);
-            lock.lock();
-            if (--unfinished == 0) done.notify_all();
-        }
-    }
-
-    void wait() {
-        std::unique_lock lock(mutex);
-        for (;;) {
-            called.wait(lock, [&] { return stop || next < parts; });
-            if (stop) return;
-            work(lock);
-        }
-    }
-};
-
-ThreadPool::ThreadPool(int helpers) : state_(std::make_unique<State>()) {
-    for (int k = 0; k < helpers; ++k) state_->helpers.emplace_back([state = state_.get()] { state->wait(); });
-}
-
-ThreadPool::ThreadPool(ThreadPool&&) noexcept = default;
-ThreadPool& ThreadPool::operator=(ThreadPool&& other) noexcept {
-    std::swap(state_, other.state_);
-    return *this;
+ThreadPool::ThreadPool(int helpers) {
+    for (int k = 0; k < helpers; ++k) helpers_.emplace_back([this] { wait(); });
 }
 
 ThreadPool::~ThreadPool() {
-    if (!state_) return;
     {
-        const std::lock_guard lock(state_->mutex);
-        state_->stop = true;
-        state_->next = state_->parts;
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+        next_ = parts_;
     }
-    state_->called.notify_all();
-    for (std::thread& helper : state_->helpers) helper.join();
+    called_.notify_all();
+    for (std::thread& helper : helpers_) helper.join();
+}
+
+// With the lock held; parts are so large that taking one costs nothing beside it.
+void ThreadPool::work(std::unique_lock<std::mutex>& lock) {
+    while (next_ < parts_) {
+        const int mine = next_++;
+        lock.unlock();
+        part_(context_, mine);
+        lock.lock();
+        if (--unfinished_ == 0) done_.notify_all();
+    }
+}
+
+void ThreadPool::wait() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        called_.wait(lock, [&] { return stop_ || next_ < parts_; });
+        if (stop_) return;
+        work(lock);
+    }
 }
 
 void ThreadPool::start(int parts, void (*part)(void*, int), void* context) {
-    State& s = *state_;
     {
-        const std::lock_guard lock(s.mutex);
-        s.part = part;
-        s.context = context;
-        s.next = 0;
-        s.parts = s.unfinished = parts;
+        const std::lock_guard lock(mutex_);
+        part_ = part;
+        context_ = context;
+        next_ = 0;
+        parts_ = unfinished_ = parts;
     }
-    s.called.notify_all();
+    called_.notify_all();
 }
 
 void ThreadPool::finish() {
-    State& s = *state_;
-    std::unique_lock lock(s.mutex);
-    s.work(lock);
-    s.done.wait(lock, [&] { return s.unfinished == 0; });
+    std::unique_lock lock(mutex_);
+    work(lock);
+    done_.wait(lock, [&] { return unfinished_ == 0; });
 }
 
 void lowerThreadPriority() {

@@ -1,16 +1,17 @@
 // A thread pool, and priorities. The pool runs one parallel loop at a time; the calling thread takes part.
 #pragma once
 
-#include <memory>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace shoal {
 
 class ThreadPool {
   public:
     explicit ThreadPool(int helpers); // threads besides the calling one; may be 0
-    ThreadPool(ThreadPool&&) noexcept;
-    ThreadPool& operator=(ThreadPool&&) noexcept;
-    ~ThreadPool(); // finishes the parts in progress, drops those not yet begun
+    ~ThreadPool();                    // finishes the parts in progress, drops those not yet begun
 
     // The helpers begin to call part(0) to part(parts - 1), each once, in any order. `part` must live until
     // finish(). Allocates nothing. One loop at a time.
@@ -26,9 +27,18 @@ class ThreadPool {
     }
 
   private:
-    struct State;
     void start(int parts, void (*part)(void*, int), void* context);
-    std::unique_ptr<State> state_;
+    void work(std::unique_lock<std::mutex>& lock);
+    void wait();
+
+    std::mutex mutex_;
+    std::condition_variable called_, done_;
+    // Guarded by mutex_:
+    void (*part_)(void*, int) = nullptr;
+    void* context_ = nullptr;
+    int next_ = 0, parts_ = 0, unfinished_ = 0;
+    bool stop_ = false;
+    std::vector<std::thread> helpers_;
 };
 
 // Lowers the priority of the calling thread and of those it starts from now on: for work with a deadline of a

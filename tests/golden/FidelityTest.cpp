@@ -144,7 +144,7 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
         (scenario.at("renderSkybox").get<bool>() ? "env" : "none") + " --out '";
     if (!std::filesystem::exists(picture)) {
         std::filesystem::create_directories(picture.parent_path());
-        const Status drew = writeWhole(picture, [&](const Path& out) -> Status {
+        const Status drew = tests::writeWhole(picture, [&](const Path& out) -> Status {
             if (std::system((command + out.string() + "'").c_str()) == 0) return Done{};
             return Error{out.string(), command + " failed"};
         });

@@ -177,7 +177,7 @@ class WebcamClip : public testing::Test {
         std::filesystem::create_directories(clipFile().parent_path());
         auto clip = HandClip::make({480, 270}, kWebcamFov);
         if (!clip) GTEST_SKIP() << clip.error().message();
-        const Status written = writeWhole(clipFile(), [&](const Path& file) { return write(*clip, file); });
+        const Status written = tests::writeWhole(clipFile(), [&](const Path& file) { return write(*clip, file); });
         if (!written) GTEST_SKIP() << written.error().message();
     }
     static Status write(HandClip& clip, const Path& file) {
