@@ -1,7 +1,6 @@
 #include "engine/panorama/Panorama.h"
 
 #include "engine/panorama/FindLight.h"
-#include "engine/panorama/PerceptualCoding.h"
 #include "engine/panorama/PolarCaps.h"
 #include "engine/panorama/RingMap.h"
 #include "engine/panorama/WrapBlend.h"
@@ -9,12 +8,61 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 
 namespace shoal::panorama {
 
 namespace {
+
+// --- Pictures and the perceptually coded matrices that this folder computes on: 3 floats a pixel, red first
+
+cv::Mat viewOf(const ImageRgb8& picture) {
+    return {picture.height, picture.width, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())};
+}
+cv::Mat viewOf(const ImageRgbF& picture) {
+    return {picture.height, picture.width, CV_32FC3, const_cast<float*>(picture.pixels.data())};
+}
+
+// Radiance by a power up to 1 and by a logarithm above, which meet in value and slope: a sun 10^5 times as
+// bright as white does not drown what it is blended with.
+float codedFromRadiance(float linear) {
+    return linear <= 1 ? std::pow(std::max(linear, 0.0f), 1 / 2.2f) : 1 + std::log(linear) / 2.2f;
+}
+float radianceFromCoded(float coded) {
+    return coded <= 1 ? std::pow(std::max(coded, 0.0f), 2.2f) : std::exp((coded - 1) * 2.2f);
+}
+
+// 8 bits are coded already; floats are linear radiance.
+cv::Mat codedFrom(const cv::Mat& picture) {
+    cv::Mat coded;
+    if (picture.depth() == CV_8U) {
+        picture.convertTo(coded, CV_32F, 1 / 255.0);
+        return coded;
+    }
+    coded = picture.clone();
+    std::transform(coded.begin<cv::Vec3f>(), coded.end<cv::Vec3f>(), coded.begin<cv::Vec3f>(),
+                   [](const cv::Vec3f& c) -> cv::Vec3f {
+                       return {codedFromRadiance(c[0]), codedFromRadiance(c[1]), codedFromRadiance(c[2])};
+                   });
+    return coded;
+}
+
+template <class Picture> Picture pictureFromCoded(const cv::Mat& coded) {
+    Picture out(coded.cols, coded.rows);
+    cv::Mat to = viewOf(out);
+    if (to.depth() == CV_8U)
+        coded.convertTo(to, CV_8U, 255);
+    else
+        std::transform(coded.begin<cv::Vec3f>(), coded.end<cv::Vec3f>(), to.begin<cv::Vec3f>(),
+                       [](const cv::Vec3f& c) -> cv::Vec3f {
+                           return {radianceFromCoded(c[0]), radianceFromCoded(c[1]), radianceFromCoded(c[2])};
+                       });
+    return out;
+}
+
+// --- Growing a photo
 
 constexpr double kDefaultFov_deg = 65;
 constexpr double kBand_deg = 45; // from the horizon up and down
@@ -238,8 +286,56 @@ Panorama<cv::Mat> panoramaFromCoded(const cv::Mat& photo, double fov, int width,
             steps.usualStep};
 }
 
+// --- Completing a part
+
+// The column `steps` beyond the end of a picture that is repeated mirrored.
+int mirrored(int steps, int size) {
+    const int at = steps % (2 * size);
+    return at < size ? at : 2 * size - 1 - at;
+}
+
+// Fills the columns from right to left + width (exclusive), between two ends of the same picture.
+void fillGap(cv::Mat& rows, int left, int right) {
+    const int gap = left + rows.cols - right;
+    // Mirrored only up to the light, so that it is not repeated.
+    const double light = findMainLight(rows.colRange(left, right)).place.x;
+    const auto depth = [&](double toLight) { return std::max(1, static_cast<int>(0.7 * toLight)); };
+    const int depthLeft = depth(light), depthRight = depth(right - left - light);
+    for (int k = 0; k < gap; ++k) {
+        const double t = (k + 0.5) / gap;
+        const double fromLeft = t * t * (3 - 2 * t); // the left end lies to the right of the gap
+        cv::Mat to = rows.col((right + k) % rows.cols);
+        cv::addWeighted(rows.col(right - 1 - mirrored(k, depthRight)), 1 - fromLeft,
+                        rows.col(left + mirrored(gap - 1 - k, depthLeft)), fromLeft, 0, to);
+    }
+}
+
+cv::Mat completed(const cv::Mat& photo, const PanoramaPart& part, int width) {
+    const int height = width / 2;
+    const auto pixel = [](double share, int size) { return static_cast<int>(std::lround(share * size)); };
+    const int left = pixel(part.left, width), right = pixel(part.right, width);
+    int top = pixel(part.top, height), bottom = pixel(part.bottom, height);
+    cv::Mat sphere = cv::Mat::zeros(height, width, CV_32FC3), resized;
+    const bool smaller = right - left < photo.cols || bottom - top < photo.rows;
+    cv::resize(photo, resized, {right - left, bottom - top}, 0, 0,
+               smaller ? cv::INTER_AREA : cv::INTER_LINEAR);
+    resized.copyTo(sphere(cv::Rect(left, top, right - left, bottom - top)));
+    cv::Mat rows = sphere.rowRange(top, bottom);
+    if (right - left < width) fillGap(rows, left, right);
+    // Sky and ground each reach up to the horizon at most.
+    for (; top >= height / 2; --top) sphere.row(top).copyTo(sphere.row(top - 1));
+    for (; bottom <= height / 2; ++bottom) sphere.row(bottom - 1).copyTo(sphere.row(bottom));
+    if (top > 0) fillPolarCap(sphere, top, PolarCap::Sky);
+    cv::flip(sphere, sphere, 0);
+    if (bottom < height) fillPolarCap(sphere, height - bottom, PolarCap::Ground);
+    cv::flip(sphere, sphere, 0);
+    return sphere;
+}
+
+} // namespace
+
 template <class Picture>
-Result<Panorama<Picture>> panoramaFromAny(const Picture& photo, const PanoramaOptions& options) {
+Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const PanoramaOptions& options) {
     if (Status s = checkPhoto(photo.width, photo.height, options); !s) return s.error();
     const cv::Mat coded = codedFrom(bounded(viewOf(photo)));
     const double fov = fovOf(photo.width, photo.height, options);
@@ -250,13 +346,23 @@ Result<Panorama<Picture>> panoramaFromAny(const Picture& photo, const PanoramaOp
                              made.wrapStep, made.usualStep};
 }
 
-} // namespace
+template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part) {
+    assert(part.left < part.right && part.top < part.bottom && part.left >= 0 && part.top >= 0 &&
+           part.right <= 1 && part.bottom <= 1);
+    const double whole = photo.width / (part.right - part.left);
+    const int width = static_cast<int>(std::clamp(whole, 512.0, 4096.0)) / 64 * 64;
+    if ((part.right - part.left) * width < 2 || (part.bottom - part.top) * width / 2 < 2)
+        return Error{"", "the part of the environment that it says it is, is too small to be shown"};
+    cv::Mat bounded = viewOf(photo);
+    if (photo.width > width)
+        cv::resize(bounded, bounded, {width, std::max(1, std::min(photo.height, width))}, 0, 0,
+                   cv::INTER_AREA);
+    return pictureFromCoded<Picture>(completed(codedFrom(bounded), part, width));
+}
 
-Result<Panorama<ImageRgb8>> panoramaFromPhoto(const ImageRgb8& photo, const PanoramaOptions& options) {
-    return panoramaFromAny(photo, options);
-}
-Result<Panorama<ImageRgbF>> panoramaFromPhoto(const ImageRgbF& radianceLin, const PanoramaOptions& options) {
-    return panoramaFromAny(radianceLin, options);
-}
+template Result<Panorama<ImageRgb8>> panoramaFromPhoto(const ImageRgb8&, const PanoramaOptions&);
+template Result<Panorama<ImageRgbF>> panoramaFromPhoto(const ImageRgbF&, const PanoramaOptions&);
+template Result<ImageRgb8> completePanorama(const ImageRgb8&, const PanoramaPart&);
+template Result<ImageRgbF> completePanorama(const ImageRgbF&, const PanoramaPart&);
 
 } // namespace shoal::panorama

@@ -38,8 +38,8 @@ template <class Picture> struct Panorama {
 
 // Coded pictures stay coded, linear radiance linear. Deterministic. Error without a path where the photo is
 // too small, too long, or the field of view out of range.
-Result<Panorama<ImageRgb8>> panoramaFromPhoto(const ImageRgb8& photo, const PanoramaOptions& options);
-Result<Panorama<ImageRgbF>> panoramaFromPhoto(const ImageRgbF& radianceLin, const PanoramaOptions& options);
+template <class Picture> // ImageRgb8, or ImageRgbF of linear light
+Result<Panorama<Picture>> panoramaFromPhoto(const Picture& photo, const PanoramaOptions& options);
 
 // --- Completion of a partial panorama, whose place in the sphere is known
 
@@ -52,7 +52,6 @@ struct PanoramaPart {
 // The part is copied to its place; sky and ground are extrapolated (PolarCaps.h); a gap at the sides is
 // filled by cross-fading mirror images of what lies between either end and the light. Error without a path
 // where less than a pixel would be left of it.
-Result<ImageRgb8> completePanorama(const ImageRgb8& photo, const PanoramaPart& part);
-Result<ImageRgbF> completePanorama(const ImageRgbF& radianceLin, const PanoramaPart& part);
+template <class Picture> Result<Picture> completePanorama(const Picture& photo, const PanoramaPart& part);
 
 } // namespace shoal::panorama

@@ -5,11 +5,6 @@
 
 namespace shoal::platform {
 
-void Headless::Close::operator()(void* display) const {
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglTerminate(display);
-}
-
 namespace {
 
 // The first display that starts: a graphics card's (device platform) before Mesa's software rasteriser.
@@ -35,6 +30,12 @@ EGLDisplay firstDisplay() {
 }
 
 } // namespace
+
+Headless::Headless(void* display)
+    : display_(display, [](void* opened) {
+          eglMakeCurrent(opened, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+          eglTerminate(opened);
+      }) {}
 
 Result<Headless> Headless::open() {
     EGLDisplay display = firstDisplay();

@@ -13,11 +13,8 @@ class Headless {
     static Result<Headless> open();
 
   private:
-    struct Close {
-        void operator()(void* display) const;
-    };
-    explicit Headless(void* display) : display_(display) {}
-    std::unique_ptr<void, Close> display_; // EGL's; the context dies with it
+    explicit Headless(void* display);
+    std::unique_ptr<void, void (*)(void*)> display_; // EGL's; the context dies with it
 };
 
 } // namespace shoal::platform

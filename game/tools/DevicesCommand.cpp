@@ -63,12 +63,12 @@ void haptic(bool test) {
     if (test && hapticDevices.ready() > 0) pulseEach(hapticDevices, began);
 }
 
-void cameras() {
-    std::printf("Cameras, for --video and --hands webcam\n");
+// Their names only: to open one would turn it on.
+void listCameras(const char* prefix, const char* none) {
     const auto cameras = media::listCameras();
     for (const media::CameraListed& camera : cameras)
-        std::printf("  camera:%d: %s\n", camera.index, camera.name.c_str());
-    if (cameras.empty()) std::printf("  none\n");
+        std::printf("  %s:%d: %s\n", prefix, camera.index, camera.name.c_str());
+    if (cameras.empty()) std::printf("  %s\n", none);
 }
 
 void sound(bool test) {
@@ -103,11 +103,7 @@ void listHandSources(const HandOptions& options) {
     leap->stream().take(frame, std::chrono::milliseconds(500)); // a service that is there answers at once
     const hands::DeviceState state = leap->stream().state();
     std::printf("  leap: %s%s\n", state.present ? "ready, " : "", state.description.c_str());
-    // Their names only: to open one would turn it on.
-    const auto cameras = media::listCameras();
-    for (const media::CameraListed& camera : cameras)
-        std::printf("  webcam:%d: %s\n", camera.index, camera.name.c_str());
-    if (cameras.empty()) std::printf("  webcam: none plugged in\n");
+    listCameras("webcam", "webcam: none plugged in");
 }
 
 } // namespace
@@ -117,7 +113,8 @@ int devices(const DevicesOptions& options) {
     const auto runtime = xr::activeRuntime();
     std::printf("  openxr: %s\n",
                 runtime ? (*runtime + "; play with --xr").c_str() : runtime.error().reason.c_str());
-    cameras();
+    std::printf("Cameras, for --video and --hands webcam\n");
+    listCameras("camera", "none");
     haptic(options.test);
     sound(options.test);
     return 0;
