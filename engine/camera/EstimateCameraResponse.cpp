@@ -38,11 +38,6 @@ constexpr double kFlattest = 0.03;
 constexpr float kFineLuck = 0.90f, kCoarseLuck = 0.80f;
 constexpr float kRounding = 1.0f / 12; // variance of quantisation to whole levels
 
-// --- Chroma.
-constexpr float kColourEdge = 6; // minimum difference over three texels, of 255
-constexpr int kFewColourEdges = 200;
-constexpr double kAlternates = 0.62; // ratio of even and odd differences that tells interpolation
-
 // --- Over time.
 constexpr float kFollow_s = 2.2f; // time constant
 // Lenses scatter one to five percent, worn ports more; a higher bound only means that nothing dark was seen
@@ -72,11 +67,6 @@ template <class At> float laplacianSquare(int size, At at) {
     return sum / static_cast<float>((size - 2) * (size - 2));
 }
 
-bool alternates(const double (&squares)[2]) {
-    const auto [low, high] = std::minmax(squares[0], squares[1]);
-    return low < kAlternates * high;
-}
-
 } // namespace
 
 void CameraResponseEstimator::readStripe(const light::FrameView& frame, int top) {
@@ -86,10 +76,7 @@ void CameraResponseEstimator::readStripe(const light::FrameView& frame, int top)
         const uint8_t* texel = frame.pixels + static_cast<ptrdiff_t>(top + y) * frame.rowStride;
         for (int x = 0; x < width_; ++x, texel += 3, ++i) {
             const float r = texel[red], g = texel[1], b = texel[blue];
-            const float l = 0.2126f * r + 0.7152f * g + 0.0722f * b;
-            luma_[i] = l;
-            blueLess_[i] = b - l;
-            redLess_[i] = r - l;
+            luma_[i] = 0.2126f * r + 0.7152f * g + 0.0722f * b;
             clipped_[i] = std::min({r, g, b}) < 1 || std::max({r, g, b}) > 254;
         }
     }
@@ -167,32 +154,6 @@ void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
     }
 }
 
-// Interpolated chroma shows as differences whose variance alternates between even and odd texels (Gallagher
-// 2005, "Detection of Linear and Cubic Interpolation in JPEG Compressed Images"): first differences for
-// replicated chroma, second differences for linear interpolation of cosited chroma, third differences for
-// linear interpolation of centred chroma.
-void CameraResponseEstimator::measureChroma() {
-    const auto add = [](Parity& sums, int at, const float* v, ptrdiff_t step) {
-        const float before = v[-step], here = v[0], behind = v[step], last = v[2 * step];
-        if (std::abs(last - before) < kColourEdge) return;
-        const float first = behind - here, second = before - 2 * here + behind,
-                    third = before - 3 * here + 3 * behind - last;
-        const int parity = at & 1;
-        sums.first[parity] += static_cast<double>(first * first);
-        sums.second[parity] += static_cast<double>(second * second);
-        sums.third[parity] += static_cast<double>(third * third);
-        ++sums.count;
-    };
-    for (const std::vector<float>* plane : {&blueLess_, &redLess_})
-        for (int y = 2; y + 2 < kStripeRows; ++y)
-            for (int x = 2; x + 2 < width_; ++x) {
-                const ptrdiff_t i = static_cast<ptrdiff_t>(y) * width_ + x;
-                if (clipped_[static_cast<size_t>(i)]) continue;
-                add(chroma_[0], x, plane->data() + i, 1);
-                add(chroma_[1], y, plane->data() + i, width_);
-            }
-}
-
 // The darkest and brightest thousandth are ignored: dead texels, glints.
 void CameraResponseEstimator::measureLevels(const light::FrameView& frame, CameraResponse& response) {
     constexpr int kApart = 8;
@@ -218,15 +179,13 @@ void CameraResponseEstimator::measureLevels(const light::FrameView& frame, Camer
 
 CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView& frame) {
     CameraResponseEstimate out;
-    out.response.chromaTexels = {2, 2};
     if (frame.width < 4 * kBlock || frame.height < 4 * kStripeRows) return out;
     width_ = frame.width;
     const auto texels = static_cast<size_t>(width_) * kStripeRows;
-    for (std::vector<float>* plane : {&luma_, &blueLess_, &redLess_}) plane->resize(texels);
+    luma_.resize(texels);
     clipped_.resize(texels);
     edges_.clear();
     for (Blocks& blocks : blocks_) blocks.fine.clear(), blocks.coarse.clear();
-    chroma_ = {};
 
     const int quarter = frame.height / 4, span = frame.height / 2 - kStripeRows;
     for (int stripe = 0; stripe < kStripes; ++stripe) {
@@ -237,7 +196,6 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
             std::numbers::pi_v<float>;
         measureEdges(1 / std::cos(latitude));
         measureNoise(out);
-        measureChroma();
     }
     measureLevels(frame, out.response);
 
@@ -265,14 +223,6 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
         }
 
     measureBlur(out);
-
-    for (int axis = 0; axis < 2; ++axis) {
-        const Parity& sums = chroma_[static_cast<size_t>(axis)];
-        if (sums.count < kFewColourEdges) continue;
-        out.chromaKnown = true;
-        out.response.chromaTexels[axis] =
-            alternates(sums.first) || alternates(sums.second) || alternates(sums.third) ? 2 : 1;
-    }
     return out;
 }
 
@@ -291,10 +241,7 @@ void CameraResponseOverTime::follow(const CameraResponseEstimate& estimate, floa
         response_.blur_texels += (seen.blur_texels - response_.blur_texels) * shareIf(edgesSeen_);
         edgesSeen_ = true;
     }
-    if (estimate.chromaKnown) {
-        chromaTexels_ = glm::mix(chromaTexels_, glm::vec2(seen.chromaTexels), shareIf(chromaSeen_));
-        chromaSeen_ = true;
-    }
+    response_.chromaTexels = seen.chromaTexels;
 }
 
 void CameraResponseOverTime::followGlare(float maxShare, float dt_s) {
@@ -302,13 +249,6 @@ void CameraResponseOverTime::followGlare(float maxShare, float dt_s) {
     const float glare = maxGlare_ > kMaxGlare ? kUsualGlare : maxGlare_;
     response_.glare += (glare - response_.glare) * (glareSeen_ ? shareOf(dt_s) : 1.0f);
     glareSeen_ = true;
-}
-
-CameraResponse CameraResponseOverTime::response() const {
-    if (!begun_) return {};
-    CameraResponse response = response_;
-    response.chromaTexels = glm::ivec2(chromaTexels_ + 0.5f);
-    return response;
 }
 
 } // namespace shoal::camera

@@ -13,11 +13,10 @@ namespace shoal::camera {
 
 // The counts tell how reliable it is.
 struct CameraResponseEstimate {
-    CameraResponse response;
-    int edges = 0;                               // edges measured; below kFewEdges blur is 0
+    CameraResponse response{.chromaTexels = glm::ivec2(2)}; // not estimated: 4:2:0, unless the decoder knows
+    int edges = 0;                                          // edges measured; below kFewEdges blur is 0
     std::array<int, kBrightnesses> flatBlocks{}; // blocks measured for noise; a band without any takes its
                                                  // neighbour's noise
-    bool chromaKnown = false;                    // else taken as 4:2:0, which nearly all video is
 };
 
 constexpr int kFewEdges = 12;
@@ -32,12 +31,11 @@ class CameraResponseEstimator {
     void measureEdges(float stretch);
     void measureBlur(CameraResponseEstimate& out);
     void measureNoise(CameraResponseEstimate& out);
-    void measureChroma();
     void measureLevels(const light::FrameView& frame, CameraResponse& response);
 
-    // The current stripe, row by row: luma and two colour differences, 0 to 255; clipped: any channel is.
+    // The current stripe, row by row: luma, 0 to 255; clipped: any channel is.
     int width_ = 0;
-    std::vector<float> luma_, blueLess_, redLess_;
+    std::vector<float> luma_;
     std::vector<unsigned char> clipped_;
 
     struct Blocks {
@@ -50,12 +48,6 @@ class CameraResponseEstimator {
     std::vector<Edge> edges_;
     std::vector<float> blurs_; // scratch
     std::array<Blocks, kBrightnesses> blocks_;
-    // Sums of squared chroma differences of three orders, separately for even and odd first texels.
-    struct Parity {
-        double first[2] = {}, second[2] = {}, third[2] = {};
-        int count = 0;
-    };
-    std::array<Parity, 2> chroma_; // across, down
 };
 
 // Temporal smoothing of estimates. Deterministic: depends only on the estimates and the times between them.
@@ -69,14 +61,13 @@ class CameraResponseOverTime {
     // gives a useful bound, a typical lens is assumed.
     void followGlare(float maxShare, float dt_s);
 
-    CameraResponse response() const; // before the first estimate: without effect
+    const CameraResponse& response() const { return response_; } // before the first estimate: without effect
 
   private:
     float maxGlare_ = 1;
     bool glareSeen_ = false;
-    bool begun_ = false, edgesSeen_ = false, chromaSeen_ = false;
+    bool begun_ = false, edgesSeen_ = false;
     CameraResponse response_;
-    glm::vec2 chromaTexels_{2};
 };
 
 } // namespace shoal::camera

@@ -16,17 +16,7 @@ constexpr float kBright =
 constexpr double kDarkest = 0.002; // quantile: below lie the undershoots of sharpening
 constexpr size_t kFewCells = 100;
 
-const std::array<float, 256>& squares() {
-    static const auto table = [] {
-        std::array<float, 256> t;
-        for (size_t i = 0; i < t.size(); ++i) t[i] = static_cast<float>(i * i) / (255.0f * 255.0f);
-        return t;
-    }();
-    return table;
-}
-
 void readCells(const light::FrameView& frame, ImageRgbF& out) {
-    const auto& square = squares();
     constexpr int kDown = kGlowHeight * kSamples, kAcross = kGlowWidth * kSamples;
     constexpr float kShare = 1.0f / (kSamples * kSamples);
     std::ranges::fill(out.pixels, 0.0f);
@@ -36,7 +26,10 @@ void readCells(const light::FrameView& frame, ImageRgbF& out) {
         for (int i = 0; i < kAcross; ++i) {
             const uint8_t* texel = row + ptrdiff_t{3} * ((2 * i + 1) * frame.width / (2 * kAcross));
             float* to = out.at(i / kSamples, j / kSamples);
-            for (int c = 0; c < 3; ++c) to[c] += kShare * square[texel[frame.bgr ? 2 - c : c]];
+            for (int c = 0; c < 3; ++c) {
+                const int value = texel[frame.bgr ? 2 - c : c];
+                to[c] += kShare * (static_cast<float>(value * value) / (255.0f * 255.0f));
+            }
         }
     }
 }

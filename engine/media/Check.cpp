@@ -27,7 +27,7 @@ Result<std::string> checkVideo(const Path& file) {
     const SphericalMetadata& m = info.metadata;
     if (m.projection == Projection::Cubemap || m.projection == Projection::Mesh)
         return Error{file.string(), fmt::format("is a {}; only lat-long video can be shown, so convert it",
-                                                nameOf(m.projection))};
+                                                m.projection == Projection::Mesh ? "mesh" : "cube map")};
 
     ImageRgb8 frame(info.width, info.height);
     const auto second = static_cast<int64_t>(info.fps);
@@ -51,8 +51,7 @@ Result<std::string> checkVideo(const Path& file) {
         fmt::format("{}x{} {}video, {:.4g} frames/s, {:.1f} s, {} colour, lat-long {} ({})", info.width,
                     info.height, codec, info.fps, static_cast<double>(frames) / info.fps, nameOf(info.matrix),
                     enumName(info.layout), info.layoutSource);
-    if (m.missingLeft + m.missingRight + m.missingTop + m.missingBottom > 0)
-        message += "; covers only a part of the environment";
+    if (m.partial) message += "; covers only a part of the environment";
     if (!m.present) message += "; does not say that it is a 360-degree video";
     return message;
 }

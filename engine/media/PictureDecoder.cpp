@@ -1,7 +1,11 @@
 #include "engine/media/PictureDecoder.h"
 
-#include "engine/media/VideoInfo.h"
+#include "engine/media/VideoFrame.h"
 #include "engine/media/YuvToBgr.h"
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +60,11 @@ ColourMatrix PictureDecoder::matrix() const {
     return matrixOf(codec_->codec_id, frame_->colorspace, frame_->width, frame_->height);
 }
 
+glm::ivec2 PictureDecoder::chromaTexels() const {
+    const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame_->format));
+    return format ? glm::ivec2(1 << format->log2_chroma_w, 1 << format->log2_chroma_h) : glm::ivec2(1);
+}
+
 bool PictureDecoder::fullRange() const {
     return frame_->color_range == AVCOL_RANGE_JPEG || frame_->format == AV_PIX_FMT_YUVJ420P ||
            frame_->format == AV_PIX_FMT_YUVJ422P || codec_->codec_id == AV_CODEC_ID_MJPEG;
@@ -65,31 +74,19 @@ Status PictureDecoder::convert(ImageRgb8& bgr) {
     const int width = frame_->width, height = frame_->height;
     if (Status playable = checkPictureSize(width, height); !playable) return playable;
     bgr.fit(width, height);
-    switch (frame_->format) {
-    case AV_PIX_FMT_YUV420P:
-    case AV_PIX_FMT_YUVJ420P:
-        convertPlanes(1, bgr);
-        return Done{};
-    case AV_PIX_FMT_YUV422P:
-    case AV_PIX_FMT_YUVJ422P:
-        convertPlanes(0, bgr);
-        return Done{};
-    default:
+    const auto format = static_cast<AVPixelFormat>(frame_->format);
+    if (format != AV_PIX_FMT_YUV420P && format != AV_PIX_FMT_YUVJ420P && format != AV_PIX_FMT_YUV422P &&
+        format != AV_PIX_FMT_YUVJ422P)
         return convertBySwscale(bgr);
-    }
-}
-
-// By our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT) or 1.2 times as
-// slow and up to 3 of 255 levels off, where ours is within 0.6.
-void PictureDecoder::convertPlanes(int differenceRowShift, ImageRgb8& bgr) const {
-    const YuvToBgr convert(matrix(), fullRange());
-    for (int y = 0; y < bgr.height; ++y) {
-        const int half = y >> differenceRowShift;
-        convert.row({frame_->data[0] + ptrdiff_t{y} * frame_->linesize[0],
-                     frame_->data[1] + ptrdiff_t{half} * frame_->linesize[1],
-                     frame_->data[2] + ptrdiff_t{half} * frame_->linesize[2]},
-                    bgr.width, bgr.at(0, y));
-    }
+    // By our own loop: swscale is either 40 times as slow (SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT) or up to 3
+    // of 255 levels off, where ours is within 0.6.
+    toBgr({{frame_->data[0], frame_->data[1], frame_->data[2]},
+           {frame_->linesize[0], frame_->linesize[1], frame_->linesize[2]},
+           chromaTexels().y,
+           matrix(),
+           fullRange()},
+          bgr);
+    return Done{};
 }
 
 // By swscale, which writes beyond the ends of rows: so into memory of its own.
@@ -100,10 +97,7 @@ Status PictureDecoder::convertBySwscale(ImageRgb8& bgr) {
         scaler_.release(), width, height, static_cast<AVPixelFormat>(frame_->format), width, height,
         AV_PIX_FMT_BGR24, SWS_POINT | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr));
     if (!scaler_) return unknown;
-    const ColourMatrix is = matrix();
-    const int* from = sws_getCoefficients(is == ColourMatrix::Bt709    ? SWS_CS_ITU709
-                                          : is == ColourMatrix::Bt2020 ? SWS_CS_BT2020
-                                                                       : SWS_CS_ITU601);
+    const int* from = sws_getCoefficients(static_cast<int>(matrix()));
     constexpr int kOne = 1 << 16;
     sws_setColorspaceDetails(scaler_.get(), from, fullRange(), sws_getCoefficients(SWS_CS_DEFAULT), 1, 0,
                              kOne, kOne);

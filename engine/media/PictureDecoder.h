@@ -10,6 +10,8 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
+#include <glm/vec2.hpp>
+
 #include <vector>
 
 namespace shoal::media {
@@ -17,7 +19,7 @@ namespace shoal::media {
 // Error: pictures of that size are not played.
 Status checkPictureSize(int width, int height);
 
-// Motion JPEG is BT.601 whatever its size (JFIF); else as colourMatrixOf() says, whose codes FFmpeg has too.
+// Motion JPEG is BT.601 whatever its size (JFIF); else as colourMatrixOf() says.
 ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int height);
 
 struct FreeScaler {
@@ -43,6 +45,7 @@ class PictureDecoder {
     const AVFrame& frame() const { return *frame_; }
     double arrived_s() const; // of its packet, as given to send()
     ColourMatrix matrix() const;
+    glm::ivec2 chromaTexels() const; // that share a colour, across and down
 
     // The picture received last, blue first; bgr takes its size. Colours by the matrix and range that it
     // states. Error: it is too large, or of an unknown pixel format.
@@ -50,7 +53,6 @@ class PictureDecoder {
 
   private:
     bool fullRange() const;
-    void convertPlanes(int differenceRowShift, ImageRgb8& bgr) const;
     Status convertBySwscale(ImageRgb8& bgr);
 
     Codec codec_;

@@ -1,13 +1,35 @@
 // Kind and size of a picture file, read from its first bytes so that limits hold before memory is taken.
-// Read here because stb_image knows neither WebP, OpenEXR nor PFM, and OpenCV tells a size only by decoding.
+// Internal to this folder. Read here because stb_image knows neither WebP, OpenEXR nor PFM, and OpenCV tells
+// a size only by decoding.
 #pragma once
 
 #include "engine/core/Result.h"
-#include "engine/media/Bytes.h"
 
+#include <cstdint>
+#include <cstring>
 #include <functional>
+#include <span>
+#include <string_view>
 
 namespace shoal::media {
+
+// Integers and text in byte strings. The caller has checked that the bytes are there.
+using ByteSpan = std::span<const uint8_t>;
+
+inline uint32_t big16(ByteSpan b, size_t at) { return uint32_t{b[at]} << 8 | b[at + 1]; }
+inline uint32_t big32(ByteSpan b, size_t at) { return big16(b, at) << 16 | big16(b, at + 2); }
+inline uint64_t big64(ByteSpan b, size_t at) { return uint64_t{big32(b, at)} << 32 | big32(b, at + 4); }
+inline uint32_t little16(ByteSpan b, size_t at) { return uint32_t{b[at + 1]} << 8 | b[at]; }
+inline uint32_t little24(ByteSpan b, size_t at) { return uint32_t{b[at + 2]} << 16 | little16(b, at); }
+inline uint32_t little32(ByteSpan b, size_t at) { return little16(b, at + 2) << 16 | little16(b, at); }
+
+// False too if the bytes end before.
+inline bool hasText(ByteSpan b, size_t at, std::string_view text) {
+    return b.size() >= at && b.size() - at >= text.size() &&
+           std::memcmp(b.data() + at, text.data(), text.size()) == 0;
+}
+
+inline std::string_view asText(ByteSpan b) { return {reinterpret_cast<const char*>(b.data()), b.size()}; }
 
 enum class PictureKind { Jpeg, Png, Bmp, Webp, Pnm, Radiance, Exr, Pfm };
 

@@ -1,20 +1,43 @@
-// Frames of a video as its players give them out, and the slots that they lie in.
+// What is known of a video, its frames as its players give them out, and the slots that they lie in.
 #pragma once
 
 #include "engine/core/Image.h"
+#include "engine/media/SphericalMetadata.h"
 #include "engine/media/StereoView.h"
+#include "engine/media/YuvToBgr.h"
+
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
+#include <string>
 #include <utility>
 
 namespace shoal::media {
 
+constexpr int kMaxVideoSide = 8192;
+constexpr double kMinFps = 1, kMaxFps = 240, kFallbackFps = 30;
+
+// Properties of a video file, read without playing it.
+struct VideoInfo {
+    int width = 0; // of the whole frame, both eyes
+    int height = 0;
+    double fps = kFallbackFps; // the container's mean rate; kFallbackFps if not within kMinFps..kMaxFps
+    int64_t frameCount = 0;    // as the container says, 0 if it does not; the player counts for itself
+    double duration_s = 0;     // frameCount / fps
+    std::string codec;         // such as "h264"; empty if the container does not say
+    ColourMatrix matrix = ColourMatrix::Bt601; // stated, or by size; frames are decoded with it
+    SphericalMetadata metadata;
+    Layout layout = Layout::Mono;  // never Auto
+    const char* layoutSource = ""; // "asked for", "metadata", "shape", "content"
+};
+
 struct VideoFrame {
     ImageRgb8 pixelsBgr;          // sRGB-coded, blue first; see PlayerOptions::keepPixels
     Layout layout = Layout::Mono; // never Auto
+    glm::ivec2 chromaTexels{2};   // that share a colour, across and down; 2, 2 is 4:2:0
     int64_t index = -1;           // since the start, from 0; of a file it counts on as the file repeats
     int64_t number = -1;          // within the file; -1: live
     size_t slot = 0;              // that it lies in, below kFrameSlots

@@ -145,6 +145,7 @@ struct VideoPlayer::Impl {
             if (!source.grab()) return source.position();
         }
         if (!source.retrieve(slots.pixelsOf(slot, options))) return number;
+        slot.frame.chromaTexels = source.chromaTexels();
         slot.frame.decode_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         slots.prepare(slot, options);
         return number + 1;

@@ -11,7 +11,6 @@
 #pragma once
 
 #include "engine/media/VideoFrame.h"
-#include "engine/media/VideoInfo.h"
 
 #include <memory>
 #include <string>

@@ -10,7 +10,6 @@ extern "C" {
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <thread>
 
 namespace shoal::media {
@@ -78,14 +77,7 @@ Result<VideoSource> VideoSource::open(const Path& file, Layout request) {
     source.file_ = file;
     source.container_ = *format;
     if (const Status opened = source.reopen(); !opened) return Error{file.string(), opened.error().reason};
-    const std::string_view container = (*format)->name;
-    if (container.starts_with("matroska")) {
-        source.info_.metadata = matroskaMetadata(source.stream(), *begin);
-    } else if (container.starts_with("mov")) {
-        std::error_code code;
-        std::ifstream stream(file, std::ios::binary);
-        source.info_.metadata = mp4Metadata(stream, std::filesystem::file_size(file, code));
-    }
+    source.info_.metadata = sphericalMetadata(*source.input_, source.stream(), file);
     source.readInfo();
     if (!source.findLayout(request)) return Error{file.string(), "its first frame cannot be decoded"};
     return source;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/media/PictureDecoder.h"
-#include "engine/media/VideoInfo.h"
+#include "engine/media/VideoFrame.h"
 
 namespace shoal::media {
 
@@ -24,6 +24,8 @@ class VideoSource {
     // Converts the frame grabbed last, blue first and turned upright, into the image's memory. False if it
     // cannot be converted or has another size than info() says.
     bool retrieve(ImageRgb8& bgr);
+
+    glm::ivec2 chromaTexels() const { return decoder_.chromaTexels(); } // of that frame
 
     // Makes `number` the next frame, or an earlier one where the file allows no better: the caller grabs on
     // from position(). False if the file cannot be opened again.

@@ -103,6 +103,7 @@ void Environment::prepareFor(light::LightQuality quality, size_t slots) {
 // On the decode thread.
 void Environment::prepare(const media::VideoFrame& frame) {
     analysis_->analyse(leftEyeOf(frame.pixelsBgr, frame.layout, true), found_[frame.slot]);
+    found_[frame.slot].cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, pictures_[frame.slot]);
 }
 

@@ -7,9 +7,13 @@ namespace shoal::media {
 
 namespace {
 
-// By kStreamSchemes. HTTP may be redirected to HTTPS, but not the reverse.
-constexpr std::array kProtocols = {"rtp,udp,tcp", "http,https,tls,tcp", "https,tls,tcp", "tcp", "udp"};
-static_assert(kProtocols.size() == kStreamSchemes.size());
+// Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. HTTP may be
+// redirected to HTTPS, but not the reverse.
+constexpr std::pair<const char*, const char*> kStreams[] = {{"rtsp", "rtp,udp,tcp"},
+                                                            {"http", "http,https,tls,tcp"},
+                                                            {"https", "https,tls,tcp"},
+                                                            {"tcp", "tcp"},
+                                                            {"udp", "udp"}};
 
 constexpr size_t kMaxLength = 2048;
 
@@ -37,11 +41,11 @@ Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
     }
     if (const std::string_view scheme = schemeOf(text); !scheme.empty()) {
         if (text.size() > kMaxLength) return Error{withoutPassword(text.substr(0, 80)), "is too long a URL"};
-        for (size_t i = 0; i < kStreamSchemes.size(); ++i)
-            if (scheme == kStreamSchemes[i])
-                return std::optional<LiveAddress>(StreamAddress{text, kProtocols[i]});
         std::string known;
-        for (const char* each : kStreamSchemes) known += (known.empty() ? "" : ", ") + std::string(each);
+        for (const auto& [name, protocols] : kStreams) {
+            if (scheme == name) return std::optional<LiveAddress>(StreamAddress{text, protocols});
+            known += (known.empty() ? "" : ", ") + std::string(name);
+        }
         return Error{withoutPassword(text), "is a URL of a kind that is not played; these are: " + known};
     }
     std::error_code code;

@@ -5,7 +5,8 @@
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
 
-#include <array>
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -28,10 +29,7 @@ struct StreamAddress {
 };
 using LiveAddress = std::variant<CameraAddress, PipeAddress, StreamAddress>;
 
-// Schemes of URLs that are played; all others are refused.
-inline constexpr std::array kStreamSchemes = {"rtsp", "http", "https", "tcp", "udp"};
-
-// "camera:N", the name of a named pipe, or a URL of one of the schemes. Empty: `text` names a file, if
+// "camera:N", the name of a named pipe, or a URL of a scheme that is played. Empty: `text` names a file, if
 // anything. Errors: a malformed camera or URL, or a scheme that is not allowed.
 Result<std::optional<LiveAddress>> liveAddress(const std::string& text);
 
@@ -44,7 +42,8 @@ double liveNow_s();
 struct LivePicture {
     double arrived_s = 0; // by liveNow_s(): when its last byte was here, still coded
     double decode_ms = 0;
-    int64_t passedOver = 0; // pictures since the last that were skipped because a newer one was there
+    int64_t passedOver = 0;     // pictures since the last that were skipped because a newer one was there
+    glm::ivec2 chromaTexels{2}; // as VideoFrame has them
 };
 
 struct LiveFeed {

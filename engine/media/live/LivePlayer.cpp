@@ -98,6 +98,7 @@ struct LivePlayer::Impl {
             }
             findLayout(bgr);
             slot.frame.layout = layout;
+            slot.frame.chromaTexels = picture->chromaTexels;
             slot.frame.index = counts.made;
             slot.frame.arrived_s = picture->arrived_s;
             slot.frame.decode_ms = picture->decode_ms;

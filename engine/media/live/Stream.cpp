@@ -2,7 +2,6 @@
 #include "engine/media/PictureDecoder.h"
 #include "engine/media/live/LiveFeed.h"
 #include "engine/media/live/PacketQueue.h"
-#include "engine/media/live/Timing.h"
 
 extern "C" {
 #include <libavutil/time.h>
@@ -11,7 +10,6 @@ extern "C" {
 #include <fmt/core.h>
 
 #include <atomic>
-#include <cerrno>
 #include <fcntl.h>
 #include <memory>
 #include <optional>
@@ -43,13 +41,6 @@ constexpr double kMaxHidden_s = 0.25;
 // So many waiting packets mean that the decoder is behind; fewer are network jitter.
 constexpr size_t kBehind = 3;
 
-struct FreeReader {
-    void operator()(AVIOContext* reader) const {
-        av_freep(&reader->buffer);
-        avio_context_free(&reader);
-    }
-};
-
 // A stream or pipe. One thread reads packets as they come, so that none wait in the network; another decodes.
 class Stream {
   public:
@@ -76,7 +67,6 @@ class Stream {
     bool givesUp() const { return interrupted_ || stopped_ || liveNow_s() > deadline_s_; }
     const AVStream& video() const { return *format_->streams[stream_]; }
     Status openPipe(const Path& file);
-    int readPipe(uint8_t* bytes, int count);
     Status openFormat();
     void passPacketsUnparsed();
     void markKeyFrame(AVPacket& packet);
@@ -88,8 +78,7 @@ class Stream {
     // Of the thread that opens, then of the reader's:
     LiveAddress address_;
     FeedTimeouts timeouts_;
-    int pipe_ = -1;                                       // descriptor, of a pipe
-    std::unique_ptr<AVIOContext, FreeReader> pipeReader_; // FFmpeg's, of the same
+    int pipe_ = -1; // descriptor, of a pipe
     Input format_;
     int stream_ = -1;
     bool unparsed_ = false; // each packet is one picture
@@ -112,7 +101,6 @@ class Stream {
 
 // For the writer that is there, or the next.
 Status Stream::openPipe(const Path& file) {
-    constexpr int kBuffer = 1 << 16;
     // Opened before the old one is closed: a new writer must not find the pipe without readers. And opened
     // again each time: after a writer has closed, the old descriptor reports only the end of the file.
     const int opened = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -121,27 +109,13 @@ Status Stream::openPipe(const Path& file) {
     struct stat found {};
     if (pipe_ < 0 || fstat(pipe_, &found) != 0 || !S_ISFIFO(found.st_mode))
         return Error{"", "cannot be opened for reading"};
-    const auto read = [](void* self, uint8_t* bytes, int count) {
-        return static_cast<Stream*>(self)->readPipe(bytes, count);
-    };
-    pipeReader_.reset(avio_alloc_context(static_cast<uint8_t*>(av_malloc(kBuffer)), kBuffer, 0, this, read,
-                                         nullptr, nullptr));
-    return Done{};
-}
-
-// Blocks until there are some bytes. Returns their count, or a negative error of FFmpeg's.
-int Stream::readPipe(uint8_t* bytes, int count) {
+    // Waits for the first writer, because until there is one FFmpeg would find the end of the file. Where
+    // none comes in time openFormat() says so.
     constexpr int kPollInterval_ms = 100;
-    for (;;) {
-        if (givesUp()) return AVERROR_EXIT;
-        pollfd waiting{pipe_, POLLIN, 0};
-        // Waits for the first writer too; POLLHUP comes once the last writer has closed.
-        if (poll(&waiting, 1, kPollInterval_ms) <= 0) continue;
-        const ssize_t got = ::read(pipe_, bytes, static_cast<size_t>(count));
-        if (got > 0) return static_cast<int>(got);
-        if (got == 0) return AVERROR_EOF;
-        if (errno != EAGAIN && errno != EINTR) return AVERROR(errno);
+    pollfd waiting{pipe_, POLLIN, 0};
+    while (!givesUp() && poll(&waiting, 1, kPollInterval_ms) <= 0) {
     }
+    return Done{};
 }
 
 // Leaves format_ with its streams known.
@@ -160,9 +134,8 @@ Status Stream::openFormat() {
         av_dict_set(&options, "user_agent", "Shoal", 0);
         av_dict_set(&options, "rtsp_flags", "prefer_tcp", 0);
     } else {
-        av_dict_set(&options, "protocol_whitelist", "none", 0);
-        format->pb = pipeReader_.get();
-        format->flags |= AVFMT_FLAG_CUSTOM_IO;
+        name = "pipe:" + std::to_string(pipe_);
+        av_dict_set(&options, "protocol_whitelist", "pipe", 0);
     }
     format->max_analyze_duration = AV_TIME_BASE;
     format->fps_probe_size = 0; // frames come when they come: no need to wait for several
@@ -188,8 +161,7 @@ Status Stream::connect() {
     stream_ = -1;
     stopped_ = false;
     deadline_s_ = liveNow_s() + timeouts_.open_s;
-    const auto* pipe = std::get_if<PipeAddress>(&address_);
-    if (pipe)
+    if (const auto* pipe = std::get_if<PipeAddress>(&address_))
         if (Status opened = openPipe(pipe->file); !opened) return opened;
     if (Status opened = openFormat(); !opened) return opened;
     stream_ = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
@@ -204,7 +176,7 @@ Status Stream::connect() {
         parser_->flags |= PARSER_FLAG_COMPLETE_FRAMES;
     else
         parser_.reset();
-    stored_ = !pipe && format_->pb && avio_size(format_->pb) > 0;
+    stored_ = format_->pb && avio_size(format_->pb) > 0;
     stamped_ = !(format_->iformat->flags & AVFMT_NOTIMESTAMPS);
     return Done{};
 }
@@ -298,6 +270,7 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
             }
             if (Status converted = decoder_->convert(bgr); !converted) return converted.error();
             picture.arrived_s = decoder_->arrived_s();
+            picture.chromaTexels = decoder_->chromaTexels();
             lastShown_s_ = liveNow_s();
             picture.decode_ms = 1e3 * (lastShown_s_ - began_s);
             return picture;

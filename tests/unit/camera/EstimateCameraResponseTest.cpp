@@ -78,27 +78,12 @@ TEST(EstimateCameraResponse, LevelsAreFoundAgain) {
     }
 }
 
-TEST(EstimateCameraResponse, ChromaThatIsSharedIsTold) {
-    for (const float noise : {0.0f, 2.0f}) {
-        for (const bool drawn : {false, true}) {
-            const CameraResponseEstimate half =
-                estimated(filmed({.blur_texels = 0.8f, .noise = noise, .chroma_texels = 2, .drawn = drawn}));
-            EXPECT_TRUE(half.chromaKnown);
-            EXPECT_EQ(half.response.chromaTexels, glm::ivec2(2)) << "noise " << noise << ", drawn " << drawn;
-        }
-        const CameraResponseEstimate full = estimated(filmed({.blur_texels = 0.8f, .noise = noise}));
-        EXPECT_TRUE(full.chromaKnown);
-        EXPECT_EQ(full.response.chromaTexels, glm::ivec2(1)) << "noise " << noise;
-    }
-}
-
 TEST(EstimateCameraResponse, AnEvenFrameSaysNothing) {
     ImageRgb8 frame(512, 256);
     std::fill(frame.pixels.begin(), frame.pixels.end(), uint8_t{100});
     const CameraResponseEstimate found = estimated(frame);
     EXPECT_EQ(found.edges, 0);
     EXPECT_EQ(found.response.blur_texels, 0);
-    EXPECT_FALSE(found.chromaKnown);
     for (const float noise : found.response.fineNoise) EXPECT_EQ(noise, 0);
 }
 
@@ -139,14 +124,13 @@ TEST(CameraResponseOverTime, TakesTheFirstAndFollowsSlowly) {
     soft.response.blur_texels = 2;
     soft.edges = sharp.edges = 100;
     sharp.response.blur_texels = 1;
-    sharp.chromaKnown = true;
     sharp.response.chromaTexels = {1, 1};
     over.follow(soft, 0);
     EXPECT_EQ(over.response().blur_texels, 2);
-    EXPECT_EQ(over.response().chromaTexels, glm::ivec2(2)) << "unknown: as nearly all video";
+    EXPECT_EQ(over.response().chromaTexels, glm::ivec2(2)) << "as nearly all video";
     for (int frame = 0; frame < 300; ++frame) over.follow(sharp, 1 / 60.0f);
     EXPECT_NEAR(over.response().blur_texels, 1.1f, 0.01f) << "nine tenths there after five seconds";
-    EXPECT_EQ(over.response().chromaTexels, glm::ivec2(1)) << "what was not known is taken as it is";
+    EXPECT_EQ(over.response().chromaTexels, glm::ivec2(1));
     over.follow(CameraResponseEstimate{}, 1000); // an even frame
     EXPECT_NEAR(over.response().blur_texels, 1.1f, 0.01f) << "no edges: no news";
 }

@@ -14,12 +14,10 @@ namespace shoal::camera {
 struct Film {
     int width = 800, height = 256; // the estimator reads every row of its middle half
     float blur_texels = 1;
-    float softer = 0;      // blur besides, of four edges in five: of things that are not sharp themselves
-    float noise = 0;       // standard deviation of 255
-    float noiseSlope = 0;  // more of it at white, of 255
-    int grain_texels = 1;  // squares that share their noise
-    int chroma_texels = 1; // squares that share their colour; ...
-    bool drawn = false;    // ... or rather, between whose middles it is drawn straight
+    float softer = 0;     // blur besides, of four edges in five: of things that are not sharp themselves
+    float noise = 0;      // standard deviation of 255
+    float noiseSlope = 0; // more of it at white, of 255
+    int grain_texels = 1; // squares that share their noise
     float black = 20, white = 235;
 };
 
@@ -73,7 +71,6 @@ inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
                     bottom = turn * static_cast<float>(y + size);
         return mean(of, x, y, size) + 15 * (std::cos(top) - std::cos(bottom)) / (bottom - top);
     };
-    const int c = film.chroma_texels;
     std::vector<float> grains(static_cast<size_t>(film.width));
     for (int y = 0; y < film.height; ++y) {
         if (y % film.grain_texels == 0)
@@ -83,21 +80,7 @@ inline ImageRgb8 filmed(const Film& film, uint64_t seed = 1) {
         for (int x = 0; x < film.width; ++x) {
             float luma = mean(greys, x, y, 1);
             luma += grains[static_cast<size_t>(x)] * (film.noise + film.noiseSlope * luma / 255);
-            const auto tint = [&](const std::vector<float>& of) {
-                if (!film.drawn || c == 1) return meanTint(of, x / c * c, y / c * c, c);
-                const auto at = [&](int i, int j) {
-                    return meanTint(of, std::max(i, 0) * c, std::max(j, 0) * c, c);
-                };
-                const auto along = [&](int p) {
-                    return (static_cast<float>(p) + 0.5f) / static_cast<float>(c) - 0.5f;
-                };
-                const int i = static_cast<int>(std::floor(along(x))),
-                          j = static_cast<int>(std::floor(along(y)));
-                const float fx = along(x) - static_cast<float>(i), fy = along(y) - static_cast<float>(j);
-                return (at(i, j) * (1 - fx) + at(i + 1, j) * fx) * (1 - fy) +
-                       (at(i, j + 1) * (1 - fx) + at(i + 1, j + 1) * fx) * fy;
-            };
-            const float blueLess = tint(blues), redLess = tint(reds);
+            const float blueLess = meanTint(blues, x, y, 1), redLess = meanTint(reds, x, y, 1);
             const float r = luma + redLess, b = luma + blueLess;
             const float g = (luma - 0.2126f * r - 0.0722f * b) / 0.7152f;
             uint8_t* to = frame.at(x, y);

@@ -1,7 +1,7 @@
 // Real streams over loopback and through a pipe: they stall, break, come back, change, and misbehave.
 #include "engine/media/live/LivePlayer.h"
 
-#include "engine/media/VideoInfo.h"
+#include "engine/media/VideoFrame.h"
 #include "tests/unit/live_server/HttpServer.h"
 #include "tests/unit/media/TestFiles.h"
 

@@ -1,4 +1,4 @@
-#include "engine/media/live/Timing.h"
+#include "engine/media/live/PacketQueue.h"
 
 #include <gtest/gtest.h>
 
