@@ -16,18 +16,16 @@ namespace {
 // What a primitive needs of the shader, by the name that the shader asks for; each set is compiled once, when
 // it is first seen. Those from SHOW_NORMALS on as ShownQuantity orders them.
 #define SHOAL_FEATURES(F)                                                                                    \
-    F(SKINNED)                                                                                               \
-    F(BASE_COLOUR_MAP)                                                                                       \
-    F(METALLIC_ROUGHNESS_MAP)                                                                                \
-    F(NORMAL_MAP) F(OCCLUSION_MAP) F(EMISSIVE_MAP) F(ALPHA_MASK) F(ALPHA_BLEND) F(PHONG_RINGS) F(MIRRORS)    \
-        F(WATER) F(TONE_ACES) F(TONE_LINEAR) F(LEAN) F(VERTEX_DIFFUSE) F(VERTEX_LIT) F(OCCLUDED)             \
-            F(VERTEX_COLOURS) F(SECOND_UV) F(LAYERS) F(LAYERS_THESIS) F(SHOW_NORMALS) F(SHOW_ROUGHNESS)      \
-                F(SHOW_OCCLUSION) F(SHOW_DIFFUSE) F(SHOW_DEPTH)
-#define SHOAL_BIT(name) name##_BIT,
+    F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
+        F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER), F(TONE_ACES),  \
+        F(TONE_LINEAR), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT), F(OCCLUDED), F(VERTEX_COLOURS),           \
+        F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION),    \
+        F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+#define SHOAL_BIT(name) name##_BIT
 enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
-#define SHOAL_FEATURE(name) name = 1u << name##_BIT,
+#define SHOAL_FEATURE(name) name = 1u << name##_BIT
 enum Feature : unsigned { SHOAL_FEATURES(SHOAL_FEATURE) };
-#define SHOAL_NAME(name) #name,
+#define SHOAL_NAME(name) #name
 constexpr std::array kObjectDefines = {SHOAL_FEATURES(SHOAL_NAME)};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
