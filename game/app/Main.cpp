@@ -111,6 +111,8 @@ int run(int argc, char** argv) {
                  "shoal"};
     app.set_version_flag("--version", SHOAL_VERSION);
     app.require_subcommand(0, 1);
+    app.footer("`shoal COMMAND --help` lists a command's settings and units, `shoal play --help` those of "
+               "the game.");
 
     PlayOptions playOptions;
     ViewOptions viewOptions;

@@ -13,17 +13,24 @@ inline long left = kUnlimited; // allocations that succeed
 inline bool counting = false;
 inline int allocations = 0; // while counting
 
-inline void* take(std::size_t size) {
+inline void* take(std::size_t size) { // null: there is no more
     if (counting) ++allocations;
-    if (left != kUnlimited && left-- <= 0) throw std::bad_alloc();
-    if (void* p = std::malloc(size ? size : 1)) return p;
+    if (left != kUnlimited && left-- <= 0) return nullptr;
+    return std::malloc(size ? size : 1);
+}
+
+inline void* takeOrThrow(std::size_t size) {
+    if (void* p = take(size)) return p;
     throw std::bad_alloc();
 }
 
 } // namespace shoal::heap
 
-void* operator new(std::size_t size) { return shoal::heap::take(size); }
-void* operator new[](std::size_t size) { return shoal::heap::take(size); }
+void* operator new(std::size_t size) { return shoal::heap::takeOrThrow(size); }
+void* operator new[](std::size_t size) { return shoal::heap::takeOrThrow(size); }
+// As std::stable_sort asks for its buffer; the sanitizers have one of their own, which free() must not meet.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return shoal::heap::take(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return shoal::heap::take(size); }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
