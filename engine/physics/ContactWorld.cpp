@@ -1,5 +1,8 @@
 #include "engine/physics/ContactWorld.h"
 
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -54,11 +57,29 @@ struct Pair {
           at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
 };
 
-// The shortest way out of two capsules whose axes cross: at a right angle to both.
-glm::vec3 acrossBoth(const Capsule& p, const Capsule& q) {
-    const glm::vec3 across = glm::cross(p.b - p.a, q.b - q.a);
-    const float length = glm::length(across);
-    return length > 1e-9f ? across / length : glm::vec3(0, 1, 0);
+// A capsule about its middle, along Bullet's Y axis.
+btCapsuleShape shapeOf(const Capsule& c) { return {c.radius, glm::distance(c.a, c.b)}; }
+
+btTransform placeOf(const Capsule& c) {
+    const glm::vec3 along = c.b - c.a, centre = middle(c);
+    const float length = glm::length(along);
+    const btQuaternion turn = length > 1e-6f
+                                  ? shortestArcQuat({0, 1, 0}, btVector3(along.x, along.y, along.z) / length)
+                                  : btQuaternion::getIdentity();
+    return btTransform(turn, {centre.x, centre.y, centre.z});
+}
+
+// The shortest way out of two capsules whose axes cross, by Bullet's expanding polytope (van den Bergen 2001,
+// "Proximity Queries and Penetration Depth Computation on 3D Game Objects").
+glm::vec3 wayOut(const Capsule& mover, const Capsule& body) {
+    const btCapsuleShape moverShape = shapeOf(mover), bodyShape = shapeOf(body);
+    btGjkEpaSolver2::sResults found;
+    if (!btGjkEpaSolver2::Penetration(&moverShape, placeOf(mover), &bodyShape, placeOf(body), {0, 1, 0},
+                                      found))
+        return {0, 1, 0};
+    const glm::vec3 way(found.normal.x(), found.normal.y(), found.normal.z());
+    const float length = glm::length(way);
+    return length > 0.5f && length < 2 ? way / length : glm::vec3(0, 1, 0);
 }
 
 // A lasting contact keeps its side; its normal turns towards the line of nearest points where that is
@@ -93,7 +114,7 @@ bool begin(const Pair& pair, Contact& c) {
     const glm::vec3 start = was.onSecond - was.onFirst;
     const float room = glm::length(start);
     if (room <= pair.radii) { // inside one another, and nobody knows how
-        c.normal = room > kCrossed_m ? start / room : acrossBoth(pair.moverFrom, pair.bodyFrom);
+        c.normal = room > kCrossed_m ? start / room : wayOut(pair.moverFrom, pair.bodyFrom);
         return true;
     }
     c.time = firstTouch(pair.moverFrom, bone, pair.bodyFrom, flesh);
