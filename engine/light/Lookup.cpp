@@ -25,21 +25,27 @@ glm::vec3 lookUp(const ImageRgbF& map, const glm::vec3& dir) {
     return top * (1 - fy) + bottom * fy;
 }
 
+namespace {
+
+// Mixes the two of `count` levels around this level of detail. imageOf(k): level k's picture.
+template <class ImageOf>
+glm::vec3 mixed(float lod, size_t count, const glm::vec3& dir, const ImageOf& imageOf) {
+    const auto low = static_cast<size_t>(lod);
+    const float f = lod - static_cast<float>(low);
+    return lookUp(imageOf(low), dir) * (1 - f) + lookUp(imageOf(std::min(low + 1, count - 1)), dir) * f;
+}
+
+} // namespace
+
 glm::vec3 lookUp(const RadiancePyramid& pyramid, const glm::vec3& dir, float lod) {
-    const float top = static_cast<float>(pyramid.levels.size() - 1);
-    const float level = std::clamp(lod, 0.0f, top);
-    const auto low = static_cast<size_t>(level);
-    const size_t high = std::min(low + 1, pyramid.levels.size() - 1);
-    const float f = level - static_cast<float>(low);
-    return lookUp(pyramid.levels[low], dir) * (1 - f) + lookUp(pyramid.levels[high], dir) * f;
+    const size_t count = pyramid.levels.size();
+    return mixed(std::clamp(lod, 0.0f, static_cast<float>(count - 1)), count, dir,
+                 [&](size_t k) -> const ImageRgbF& { return pyramid.levels[k]; });
 }
 
 glm::vec3 lookUpGlossy(const EnvironmentLight& light, const glm::vec3& dir, float roughness) {
-    const float lod = lodFromRoughness(light.glossy, roughness);
-    const auto low = static_cast<size_t>(lod);
-    const size_t high = std::min(low + 1, light.glossy.size() - 1);
-    const float f = lod - static_cast<float>(low);
-    return lookUp(glossyImage(light, low), dir) * (1 - f) + lookUp(glossyImage(light, high), dir) * f;
+    return mixed(lodFromRoughness(light.glossy, roughness), light.glossy.size(), dir,
+                 [&](size_t k) -> const ImageRgbF& { return glossyImage(light, k); });
 }
 
 } // namespace shoal::light

@@ -1,21 +1,30 @@
 #include "engine/light/PackedLight.h"
 
 #include "engine/light/Vectorise.h"
-#include "engine/math/Half.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 namespace shoal::light {
 
 namespace {
 
-constexpr uint16_t kOne = 0x3c00;
+constexpr uint16_t kOne = 0x3c00; // a half float
+
+// value: 0 .. 65504. To the nearest half float, ties to even. No branches: loops over it vectorise.
+inline uint16_t halfFromFloat(float value) {
+    const uint32_t bits = std::bit_cast<uint32_t>(value);
+    const uint32_t normal = (bits - (112u << 23) + 0xfffu + ((bits >> 13) & 1u)) >> 13;
+    // Below 2^-14 halves are multiples of 2^-24, which is the last digit of a float just above 1/2.
+    const uint32_t small = std::bit_cast<uint32_t>(value + 0.5f) - std::bit_cast<uint32_t>(0.5f);
+    return static_cast<uint16_t>(bits < 0x38800000u ? small : normal);
+}
 
 SHOAL_VECTORISE
 void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) {
     for (int x = 0; x < width; ++x) {
-        for (int c = 0; c < 3; ++c) rgba[4 * x + c] = math::halfFromFloat(rgb[3 * x + c]);
+        for (int c = 0; c < 3; ++c) rgba[4 * x + c] = halfFromFloat(rgb[3 * x + c]);
         rgba[4 * x + 3] = kOne;
     }
 }

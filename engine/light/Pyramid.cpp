@@ -104,6 +104,26 @@ void halve(const ImageRgbF& in, ImageRgbF& out) {
     }
 }
 
+// Shares in whole numbers, so that no texel is left over or counted twice: edges of the source are multiples
+// of `target`, edges of the target multiples of `source`, in a map of their product. edge: falls from each
+// edge of the target to the next by what lies between them.
+template <class Edge>
+void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares) {
+    shares.clear();
+    for (int from = 0; from < source; ++from) {
+        const int64_t begin = int64_t{from} * target, end = begin + target;
+        for (int64_t at = begin; at < end;) {
+            const int64_t to = at / source, next = std::min(end, (to + 1) * source);
+            const double part =
+                edge(static_cast<double>(at) / source) - edge(static_cast<double>(next) / source);
+            const double whole = edge(static_cast<double>(to)) - edge(static_cast<double>(to + 1));
+            shares.push_back({from, static_cast<int>(to), static_cast<float>(part / whole)});
+            at = next;
+        }
+    }
+    assert(shares.back().to == target - 1);
+}
+
 void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out) {
     assert(sourceWidth > 0 && sourceHeight > 0);
     const int width = baseWidthFor(sourceWidth, askedWidth), height = width / 2;
@@ -113,43 +133,16 @@ void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, Ra
     if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
-    // Shares in whole numbers, so that no texel is left over or counted twice: edges of source rows are
-    // multiples of `height`, edges of target rows multiples of sourceHeight, in a map of height *
-    // sourceHeight rows.
-    rows_.clear();
-    for (int from = 0; from < sourceHeight; ++from) {
-        const int64_t begin = int64_t{from} * height, end = begin + height;
-        for (int64_t at = begin; at < end;) {
-            const int64_t to = at / sourceHeight;
-            const int64_t next = std::min(end, (to + 1) * sourceHeight);
-            const double part = edgeSine(static_cast<double>(at) / sourceHeight, height) -
-                                edgeSine(static_cast<double>(next) / sourceHeight, height);
-            const double whole =
-                edgeSine(static_cast<double>(to), height) - edgeSine(static_cast<double>(to + 1), height);
-            rows_.push_back({from, static_cast<int>(to), static_cast<float>(part / whole)});
-            at = next;
-        }
-    }
-    assert(rows_.back().to == height - 1);
-
-    columns_.clear();
-    columnWeights_.clear();
-    for (int to = 0; to < width; ++to) {
-        const int64_t begin = int64_t{to} * sourceWidth, end = begin + sourceWidth;
-        ColumnSpan span{static_cast<int>(begin / width), 0, columnWeights_.size()};
-        for (int64_t at = begin; at < end; ++span.count) {
-            const int64_t next = std::min(end, (at / width + 1) * width);
-            columnWeights_.push_back(static_cast<float>(static_cast<double>(next - at) / sourceWidth));
-            at = next;
-        }
-        columns_.push_back(span);
-    }
+    makeShares(
+        sourceHeight, height, [&](double row) { return edgeSine(row, height); }, rows_);
+    makeShares(
+        sourceWidth, width, [](double column) { return -column; }, columns_);
     for (auto* plane : {&red_, &green_, &blue_}) plane->resize(static_cast<size_t>(sourceWidth));
     narrow_.resize(static_cast<size_t>(width) * 3);
 }
 
 void PyramidMaker::narrowRow() {
-    // The usual sizes have loops of their own; the spans below serve any.
+    // The usual sizes have loops of their own; the shares below serve any.
     const auto narrow = sourceWidth_ == baseWidth_       ? narrowBy<1>
                         : sourceWidth_ == 2 * baseWidth_ ? narrowBy<2>
                         : sourceWidth_ == 4 * baseWidth_ ? narrowBy<4>
@@ -158,19 +151,13 @@ void PyramidMaker::narrowRow() {
         narrow(red_.data(), green_.data(), blue_.data(), baseWidth_, narrow_.data());
         return;
     }
-    float* out = narrow_.data();
-    for (const ColumnSpan& span : columns_) {
-        float r = 0, g = 0, b = 0;
-        for (int i = 0; i < span.count; ++i) {
-            const float weight = columnWeights_[span.weights + static_cast<size_t>(i)];
-            const auto at = static_cast<size_t>(span.first + i);
-            r += weight * red_[at];
-            g += weight * green_[at];
-            b += weight * blue_[at];
-        }
-        *out++ = r;
-        *out++ = g;
-        *out++ = b;
+    std::ranges::fill(narrow_, 0.0f);
+    for (const Share& share : columns_) {
+        const auto from = static_cast<size_t>(share.from);
+        float* out = narrow_.data() + 3 * share.to;
+        out[0] += share.weight * red_[from];
+        out[1] += share.weight * green_[from];
+        out[2] += share.weight * blue_[from];
     }
 }
 

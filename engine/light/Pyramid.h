@@ -39,16 +39,13 @@ class PyramidMaker {
     size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
 
   private:
-    // Source row `from` gives the part `weight` of target row `to`.
-    struct RowShare {
+    // Source row or column `from` gives the part `weight` of target row or column `to`.
+    struct Share {
         int from = 0, to = 0;
         float weight = 0;
     };
-    // Source columns first .. first + count - 1 make one target column.
-    struct ColumnSpan {
-        int first = 0, count = 0;
-        size_t weights = 0; // index of the first of `count`
-    };
+    template <class Edge>
+    static void makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares);
 
     bool makeByBlocks(const FrameView& frame, ImageRgbF& base);
     void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
@@ -56,9 +53,7 @@ class PyramidMaker {
     void narrowRow();
 
     int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;
-    std::vector<RowShare> rows_; // ascending by `from`
-    std::vector<ColumnSpan> columns_;
-    std::vector<float> columnWeights_;
+    std::vector<Share> rows_, columns_;     // ascending by `from` and `to`
     std::vector<float> blockRows_;          // weights for makeBlockMeans()
     std::vector<ImageRgbF> blocks_;         // its result, and halves of it above the base's width
     std::vector<float> red_, green_, blue_; // one source row, linear

@@ -59,15 +59,15 @@ Dfg dfg(double nv, double roughness, int samples) {
     return {sum.scale / count, sum.bias / count};
 }
 
-DfgTable makeDfgTable(int size) {
+std::vector<float> makeDfgTable(int size) {
     assert(size > 0);
-    DfgTable table{size, {}};
-    table.scaleBias.reserve(static_cast<size_t>(size) * size * 2);
+    std::vector<float> table;
+    table.reserve(static_cast<size_t>(size) * size * 2);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const Dfg factor = dfg((x + 0.5) / size, (y + 0.5) / size);
-            table.scaleBias.push_back(static_cast<float>(factor.scale));
-            table.scaleBias.push_back(static_cast<float>(factor.bias));
+            table.push_back(static_cast<float>(factor.scale));
+            table.push_back(static_cast<float>(factor.bias));
         }
     return table;
 }

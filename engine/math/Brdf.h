@@ -40,10 +40,6 @@ Dfg dfg(double nv, double roughness, int samples = 24);
 
 // Texel (x, y) holds scale and bias at nv = (x + 0.5) / size, roughness = (y + 0.5) / size: a texture of size
 // x size with two channels, sampled linearly and clamped.
-struct DfgTable {
-    int size = 0;
-    std::vector<float> scaleBias; // size * size * 2
-};
-DfgTable makeDfgTable(int size);
+std::vector<float> makeDfgTable(int size);
 
 } // namespace shoal::math

@@ -50,11 +50,11 @@ Bvh::Bvh(std::span<const glm::vec3> positions, std::span<const uint32_t> indices
     }
 }
 
-// Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection". met: true ends the walk.
-template <class Met>
-void Bvh::walk(const glm::vec3& origin, const glm::vec3& direction, float nearest, float& furthest,
-               Met&& met) const {
-    if (nodes_.empty()) return;
+// Moeller and Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection".
+std::optional<Bvh::Touch> Bvh::first(const glm::vec3& origin, const glm::vec3& direction, float nearest,
+                                     float furthest, bool any) const {
+    std::optional<Touch> best;
+    if (nodes_.empty()) return best;
     const glm::vec3 inverse = 1.0f / direction;
     const auto entry = [&](const Node& node) {
         const glm::vec3 a = (node.low - origin) * inverse, b = (node.high - origin) * inverse;
@@ -89,25 +89,11 @@ void Bvh::walk(const glm::vec3& origin, const glm::vec3& direction, float neares
             const float distance = glm::dot(t.edge2, turned) / det;
             if (!(distance > nearest && distance < furthest)) continue;
             furthest = distance;
-            if (met(Touch{distance, t.index, u, v})) return;
+            best = Touch{distance, t.index, u, v};
+            if (any) return best;
         }
     }
-}
-
-std::optional<Bvh::Touch> Bvh::first(const glm::vec3& origin, const glm::vec3& direction, float nearest,
-                                     float furthest) const {
-    std::optional<Touch> best;
-    walk(origin, direction, nearest, furthest, [&](const Touch& touch) {
-        best = touch;
-        return false;
-    });
     return best;
-}
-
-bool Bvh::blocked(const glm::vec3& origin, const glm::vec3& direction, float nearest, float furthest) const {
-    bool any = false;
-    walk(origin, direction, nearest, furthest, [&](const Touch&) { return any = true; });
-    return any;
 }
 
 } // namespace shoal::occlusion

@@ -1,5 +1,5 @@
-// A bounding volume hierarchy over triangles, for rays at load time and in tests. Hand-written, 160
-// lines, because the rays of a whole model take a fraction of a second; tests/bench/occlusion uses Embree.
+// A bounding volume hierarchy over triangles, for rays at load time and in tests. Hand-written
+// because the rays of a whole model take a fraction of a second; tests/bench/occlusion uses Embree.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -21,10 +21,13 @@ class Bvh {
         uint32_t triangle = 0; // of indices
         float u = 0, v = 0;    // weights of its second and third corner
     };
-    // The first triangle met between the two distances, from either side. Many threads may ask at once.
+    // The first triangle met between the two distances, from either side; any: the one found first. Many
+    // threads may ask at once.
     std::optional<Touch> first(const glm::vec3& origin, const glm::vec3& direction, float nearest,
-                               float furthest) const;
-    bool blocked(const glm::vec3& origin, const glm::vec3& direction, float nearest, float furthest) const;
+                               float furthest, bool any = false) const;
+    bool blocked(const glm::vec3& origin, const glm::vec3& direction, float nearest, float furthest) const {
+        return first(origin, direction, nearest, furthest, true).has_value();
+    }
 
   private:
     struct Node {
@@ -36,9 +39,6 @@ class Bvh {
         glm::vec3 corner, edge1, edge2;
         uint32_t index;
     };
-    template <class Met>
-    void walk(const glm::vec3& origin, const glm::vec3& direction, float nearest, float& furthest,
-              Met&& met) const;
 
     std::vector<Node> nodes_;
     std::vector<Triangle> triangles_;

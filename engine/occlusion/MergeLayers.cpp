@@ -9,13 +9,19 @@
 
 namespace shoal::occlusion {
 
+namespace {
+
+// Of the middle of a sample from the middle of the pixel, pixels.
+glm::vec2 sampleOffset(int sample) {
+    return {static_cast<float>(sample % 4) * 0.25f - 0.375f, static_cast<float>(sample / 4) * 0.25f - 0.375f};
+}
+
+// Unit normal, laid back to kSteepest where it is steeper; towards: whether its z shall be negative.
 glm::vec3 layBack(const glm::vec3& normal, bool towards) {
     const float flat = glm::length(glm::vec2(normal));
     const float depth = std::max(towards ? -normal.z : normal.z, flat / kSteepest);
     return glm::normalize(glm::vec3(glm::vec2(normal), towards ? -depth : depth));
 }
-
-namespace {
 
 // Sets depth and, where the normals' slope does not fit the depths, slope and normal of the plane through the
 // chosen fragments. Near a silhouette depth grows as a root does: the slope at most samples is far from the

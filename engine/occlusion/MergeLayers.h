@@ -24,13 +24,6 @@ struct Plane {
     uint16_t coverage = 0;
 };
 
-// Of the middle of a sample from the middle of the pixel, pixels.
-inline glm::vec2 sampleOffset(int sample) {
-    return {static_cast<float>(sample % 4) * 0.25f - 0.375f, static_cast<float>(sample / 4) * 0.25f - 0.375f};
-}
-
-// Unit normal, laid back to kSteepest where it is steeper; towards: whether its z shall be negative.
-glm::vec3 layBack(const glm::vec3& normal, bool towards);
 // Depth per pixel of the plane with this normal, whose z is not zero.
 inline glm::vec2 slopeOf(const glm::vec3& normal) { return -glm::vec2(normal) / normal.z; }
 

@@ -89,10 +89,10 @@ std::vector<glm::vec4> selfOcclusionFrom(const json& list) {
 
 void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays) {
     const scene::Surface surface = scene::posedSurface(model, pose);
-    const std::vector<uint32_t> solid = scene::opaqueTriangles(model, surface);
-    keepSelfOcclusion(model, pose,
-                      occlusion::traceSelfOcclusion({surface.positions, surface.normals, solid}, rays),
-                      &scene::Primitive::selfOcclusion);
+    keepSelfOcclusion(
+        model, pose,
+        occlusion::traceSelfOcclusion({surface.positions, surface.normals, surface.opaque}, rays),
+        &scene::Primitive::selfOcclusion);
 }
 
 void keepSelfOcclusion(scene::Model& model, const scene::Pose& pose, std::span<const glm::vec4> traced,

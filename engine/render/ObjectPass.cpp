@@ -86,11 +86,11 @@ bool isSmall(const Sphere& sphere, const View& view) {
 }
 
 gl::Texture makeDfgTable() {
-    const math::DfgTable table = math::makeDfgTable(64);
+    constexpr int kSize = 64;
+    const std::vector<float> scaleBias = math::makeDfgTable(kSize);
     gl::Texture texture = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, table.size, table.size, 0, GL_RG, GL_FLOAT,
-                 table.scaleBias.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, kSize, kSize, 0, GL_RG, GL_FLOAT, scaleBias.data());
     return texture;
 }
 

@@ -48,7 +48,11 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
         surface.normals.push_back(safeNormalize(glm::dvec3(side * (cofactor * normal)), {0, 1, 0}));
         surface.nodesOf.push_back(mover);
     }
-    for (const uint32_t i : primitive.indices) surface.indices.push_back(first + i);
+    const bool opaque = !isBlended(model, primitive);
+    for (const uint32_t i : primitive.indices) {
+        surface.indices.push_back(first + i);
+        if (opaque) surface.opaque.push_back(first + i);
+    }
 }
 
 // Skin that several nodes move lies beside where any of them would take it, and so do triangles between two
@@ -106,21 +110,6 @@ Bounds posedBounds(const Model& model, const Pose& pose) {
 
 bool isBlended(const Model& model, const Primitive& primitive) {
     return model.materialOf(primitive).alphaMode == AlphaMode::Blend;
-}
-
-std::vector<uint32_t> opaqueTriangles(const Model& model, const Surface& surface) {
-    std::vector<uint32_t> opaque;
-    auto next = surface.indices.begin(); // in the surface's order
-    for (const int index : model.order) {
-        const Node& node = model.nodes[static_cast<size_t>(index)];
-        if (node.mesh < 0) continue;
-        for (const Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
-            const auto end = next + static_cast<std::ptrdiff_t>(primitive.indices.size());
-            if (!isBlended(model, primitive)) opaque.insert(opaque.end(), next, end);
-            next = end;
-        }
-    }
-    return opaque;
 }
 
 glm::vec3 meanBaseColour(const Model& model) {

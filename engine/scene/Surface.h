@@ -13,6 +13,7 @@ namespace shoal::scene {
 struct Surface {
     std::vector<glm::vec3> positions, normals; // model frame; normals unit
     std::vector<uint32_t> indices;             // three a triangle
+    std::vector<uint32_t> opaque;              // those of them that let no light through
     std::vector<uint16_t> nodesOf; // the node that moves each position most: a joint, or the mesh's own
 };
 
@@ -20,9 +21,6 @@ struct Surface {
 Surface posedSurface(const Model& model, const Pose& pose);
 
 bool isBlended(const Model& model, const Primitive& primitive);
-
-// The corners of those of the surface's triangles that let no light through, three a triangle.
-std::vector<uint32_t> opaqueTriangles(const Model& model, const Surface& surface);
 
 // Mean reflectance over the texels of all materials in use, weighed by the area of their triangles in the
 // mesh; linear.

@@ -140,7 +140,7 @@ void Viewer::bakeOcclusion() {
 // Layered fragment buffers of the posed model.
 Status Viewer::seeLayers() {
     const scene::Surface surface = scene::posedSurface(model_, pose_);
-    const std::vector<uint32_t> corners = scene::opaqueTriangles(model_, surface);
+    const std::vector<uint32_t>& corners = surface.opaque;
     std::vector<glm::uvec3> triangles;
     for (size_t i = 0; i + 2 < corners.size(); i += 3)
         triangles.emplace_back(corners[i], corners[i + 1], corners[i + 2]);

@@ -203,7 +203,7 @@ void shoalLightMaps(const ShoalLight* light, ShoalLightMaps* maps) {
 ShoalLightStatus shoalLightSurfaceTable(int32_t size, float* scaleBias) {
     if (size < 2 || size > kMaxTable) return bad("the table's size lies outside 2 to 1024");
     if (!scaleBias) return bad("there is nowhere to put the table");
-    return guarded([&] { std::ranges::copy(shoal::math::makeDfgTable(size).scaleBias, scaleBias); });
+    return guarded([&] { std::ranges::copy(shoal::math::makeDfgTable(size), scaleBias); });
 }
 
 void shoalLightDiffuse(const ShoalLight* light, const float normal[3], float radiance[3]) {

@@ -86,12 +86,12 @@ TEST(Dfg, MirrorReflectsAll) {
 }
 
 TEST(Dfg, TableHoldsTexelCentres) {
-    const DfgTable table = makeDfgTable(16);
-    ASSERT_EQ(table.scaleBias.size(), 16u * 16u * 2u);
+    const std::vector<float> table = makeDfgTable(16);
+    ASSERT_EQ(table.size(), 16u * 16u * 2u);
     const Dfg factor = dfg(3.5 / 16, 10.5 / 16);
-    EXPECT_FLOAT_EQ(table.scaleBias[(10 * 16 + 3) * 2], static_cast<float>(factor.scale));
-    EXPECT_FLOAT_EQ(table.scaleBias[(10 * 16 + 3) * 2 + 1], static_cast<float>(factor.bias));
-    for (const float value : table.scaleBias) {
+    EXPECT_FLOAT_EQ(table[(10 * 16 + 3) * 2], static_cast<float>(factor.scale));
+    EXPECT_FLOAT_EQ(table[(10 * 16 + 3) * 2 + 1], static_cast<float>(factor.bias));
+    for (const float value : table) {
         EXPECT_GE(value, 0.0f);
         EXPECT_LE(value, 1.0f);
     }

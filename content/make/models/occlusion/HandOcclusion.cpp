@@ -104,8 +104,7 @@ render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::B
         own.push_back({placed(part, half, glm::mat4(1)), 1, {}});
     render::bakeSelfOcclusion(hand.model, hand.rest, kBakeRays);
     const scene::Surface surface = scene::posedSurface(hand.model, half);
-    const std::vector<uint32_t> opaque = scene::opaqueTriangles(hand.model, surface);
-    const occlusion::SelfOccludingMesh skin{surface.positions, surface.normals, opaque};
+    const occlusion::SelfOccludingMesh skin{surface.positions, surface.normals, surface.opaque};
     std::vector<glm::vec4> traced = occlusion::traceSelfOcclusion(skin, kBakeRays);
     occlusion::completeOwn(skin, own, traced);
     render::keepSelfOcclusion(hand.model, half, traced, &scene::Primitive::selfOcclusionBesideOwn);
