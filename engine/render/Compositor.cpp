@@ -66,7 +66,7 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     picture.view.heightPixels = size.y;
     layerOf(picture).begin(size, samples_);
     if (Status s = scene.drawObjects(picture); !s) return s;
-    if (Status s = scene.drawParticles(SnowPass::On::Objects, picture); !s) return s;
+    if (Status s = scene.drawParticles(ParticlePass::On::Objects, picture); !s) return s;
     layerOf(picture).end();
     return Done{};
 }
@@ -95,7 +95,7 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
     if (!drawsObjects()) return Done{};
     if (usesLayer(picture)) {
         // These particles lie behind the layer's objects; those before them are in it.
-        if (Status s = scene.drawParticles(SnowPass::On::Picture, picture); !s) return s;
+        if (Status s = scene.drawParticles(ParticlePass::On::Picture, picture); !s) return s;
         if (!intoTexels()) layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
         return Done{};
     }
@@ -105,7 +105,7 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     if (Status s = scene.drawObjects(picture); !s) return s;
-    return scene.drawParticles(SnowPass::On::Everything, picture);
+    return scene.drawParticles(ParticlePass::On::Everything, picture);
 }
 
 Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye) {

@@ -4,8 +4,8 @@
 
 #include "engine/gl/PassTimers.h"
 #include "engine/render/BackgroundPass.h"
+#include "engine/render/ParticlePass.h"
 #include "engine/render/ShadowPass.h"
-#include "engine/render/SnowPass.h"
 
 #include <array>
 #include <functional>
@@ -19,7 +19,7 @@ class CompositorScene {
   public:
     // With depth, which has been cleared. Colours are premultiplied by coverage.
     virtual Status drawObjects(const EyePicture& picture) = 0;
-    virtual Status drawParticles(SnowPass::On on, const EyePicture& picture) = 0;
+    virtual Status drawParticles(ParticlePass::On on, const EyePicture& picture) = 0;
     // On the background just drawn. cover: where objects are in it already; null: nowhere.
     virtual void drawShadows(const EyePicture& picture, const ShadowPass::Cover* cover) = 0;
     virtual gl::PassTimers& timers() = 0;

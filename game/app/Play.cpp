@@ -91,7 +91,7 @@ Status Application::openScene(bool software) {
     if (own) config_.dive.videoLength_s = environment_->length_s();
     if (Status s = SceneRenderer::make(std::move(*models),
                                        {.detail = detail,
-                                        .snow = options_.snow,
+                                        .particles = options_.snow,
                                         .shadows = shadows,
                                         .occlusion = options_.look.occlusion == Occlusion::Ellipsoids,
                                         .shown = options_.look.shown,

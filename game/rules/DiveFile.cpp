@@ -143,7 +143,9 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             root.complain("video", "must name a file below content/");
         readSchools(root, known, dive);
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
-        readMarks(root, "shelter", dive.enclosure, "amount", 0, 1);
+        const char* enclosure =
+            root.has("shelter") ? "shelter" : "enclosure"; // dives of before have the former
+        readMarks(root, enclosure, dive.enclosure, "amount", 0, 1);
         readMarks(root, "ground", dive.ground, "height", -10, -0.3f);
     });
     if (!read) return read.error();

@@ -15,8 +15,8 @@ Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();
     Passes passes{std::move(*objects), {}, {}, {}};
-    if (setup.snow) {
-        if (Status s = render::SnowPass::make().moveTo(passes.snow); !s) return s.error();
+    if (setup.particles) {
+        if (Status s = render::ParticlePass::make().moveTo(passes.particles); !s) return s.error();
     }
     if (setup.shadows) {
         if (Status s = render::ShadowPass::make().moveTo(passes.shadows); !s) return s.error();
@@ -112,12 +112,12 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
                                 environment_->water(), glossy_);
 }
 
-Status SceneRenderer::drawParticles(render::SnowPass::On on, const render::EyePicture& picture) {
+Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) {
     const water::Water water = environment_->water();
-    if (!passes_.snow || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
+    if (!passes_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
     const gl::PassTimers::Scope scope(timers_, "particles");
-    return passes_.snow->draw(on, picture.environment, picture.view, picture.envFromWorld, picture.exposure,
-                              water, time_s_);
+    return passes_.particles->draw(on, picture.environment, picture.view, picture.envFromWorld,
+                                   picture.exposure, water, time_s_);
 }
 
 void SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
@@ -134,7 +134,7 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
 }
 
 int SceneRenderer::drawCount() const {
-    return passes_.objects.drawCount() + 1 + (passes_.snow ? 1 : 0) +
+    return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0) +
            (passes_.shadows && passes_.shadows->patches() > 0 ? 1 : 0);
 }
 

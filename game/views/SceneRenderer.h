@@ -4,8 +4,8 @@
 
 #include "engine/render/Compositor.h"
 #include "engine/render/ObjectPass.h"
+#include "engine/render/ParticlePass.h"
 #include "engine/render/ShadowPass.h"
-#include "engine/render/SnowPass.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
@@ -17,7 +17,7 @@ namespace shoal::app {
 
 struct SceneRendererSetup {
     render::Detail detail = render::Detail::Full;
-    bool snow = true;      // particles drift in the water, where there is water
+    bool particles = true; // particles drift in the water, where there is water
     bool shadows = true;   // on the video's ground, where that is known and the environment finds lights
     bool occlusion = true; // between bodies
     render::ShownQuantity shown = render::ShownQuantity::Light;
@@ -59,7 +59,7 @@ class SceneRenderer final : private render::CompositorScene {
   private:
     struct Passes { // what has shaders
         render::ObjectPass objects;
-        std::optional<render::SnowPass> snow;
+        std::optional<render::ParticlePass> particles;
         std::optional<render::ShadowPass> shadows;
         render::Compositor compositor;
     };
@@ -69,7 +69,7 @@ class SceneRenderer final : private render::CompositorScene {
     void castShadows(const game::Ground& ground);
     render::EyePicture pictureOf(const Eye& eye) const;
     Status drawObjects(const render::EyePicture& picture) override;
-    Status drawParticles(render::SnowPass::On on, const render::EyePicture& picture) override;
+    Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;
     void drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) override;
     std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
 

@@ -1,7 +1,7 @@
 // Water and what drifts in it, as drawn.
 #include "Spheres.h"
 #include "engine/platform/Headless.h"
-#include "engine/render/SnowPass.h"
+#include "engine/render/ParticlePass.h"
 #include "tests/unit/water/SeenThrough.h"
 
 #include <optional>
@@ -54,7 +54,7 @@ Snowfall snowAt(double time_s, float depth) {
     const ImageRgb8 frame = uniformFrame(150, 140, 120);
     render::EnvironmentGpu environment;
     environment.uploadLight(lightOf(frame));
-    auto pass = render::SnowPass::make();
+    auto pass = render::ParticlePass::make();
     EXPECT_TRUE(pass) << pass.error().message();
     const gl::Target target(320, 180, 1);
     target.bind();
@@ -64,8 +64,8 @@ Snowfall snowAt(double time_s, float depth) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepth(1);
     const render::View view{.heightPixels = 180};
-    EXPECT_TRUE(pass->draw(render::SnowPass::On::Everything, environment, view, glm::mat3(1), {}, someWater(),
-                           time_s));
+    EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything, environment, view, glm::mat3(1), {},
+                           someWater(), time_s));
     Snowfall fall{target.read()};
     for (size_t i = 0; i < fall.picture.pixels.size(); i += 4) fall.specks += fall.picture.pixels[i + 1] > 4;
     return fall;

@@ -2,7 +2,7 @@
 //     draw                     radiance and distances, into FOLDER, at times through the film; what is there
 //     stays film                     all frames, raw, 3 bytes a pixel, sRGB-coded, to standard output truth
 //     TO FRAME...        TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml enclosure
-//     FILE.toml        when the camera is sheltered from the open sea, and how much look WIDTH FRAME... PNGs
+//     FILE.toml        when the camera is enclosed, and how much look WIDTH FRAME... PNGs
 //     of some frames in FOLDER, to be looked at
 // FOLDER keeps what was lit once, for the next run.
 #include "content/make/video/Camera.h"
@@ -166,8 +166,8 @@ Status truth(const Studio& studio, const Path& to, const std::vector<int>& frame
 
 // Shelter: how much of the light that open water has about it at this depth is missing.
 Status enclosure(const Studio& studio, const Path& to) {
-    std::string text = "# Where the film's camera is sheltered: seconds of the film, and how much, 0 (open "
-                       "water) to 1 (dark); straight lines between.\nshelter = [\n";
+    std::string text = "# Where the film's camera is enclosed: seconds of the film, and how much, 0 (open "
+                       "water) to 1 (dark); straight lines between.\nenclosure = [\n";
     const int fps = studio.scene.film.fps;
     const auto bright = [&](int frame) {
         return studio.world.ambient(studio.route.at(studio.turn(frame))).y;
@@ -213,7 +213,7 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
     std::vector<int> frames;
     for (size_t i = 2; i < words.size(); ++i) frames.push_back(std::atoi(words[i].c_str()));
     if (task == "truth") return truth(studio, words[1], frames);
-    if (task == "shelter") return enclosure(studio, words[1]);
+    if (task == "enclosure") return enclosure(studio, words[1]);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), frames);
     return Error{task, "is no task"};
 }

@@ -27,7 +27,7 @@ Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Compo
     auto cast = CreatureModels::load(plan.species, "light", render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
     return SceneRenderer::make(std::move(*cast),
-                               {.detail = detail, .snow = false, .compositor = {.composition = composition}});
+                               {.detail = detail, .particles = false, .compositor = {.composition = composition}});
 }
 
 Result<std::unique_ptr<Environment>> openVideo(const Path& file) {

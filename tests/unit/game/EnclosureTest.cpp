@@ -1,4 +1,4 @@
-// The video's shelters, by the dive's own time.
+// How enclosed the video's places are, by the dive's own time.
 #include "Fixture.h"
 
 #include <gtest/gtest.h>

@@ -67,11 +67,11 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"snapper\"\n"), HasSubstr("must be a shark"));
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"shark\"\nvisits = [20, 10]\n"), HasSubstr("rising"));
     EXPECT_THAT(reason("video = \"/etc/passwd\"\n" + good), HasSubstr("line 1"));
-    EXPECT_THAT(reason(good + "[[shelter]]\nfrom_s = 5\nto_s = 4\n"),
+    EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 5\nto_s = 4\n"),
                 AllOf(HasSubstr("line 7"), HasSubstr("after")));
-    EXPECT_THAT(reason(good + "[[shelter]]\nfrom_s = -1\nto_s = 4\n"), HasSubstr("line 6"));
-    EXPECT_THAT(reason(good + "[[shelter]]\nfrom_s = 1\nto_s = 4\namount = 1.5\n"), HasSubstr("line 8"));
-    EXPECT_THAT(reason(good + "[[shelter]]\nfrom_s = 1\n"), HasSubstr("\"to_s\" is missing"));
+    EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = -1\nto_s = 4\n"), HasSubstr("line 6"));
+    EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 1\nto_s = 4\namount = 1.5\n"), HasSubstr("line 8"));
+    EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 1\n"), HasSubstr("\"to_s\" is missing"));
     EXPECT_THAT(reason("shelter = 3\n" + good), HasSubstr("list"));
     EXPECT_THAT(reason("ground = [3]\n" + good), HasSubstr("[[ground]]"));
     EXPECT_THAT(reason(good + "[[ground]]\nfrom_s = 1\nto_s = 4\n"), HasSubstr("\"height\" is missing"));

@@ -1,4 +1,4 @@
-#include "engine/render/SnowPass.h"
+#include "engine/render/ParticlePass.h"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 
-constexpr std::array<const char*, 2> kSnowDefines = {"TONE_ACES", "TONE_LINEAR"};
+constexpr std::array<const char*, 2> kParticleDefines = {"TONE_ACES", "TONE_LINEAR"};
 
 unsigned featuresOf(const Exposure& exposure) {
     return exposure.curve == ToneCurve::Aces ? 1u : exposure.curve == ToneCurve::Linear ? 2u : 0u;
@@ -21,17 +21,17 @@ unsigned featuresOf(const Exposure& exposure) {
 
 } // namespace
 
-Result<SnowPass> SnowPass::make() {
-    SnowPass pass;
-    pass.programs_ = gl::Variants("render/Snow", kSnowDefines);
+Result<ParticlePass> ParticlePass::make() {
+    ParticlePass pass;
+    pass.programs_ = gl::Variants("render/Particles", kParticleDefines);
     pass.nothing_ = gl::VertexArray::make();
     if (auto program = pass.programs_.get(0); !program) return program.error();
     return pass;
 }
 
-Status SnowPass::draw(On on, const EnvironmentGpu& environment, const View& view,
-                      const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
-                      double time_s) {
+Status ParticlePass::draw(On on, const EnvironmentGpu& environment, const View& view,
+                          const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
+                          double time_s) {
     auto found = programs_.get(featuresOf(exposure));
     if (!found) return found.error();
     const gl::Program& program = **found;

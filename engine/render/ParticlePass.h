@@ -1,4 +1,4 @@
-// Marine snow: specks that drift between the viewer and what swims. Pairs with shaders/render/Snow.
+// Marine snow: specks that drift between the viewer and what swims. Pairs with shaders/render/Particles.
 #pragma once
 
 #include "engine/gl/Objects.h"
@@ -9,9 +9,9 @@
 
 namespace shoal::render {
 
-class SnowPass {
+class ParticlePass {
   public:
-    static Result<SnowPass> make();
+    static Result<ParticlePass> make();
 
     enum class On {
         Everything, // that has been drawn with depth: near things hide specks
