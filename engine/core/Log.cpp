@@ -6,6 +6,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cstdio>
+
 namespace shoal::log {
 
 void write(Level level, fmt::string_view format, fmt::format_args arguments) {
@@ -14,8 +16,15 @@ void write(Level level, fmt::string_view format, fmt::format_args arguments) {
 }
 
 void setUp(bool verbose) {
-    auto logger =
-        std::make_shared<spdlog::logger>("shoal", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+    // A way of its own to standard error, which QuietStandardError leaves open.
+    std::FILE* file = ::fdopen(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1), "w");
+    using Sink = spdlog::sinks::stdout_sink_base<spdlog::details::console_mutex>;
+    const auto close = [file](Sink* sink) {
+        delete sink;
+        if (file) std::fclose(file);
+    };
+    auto logger = std::make_shared<spdlog::logger>(
+        "shoal", std::shared_ptr<Sink>(new Sink(file ? file : stderr), close));
     logger->set_pattern(verbose ? "%n: [%o ms] %l: %v" : "%n: %v");
     logger->set_level(verbose ? spdlog::level::debug : spdlog::level::info);
     spdlog::set_default_logger(std::move(logger));

@@ -1,7 +1,6 @@
 #include "engine/physics/ContactWorld.h"
 
-#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+#include <btBulletCollisionCommon.h>
 
 #include <glm/geometric.hpp>
 
@@ -57,29 +56,45 @@ struct Pair {
           at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
 };
 
-// A capsule about its middle, along Bullet's Y axis.
-btCapsuleShape shapeOf(const Capsule& c) { return {c.radius, glm::distance(c.a, c.b)}; }
+// A capsule for Bullet: along Y about its middle.
+struct BulletCapsule {
+    btCapsuleShape shape;
+    btCollisionObject object;
 
-btTransform placeOf(const Capsule& c) {
-    const glm::vec3 along = c.b - c.a, centre = middle(c);
-    const float length = glm::length(along);
-    const btQuaternion turn = length > 1e-6f
-                                  ? shortestArcQuat({0, 1, 0}, btVector3(along.x, along.y, along.z) / length)
-                                  : btQuaternion::getIdentity();
-    return btTransform(turn, {centre.x, centre.y, centre.z});
-}
+    explicit BulletCapsule(const Capsule& c) : shape(c.radius, glm::distance(c.a, c.b)) {
+        const glm::vec3 along = c.b - c.a, centre = middle(c);
+        btTransform& place = object.getWorldTransform();
+        place.setIdentity();
+        place.setOrigin({centre.x, centre.y, centre.z});
+        if (const float length = glm::length(along); length > 1e-6f)
+            place.setRotation(shortestArcQuat({0, 1, 0}, btVector3(along.x, along.y, along.z) / length));
+        object.setCollisionShape(&shape);
+    }
+};
 
-// The shortest way out of two capsules whose axes cross, by Bullet's expanding polytope (van den Bergen 2001,
-// "Proximity Queries and Penetration Depth Computation on 3D Game Objects").
-glm::vec3 wayOut(const Capsule& mover, const Capsule& body) {
-    const btCapsuleShape moverShape = shapeOf(mover), bodyShape = shapeOf(body);
-    btGjkEpaSolver2::sResults found;
-    if (!btGjkEpaSolver2::Penetration(&moverShape, placeOf(mover), &bodyShape, placeOf(body), {0, 1, 0},
-                                      found))
-        return {0, 1, 0};
-    const glm::vec3 way(found.normal.x(), found.normal.y(), found.normal.z());
-    const float length = glm::length(way);
-    return length > 0.5f && length < 2 ? way / length : glm::vec3(0, 1, 0);
+struct DeepestPoint : btCollisionWorld::ContactResultCallback {
+    btScalar distance = 0;
+    btVector3 normal{0, 1, 0};
+
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+        if (point.getDistance() < distance) normal = point.m_normalWorldOnB;
+        distance = std::min(distance, point.getDistance());
+        return 0;
+    }
+};
+
+// The shortest way out of two capsules whose axes cross. Either sense is as short. So rare that Bullet's
+// world is made for it alone.
+glm::vec3 wayOut(const Capsule& first, const Capsule& second) {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+    BulletCapsule a(first), b(second);
+    DeepestPoint deepest;
+    world.contactPairTest(&a.object, &b.object, deepest);
+    return glm::normalize(glm::vec3(deepest.normal.x(), deepest.normal.y(), deepest.normal.z()));
 }
 
 // A lasting contact keeps its side; its normal turns towards the line of nearest points where that is

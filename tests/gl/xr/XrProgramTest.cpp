@@ -33,7 +33,6 @@ class XrProgram : public test::WithFakeRuntime {
 
     void SetUp() override {
         WithFakeRuntime::SetUp();
-        log::setUp(false);
         for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) setenv(name, folder_.c_str(), 1);
         fake.eyeWidth = 96;
         fake.eyeHeight = 112;
@@ -58,6 +57,7 @@ class XrProgram : public test::WithFakeRuntime {
             if (f.framesWaited == maxFrames) leave(f);
         };
         testing::internal::CaptureStderr();
+        log::setUp(false);
         Outcome outcome;
         const Status played = play(o);
         if (!played) std::fprintf(stderr, "%s\n", played.error().message().c_str());
