@@ -43,22 +43,45 @@ std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
     return p;
 }
 
-// Whether an MP4 file's movie box, or what a Matroska file begins with, speaks of a mesh.
-bool statesMesh(const Path& file, bool matroska) {
-    constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
-    constexpr std::string_view kMeshBox = "mshp";
+// What an MP4 file's movie box, or a Matroska file, begins with. Empty if there is none.
+std::string headerText(const Path& file, bool matroska) {
     std::ifstream stream(file, std::ios::binary);
     std::array<uint8_t, 16> head{}; // size, name, and the large size if size is 1
     for (uint64_t at = 0; !matroska && !hasText(head, 4, "moov");) {
         stream.seekg(static_cast<std::streamoff>(at));
-        if (!stream.read(reinterpret_cast<char*>(head.data()), head.size())) return false;
+        if (!stream.read(reinterpret_cast<char*>(head.data()), head.size())) return {};
         const uint64_t size = big32(head, 0) == 1 ? big64(head, 8) : big32(head, 0);
-        if (size < 8 || size > INT64_MAX - at) return false;
+        if (size < 8 || size > INT64_MAX - at) return {};
         at += size;
     }
     std::string header(1 << 20, 0);
     stream.read(header.data(), static_cast<std::streamsize>(header.size()));
-    return header.find(matroska ? kMatroskaMesh : kMeshBox) != std::string::npos;
+    return header;
+}
+
+// What libavformat drops: meshes, version 2 without its header box, version 1 without the names of who
+// stitched.
+SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
+    constexpr std::string_view kMatroskaMesh = "\x76\x71\x81\x03"; // ProjectionType, of one byte: 3
+    const std::string header = headerText(file, matroska);
+    SphericalMetadata m;
+    if (matroska) {
+        if (header.find(kMatroskaMesh) != header.npos) m.projection = Projection::Mesh;
+    } else if (const size_t v2 = header.find("sv3d"); v2 != header.npos) {
+        const std::string_view boxes = std::string_view(header).substr(v2, 1024);
+        m.projection = boxes.find("mshp") != boxes.npos   ? Projection::Mesh
+                       : boxes.find("cbmp") != boxes.npos ? Projection::Cubemap
+                       : boxes.find("equi") != boxes.npos ? Projection::Equirect
+                                                          : Projection::Unknown;
+    } else if (xmpValue(header, "GSpherical:Spherical") == "true") {
+        const std::string_view stereo = xmpValue(header, "GSpherical:StereoMode");
+        m.projection = Projection::Equirect;
+        m.layout = stereo == "top-bottom"   ? Layout::TopBottom
+                   : stereo == "left-right" ? Layout::LeftRight
+                   : stereo == "mono"       ? Layout::Mono
+                                            : Layout::Auto;
+    }
+    return m;
 }
 
 template <class T> const T* sideData(const AVStream& stream, AVPacketSideDataType type) {
@@ -70,13 +93,14 @@ template <class T> const T* sideData(const AVStream& stream, AVPacketSideDataTyp
 SphericalMetadata sphericalMetadata(const AVFormatContext& input, const AVStream& stream, const Path& file) {
     const bool matroska = std::string_view(input.iformat->name).starts_with("matroska");
     SphericalMetadata m;
+    if (stream.codecpar->codec_type != AVMEDIA_TYPE_VIDEO) return m;
     if (const auto* s = sideData<AVSphericalMapping>(stream, AV_PKT_DATA_SPHERICAL)) {
         m.projection = s->projection == AV_SPHERICAL_CUBEMAP ? Projection::Cubemap : Projection::Equirect;
         m.partial = s->projection == AV_SPHERICAL_EQUIRECTANGULAR_TILE;
-    } else if (statesMesh(file, matroska)) {
-        m.projection = Projection::Mesh;
-    } else if (matroska) {
-        return m; // a flat video: its StereoMode does not describe a panorama
+    } else {
+        m = unreadMetadata(file, matroska);
+        if (matroska && m.projection == Projection::Unknown)
+            return m; // a flat video: its StereoMode does not describe a panorama
     }
     if (const auto* s = sideData<AVStereo3D>(stream, AV_PKT_DATA_STEREO3D))
         m.layout = s->type == AV_STEREO3D_2D           ? Layout::Mono

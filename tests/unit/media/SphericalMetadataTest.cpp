@@ -78,6 +78,19 @@ TEST(SphericalMetadata, V2InTheSampleEntry) {
     EXPECT_EQ(m.layout, Layout::LeftRight);
 }
 
+TEST(SphericalMetadata, V2WithoutTheMandatoryHeaderIsStillUnderstood) {
+    EXPECT_EQ(parsed(movie(sv3d(kEquirect, false))).projection, Projection::Equirect);
+    EXPECT_EQ(parsed(movie(sv3d(fullBox("cbmp", be(0, 8)), false))).projection, Projection::Cubemap);
+}
+
+TEST(SphericalMetadata, V1WithoutWhoStitchedIsStillUnderstood) {
+    const auto m = parsed(movie("", v1("<GSpherical:Spherical>true</GSpherical:Spherical>"
+                                       "<GSpherical:StereoMode>left-right</GSpherical:StereoMode>")));
+    EXPECT_EQ(m.projection, Projection::Equirect);
+    EXPECT_EQ(m.layout, Layout::LeftRight);
+    EXPECT_FALSE(parsed(movie("", v1("<GSpherical:Spherical>false</GSpherical:Spherical>"))).present);
+}
+
 TEST(SphericalMetadata, V2OtherProjections) {
     EXPECT_EQ(parsed(movie(sv3d(fullBox("cbmp", be(0, 8))))).projection, Projection::Cubemap);
     EXPECT_EQ(parsed(movie(sv3d(fullBox("mshp", be(0, 8))))).projection, Projection::Mesh);
