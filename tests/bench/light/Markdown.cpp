@@ -168,7 +168,7 @@ expanded. Light against that of the original, each after the one factor that bri
 exposed is not the operator's to know. For each picture diffuse and glossy 0.5.
 
 )";
-    md += toneMapTable(chart) + "\n## Surrounds\n\n" + environmentList(chart);
+    md += toneMapTable(chart) + "\n## Environments\n\n" + environmentList(chart);
     return writeFileWhole(folder / "chart.md", md);
 }
 

@@ -53,7 +53,7 @@ do for [picture in "chart suns"] { do for [kind in "svg png"] {
             set arrow from pyramid_us,graph 0 to pyramid_us,graph 1 nohead dashtype 3 linecolor rgb "#909090"
             set label "pyramid alone" at pyramid_us,graph 0.03 offset 0.8,0 rotate by 90 left font ",9" textcolor rgb "#707070"
         } else {
-            title = "Glossy light, roughness 0.1 to 1, surrounds with" . (panel eq "suns" ? " a point sun" : "out point suns")
+            title = "Glossy light, roughness 0.1 to 1, environments with" . (panel eq "suns" ? " a point sun" : "out point suns")
             axis = "microseconds for a 2048x1024 video frame and 100 000 shaded pixels on one core"
         }
         set label title at screen 0.53,1 - (top - 96) / height center font ",15"

@@ -88,7 +88,7 @@ square, the truth being followed for as many bounces.
 }
 
 std::string glossyTable(const OcclusionChart& chart) {
-    std::string out = text("\n## Glossy light, roughness %.2f\n\nSurrounds without point suns; error in %% "
+    std::string out = text("\n## Glossy light, roughness %.2f\n\nEnvironments without point suns; error in %% "
                            "and ns a receiver, for "
                            "each scene. Noise of the truth:",
                            static_cast<double>(kGlossyRoughness));
