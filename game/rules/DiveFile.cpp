@@ -143,8 +143,8 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             root.complain("video", "must name a file below content/");
         readSchools(root, known, dive);
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
-        const char* enclosure =
-            root.has("shelter") ? "shelter" : "enclosure"; // dives of before have the former
+        // Files written for earlier versions say [[shelter]].
+        const char* enclosure = root.has("shelter") ? "shelter" : "enclosure";
         readMarks(root, enclosure, dive.enclosure, "amount", 0, 1);
         readMarks(root, "ground", dive.ground, "height", -10, -0.3f);
     });

@@ -63,8 +63,8 @@ struct SharkPlan {
 // and where the ground is that shadows fall on.
 struct VideoMark {
     float from_s = 0, to_s = 0;
-    float value =
-        1; // of enclosure, 0 open water to 1 a tunnel; or the ground's height against the viewer's eyes
+    // Of enclosure: 0 open water to 1 a tunnel; of ground: its height against the viewer's eyes, metres.
+    float value = 1;
 };
 
 struct DiveFile {
