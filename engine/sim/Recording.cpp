@@ -79,7 +79,7 @@ Status writeRecording(const Path& file, const Recording& recording) {
     const nlohmann::json json = {{"version", kVersion},
                                  {"seed", recording.header().seed},
                                  {"dive", recording.header().dive},
-                                 {"settings", nlohmann::json::object()}, // of the format; never used
+                                 {"settings", recording.header().settings},
                                  {"tick_rate_Hz", kTickRate_Hz},
                                  {"input_bytes", inputBytes}};
     const std::string header = json.dump();
@@ -125,9 +125,11 @@ Result<Recording> readRecording(const Path& file, uint64_t maxUnpackedBytes) {
         json.at("seed").get_to(header.seed);
         json.at("dive").get_to(header.dive);
         json.at("input_bytes").get_to(header.inputBytes);
+        json.at("settings").get_to(header.settings);
     } catch (const nlohmann::json::exception&) {
         return fail("has a header that cannot be read");
     }
+    if (header.settings.size() > 64) return fail("claims too many settings");
     if (header.inputBytes == 0 || header.inputBytes > kMaxInputBytes)
         return fail("claims an impossible size of input");
     const uint64_t stride = uint64_t{header.inputBytes} + 8;

@@ -11,6 +11,7 @@
 #include "engine/sim/FixedStep.h"
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ struct RecordingHeader {
     uint64_t seed = 0;
     std::string dive;        // name of content/dives/NAME.toml
     uint32_t inputBytes = 0; // per tick; 1 to 65536
+    // What else the simulation was set up with, by name; empty in files of earlier versions. At most 64.
+    std::map<std::string, std::string> settings{};
 
     bool operator==(const RecordingHeader&) const = default;
 };

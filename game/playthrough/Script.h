@@ -59,6 +59,7 @@ struct Script {
     std::string name;
     std::string dive = "reef"; // for loadDiveFiles()
     uint64_t seed = 1;
+    DiveRules rules;
     float timeout_s = 120;
     std::vector<ScriptStep> steps;
     std::vector<ScriptExpect> expects;

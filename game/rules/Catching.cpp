@@ -191,9 +191,14 @@ void countCatches(Hands& hands, const SpeciesTable& species, std::span<Fish> fis
         }
         if (!f.counted && f.held_s >= kHoldToCatch_s + 0.5f * kDt) {
             f.counted = true;
-            ++score.caught;
-            score.points += kind.points;
-            events.push_back({EventKind::Catch, id, h, f.position});
+            const int points = score.countCatch(f.species, kind.points);
+            events.push_back({.kind = EventKind::Catch,
+                              .creature = id,
+                              .hand = h,
+                              .position = f.position,
+                              .species = f.species,
+                              .points = points,
+                              .combo = score.combo()});
         }
         if (f.counted && f.held_s >= kHoldToCatch_s + kShowCatch_s) drop(hand, h, species, fish, events);
     }

@@ -5,6 +5,7 @@
 #include "game/rules/Creatures.h"
 #include "game/rules/Events.h"
 #include "game/rules/Hand.h"
+#include "game/rules/Score.h"
 
 #include <span>
 
@@ -15,12 +16,6 @@ constexpr float kGraspRadius_m = 0.075f; // around hands::graspCentre: what clos
 constexpr float kHoldToCatch_s = 1;
 constexpr float kShowCatch_s = 0.2f; // from the catch until it is let go
 constexpr float kUncatchable_s = 2;  // after a catch, and after the shark had it
-
-struct Score {
-    int points = 0, caught = 0;
-    int lost = 0; // to the shark
-    auto fields() const { return std::tie(points, caught, lost); }
-};
 
 // Distance from the hand's grasp centre to the body's surface, metres.
 float graspGap(const Fish&, const Species&, const Hand&);

@@ -7,7 +7,12 @@
 
 namespace shoal::game {
 
-Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed) : files_{std::move(species), std::move(file)} {
+Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
+    : files_{std::move(species), std::move(file)}, rules_(rules) {
+    if (rules_.freeSwim) {
+        files_.dive.shark.species = -1;
+        files_.dive.goals.clear();
+    }
     begin(seed);
 }
 
@@ -17,7 +22,7 @@ void Dive::begin(uint64_t seed) {
     state_.tick = 0;
     state_.phase = Phase::Diving;
     state_.begun = false;
-    state_.score = {};
+    state_.score = newScore(files_.species, files_.dive);
     for (Hand& hand : state_.hands) {
         hand.grasp.holds = -1;
         hand.grasp.window = 0;
@@ -54,6 +59,7 @@ void Dive::step(const TickInput& input, Events& events) {
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);
     if (diving) endWhenOver(events);
+    if (diving) reachGoals(events);
 }
 
 void Dive::touch(Events& events) {
@@ -64,6 +70,7 @@ void Dive::touch(Events& events) {
             return bumpHands(s.shark, files_.species, own, s.hands, s.fish, events);
         Fish& fish = s.fish[id];
         for (const physics::Contact& contact : own) feel(contact, fish, s.hands);
+        s.score.species[static_cast<size_t>(fish.species)].touched = true;
         if (fish.heldBy < 0)
             pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, s.random, events);
     });
@@ -86,11 +93,21 @@ void Dive::advanceShark(Events& events) {
 
 void Dive::endWhenOver(Events& events) {
     DiveState& s = state_;
-    if (s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
+    if (rules_.freeSwim || s.tick < static_cast<uint32_t>(files_.dive.duration_s * sim::kTickRate_Hz)) return;
     for (int h = 0; h < 2; ++h)
         if (s.hands[h].grasp.holds >= 0) drop(s.hands[h], h, files_.species, s.fish, events);
     s.phase = Phase::Results;
     events.push_back({EventKind::DiveOver});
+}
+
+void Dive::reachGoals(Events& events) {
+    DiveState& s = state_;
+    for (size_t i = 0; i < files_.dive.goals.size(); ++i) {
+        if (s.score.reached[i] || !isReached(files_.dive.goals[i], s.score, s.phase == Phase::Results))
+            continue;
+        s.score.reached[i] = true;
+        events.push_back({.kind = EventKind::Goal, .goal = static_cast<int>(i)});
+    }
 }
 
 sim::RecordingHeader recordingHeader(const Dive& dive) {
@@ -98,8 +115,34 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     header.seed = dive.seed();
     header.dive = dive.file().name;
     header.inputBytes = kTickInputBytes;
+    const DiveRules& rules = dive.rules();
+    header.settings = {{"assist", enumName(rules.assist)},
+                       {"free_swim", rules.freeSwim ? "on" : "off"},
+                       {"curious", rules.curious ? "on" : "off"}};
     return header;
 }
+
+Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
+    DiveRules rules;
+    for (const auto& [name, value] : header.settings) {
+        const bool on = value == "on";
+        bool known = on || value == "off";
+        if (name == "assist") {
+            const auto assist = enumNamed<Assist>(value);
+            known = assist.has_value();
+            rules.assist = assist.value_or(Assist::None);
+        } else if (name == "free_swim")
+            rules.freeSwim = on;
+        else if (name == "curious")
+            rules.curious = on;
+        else
+            continue; // of those who made the inputs
+        if (!known) return Error{"the recording", "has an unknown value: " + name + " = " + value};
+    }
+    return rules;
+}
+
+bool hasComparableStates(const sim::RecordingHeader& header) { return !header.settings.empty(); }
 
 uint64_t Dive::stateHash() const {
     Hash hash;

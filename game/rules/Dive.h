@@ -6,6 +6,7 @@
 #include "engine/sim/Recording.h"
 #include "game/rules/Catching.h"
 #include "game/rules/DiveFile.h"
+#include "game/rules/DiveRules.h"
 #include "game/rules/Events.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
@@ -40,7 +41,7 @@ struct DiveState {
 
 class Dive {
   public:
-    Dive(SpeciesTable, DiveFile, uint64_t seed);
+    Dive(SpeciesTable, DiveFile, uint64_t seed, DiveRules = {});
 
     // One tick of 1/120 s. Appends what happened. Joints that are not finite or absurd are not
     // believed: the hand's last good pose stays for that tick.
@@ -55,6 +56,7 @@ class Dive {
     uint64_t seed() const { return state_.seed; } // of the dive now under way
     const SpeciesTable& species() const { return files_.species; }
     const DiveFile& file() const { return files_.dive; }
+    const DiveRules& rules() const { return rules_; }
 
     const DiveState& state() const { return state_; }
     DiveState& state() { return state_; } // for tests of single rules
@@ -64,8 +66,10 @@ class Dive {
     void touch(Events&);
     void advanceShark(Events&);
     void endWhenOver(Events&);
+    void reachGoals(Events&);
 
     DiveFiles files_;
+    DiveRules rules_;
     DiveState state_;
     // Scratch memory, no part of the state.
     HandContacts handContacts_;
@@ -73,6 +77,13 @@ class Dive {
 };
 
 sim::RecordingHeader recordingHeader(const Dive&);
+
+// The rules under which a recording was made; an error names a value that this version does not know.
+Result<DiveRules> rulesOf(const sim::RecordingHeader&);
+
+// Whether the recorded states can be compared with those of this version. Replays from before there were
+// rules to choose go the same way under the default ones, but their states had fewer fields.
+bool hasComparableStates(const sim::RecordingHeader&);
 
 // A mark's effect grows over the two seconds before it and fades over the two after it, beyond the video's
 // end from its start on. Nothing is known where videoLength_s is 0 (no video) or where a mark begins behind

@@ -26,6 +26,8 @@ Species readOne(TomlTable& table) {
     table.number("spacing", s.spacing, 0.6f, 5);
     table.number("stride", s.stride, 0.2f, 1.5f);
     table.flag("coasts", s.coasts);
+    table.flag("stings", s.stings);
+    table.number("curiosity", s.curiosity, 0, 1);
     if (const auto company = table.choice("company", kCompanyNames))
         s.company = static_cast<Company>(*company);
     if (s.shark) s.points = 0;
@@ -39,6 +41,7 @@ Species readOne(TomlTable& table) {
     return s;
 }
 
+// -1, and a complaint, if there is none.
 int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     std::string name;
     table.need("species");
@@ -95,6 +98,21 @@ void readMarks(TomlTable& root, std::string_view key, std::vector<VideoMark>& ma
     });
 }
 
+Goal readGoal(TomlTable& table, const SpeciesTable& known) {
+    Goal goal;
+    table.need("kind");
+    if (const auto kind = table.choice("kind", kGoalNames)) goal.kind = static_cast<GoalKind>(*kind);
+    if (table.has("species")) {
+        goal.species = speciesNamed(table, known, false);
+        if (goal.kind != GoalKind::Catch) table.complain("species", "belongs to goals of kind \"catch\"");
+    }
+    if (goal.kind == GoalKind::NoLoss) return goal;
+    table.need("count");
+    const bool combo = goal.kind == GoalKind::Combo;
+    table.whole("count", goal.count, combo ? 2 : 1, combo ? kMaxCombo : 100'000);
+    return goal;
+}
+
 void readSchools(TomlTable& root, const SpeciesTable& known, DiveFile& dive) {
     root.need("school");
     int fish = 0;
@@ -143,6 +161,8 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             root.complain("video", "must name a file below content/");
         readSchools(root, known, dive);
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
+        root.tables("goal", kMaxGoals,
+                    [&](TomlTable& table) { dive.goals.push_back(readGoal(table, known)); });
         // Files written for earlier versions say [[shelter]].
         const char* enclosure = root.has("shelter") ? "shelter" : "enclosure";
         readMarks(root, enclosure, dive.enclosure, "amount", 0, 1);

@@ -28,9 +28,11 @@ struct Species {
     float shyness = 1;     // scales the distance at which a fast hand frightens it; 0 to 3
     int points = 10;       // a catch
     Company company = Company::Alone;
-    float spacing = 1.2f; // to the companions around it, body lengths, centre to centre
-    float stride = 0.65f; // body lengths it swims in one beat of the tail
-    bool coasts = false;  // beats in bursts and glides between them
+    float spacing = 1.2f;   // to the companions around it, body lengths, centre to centre
+    float stride = 0.65f;   // body lengths it swims in one beat of the tail
+    bool coasts = false;    // beats in bursts and glides between them
+    bool stings = false;    // the hand that closes on it; nobody holds it
+    float curiosity = 0.5f; // 0 to 1: how readily it comes to look at a hand that rests
 };
 
 constexpr float kMaxSpeed_mps = 3; // of any fish that is not in a hand, however it is pushed
@@ -67,6 +69,24 @@ struct VideoMark {
     float value = 1;
 };
 
+// What a player may try for in a dive; a goal's text follows from kind, species and count.
+enum class GoalKind {
+    Catch,     // `count` of a species, or of any
+    Different, // `count` different species
+    Score,     // `count` points
+    NoLoss,    // something is caught and no fish lost to the shark, until the dive is over
+    Combo,     // of `count`
+};
+constexpr std::array<const char*, 5> kGoalNames = {"catch", "different", "score", "no_loss", "combo"};
+constexpr size_t kMaxGoals = 3;
+constexpr int kMaxCombo = 5;
+
+struct Goal {
+    GoalKind kind = GoalKind::Catch;
+    int species = -1; // of Catch: index into the species table; -1: any
+    int count = 1;
+};
+
 struct DiveFile {
     std::string name;  // stem of the file; its path if it lies outside content/
     std::string title; // as shown
@@ -77,6 +97,7 @@ struct DiveFile {
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
+    std::vector<Goal> goals;          // at most kMaxGoals
     std::vector<VideoMark> enclosure; // of the video
     std::vector<VideoMark> ground;    // of the video; none: no shadow falls on it
     // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no

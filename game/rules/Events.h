@@ -10,16 +10,23 @@
 namespace shoal::game {
 
 enum class EventKind {
-    Touch,      // a finger or palm meets a fish
-    Startle,    // a fish flees; once per fright
-    Grab,       // a hand closes on a fish
-    Catch,      // held long enough: it counts
-    Release,    // let go after a catch
-    Escape,     // let go, or slipped out, before it counted
-    Miss,       // a hand closed on nothing
-    SharkNear,  // the shark turns towards the player
-    SharkBump,  // the shark hits a hand
-    SharkSteal, // the shark takes a fish out of a hand
+    Touch,   // a finger or palm meets a fish
+    Startle, // a fish flees; once per fright
+    Grab,    // a hand closes on a fish
+    Catch,   // held long enough: it counts
+    Release, // let go after a catch
+    Escape,  // let go, or slipped out, before it counted
+    Miss,    // a hand closed on nothing: no fish was near it
+    // A hand closed beside a fish, and why it did not get it (game/rules/Intent.h):
+    MissTooFar,   // the fish was farther away than the hand
+    MissTooFast,  // the hand was too fast
+    MissTooEarly, // the fish had not yet come between the fingers
+    MissBehind,   // the hand was behind the fish
+    Sting,        // a hand closed on something that stings, and cannot hold for a while
+    Goal,         // a goal of the dive is reached
+    SharkNear,    // the shark turns towards the player
+    SharkBump,    // the shark hits a hand
+    SharkSteal,   // the shark takes a fish out of a hand
     DiveStart,
     DiveOver,
 };
@@ -31,6 +38,11 @@ struct Event {
     std::optional<glm::vec3> position{}; // world frame; empty: everywhere
     int part = -1;                       // hands::Finger or hands::kPalmPart
     float closing_mps = 0;               // how fast the two came together
+    // Of a Catch: what was caught, what it gave (combo included), and the combo: times the species' points.
+    int species = -1; // index into the species table
+    int points = 0;
+    int combo = 0;
+    int goal = -1; // of a Goal: index into DiveFile::goals
 };
 
 using Events = std::vector<Event>; // functions append to it

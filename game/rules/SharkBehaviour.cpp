@@ -107,7 +107,7 @@ void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& ev
     f.state = Fish::State::Mouth;
     shark.mouth = id;
     shark.prey = -1;
-    ++score.lost;
+    score.countLoss(f.species);
     events.push_back({EventKind::SharkSteal, id, h, f.position});
     shark.set(State::Leave);
     shark.visit_s = 0;

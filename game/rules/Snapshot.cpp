@@ -31,6 +31,16 @@ void showCreature(const Swimmer& from, size_t id, int species, float length_m, i
     view.heldBy = heldBy;
 }
 
+void showScore(const Score& score, const std::vector<Goal>& goals, Snapshot& out) {
+    out.combo = score.combo();
+    out.bestCombo = score.bestCombo;
+    out.tally.resize(score.species.size());
+    for (size_t i = 0; i < out.tally.size(); ++i)
+        out.tally[i] = {score.species[i].caught, score.species[i].lost, score.species[i].touched};
+    out.goals.resize(goals.size());
+    for (size_t i = 0; i < goals.size(); ++i) out.goals[i] = {progressOf(goals[i], score), score.reached[i]};
+}
+
 // How far the time lies within a mark, 0 to 1.
 double within(const VideoMark& mark, double videoLength_s, double time_s) {
     constexpr double kRamp_s = 2;
@@ -72,13 +82,15 @@ void Dive::snapshot(Snapshot& out) const {
     out.time_s = static_cast<double>(s.tick) / sim::kTickRate_Hz;
     out.phase = s.phase;
     out.paused = s.paused;
-    out.timeLeft_s =
-        s.phase == Phase::Diving ? std::max(0.0f, dive.duration_s - static_cast<float>(out.time_s)) : 0.0f;
+    out.freeSwim = rules_.freeSwim;
+    const float spent_s = rules_.freeSwim ? 0.0f : static_cast<float>(out.time_s);
+    out.timeLeft_s = s.phase == Phase::Diving ? std::max(0.0f, dive.duration_s - spent_s) : 0.0f;
     out.enclosure = enclosureAt(dive.enclosure, dive.videoLength_s, out.time_s);
     out.ground = groundAt(dive.ground, dive.videoLength_s, out.time_s);
     out.score = s.score.points;
     out.caught = s.score.caught;
     out.lost = s.score.lost;
+    showScore(s.score, dive.goals, out);
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
     for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], s.fish, out.hands[h]);

@@ -55,7 +55,13 @@ struct CreatureView {
     Gait gait;
     BodyShape shape; // the spine
     int heldBy = -1; // 0 left, 1 right, -1 free
+    // 0 to 1, eased: a hand that closes now takes it; and which hand that is, -1 none.
+    float catchable = 0;
+    int catchableBy = -1;
 };
+
+// Why a hand that closed took nothing, as the events of game/rules/Events.h.
+enum class Miss { None, Nothing, TooFar, TooFast, TooEarly, Behind };
 
 // What one finger, or the palm, has under it.
 struct TouchView {
@@ -75,6 +81,21 @@ struct HandView {
     int holds = -1;                                        // creature id
     float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
     std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
+    Miss lastMiss = Miss::None;                            // None: it took hold since, or has not closed yet
+    float sinceMiss_s = 0;
+    float stung_s = 0; // left of a sting: it cannot hold
+};
+
+// One species' part of the dive.
+struct TallyView {
+    int caught = 0, lost = 0; // lost: to the shark
+    bool touched = false;     // by a hand
+};
+
+// One of the dive's goals, DiveFile::goals.
+struct GoalView {
+    int progress = 0; // 0 to Goal::count
+    bool reached = false;
 };
 
 struct Ground { // about the viewer it is as good as level
@@ -87,12 +108,17 @@ struct Snapshot {
     double time_s = 0; // since the dive began
     Phase phase = Phase::Diving;
     bool paused = false;
+    bool freeSwim = false; // no clock: timeLeft_s stays what it is
     float timeLeft_s = 0;
     float enclosure = 0; // 0 open water to 1 a tunnel, where the video now is
     Ground ground;       // where the video now is
     int score = 0;
     int caught = 0;
-    int lost = 0;                        // to the shark
+    int lost = 0;                 // to the shark
+    int combo = 0;                // of the last catch, 0 to kMaxCombo; 0: no run of species is under way
+    int bestCombo = 0;            // of the dive
+    std::vector<TallyView> tally; // by index into the species table
+    std::vector<GoalView> goals;  // by index into DiveFile::goals; none in free swim
     glm::quat worldFromView{1, 0, 0, 0}; // where the player looks
     glm::vec3 headWorld{0};              // between the player's eyes
     std::array<HandView, 2> hands{};     // left, right

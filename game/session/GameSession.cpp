@@ -44,6 +44,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     config.seed = options.seed;
     config.hands = options.hands;
     config.live = !options.headless && !options.timedemo;
+    config.rules = {options.assist, options.freeSwim, true};
     std::string diveName = options.dive;
     if (Status s = handSourceFor(options).moveTo(config.handSource); !s) return s.error();
     const std::string& file = config.handSource.argument;
@@ -52,12 +53,15 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
         if (!script) return script.error();
         diveName = script->dive;
         config.seed = script->seed;
+        config.rules = script->rules;
         config.script = std::move(*script);
     } else if (config.handSource.kind == HandSourceKind::Replay) {
         auto recording = sim::readRecording(file);
         if (!recording) return recording.error();
         if (recording->header().inputBytes != game::kTickInputBytes)
             return Error{file, "holds inputs of another kind than this version of the game takes"};
+        if (Status s = game::rulesOf(recording->header()).moveTo(config.rules); !s)
+            return Error{file, s.error().reason};
         diveName = recording->header().dive;
         config.seed = recording->header().seed;
         config.replay = std::move(*recording);
@@ -75,7 +79,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
 }
 
 GameSession::GameSession(const SessionConfig& config)
-    : source(makeSource(config)), dive(config.species, config.dive, config.seed),
+    : source(makeSource(config)), dive(config.species, config.dive, config.seed, config.rules),
       recording(game::recordingHeader(dive), 16384) {
     if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
         tracked.emplace(config.handSource, config.hands, config.rig, config.live);
@@ -126,7 +130,8 @@ void GameSession::tick(bool record, float share, int ticksLeft) {
             verdict = script->verdict();
         }
     } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
-        if (Status same = replay->recording.compare(replay->tick, dive.stateHash()); !same) {
+        const bool comparable = game::hasComparableStates(replay->recording.header());
+        if (Status same = replay->recording.compare(replay->tick, dive.stateHash()); comparable && !same) {
             ended = true;
             verdict = same;
         }

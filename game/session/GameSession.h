@@ -16,6 +16,7 @@ namespace shoal::app {
 struct SessionConfig {
     game::SpeciesTable species;
     game::DiveFile dive;
+    game::DiveRules rules;
     hands::HandRig rig;
     uint64_t seed = 1;
     HandSourceChoice handSource;

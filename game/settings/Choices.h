@@ -4,6 +4,7 @@
 #include "engine/core/EnumNames.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/render/View.h"
+#include "game/rules/DiveRules.h"
 #include "input/hands/HandTracker.h"
 
 #include <array>

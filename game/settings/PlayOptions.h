@@ -32,6 +32,8 @@ struct PlayOptions {
     std::string stats;
     bool timedemo = false;
     bool backdropOnly = false;
+    game::Assist assist = game::Assist::Normal;
+    bool freeSwim = false;
     render::Composition compose = render::Composition::CameraResponse;
     bool frameTimes = false; // the developer's panel
     bool mute = false;
@@ -50,10 +52,15 @@ struct PlayOptions {
         table.add("--dive", &dive, "Name of a dive in content/dives");
         table.add("--seed", &seed, "Seed of everything random in the dive");
         table.add("--record", &record, "Writes a replay: seed and every tick's input").takes("FILE");
+        table.add("--free-swim", &freeSwim, "No clock and no shark");
         environment.addTo(table);
         look.addTo(table, false);
         addPictureTo(table);
         hands.addTo(table);
+        table.addKept(
+            "--assist", choice(assist),
+            "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
+            "really close around is held");
         table.addKept("--skin", choice(skin), "How your hands look");
         table.addKept("--haptics", &hapticStrength, "Strength of haptics, 0 (off) to 1").between(0, 1);
         addSoundTo(table);

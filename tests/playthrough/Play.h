@@ -17,7 +17,7 @@ using Watch = std::function<void(const Snapshot&, const Events&)>; // sees every
 // Runs a script against a new dive until it has finished, after script.timeout_s at the latest.
 inline Played playScript(const Script& script, const hands::HandRig& rig, const DiveFiles& files,
                          const Watch& watch = {}) {
-    Dive dive(files.species, files.dive, script.seed);
+    Dive dive(files.species, files.dive, script.seed, script.rules);
     ScriptRun run(script, rig, files.species);
     Played played{sim::Recording(recordingHeader(dive)), Done{}, {}};
     std::array<uint8_t, kTickInputBytes> bytes;
@@ -43,7 +43,9 @@ inline Played playScript(const Script& script, const hands::HandRig& rig, const 
 inline Status replay(const sim::Recording& recording, const DiveFiles& files, const Watch& watch = {}) {
     if (recording.header().inputBytes != kTickInputBytes || recording.header().dive != files.dive.name)
         return Error{"", "the recording is of another dive or version of the game"};
-    Dive dive(files.species, files.dive, recording.header().seed);
+    const auto rules = rulesOf(recording.header());
+    if (!rules) return rules.error();
+    Dive dive(files.species, files.dive, recording.header().seed, *rules);
     Events events;
     Snapshot snapshot;
     for (size_t tick = 0; tick < recording.ticks(); ++tick) {

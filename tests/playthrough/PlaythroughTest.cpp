@@ -23,7 +23,7 @@ std::vector<Path> scripts() {
 // The same player before a display of that speed, which stumbles over a frame of 300 ms once.
 std::pair<uint64_t, Status> playAt(int framesPerSecond, const Script& script, const DiveFiles& files,
                                    const hands::HandRig& rig) {
-    Dive dive(files.species, files.dive, script.seed);
+    Dive dive(files.species, files.dive, script.seed, script.rules);
     ScriptRun run(script, rig, files.species);
     sim::FixedStep clock;
     Snapshot before, now, shown;

@@ -1,0 +1,30 @@
+// What a player chooses of the rules before a dive. It is part of a replay's header: with the same rules,
+// seed and inputs a dive goes the same way. The defaults are the rules of scripted playthroughs, and of
+// replays that were recorded before there was a choice.
+#pragma once
+
+#include "engine/core/EnumNames.h"
+
+#include <array>
+
+namespace shoal::game {
+
+// How much a hand that means to take a fish is helped (game/rules/Intent.h). None: it takes hold only of what
+// its fingers really close around.
+enum class Assist { None, Normal, Strong };
+
+struct DiveRules {
+    Assist assist = Assist::None;
+    bool freeSwim = false; // no clock, no shark, no goals
+    bool curious = false;  // fish come to look at a hand that rests (game/rules/Curiosity.h)
+
+    bool operator==(const DiveRules&) const = default;
+};
+
+} // namespace shoal::game
+
+namespace shoal {
+template <> struct EnumNames<game::Assist> {
+    static constexpr std::array kNames = {"none", "normal", "strong"};
+};
+} // namespace shoal
