@@ -15,7 +15,7 @@ namespace {
 std::string shapeNote(int width, int height) {
     const Layout layout = layoutFromShape(width, height);
     if (layout != Layout::Auto) return fmt::format("lat-long {} by its shape", enumName(layout));
-    return "not a 360-degree picture by its shape; `shoal panorama` grows it to one";
+    return "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
 }
 
 } // namespace

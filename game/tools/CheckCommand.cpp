@@ -102,16 +102,16 @@ Verdict checkFile(const Path& file) {
 } // namespace
 
 int check(const CheckOptions& options) {
-    bool good = true;
+    bool allUsable = true;
     for (const std::string& file : options.files) {
         Verdict verdict = checkFile(file);
         if (verdict)
-            std::printf("%s: good: %s\n", file.c_str(), verdict->c_str());
+            std::printf("usable: %s: %s\n", file.c_str(), verdict->c_str());
         else
-            std::fprintf(stderr, "%s\n", verdict.error().message().c_str());
-        good &= verdict.ok();
+            std::fprintf(stderr, "not usable: %s\n", verdict.error().message().c_str());
+        allUsable &= verdict.ok();
     }
-    return good ? 0 : 1;
+    return allUsable ? 0 : 1;
 }
 
 } // namespace shoal::app

@@ -12,8 +12,8 @@ Status play(const PlayOptions& options);
 Status view(const ViewOptions& options);
 Status light(const LightOptions& options);
 Status panorama(const PanoramaOptions& options);
-// Prints what each file is to standard output, or to standard error why it is not usable. Returns the exit
-// status, 1 if there was such a file.
+// Prints a line for each file: "usable: FILE: what it is" to standard output, or "not usable: FILE: why" to
+// standard error. Returns the exit status, 1 if a file is not usable.
 int check(const CheckOptions& options);
 int devices(const DevicesOptions& options);
 

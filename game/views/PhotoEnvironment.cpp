@@ -5,6 +5,7 @@
 #include "engine/media/StereoView.h"
 #include "engine/panorama/Panorama.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -48,6 +49,16 @@ bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;
 }
 
+// Whether the place where the ends of a grown environment meet can be seen. A step of one level of 8 bits
+// cannot, nor can one that is usual in the picture itself.
+template <class Picture> std::string seamClause(const panorama::Panorama<Picture>& grown) {
+    const bool hidden = grown.wrapStep <= std::max(grown.usualStep, 1 / 255.0);
+    return fmt::format(
+        "the seam where its ends meet can{} be seen: its largest step is {:.2f} % of white, and "
+        "a tenth of the picture's own steps are above {:.2f} %",
+        hidden ? "not" : "", grown.wrapStep * 100, grown.usualStep * 100);
+}
+
 } // namespace
 
 template <class Picture>
@@ -75,10 +86,9 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
     return PhotoEnvironment<Picture>{
         std::move(grown->latLong),
         fmt::format("grown around its light at pixel {:.0f}, {:.0f}, which stands {:.1f} degrees high in the "
-                    "middle; where its ends meet the largest step is {:.2f} % of white, a tenth of the "
-                    "picture's own are above {:.2f} %",
+                    "middle; {}",
                     grown->lightInPhoto.x, grown->lightInPhoto.y, grown->lightLatitude_deg,
-                    grown->wrapStep * 100, grown->usualStep * 100)};
+                    seamClause(*grown))};
 }
 
 template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>);
