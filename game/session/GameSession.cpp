@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 
 namespace shoal::app {
 
@@ -30,6 +31,12 @@ Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
     return choice;
 }
 
+// Six digits, so that it can be read out and typed.
+uint64_t drawnSeed() {
+    std::random_device device;
+    return std::uniform_int_distribution<uint64_t>(100'000, 999'999)(device);
+}
+
 HandSource makeSource(const SessionConfig& config) {
     if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
     if (config.replay) return ReplaySource{*config.replay};
@@ -41,10 +48,10 @@ HandSource makeSource(const SessionConfig& config) {
 
 Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     SessionConfig config;
-    config.seed = options.seed;
     config.hands = options.hands;
     config.live = !options.headless && !options.timedemo;
     config.rules = {options.assist, options.freeSwim, true};
+    config.seed = options.seed ? *options.seed : config.live ? drawnSeed() : 1;
     std::string diveName = options.dive;
     if (Status s = handSourceFor(options).moveTo(config.handSource); !s) return s.error();
     const std::string& file = config.handSource.argument;

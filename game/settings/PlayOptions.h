@@ -11,7 +11,7 @@ namespace shoal::app {
 
 struct PlayOptions {
     std::string dive = "reef";
-    uint64_t seed = 1;
+    std::optional<uint64_t> seed; // empty: drawn for a dive in a window, else 1
     EnvironmentOptions environment;
     LookOptions look;
     HandOptions hands;
@@ -50,7 +50,9 @@ struct PlayOptions {
     void addTo(SettingsTable& table) {
         table.category = Category::Dive;
         table.add("--dive", &dive, "Name of a dive in content/dives");
-        table.add("--seed", &seed, "Seed of everything random in the dive");
+        table.add("--seed", &seed,
+                  "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
+                  "dives without a window have 1");
         table.add("--record", &record, "Writes a replay: seed and every tick's input").takes("FILE");
         table.add("--free-swim", &freeSwim, "No clock and no shark");
         environment.addTo(table);
