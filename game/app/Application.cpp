@@ -99,7 +99,7 @@ void Application::globalKey(int key) {
         if (Status reloaded = sceneRenderer_->reloadShaders(); !reloaded)
             log::warn("{}", reloaded.error().message());
 #endif
-    if (!louder && !quieter) return;
+    if (options_.mute || (!louder && !quieter)) return;
     options_.volume = std::clamp(options_.volume + (louder ? 0.1f : -0.1f), 0.0f, 1.0f);
     soundAndHaptics_->setVolume(options_.volume);
     volumeShown_s_ = glfwGetTime();

@@ -9,7 +9,8 @@ SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, 
     if (!options.mute && !options.headless)
         if (Status opened = openSound(options); !opened)
             log::info("playing on without sound: {}", opened.error().message());
-    if (audio_ && videoSound_ > 0 && !video.empty()) openVideoSound(video, videoLength_s);
+    if (audio_ && videoSound_ > 0 && !video.empty())
+        openVideoSound(video, videoLength_s, options.environment.isOwnVideo());
     if (hapticStrength_ > 0 && !options.headless) haptics_.emplace(haptics::hidapiBus());
 }
 
@@ -26,9 +27,12 @@ Status SoundAndHaptics::openSound(const PlayOptions& options) {
     return Done{};
 }
 
-void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s) {
+void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s, bool ofDive) {
     auto opened = media::SoundTrack::open(video, videoLength_s);
-    if (!opened) return log::info("{}", opened.error().message());
+    if (!opened) { // a dive's own film needs no sound
+        if (!ofDive) log::info("{}", opened.error().message());
+        return;
+    }
     track_ = std::move(*opened);
     audio_->setTrack({.length = track_->passLength(),
                       .seek = [this](int64_t frame) { track_->seek(frame); },

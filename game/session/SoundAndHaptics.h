@@ -34,7 +34,7 @@ class SoundAndHaptics {
 
   private:
     Status openSound(const PlayOptions& options);
-    void openVideoSound(const Path& video, double videoLength_s);
+    void openVideoSound(const Path& video, double videoLength_s, bool ofDive);
 
     game::SoundCues sounds_;
     game::HapticFeedback hapticFeedback_;
