@@ -4,6 +4,7 @@
 #include "engine/core/Log.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
+#include "game/tools/NearestWord.h"
 
 #include <CLI/CLI.hpp>
 
@@ -71,7 +72,35 @@ struct Command {
     std::function<int()> run;
 };
 
-int parseAndRun(CLI::App& app, std::vector<std::string> words, const std::vector<Command>& commands) {
+// The first option among the words that neither the program nor its command has, without its value; empty if
+// there is none.
+std::string unknownOption(const CLI::App& app, const CLI::App& command,
+                          const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (!name.starts_with("--")) continue;
+        if (!app.get_option_no_throw(name) && !command.get_option_no_throw(name)) return name;
+    }
+    return {};
+}
+
+// Why the words could not be parsed, in one sentence.
+std::string explained(const CLI::ParseError& error, const CLI::App& app, const CLI::App& command,
+                      const std::vector<std::string>& words) {
+    const std::string option = unknownOption(app, command, words);
+    if (option.empty()) return error.what();
+    std::vector<std::string> known;
+    for (const CLI::Option* each : command.get_options())
+        for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+    return "there is no option " + option + didYouMean(option, known);
+}
+
+int wrongCommandLine(const std::string& why, const std::string& command) {
+    std::fprintf(stderr, "shoal: %s (%s --help lists what there is)\n", why.c_str(), command.c_str());
+    return 2;
+}
+
+int parseAndRun(CLI::App& app, const std::vector<std::string>& words, const std::vector<Command>& commands) {
     std::vector<CLI::App*> parsed;
     bool verbose = false, headless = false;
     app.add_flag("--verbose", verbose, "Say more on standard error");
@@ -82,16 +111,17 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, const std::vector
             parsed.back()->add_flag("--headless", headless,
                                     "Accepted by every command; this one opens no window in any case");
     }
-    std::reverse(words.begin(), words.end()); // as CLI11 takes them
     try {
-        app.parse(words);
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // as CLI11 takes them
     } catch (const CLI::ParseError& error) {
         std::ostringstream out, err;
         const int status = app.exit(error, out, err);
         std::fputs(out.str().c_str(), stdout);
         if (status == 0) return 0;
-        std::fprintf(stderr, "shoal: %s (shoal --help lists what there is)\n", error.what());
-        return 2;
+        const auto given = std::ranges::find_if(parsed, [](const CLI::App* each) { return each->parsed(); });
+        const CLI::App& command = given == parsed.end() ? app : **given;
+        return wrongCommandLine(explained(error, app, command, words),
+                                &command == &app ? "shoal" : "shoal " + command.get_name());
     }
     if (verbose) log::setUp(true);
     for (size_t i = 0; i < commands.size(); ++i)
@@ -139,6 +169,13 @@ int run(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const auto isNamed = [&](const Command& command) { return !words.empty() && words[0] == command.name; };
     const auto named = std::ranges::find_if(commands, isNamed);
+    // A file or an address has one of these in it.
+    if (named == commands.end() && !words.empty() && !words[0].starts_with('-') &&
+        words[0].find_first_of("./:") == std::string::npos) {
+        std::vector<std::string> names;
+        for (const Command& each : commands) names.push_back(each.name);
+        return wrongCommandLine("there is no command " + words[0] + didYouMean(words[0], names), "shoal");
+    }
     const bool global = !words.empty() && (words[0] == "--help" || words[0] == "-h" ||
                                            words[0] == "--version" || words[0] == "--verbose");
     const Command& command = named == commands.end() ? commands.front() : *named;
@@ -148,7 +185,7 @@ int run(int argc, char** argv) {
     // equal on every machine, whatever its player has set.
     if (command.readsFile && std::ranges::find(words, "--headless") == words.end())
         loadSettings(command.table);
-    return parseAndRun(app, std::move(words), commands);
+    return parseAndRun(app, words, commands);
 }
 
 } // namespace

@@ -2,6 +2,9 @@
 
 #include "game/rules/TomlRead.h"
 
+#include <algorithm>
+#include <filesystem>
+
 namespace shoal::game {
 
 namespace {
@@ -172,9 +175,24 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
     return dive;
 }
 
+std::vector<std::string> diveNames(const Path& content) {
+    const Path root = content.empty() ? dataRoot() / "content" : content;
+    std::vector<std::string> names;
+    std::error_code code;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "dives", code))
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
 Result<DiveFiles> loadDiveFiles(const std::string& name, const Path& content) {
     const bool isFile = name.ends_with(".toml");
     const Path root = content.empty() ? dataRoot() / "content" : content;
+    if (const auto known = diveNames(root); !isFile && std::ranges::find(known, name) == known.end()) {
+        std::string list;
+        for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+        return Error{name, "there is no such dive; there is " + (list.empty() ? "none" : list)};
+    }
     const Path file = isFile ? Path(name) : root / "dives" / (name + ".toml");
     auto species = loadSpecies((isFile ? file.parent_path() : root) / "species.toml");
     if (!species) return species.error();

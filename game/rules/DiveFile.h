@@ -113,6 +113,9 @@ struct DiveFiles {
 
 Result<DiveFile> loadDive(const Path& file, const SpeciesTable&);
 
+// Names of the dives below content (dataRoot()/content if empty), in the alphabet's order.
+std::vector<std::string> diveNames(const Path& content = {});
+
 // dive: a name, for dives/NAME.toml and species.toml below content (dataRoot()/content if empty); or the path
 // of a dive file, NAME.toml, beside which lies its species.toml.
 Result<DiveFiles> loadDiveFiles(const std::string& dive, const Path& content = {});

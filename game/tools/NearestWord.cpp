@@ -1,0 +1,44 @@
+#include "game/tools/NearestWord.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace shoal::app {
+
+int editDistance(std::string_view a, std::string_view b) {
+    const size_t columns = b.size() + 1;
+    std::vector<int> distances((a.size() + 1) * columns); // of each beginning of a to each beginning of b
+    const auto at = [&](size_t i, size_t j) -> int& { return distances[i * columns + j]; };
+    for (size_t i = 0; i <= a.size(); ++i) at(i, 0) = static_cast<int>(i);
+    for (size_t j = 0; j <= b.size(); ++j) at(0, j) = static_cast<int>(j);
+    for (size_t i = 1; i <= a.size(); ++i)
+        for (size_t j = 1; j <= b.size(); ++j) {
+            const int substituted = at(i - 1, j - 1) + (a[i - 1] != b[j - 1]);
+            at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, substituted});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+        }
+    return at(a.size(), b.size());
+}
+
+std::string_view nearestWord(std::string_view given, std::span<const std::string> known) {
+    constexpr size_t kLongest = 64; // of what may be a mistyped word
+    constexpr int kMaxDistance = 2;
+    if (given.size() > kLongest) return {};
+    std::string_view nearest;
+    int smallest = kMaxDistance + 1;
+    for (const std::string& word : known) {
+        const int distance = editDistance(given, word);
+        if (distance >= smallest || 2 * static_cast<size_t>(distance) >= given.size()) continue;
+        smallest = distance;
+        nearest = word;
+    }
+    return nearest;
+}
+
+std::string didYouMean(std::string_view given, std::span<const std::string> known) {
+    const std::string_view nearest = nearestWord(given, known);
+    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
+}
+
+} // namespace shoal::app
