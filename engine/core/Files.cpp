@@ -62,6 +62,13 @@ Result<std::string> readText(const Path& file, uint64_t maxBytes) {
     return read<std::string>(file, maxBytes, Extent::Whole);
 }
 
+Status checkFolderOf(const Path& file) {
+    const Path folder = file.has_parent_path() ? file.parent_path() : Path(".");
+    std::error_code code;
+    if (fs::is_directory(folder, code)) return Done{};
+    return Error{file.string(), "there is no folder " + folder.string()};
+}
+
 Status writeFileWhole(const Path& file, std::string_view bytes) {
     std::error_code code, ignored;
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);

@@ -33,4 +33,8 @@ Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
 // the parent folder.
 Status writeFileWhole(const Path& file, std::string_view bytes);
 
+// Error: the folder that this file would be written to is not there. For files that a person names, before
+// work whose result would be lost in a mistyped folder.
+Status checkFolderOf(const Path& file);
+
 } // namespace shoal

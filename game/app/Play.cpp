@@ -3,6 +3,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/gl/Renderer.h"
+#include "engine/media/Pictures.h"
 #include "game/app/FlatDisplay.h"
 #include "game/app/HeadsetDisplay.h"
 #include "game/settings/KeptFiles.h"
@@ -106,7 +107,18 @@ Status Application::openScene(bool software) {
     return Hud::make().moveTo(hud_);
 }
 
+// Before anything is played: what would be written at the end must have a place.
+static Status checkOutputs(const PlayOptions& options) {
+    if (!options.screenshot.empty() && media::writtenAs(options.screenshot) != media::WrittenAs::Png)
+        return Error{options.screenshot, "screenshots are PNG files; let the name end in .png"};
+    for (const std::string& file : {options.screenshot, options.record, options.stats})
+        if (!file.empty())
+            if (Status there = checkFolderOf(file); !there) return there;
+    return Done{};
+}
+
 Status play(const PlayOptions& options) {
+    if (Status possible = checkOutputs(options); !possible) return possible;
     Application application(options);
     if (Status opened = application.open(); !opened) return opened;
     Status verdict = Done{};

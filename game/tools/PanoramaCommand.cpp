@@ -27,6 +27,7 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
     if (media::writtenAs(options.out) == media::WrittenAs::Nothing)
         return Error{options.out, "is of no kind that can be written; use .png or .jpg, or .hdr, .exr or "
                                   ".pfm for a high dynamic range photo"};
+    if (Status there = checkFolderOf(options.out); !there) return there.error();
     if (isHdrName(options.photo) && !isHdrName(options.out))
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))

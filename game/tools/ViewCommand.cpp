@@ -307,7 +307,8 @@ Status Viewer::showWindow() {
     if (clip_.animation < 0 && !model_.animations.empty()) clip_.animation = 0;
     for (;;) {
         const platform::WindowInput& input = window_->poll();
-        if (input.closing || window_->down(GLFW_KEY_ESCAPE)) return Done{};
+        // Not whether it is down now: it may have been pressed and released since the last frame.
+        if (input.closing || std::ranges::count(input.keysPressed, GLFW_KEY_ESCAPE)) return Done{};
         for (const int key : input.keysPressed) {
             if (key == GLFW_KEY_SPACE) moving = !moving;
             if (key == GLFW_KEY_F11) window_->toggleFullscreen();
@@ -351,6 +352,11 @@ Status Viewer::showWindow() {
 } // namespace
 
 Status view(const ViewOptions& options) {
+    if (!options.out.empty()) { // before the work
+        if (media::writtenAs(options.out) != media::WrittenAs::Png)
+            return Error{options.out, "pictures are PNG files; let the name end in .png"};
+        if (Status there = checkFolderOf(options.out); !there) return there;
+    }
     Viewer viewer(options);
     if (Status opened = viewer.open(); !opened) return opened;
     return options.out.empty() ? viewer.showWindow() : viewer.writePicture();

@@ -101,6 +101,29 @@ TEST_F(Program, WrongWordsOnTheCommandLine) {
     expectOneMessage(run("light photo.jpg -o out --method none"), "--method", 2);
 }
 
+TEST_F(Program, AMistypedWordIsMetWithTheOneThatMayBeMeant) {
+    expectOneMessage(run("plya"), "there is no command plya; did you mean play?", 2);
+    expectOneMessage(run("swim"), "there is no command swim (shoal --help", 2);
+    expectOneMessage(run("play --sceenshot a.png"), "--sceenshot; did you mean --screenshot?", 2);
+    expectOneMessage(run("--no-vsnyc"), "did you mean --no-vsync?", 2);
+    expectOneMessage(run("view m.glb --variannt=b"), "--variannt; did you mean --variant?", 2);
+    expectOneMessage(run("play --nonsense"), "--nonsense (shoal play --help", 2);
+    expectOneMessage(run("play --headless --dive reeff"), "reeff: there is no such dive; there is reef");
+}
+
+// A picture of another kind under a PNG's name, or a mistyped folder, is found before anything is played.
+TEST_F(Program, WhatIsToBeWrittenMustHaveAPlace) {
+    const std::string play = "play --headless --at 0.1 --size 64x36 ", file = folder_.string() + "/none/out";
+    expectOneMessage(run(play + "--screenshot " + folder_.string() + "/x.gif"), "x.gif");
+    expectOneMessage(run(play + "--screenshot " + file + ".png"), "/none");
+    expectOneMessage(run(play + "--record " + file + ".replay"), "/none");
+    expectOneMessage(run(play + "--stats " + file + ".json"), "/none");
+    expectOneMessage(run("view m.glb --out " + folder_.string() + "/x.gif"), "x.gif");
+    expectOneMessage(run("view m.glb --out " + file + ".png"), "/none");
+    expectOneMessage(run("panorama p.jpg -o " + file + ".png"), "/none");
+    EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
 // Each choice changes the picture, and its older name means the same.
 TEST_F(Program, WaysOfLightingCanBeChosen) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
@@ -218,6 +241,7 @@ TEST_F(Program, PhotosOfAnyKindBecomeEnvironments) {
         const Outcome grown = run("panorama " + photo + " -o " + out + " --fov 60");
         EXPECT_EQ(grown.status, 0) << grown.err;
         EXPECT_NE(grown.out.find("grown around its light"), std::string::npos) << grown.out;
+        EXPECT_NE(grown.out.find("the seam where its ends meet can"), std::string::npos) << grown.out;
         const Outcome checked = run("check " + out);
         EXPECT_NE(checked.out.find("lat-long mono"), std::string::npos) << checked.out << checked.err;
     }
@@ -252,7 +276,10 @@ TEST_F(Program, CheckTellsGoodFromBad) {
                              "models/shark.glb");
     EXPECT_EQ(good.status, 0) << good.err;
     EXPECT_EQ(lines(good.out), 3);
-    expectOneMessage(run("check " + content + "dives/reef.toml " + write("x.png", "PNG").string()), "x.png");
+    EXPECT_TRUE(good.out.starts_with("usable: ")) << good.out;
+    const Outcome bad = run("check " + content + "dives/reef.toml " + write("x.png", "PNG").string());
+    expectOneMessage(bad, "x.png");
+    EXPECT_TRUE(bad.err.starts_with("not usable: ")) << bad.err;
 }
 
 TEST_F(Program, EveryMalformedFileGetsOneLine) {

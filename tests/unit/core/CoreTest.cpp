@@ -108,6 +108,17 @@ TEST_F(Files, AFailedWriteLeavesWhatIsThere) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
 }
 
+TEST_F(Files, TheFolderOfAFileToBeWrittenMustBeThere) {
+    EXPECT_TRUE(checkFolderOf("a.txt")); // here
+    EXPECT_TRUE(checkFolderOf(folder_ / "a.txt"));
+    const Status missing = checkFolderOf(folder_ / "none" / "a.txt");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().message(),
+              (folder_ / "none/a.txt").string() + ": there is no folder " + (folder_ / "none").string());
+    ASSERT_TRUE(writeFileWhole(folder_ / "file", ""));
+    EXPECT_FALSE(checkFolderOf(folder_ / "file" / "a.txt"));
+}
+
 TEST_F(Files, SaysWhyItCannotRead) {
     EXPECT_NE(readText(folder_ / "none").error().reason.find("no such file"), std::string::npos);
     EXPECT_NE(readText(folder_.path()).error().reason.find("folder"), std::string::npos);
