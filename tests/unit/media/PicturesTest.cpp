@@ -296,7 +296,7 @@ TEST(Check, PicturesAreDescribed) {
     ASSERT_TRUE(writePng(folder / "pano.png", noise8(64, 32)));
     EXPECT_EQ(*checkPicture(folder / "pano.png"), "64x32 PNG picture, lat-long mono by its shape");
     ASSERT_TRUE(writePng(folder / "photo.png", noise8(48, 32)));
-    EXPECT_NE(checkPicture(folder / "photo.png")->find("not a 360-degree picture"), std::string::npos);
+    EXPECT_NE(checkPicture(folder / "photo.png")->find("an ordinary picture by its shape"), std::string::npos);
     ImageRgbF bad(4, 2);
     bad.pixels[5] = -1;
     ASSERT_TRUE(writeHdr(folder / "bad.pfm", bad));
