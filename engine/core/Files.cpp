@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -13,20 +14,43 @@ namespace fs = std::filesystem;
 const Path& dataRoot() {
     static const Path root = [] {
         if (const char* set = std::getenv("SHOAL_DATA"); set && *set) return Path(set);
-        if (fs::exists(Path(SHOAL_SOURCE_DIR) / "content")) return Path(SHOAL_SOURCE_DIR);
-        return Path(SHOAL_INSTALL_DATA);
+        std::error_code code;
+        const Path installed =
+            (fs::read_symlink("/proc/self/exe", code).parent_path() / SHOAL_DATA_FROM_PROGRAM)
+                .lexically_normal();
+        return fs::exists(installed / "content", code) ? installed : Path(SHOAL_SOURCE_DIR);
     }();
     return root;
 }
 
-static Path xdgFolder(const char* variable, const char* fallbackBelowHome) {
-    if (const char* set = std::getenv(variable); set && set[0] == '/') return Path(set) / "shoal";
-    const char* home = std::getenv("HOME");
-    return Path(home && *home ? home : "/") / fallbackBelowHome / "shoal";
+static Path home() {
+    const char* set = std::getenv("HOME");
+    return set && *set ? set : "/";
 }
 
-Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config"); }
-Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share"); }
+static Path xdgFolder(const char* variable, const char* fallbackBelowHome) {
+    if (const char* set = std::getenv(variable); set && set[0] == '/') return set;
+    return home() / fallbackBelowHome;
+}
+
+Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config") / "shoal"; }
+Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share") / "shoal"; }
+
+Path picturesFolder() {
+    // One line a folder, for a shell: NAME="$HOME/relative" or NAME="/absolute", special characters after \.
+    const auto text = readText(xdgFolder("XDG_CONFIG_HOME", ".config") / "user-dirs.dirs", 1u << 16);
+    std::istringstream lines(text ? *text : "");
+    constexpr std::string_view kName = "XDG_PICTURES_DIR=\"", kHome = "$HOME";
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with(kName)) continue;
+        std::string value;
+        for (size_t i = kName.size(); i < line.size() && line[i] != '"'; ++i)
+            value += line[i] == '\\' && i + 1 < line.size() ? line[++i] : line[i];
+        if (value.starts_with('/')) return value;
+        if (value.starts_with(kHome)) return home() / Path(value.substr(kHome.size())).relative_path();
+    }
+    return home() / "Pictures";
+}
 
 enum class Extent { Whole, Begin };
 

@@ -13,14 +13,19 @@ namespace shoal {
 
 using Path = std::filesystem::path;
 
-// Folder of content/ and shaders/: $SHOAL_DATA, else the source tree this was built from, else the installed
-// share/shoal. Fixed at first use.
+// Folder of content/ and shaders/: $SHOAL_DATA; else where `cmake --install` puts them, seen from the
+// program, so that an installation can be moved; else the source tree this was built from. Fixed at first
+// use.
 const Path& dataRoot();
 
 // $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal; relative values are ignored, as the XDG Base Directory
 // Specification asks. Not created here.
 Path configFolder();
 Path scoreFolder();
+
+// The person's folder for pictures, whatever it is called in their language: XDG_PICTURES_DIR as
+// xdg-user-dirs keeps it in $XDG_CONFIG_HOME/user-dirs.dirs, else ~/Pictures. Not created here.
+Path picturesFolder();
 
 // The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
 // is taken).

@@ -136,5 +136,24 @@ TEST_F(Files, RelativeXdgFoldersAreIgnored) {
     ::unsetenv("XDG_DATA_HOME");
 }
 
+TEST_F(Files, PicturesGoWhereTheDesktopKeepsThem) {
+    ::setenv("HOME", "/home/diver", 1);
+    ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+    const auto folderIn = [&](const std::string& file) {
+        EXPECT_TRUE(writeFileWhole(folder_ / "user-dirs.dirs", file));
+        return picturesFolder().string();
+    };
+    EXPECT_EQ(picturesFolder(), "/home/diver/Pictures") << "there is no such file";
+    EXPECT_EQ(folderIn("XDG_MUSIC_DIR=\"$HOME/Musik\"\n# a comment\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n"),
+              "/home/diver/Bilder");
+    EXPECT_EQ(folderIn("XDG_PICTURES_DIR=\"/data/my \\\"best\\\" pictures\"\n"),
+              "/data/my \"best\" pictures");
+    EXPECT_EQ(folderIn("XDG_PICTURES_DIR=\"$HOME/\"\n"), "/home/diver/") << "no folder of its own";
+    EXPECT_EQ(folderIn("XDG_PICTURES_DIR=\"relative\"\n"), "/home/diver/Pictures");
+    EXPECT_EQ(folderIn("#XDG_PICTURES_DIR=\"$HOME/Bilder\"\n"), "/home/diver/Pictures");
+    EXPECT_EQ(folderIn("XDG_PICTURES_DIR=\""), "/home/diver/Pictures");
+    ::unsetenv("XDG_CONFIG_HOME");
+}
+
 } // namespace
 } // namespace shoal
