@@ -278,6 +278,13 @@ Status writePng(const Path& file, const ImageRgba8& image) {
     return write(file, viewOf(image), cv::COLOR_RGBA2BGRA, ".png", kNoPng);
 }
 
+PictureContent pictureContent(const Path& file) {
+    const auto begin = readFileBegin(file, 1 << 20);
+    const auto header = begin ? readPictureHeader(*begin) : begin.error();
+    if (!header) return PictureContent::None;
+    return isHdr(header->kind) ? PictureContent::Hdr : PictureContent::Coded;
+}
+
 WrittenAs writtenAs(const Path& file) {
     const std::string extension = extensionOf(file);
     if (extension == ".png") return WrittenAs::Png;

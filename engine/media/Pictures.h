@@ -35,6 +35,10 @@ constexpr float kMaxRadiance = 1e12f;
 // half-float limit 65504 are kept.
 Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
 
+// What a file holds, told by its beginning; None: no picture, such as a video, or no regular file.
+enum class PictureContent { None, Coded, Hdr };
+PictureContent pictureContent(const Path& file);
+
 // Lossless. Written whole (engine/core/Files.h).
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);

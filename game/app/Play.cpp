@@ -117,7 +117,9 @@ static Status checkOutputs(const PlayOptions& options) {
     return Done{};
 }
 
-Status play(const PlayOptions& options) {
+Status play(const PlayOptions& given) {
+    PlayOptions options = given;
+    if (!options.file.empty()) options.environment = environmentOf(options.file, options.environment);
     if (Status possible = checkOutputs(options); !possible) return possible;
     Application application(options);
     if (Status opened = application.open(); !opened) return opened;

@@ -12,6 +12,7 @@ namespace shoal::app {
 struct PlayOptions {
     std::string dive = "reef";
     std::optional<uint64_t> seed; // empty: drawn for a dive in a window, else 1
+    std::string file;             // of the environment, whatever it holds
     EnvironmentOptions environment;
     LookOptions look;
     HandOptions hands;
@@ -56,6 +57,10 @@ struct PlayOptions {
         table.add("--record", &record, "Writes a replay: seed and every tick's input").takes("FILE");
         table.add("--free-swim", &freeSwim, "No clock and no shark");
         environment.addTo(table);
+        table
+            .add("FILE", &file,
+                 "A 360-degree video, photo or HDR picture to dive in; its content tells which")
+            .without({"--video", "--photo", "--env"});
         look.addTo(table, false);
         addPictureTo(table);
         hands.addTo(table);

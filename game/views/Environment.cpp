@@ -30,6 +30,18 @@ render::Reflectance reflectanceIn(const EnvironmentOptions& options) {
     return hdr ? render::Reflectance::Linear : render::Reflectance::Coded;
 }
 
+EnvironmentOptions environmentOf(const std::string& file, EnvironmentOptions options) {
+    options.video.clear();
+    options.photo.clear();
+    options.env.clear();
+    const media::PictureContent content = media::pictureContent(file);
+    std::string& which = content == media::PictureContent::Hdr     ? options.env
+                         : content == media::PictureContent::Coded ? options.photo
+                                                                   : options.video;
+    which = file;
+    return options;
+}
+
 Result<std::unique_ptr<Environment>> Environment::open(const EnvironmentSetup& setup) {
     std::unique_ptr<Environment> environment(new Environment(setup));
     const EnvironmentOptions& options = setup.options;

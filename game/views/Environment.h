@@ -35,6 +35,10 @@ struct EnvironmentSetup {
 // How reflectance is represented for the light of these; known before anything is opened.
 render::Reflectance reflectanceIn(const EnvironmentOptions& options);
 
+// The same options with the environment that a file holds, told by its content: an HDR picture, a photo, or
+// else a video or live stream.
+EnvironmentOptions environmentOf(const std::string& file, EnvironmentOptions options);
+
 class Environment {
   public:
     // Needs a current GL context. The first picture is there on return.
