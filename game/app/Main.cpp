@@ -2,6 +2,7 @@
 // includes CLI11, which takes 15 seconds to compile. Exit status: 0 success, 1 the command failed or an
 // expectation was not met, 2 the command line was wrong.
 #include "engine/core/Log.h"
+#include "game/app/MessageBox.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 #include "game/tools/NearestWord.h"
@@ -96,7 +97,10 @@ std::string explained(const CLI::ParseError& error, const CLI::App& app, const C
 }
 
 int wrongCommandLine(const std::string& why, const std::string& command) {
-    std::fprintf(stderr, "shoal: %s (%s --help lists what there is)\n", why.c_str(), command.c_str());
+    const std::string message = why + " (" + command + " --help lists what there is)";
+    std::fprintf(stderr, "shoal: %s\n", message.c_str());
+    const bool tool = command != "shoal" && command != "shoal play"; // of scripts, not of menus
+    if (!tool && startedFromMenu()) showMessageBox("Shoal cannot start: " + message);
     return 2;
 }
 
@@ -135,6 +139,21 @@ int exitStatus(const Status& status) {
     return 1;
 }
 
+// Scripts and measurements run with nobody to close a box.
+bool playedByAPerson(const PlayOptions& options) {
+    const std::string& hands = options.hands.source;
+    return !options.headless && !options.timedemo && !options.at_s && !hands.starts_with("script:") &&
+           !hands.starts_with("replay:");
+}
+
+int runPlay(const PlayOptions& options) {
+    const Status played = play(options);
+    const int status = exitStatus(played);
+    if (!played && playedByAPerson(options) && startedFromMenu())
+        showMessageBox("Shoal had to stop: " + played.error().message());
+    return status;
+}
+
 int run(int argc, char** argv) {
     CLI::App app{"Shoal: catch fish inside a 360-degree video that lights them.\n"
                  "Without a command it plays: `shoal` is `shoal play`.",
@@ -152,7 +171,7 @@ int run(int argc, char** argv) {
     DevicesOptions devicesOptions;
     const std::vector<Command> commands = {
         {"play", "Play a dive (the default)", settingsOf(playOptions), true,
-         [&] { return exitStatus(play(playOptions)); }},
+         [&] { return runPlay(playOptions); }},
         {"view", "Light any glTF model in any surroundings", settingsOf(viewOptions), false,
          [&] { return exitStatus(view(viewOptions)); }},
         {"light", "Write the light of an environment, for other engines", settingsOf(lightOptions), false,

@@ -196,6 +196,31 @@ TEST_F(Program, HeadlessRunsDoNotDependOnThePlayersSettings) {
 
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
+// From a menu: no terminal, and a display. A fake of the first program that shows boxes keeps what it is
+// given.
+TEST_F(Program, StartedFromAMenuItTellsItsErrorsInAMessageBox) {
+    const Path box = folder_ / "box.txt",
+               fake = write("zenity", "#!/bin/sh\nprintf '%s\\n' \"$@\" >" + box.string());
+    fs::permissions(fake, fs::perms::owner_all);
+    const auto shown = [&](const std::string& arguments, int status) {
+        fs::remove(box);
+        const std::string command = "env PATH=" + folder_.string() +
+                                    ":/usr/bin:/bin DISPLAY=:none XDG_CONFIG_HOME=" + folder_.string() +
+                                    " setsid -w '" + tests::program() + "' " + arguments +
+                                    " </dev/null >/dev/null 2>&1";
+        EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), status) << arguments;
+        const auto text = readText(box);
+        return text ? *text : std::string();
+    };
+    const std::string error = shown("play /nowhere/there.mp4 --hands feet", 1);
+    EXPECT_NE(error.find("--error\n"), std::string::npos) << error;
+    EXPECT_NE(error.find("--text=Shoal had to stop: --hands feet"), std::string::npos) << error;
+    EXPECT_NE(shown("play '--dive=a\\nb'", 1).find("a\\\\nb: there is no such dive"), std::string::npos);
+    EXPECT_NE(shown("plya", 2).find("did you mean play?"), std::string::npos);
+    EXPECT_EQ(shown("play --headless --dive none", 1), "") << "nobody is there to close it";
+    EXPECT_EQ(shown("check /nowhere/there.mp4", 1), "");
+}
+
 TEST_F(Program, EnvironmentsThatAreNone) {
     const Path empty = write("empty.mp4", ""), text = write("text.mp4", "not a video"),
                photo = write("cut.jpg", "\xff\xd8\xff");
@@ -206,6 +231,21 @@ TEST_F(Program, EnvironmentsThatAreNone) {
     expectOneMessage(run(play + "--photo " + photo.string()), "cut.jpg");
     expectOneMessage(run(play + "--env " + photo.string()), "cut.jpg");
     expectOneMessage(run(play + "--video " + folder_.string()), folder_.string());
+    expectOneMessage(run(play + "/nowhere/there.mp4"), "there.mp4");
+    expectOneMessage(run(play + folder_.string()), folder_.string());
+    expectOneMessage(run(play + photo.string() + " --photo " + photo.string()), "--photo", 2);
+}
+
+// As a desktop opens files: by their content, whatever they are called.
+TEST_F(Program, AFileAloneIsTheEnvironmentThatItHolds) {
+    const Path photo = write("some photo.mp4", pnm(256, 128, "P6")), named = folder_ / "named.png",
+               alone = folder_ / "alone.png";
+    const std::string options = " --headless --at 0.1 --size 64x36 --screenshot ";
+    const std::string quoted = "'" + photo.string() + "'";
+    ASSERT_EQ(run("play --photo " + quoted + options + named.string()).status, 0);
+    const Outcome outcome = run(quoted + options + alone.string());
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(readText(alone).value(), readText(named).value());
 }
 
 TEST_F(Program, PanoramasThatCannotBe) {
