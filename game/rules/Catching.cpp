@@ -4,6 +4,7 @@
 #include "game/rules/Hand.h"
 #include "game/rules/HandContacts.h"
 #include "game/rules/Holding.h"
+#include "game/rules/Intent.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ bool onPalmSide(const Fish& f, const Hand& hand) {
 namespace {
 
 bool graspable(const Fish& f, const Species& kind, const Hand& hand, int h, uint32_t tick) {
-    if (!f.free() || f.uncatchable_s > 0) return false;
+    if (!f.free() || f.uncatchable_s > 0 || kind.stings) return false;
     if (!onPalmSide(f, hand)) return false;
     if (graspGap(f, kind, hand) < kGraspRadius_m) return true;
     const auto touched = [&](int part) { return f.touchedUntil[h][part] > tick; };
@@ -61,6 +62,7 @@ void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     hand.grasp.holds = hand.grasp.encloses = id;
     hand.grasp.window = 0;
     hand.grasp.firmest = 1; // it takes hold anew only after it has opened
+    hand.lastMiss = Miss::None;
     f.state = Fish::State::Held;
     f.heldBy = h;
     f.held_s = 0;
@@ -101,14 +103,18 @@ void swimOff(Fish& f, const Species& kind, const Hand& hand) {
 // Whether the hand is closed, and for how long it may still take hold.
 void readGrip(Hand& hand) {
     Grasp& grasp = hand.grasp;
+    const bool helped = hand.intent.helps && hand.intent.fish >= 0;
     if (hand.grip < kGripOpens) {
         grasp.closed = false;
         grasp.firmest = kGripOpens;
         grasp.window = 0;
+        hand.intent.fastest_mps = 0;
     } else if (hand.grip > grasp.firmest + physics::kFirmer) {
         grasp.firmest = hand.grip;
-        grasp.window = kCloseWindow;
+        grasp.window = helped ? kHelpedWindow : kCloseWindow;
     }
+    if (grasp.window > 0)
+        hand.intent.fastest_mps = std::max(hand.intent.fastest_mps, glm::length(hand.calmVelocity));
     grasp.closed = grasp.closed || hand.grip > kGripCloses;
 }
 
@@ -120,6 +126,7 @@ void takeBetweenHands(Hands& hands, const SpeciesTable& species, std::span<Fish>
     forEachCreature(contacts, [&](int id, std::span<const physics::Contact> own) {
         const bool both = own.front().group != own.back().group, isFish = id < static_cast<int>(fish.size());
         if (taken || !both || !isFish || fish[id].heldBy >= 0 || fish[id].uncatchable_s > 0) return;
+        if (species[fish[id].species].stings) return;
         if (holdOn(id, hands, contacts, glm::vec3(0)).margin_N < physics::kFirm_N) return;
         const Species& kind = species[fish[id].species];
         const int h = graspGap(fish[id], kind, hands[0]) < graspGap(fish[id], kind, hands[1]) ? 0 : 1;
@@ -138,38 +145,83 @@ void drop(Hand& hand, int h, const SpeciesTable& species, std::span<Fish> fish, 
     events.push_back({f.counted ? EventKind::Release : EventKind::Escape, id, h, f.position});
 }
 
-void closeHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
-                std::span<const physics::Contact> contacts, uint32_t tick, bool takes, Events& events) {
+namespace {
+
+// Takes hold of the fish between the fingers, or draws it in. True: it holds.
+bool takeHold(Hands& hands, int h, int id, std::span<Fish> fish, const Closing& closing, Events& events) {
+    Hand& hand = hands[h];
+    Fish& f = fish[id];
+    const Species& kind = closing.species[f.species];
+    wrapAround(f, kind, hand);
+    hand.grasp.encloses = id;
+    if (holdOn(id, hands, closing.contacts, glm::vec3(0)).margin_N > physics::kFirm_N) {
+        grab(f, id, hand, h, events);
+        return true;
+    }
+    if (id == hand.intent.fish && closing.assist != Assist::None)
+        helpClosing(f, kind, hand, closing.view, closing.assist);
+    else
+        drawIn(f, kind, hand);
+    return false;
+}
+
+// True: the hand closed on something that stings.
+bool sting(Hand& hand, int h, std::span<Fish> fish, const Closing& closing, Events& events) {
+    for (size_t i = 0; i < fish.size(); ++i) {
+        const Species& kind = closing.species[fish[i].species];
+        if (!kind.stings || !onPalmSide(fish[i], hand)) continue;
+        if (graspGap(fish[i], kind, hand) > kGraspRadius_m) continue;
+        hand.stung_s = kSting_s;
+        events.push_back({EventKind::Sting, static_cast<int>(i), h, fish[i].position});
+        return true;
+    }
+    return false;
+}
+
+void miss(Hand& hand, int h, Events& events) {
+    hand.lastMiss = hand.intent.miss;
+    hand.sinceMiss_s = 0;
+    events.push_back({.kind = eventOf(hand.lastMiss), .hand = h, .position = hand.graspCentre});
+}
+
+void closeHand(Hands& hands, int h, std::span<Fish> fish, const Closing& closing, Events& events) {
+    Hand& hand = hands[h];
+    Grasp& grasp = hand.grasp;
+    const bool wasClosed = grasp.closed;
+    readGrip(hand);
+    if (grasp.closed && !wasClosed) hand.intent.miss = missOf(hand, closing.view, closing.species, fish);
+    if (grasp.holds >= 0) wrapAround(fish[grasp.holds], closing.species[fish[grasp.holds].species], hand);
+    grasp.encloses = grasp.holds;
+    if (grasp.holds >= 0 || !closing.takes) return;
+    if (hand.stung_s > 0) {
+        grasp.window = 0;
+        return;
+    }
+    const bool helped = closing.assist != Assist::None && hand.intent.fish >= 0;
+    if (grasp.window == 0) {
+        if (helped && isClosing(hand))
+            helpClosing(fish[hand.intent.fish], closing.species[fish[hand.intent.fish].species], hand,
+                        closing.view, closing.assist);
+        return;
+    }
+    if (sting(hand, h, fish, closing, events)) return;
+    const int id = helped ? hand.intent.fish : nearestGraspable(hand, h, closing.species, fish, closing.tick);
+    if (id >= 0 && takeHold(hands, h, id, fish, closing, events)) return;
+    if (--grasp.window == 0 && grasp.closed) miss(hand, h, events);
+}
+
+} // namespace
+
+void closeHands(Hands& hands, std::span<Fish> fish, const Closing& closing, Events& events) {
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
-        Grasp& grasp = hand.grasp;
         if (!hand.visible) {
-            if (grasp.holds >= 0 && hand.untrackedTicks > kHandDropTicks)
-                drop(hand, h, species, fish, events);
-            continue;
-        }
-        if (!hand.solid) continue;
-        readGrip(hand);
-        if (grasp.holds >= 0) wrapAround(fish[grasp.holds], species[fish[grasp.holds].species], hand);
-        grasp.encloses = grasp.holds;
-        if (grasp.window == 0 || grasp.holds >= 0 || !takes) continue;
-
-        const int nearest = nearestGraspable(hand, h, species, fish, tick);
-        if (nearest >= 0) {
-            Fish& f = fish[nearest];
-            const Species& kind = species[f.species];
-            wrapAround(f, kind, hand);
-            grasp.encloses = nearest;
-            if (holdOn(nearest, hands, contacts, glm::vec3(0)).margin_N > physics::kFirm_N) {
-                grab(f, nearest, hand, h, events);
-                continue;
-            }
-            drawIn(f, kind, hand);
-        }
-        if (--grasp.window == 0 && grasp.closed)
-            events.push_back({.kind = EventKind::Miss, .hand = h, .position = hand.graspCentre});
+            if (hand.grasp.holds >= 0 && hand.untrackedTicks > kHandDropTicks)
+                drop(hand, h, closing.species, fish, events);
+        } else if (hand.solid)
+            closeHand(hands, h, fish, closing, events);
     }
-    if (takes) takeBetweenHands(hands, species, fish, contacts, events);
+    if (closing.takes) takeBetweenHands(hands, closing.species, fish, closing.contacts, events);
 }
 
 void countCatches(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,

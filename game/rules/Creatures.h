@@ -57,6 +57,10 @@ struct Fish : Swimmer {
     float struggle_s = 0;    // left of this bout of struggling, or of the rest after it
     bool struggling = false;
 
+    // 0 to 1, eased: a hand that closes now takes it; and which, -1 none.
+    float catchable = 0;
+    int catchableBy = -1;
+
     bool free() const { return state != State::Held && state != State::Mouth; }
 
     auto fields() const {
@@ -64,7 +68,8 @@ struct Fish : Swimmer {
                         sense, wander, wanderGoal, wanderTicks, routeTicks, pace, coasting, push, parting,
                         state, dart_s, flight_s, flightSide, frightRest_s, flee, nervous_s, touchedUntil,
                         uncatchable_s, heldBy, held_s, counted, palmFromBody, palmFromBodyGoal, palmOffset,
-                        slide, slid_m, struggle, unopposed, loose_s, struggle_s, struggling);
+                        slide, slid_m, struggle, unopposed, loose_s, struggle_s, struggling, catchable,
+                        catchableBy);
     }
 };
 

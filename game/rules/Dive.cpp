@@ -2,6 +2,7 @@
 
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Holding.h"
+#include "game/rules/Intent.h"
 #include "game/rules/SharkBehaviour.h"
 #include "game/rules/StateHash.h"
 
@@ -26,6 +27,9 @@ void Dive::begin(uint64_t seed) {
     for (Hand& hand : state_.hands) {
         hand.grasp.holds = -1;
         hand.grasp.window = 0;
+        hand.intent = {};
+        hand.lastMiss = Miss::None;
+        hand.stung_s = 0;
     }
     state_.contacts.clear();
     spawnFish(files_, state_.random, state_.fish);
@@ -49,10 +53,11 @@ void Dive::step(const TickInput& input, Events& events) {
     }
     const bool diving = s.phase == Phase::Diving;
     trackHands(input, s.view, s.hands);
+    readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist);
     frightenByHands(s.hands, files_.species, s.fish, s.random, events);
     followHands(s.hands, s.fish);
     touch(events);
-    closeHands(s.hands, files_.species, s.fish, s.contacts, s.tick, diving, events);
+    closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, rules_.assist, s.tick, diving}, events);
     swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark}, neighbours_, s.random);
     advanceShark(events);
     countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);

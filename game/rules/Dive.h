@@ -98,8 +98,4 @@ Ground groundAt(std::span<const VideoMark> marks, double videoLength_s, double t
 // What lies between two snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are not smeared.
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);
 
-// Help with depth for MouseInput::assist_m: distance from the eye, metres, of the nearest free fish whose
-// body lies within a few degrees of a ray (unit, viewer's frame) and within reach; negative if there is none.
-float reachAssist(const Snapshot&, const SpeciesTable&, glm::vec3 rayView);
-
 } // namespace shoal::game

@@ -1,6 +1,7 @@
 #include "game/rules/FishBehaviour.h"
 
 #include "game/rules/Holding.h"
+#include "game/rules/Intent.h"
 #include "game/rules/Steering.h"
 #include "game/rules/Swimmer.h"
 
@@ -120,6 +121,7 @@ void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<
         for (size_t i = 0; i < fish.size(); ++i) {
             Fish& f = fish[i];
             if (f.state != Fish::State::Cruise || f.frightRest_s > 0) continue;
+            if (helpedTo(hand, static_cast<int>(i))) continue;
             const float shyness = species[f.species].shyness;
             const glm::vec3 apart = f.position - hand.graspCentre;
             const float distance = glm::length(apart);

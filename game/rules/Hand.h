@@ -27,6 +27,22 @@ struct Grasp {
     auto fields() const { return std::tie(firmest, closed, window, holds, encloses); }
 };
 
+// Which fish the hand is after, and the help that it gets to take it; see game/rules/Intent.h.
+struct Intent {
+    int fish = -1;          // -1: none
+    bool inRange = false;   // that fish is taken if the hand closes now
+    float unseen_s = 0;     // since the fish was in range
+    bool helps = false;     // the hand has been helped to it since it began to close
+    glm::vec3 movedView{0}; // how far the help has moved the hand, viewer's frame
+    float closing_Hz = 0;   // growth of the grip a second, smoothed over about 30 ms
+    float fastest_mps = 0;  // of the hand since it began to close
+    Miss miss = Miss::None; // why it takes nothing if it takes nothing, as it was when the grip closed
+
+    auto fields() const {
+        return std::tie(fish, inRange, unseen_s, helps, movedView, closing_Hz, fastest_mps, miss);
+    }
+};
+
 // Fingers that rest on the fish they close around instead of entering it.
 struct FingerWrap {
     Joints shown{}; // the hand's joints, with fingers resting on that fish
@@ -60,15 +76,19 @@ struct Hand {
     float grip = 0;                                      // 0 open to 1 fist
     std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
     Grasp grasp;
+    Intent intent;
     FingerWrap fingers;
+    Miss lastMiss = Miss::None; // None: it took hold since
+    float sinceMiss_s = 0;
+    float stung_s = 0; // left of a sting: it holds nothing
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
 
     auto fields() const {
         return std::tie(visible, known, lastGood, untrackedTicks, solid, joints, before, velocities,
-                        graspCentre, velocity, calmVelocity, calmAcceleration, grip, touching, grasp,
-                        fingers);
+                        graspCentre, velocity, calmVelocity, calmAcceleration, grip, touching, grasp, intent,
+                        fingers, lastMiss, sinceMiss_s, stung_s);
     }
 };
 using Hands = std::array<Hand, 2>; // left, right

@@ -2,6 +2,7 @@
 
 #include "game/rules/Catching.h"
 #include "game/rules/Hand.h"
+#include "game/rules/Intent.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Con
         f.touchedUntil[h][part] = tick + kTouchKept;
         const Hand& hand = hands[h];
         const float palmClosing = glm::dot(hand.velocity - f.velocity, contact.normal);
+        if (helpedTo(hand, id)) continue;
         if (palmClosing > kGentle_mps || f.nervous_s > kPatience_s ||
             (hand.grasp.closed && hand.grasp.window == 0))
             startle(f, id, hand.palm().position, random, events);
@@ -96,7 +98,7 @@ void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Con
         const Hand& hand = hands[h];
         const bool lets =
             !hand.grasp.closed && onPalmSide(f, hand) && graspGap(f, kind, hand) < 1.5f * kGraspRadius_m;
-        return hand.grasp.encloses != id && !lets;
+        return hand.grasp.encloses != id && !helpedTo(hand, id) && !lets;
     };
     const std::array<bool, 2> hits = {bats(0), bats(1)};
     const auto from = std::find_if(own.begin(), own.end(), [&](const auto& c) { return hits[c.group]; });

@@ -38,7 +38,8 @@ void believe(const hands::HandPose& given, Hand& hand) {
 void placeJoints(const Viewpoint& view, Hand& hand) {
     for (int j = 0; j < hands::kJointCount; ++j) {
         hand.joints[j] = hand.lastGood.joints[j];
-        hand.joints[j].position = view.headWorld + view.worldFromView * hand.joints[j].position;
+        hand.joints[j].position =
+            view.headWorld + view.worldFromView * (hand.joints[j].position + hand.intent.movedView);
         hand.joints[j].orientation = view.worldFromView * hand.joints[j].orientation;
     }
     hand.fingers.shown = hand.joints;
@@ -71,7 +72,11 @@ void trackHand(const hands::HandPose& given, const Viewpoint& view, Hand& hand) 
     hand.fingers.pressCount = 0;
     if (!hand.visible) return stop(hand);
     if (!appears) hand.before = hand.joints;
+    if (appears) hand.intent = {};
+    const float gripBefore = hand.grip;
     placeJoints(view, hand);
+    const float closing_Hz = appears ? 0 : (hand.grip - gripBefore) / kDt;
+    hand.intent.closing_Hz += (closing_Hz - hand.intent.closing_Hz) * (1.0f / 4);
     if (appears) startGrasp(hand);
     const bool replaced =
         glm::distance(hand.palm().position, hand.before[hands::kPalmJoint].position) > physics::kTeleport_m;

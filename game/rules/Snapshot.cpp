@@ -15,6 +15,9 @@ void showHand(const Hand& hand, const std::vector<Fish>& fish, HandView& view) {
     view.joints = hand.fingers.shown;
     view.holds = hand.grasp.holds;
     view.touching = hand.touching;
+    view.lastMiss = hand.lastMiss;
+    view.sinceMiss_s = hand.sinceMiss_s;
+    view.stung_s = hand.stung_s;
     view.holdProgress = view.holds < 0 ? 0 : std::min(1.0f, fish[view.holds].held_s / kHoldToCatch_s);
 }
 
@@ -99,7 +102,11 @@ void Dive::snapshot(Snapshot& out) const {
         showCreature(from, id, from.species, files_.species[from.species].length_m, heldBy,
                      out.creatures[id]);
     };
-    for (size_t i = 0; i < s.fish.size(); ++i) show(i, s.fish[i], s.fish[i].heldBy);
+    for (size_t i = 0; i < s.fish.size(); ++i) {
+        show(i, s.fish[i], s.fish[i].heldBy);
+        out.creatures[i].catchable = s.fish[i].catchable;
+        out.creatures[i].catchableBy = s.fish[i].catchableBy;
+    }
     if (s.shark.present) show(s.fish.size(), s.shark, -1);
 }
 
@@ -131,6 +138,7 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
         CreatureView& c = out.creatures[i];
         c.position = glm::mix(a.position, b.position, alpha);
         c.velocity = glm::mix(a.velocity, b.velocity, alpha);
+        c.catchable = a.catchable + (b.catchable - a.catchable) * alpha;
         c.worldFromBody = blended(a.worldFromBody, b.worldFromBody, alpha);
         c.gait.phase_s = a.gait.phase_s + (b.gait.phase_s - a.gait.phase_s) * alpha;
         const auto between = [&](float BodyShape::*part) {
@@ -142,24 +150,6 @@ void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Sna
         if (a.gait.motion == b.gait.motion)
             c.gait.blend = a.gait.blend + (b.gait.blend - a.gait.blend) * alpha;
     }
-}
-
-float reachAssist(const Snapshot& snapshot, const SpeciesTable& species, glm::vec3 rayView) {
-    const glm::vec3 ray = snapshot.worldFromView * rayView;
-    float best = -1, bestMiss = 1;
-    for (const CreatureView& creature : snapshot.creatures) {
-        if (species[creature.species].shark || creature.heldBy >= 0) continue;
-        const glm::vec3 fromHead = creature.position - snapshot.headWorld;
-        const float along = glm::dot(fromHead, ray);
-        if (along < 0.3f || along > 1.5f) continue;
-        // Within the body, or 4 degrees beside it.
-        const float miss = glm::length(fromHead - ray * along) / (0.5f * creature.length + 0.07f * along);
-        if (miss < bestMiss) {
-            bestMiss = miss;
-            best = along;
-        }
-    }
-    return best;
 }
 
 } // namespace shoal::game

@@ -41,7 +41,7 @@ HandSource makeSource(const SessionConfig& config) {
     if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
     if (config.replay) return ReplaySource{*config.replay};
     if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
-    return MouseSource(config.rig, config.species);
+    return MouseSource(config.rig, config.species, config.reachHelp);
 }
 
 } // namespace
@@ -50,6 +50,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     SessionConfig config;
     config.hands = options.hands;
     config.live = !options.headless && !options.timedemo;
+    config.reachHelp = options.reachHelp;
     config.rules = {options.assist, options.freeSwim, true};
     config.seed = options.seed ? *options.seed : config.live ? drawnSeed() : 1;
     std::string diveName = options.dive;

@@ -17,6 +17,7 @@ struct SessionConfig {
     game::SpeciesTable species;
     game::DiveFile dive;
     game::DiveRules rules;
+    float reachHelp = 1; // 0 to 1, of the mouse's hand
     hands::HandRig rig;
     uint64_t seed = 1;
     HandSourceChoice handSource;

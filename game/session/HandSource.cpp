@@ -59,8 +59,8 @@ void MouseSource::frame(platform::Window* window, const platform::WindowInput* i
         const float half = std::tan(verticalFov / 2);
         const glm::vec3 ray =
             glm::normalize(glm::vec3(mouse.cursor.x * half * aspect, mouse.cursor.y * half, -1));
-        if (const float assist_m = game::reachAssist(shown, species_, ray); assist_m > 0)
-            mouse.assist_m = assist_m;
+        mouse.reach_m = reach_.update(shown, species_, ray, hands_.distance_m());
+        mouse.reachHelp = reachHelp_;
     }
     poses_ = hands_.update(mouse, dt_s);
 }

@@ -7,6 +7,7 @@
 #include "engine/sim/Recording.h"
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
+#include "game/rules/ReachHelp.h"
 #include "game/settings/SharedOptions.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/MouseHands.h"
@@ -23,8 +24,9 @@ namespace shoal::app {
 // Mouse and keys. Poses change once a frame and are the same for all its ticks.
 class MouseSource {
   public:
-    MouseSource(hands::HandRig rig, game::SpeciesTable species)
-        : hands_(std::move(rig)), species_(std::move(species)) {}
+    // reachHelp: 0 to 1, how far the hand is helped with depth.
+    MouseSource(hands::HandRig rig, game::SpeciesTable species, float reachHelp)
+        : hands_(std::move(rig)), species_(std::move(species)), reachHelp_(reachHelp) {}
 
     // window: null when headless, where the hands rest and the head looks ahead.
     void frame(platform::Window* window, const platform::WindowInput* input, const game::Snapshot& shown,
@@ -35,6 +37,8 @@ class MouseSource {
   private:
     hands::MouseHands hands_;
     game::SpeciesTable species_;
+    float reachHelp_;
+    game::ReachHelp reach_;
     std::array<hands::HandPose, 2> poses_{};
     float yaw_ = 0, pitch_ = 0; // radians; yaw to the right, pitch up
     bool used_ = false;

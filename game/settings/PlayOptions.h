@@ -35,6 +35,7 @@ struct PlayOptions {
     bool backdropOnly = false;
     game::Assist assist = game::Assist::Normal;
     bool freeSwim = false;
+    float reachHelp = 1;
     render::Composition compose = render::Composition::CameraResponse;
     bool frameTimes = false; // the developer's panel
     bool mute = false;
@@ -68,6 +69,11 @@ struct PlayOptions {
             "--assist", choice(assist),
             "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
             "really close around is held");
+        table
+            .addKept(
+                "--reach-help", &reachHelp,
+                "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1")
+            .between(0, 1);
         table.addKept("--skin", choice(skin), "How your hands look");
         table.addKept("--haptics", &hapticStrength, "Strength of haptics, 0 (off) to 1").between(0, 1);
         addSoundTo(table);

@@ -11,11 +11,13 @@ namespace shoal::hands {
 namespace {
 
 constexpr float kCloseTime_s = 0.12f;
-constexpr float kFollow_s = 0.025f; // the hand lags the cursor by about this: no jitter, no felt delay
-constexpr float kSwap_s = 0.09f;    // to the side and back
-constexpr float kAssist_s = 0.08f;
-constexpr float kAssist_mps = 0.7f;   // a faster hand would frighten what it reaches for
-constexpr float kAssistRest_s = 1.2f; // how long the wheel's word stands against the help with depth
+constexpr float kFollow_s = 0.025f;   // the hand lags the cursor by about this: no jitter, no felt delay
+constexpr float kSwap_s = 0.09f;      // to the side and back
+constexpr float kReach_s = 0.12f;     // the help closes a gap in depth in about this...
+constexpr float kReach_mps = 0.7f;    // ...no faster: that would frighten what it reaches for...
+constexpr float kReachEase_s = 0.05f; // ...and changes its speed in this
+constexpr float kWheelRest_s = 1.2f;  // how long the wheel's word stands against the help with depth...
+constexpr float kWheelFades_s = 1;    // ...and in what time it fades then
 constexpr float kNotch = 1.06f;       // reach per notch
 
 float eased(float tau_s, float dt_s) { return 1 - std::exp(-dt_s / tau_s); }
@@ -50,19 +52,32 @@ HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float clos
     return hand;
 }
 
+float MouseHands::distance_m() const { return std::clamp(distance_m_ * wheel_, kReachMin_m, kReachMax_m); }
+
+void MouseHands::followReach(const MouseInput& input, float dt_s) {
+    wheelRests_s_ = std::max(0.0f, wheelRests_s_ - dt_s);
+    if (input.wheel != 0) {
+        const float turned = wheel_ * std::pow(kNotch, std::clamp(input.wheel, -20.0f, 20.0f));
+        wheel_ = std::clamp(turned, kReachMin_m / distance_m_, kReachMax_m / distance_m_);
+        wheelRests_s_ = kWheelRest_s;
+    }
+    const bool closed = hands_[active_ == Side::Left ? 0 : 1].closed >= 1;
+    const float help = std::clamp(input.reachHelp, 0.0f, 1.0f);
+    const bool helps = input.reach_m && help > 0 && !closed;
+    float wanted_mps = 0;
+    if (helps)
+        wanted_mps = std::clamp(help * (*input.reach_m - distance_m_) / kReach_s, -kReach_mps, kReach_mps);
+    reachSpeed_mps_ += (wanted_mps - reachSpeed_mps_) * eased(kReachEase_s, dt_s);
+    if (closed) reachSpeed_mps_ = 0; // a closed hand stays where it closed
+    distance_m_ = std::clamp(distance_m_ + reachSpeed_mps_ * dt_s, kReachMin_m, kReachMax_m);
+    if (helps && wheelRests_s_ == 0) wheel_ += (1 - wheel_) * eased(kWheelFades_s, dt_s);
+}
+
 const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float dt_s) {
     dt_s = std::isfinite(dt_s) ? std::clamp(dt_s, 0.0f, 0.1f) : 0.0f;
     if (input.swapHands) active_ = active_ == Side::Left ? Side::Right : Side::Left;
 
-    if (input.wheel != 0) {
-        distance_ *= std::pow(kNotch, std::clamp(input.wheel, -20.0f, 20.0f));
-        assistRests_s_ = kAssistRest_s;
-    }
-    assistRests_s_ = std::max(0.0f, assistRests_s_ - dt_s);
-    if (input.assist_m && !input.close && assistRests_s_ == 0)
-        distance_ += std::clamp((*input.assist_m - distance_) * eased(kAssist_s, dt_s), -kAssist_mps * dt_s,
-                                kAssist_mps * dt_s);
-    distance_ = std::clamp(distance_, kReachMin_m, kReachMax_m);
+    followReach(input, dt_s);
 
     const float tanY = std::tan(0.5f * std::clamp(input.fovY, 0.2f, 2.6f));
     const float tanX = tanY * std::clamp(input.aspect, 0.1f, 10.0f);
@@ -73,7 +88,7 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
         const Side side = i == 0 ? Side::Left : Side::Right;
         const bool active = side == active_;
         Hand& hand = hands_[i];
-        const glm::vec3 goal = active ? ray * distance_ : restingPlace(side, tanX, tanY);
+        const glm::vec3 goal = active ? ray * distance_m() : restingPlace(side, tanX, tanY);
         if (hand.placed)
             hand.grasp += (goal - hand.grasp) * eased(active ? kFollow_s : kSwap_s, dt_s);
         else

@@ -18,8 +18,10 @@ struct MouseInput {
     float aspect = 16.f / 9; // width / height
     float fovY = 1.2f;       // radians
     // Distance from the eye of what the cursor points at, metres, where the game offers help with depth: the
-    // hand goes there smoothly while it is open. Empty: only the wheel decides.
-    std::optional<float> assist_m;
+    // hand goes there smoothly until it has closed, and the wheel's word counts from there. Empty: only the
+    // wheel decides.
+    std::optional<float> reach_m;
+    float reachHelp = 1; // 0 to 1: share of the way there
 };
 
 class MouseHands {
@@ -32,7 +34,7 @@ class MouseHands {
     const std::array<HandPose, 2>& update(const MouseInput&, float dt_s);
 
     Side active() const { return active_; }
-    float distance_m() const { return distance_; }
+    float distance_m() const; // of the active hand from the eye
 
   private:
     struct Hand {
@@ -40,10 +42,14 @@ class MouseHands {
         float closed = 0;   // 0 open to 1
         bool placed = false;
     };
+    void followReach(const MouseInput&, float dt_s);
+
     HandRig rig_;
     Side active_ = Side::Right;
-    float distance_ = 0.7f;
-    float assistRests_s_ = 0; // the wheel was just used: no help with depth for so long
+    float distance_m_ = 0.7f;
+    float reachSpeed_mps_ = 0; // with which the help changes the distance
+    float wheel_ = 1;          // factor on the distance
+    float wheelRests_s_ = 0;   // the wheel was just used: its word stands for so long
     std::array<Hand, 2> hands_{};
     std::array<HandPose, 2> poses_{};
 };

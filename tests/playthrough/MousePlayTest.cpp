@@ -1,4 +1,5 @@
 // Somebody with a mouse and nothing but the picture: points at a fish, clicks when the hand is there.
+#include "game/rules/ReachHelp.h"
 #include "input/hands/MouseHands.h"
 #include "tests/playthrough/Play.h"
 
@@ -21,6 +22,7 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
         Dive dive(files->species, files->dive, seed);
         hands::MouseHands mouse(*rig);
         hands::MouseInput pointer;
+        ReachHelp reach;
         Snapshot now;
         Events events;
         TickInput input;
@@ -53,8 +55,7 @@ TEST(MousePlay, CatchesFishWithPointingAndClicking) {
                 pointer.cursor += length > step ? error * (step / length) : error;
                 const glm::vec3 ray =
                     glm::normalize(glm::vec3(pointer.cursor.x * tanX, pointer.cursor.y * tanY, -1));
-                const float assist = reachAssist(now, files->species, ray);
-                pointer.assist_m = assist > 0 ? std::optional(assist) : std::nullopt;
+                pointer.reach_m = reach.update(now, files->species, ray, mouse.distance_m());
                 const glm::vec3 grasp = hands::graspCentre(now.hands[1].joints);
                 if (!pointer.close && glm::distance(grasp, p) < 0.07f) pointer.close = true, held = 0;
             }

@@ -14,9 +14,8 @@ using test::count;
 using test::cove;
 using test::first;
 using test::handAt;
+using test::kPlace;
 using test::OneFish;
-
-constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
 
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 

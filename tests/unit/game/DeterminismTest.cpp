@@ -1,5 +1,6 @@
 // Equal inputs, equal states: over runs and over recordings.
 #include "Fixture.h"
+#include "game/rules/ReachHelp.h"
 
 #include <gtest/gtest.h>
 
@@ -114,15 +115,19 @@ TEST(Interpolate, LiesBetweenAndDoesNotSmearJumps) {
     EXPECT_EQ(mid.creatures[5].position, a.creatures[5].position);
 }
 
-TEST(ReachAssist, FindsTheFishUnderTheCursor) {
+TEST(ReachHelp, FindsTheFishUnderTheCursor) {
     Dive dive(cove().species, cove().dive, 4);
     Snapshot now;
     dive.snapshot(now);
     for (CreatureView& c : now.creatures) c.position = {0, 0, 2};
     now.creatures[0].position = {0.2f, 0, -0.8f};
     const glm::vec3 ray = glm::normalize(now.creatures[0].position);
-    EXPECT_NEAR(reachAssist(now, cove().species, ray), glm::length(now.creatures[0].position), 1e-5f);
-    EXPECT_LT(reachAssist(now, cove().species, {-1, 0, 0}), 0);
+    now.creatures[0].velocity = glm::vec3(0);
+    ReachHelp help;
+    const auto reach_m = help.update(now, cove().species, ray, 0.5f);
+    ASSERT_TRUE(reach_m);
+    EXPECT_NEAR(*reach_m, glm::length(now.creatures[0].position), 1e-5f);
+    EXPECT_FALSE(help.update(now, cove().species, {-1, 0, 0}, 0.5f));
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace shoal::game::test {
 
@@ -24,6 +25,8 @@ inline const DiveFiles& cove() {
 }
 
 using tests::rig;
+
+inline constexpr glm::vec3 kPlace(0, -0.1f, -0.6f); // where a hand easily is
 
 // A hand whose grasp centre is there; the player looks along -Z, so viewer's frame and world agree.
 inline hands::HandPose handAt(glm::vec3 grasp, float closed = 0, int side = 1) {
@@ -61,21 +64,26 @@ struct OneFish {
     Events events;
     std::vector<uint64_t> eventTicks; // when each occurred
 
-    explicit OneFish(bool withShark = false) : world(cove().species, lonely(withShark), 5) { rest(); }
+    explicit OneFish(bool withShark = false, DiveRules rules = {},
+                     const std::function<void(DiveFile&)>& change = {})
+        : world(cove().species, lonely(withShark, change), 5, rules) {
+        rest();
+    }
 
-    static DiveFile lonely(bool withShark) {
+    static DiveFile lonely(bool withShark, const std::function<void(DiveFile&)>& change = {}) {
         DiveFile file = cove().dive;
         const auto clownfish = std::ranges::find_if(
             file.schools, [](const School& s) { return cove().species[s.species].name == "clownfish"; });
         file.schools = {*clownfish};
         file.schools[0].count = 1;
         if (!withShark) file.shark.species = -1;
+        if (change) change(file);
         return file;
     }
 
     Fish& fish() { return world.fish[0]; }
     // Puts the fish back where it was and stills it.
-    void rest(glm::vec3 at = {0, -0.1f, -0.6f}) {
+    void rest(glm::vec3 at = kPlace) {
         fish().position = at;
         fish().forward = {1, 0, 0};
         fish().speed = fish().cruise = 0;

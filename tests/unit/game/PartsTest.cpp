@@ -112,14 +112,14 @@ TEST(ClosingHands, AnEmptyOneMissesOnceAfterItsWindow) {
     for (int tick = 0; tick < 60; ++tick) {
         input.hands[1] = handAt(kHandPlace, std::min(1.0f, static_cast<float>(tick) / 15));
         trackHands(input, view, hands);
-        closeHands(hands, cove().species, none, {}, 0, true, events);
+        closeHands(hands, none, {.species = cove().species, .contacts = {}, .view = view}, events);
     }
     EXPECT_EQ(count<EventKind::Miss>(out), 1);
     EXPECT_TRUE(hands[1].grasp.closed);
     out.clear();
     input.hands[1] = handAt(kHandPlace, 0);
     trackHands(input, view, hands);
-    closeHands(hands, cove().species, none, {}, 0, true, events);
+    closeHands(hands, none, {.species = cove().species, .contacts = {}, .view = view}, events);
     EXPECT_FALSE(hands[1].grasp.closed);
     EXPECT_TRUE(out.empty());
 }

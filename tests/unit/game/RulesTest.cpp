@@ -13,9 +13,8 @@ namespace {
 using test::count;
 using test::first;
 using test::handAt;
+using test::kPlace;
 using test::OneFish;
-
-constexpr glm::vec3 kPlace(0, -0.1f, -0.6f);
 
 TEST(Catching, ClosingOnAFishGrabsAndASecondLaterItCounts) {
     OneFish one;

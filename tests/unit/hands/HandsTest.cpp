@@ -223,11 +223,13 @@ TEST(MouseHands, SwapsHands) {
 TEST(MouseHands, HelpWithDepthIsTakenWhileOpenAndOverruledByTheWheel) {
     MouseHands mouse(rig());
     MouseInput input = pointing(0, 0);
-    input.assist_m = 1.1f;
+    input.reach_m = 1.1f;
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f);
+    input.reach_m.reset();
     input.close = true;
-    input.assist_m = 0.4f;
+    settle(mouse, input);
+    input.reach_m = 0.4f;
     settle(mouse, input);
     EXPECT_NEAR(mouse.distance_m(), 1.1f, 1e-3f) << "a closed hand stays where it closed";
     input.close = false;

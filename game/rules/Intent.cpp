@@ -1,0 +1,197 @@
+#include "game/rules/Intent.h"
+
+#include "engine/physics/ContactModel.h"
+#include "game/rules/Catching.h"
+#include "game/rules/Steering.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace shoal::game {
+
+namespace {
+
+// How near a fish must be to a hand that means to take it, and how much the hand is helped to it.
+struct Help {
+    float across_m;   // gap between grasp centre and body, across the line of sight...
+    float along_m;    // ...and along it, where eyes judge worse
+    float moveHand_m; // how far the hand is moved at most
+};
+constexpr std::array<Help, 3> kHelp = {{
+    {kGraspRadius_m, kGraspRadius_m, 0},
+    {0.11f, 0.19f, 0.05f},
+    {0.17f, 0.30f, 0.10f},
+}}; // by Assist
+
+constexpr float kEnter = 0.85f;        // of the range: nearer, a fish becomes the one meant...
+constexpr float kKeep = 1.5f;          // ...farther, it is forgotten at once...
+constexpr float kForget_s = 0.35f;     // ...and between the whole range and that, after so long
+constexpr float kLook_s = 0.1f;        // ahead: about the time in which fingers close
+constexpr float kSlow_mps = 0.9f;      // against the fish: as good as still...
+constexpr float kTooFast_mps = 1.8f;   // ...and nothing is caught
+constexpr float kClosing_Hz = 1.5f;    // grip a second: faster than this...
+constexpr float kBegun = 0.1f;         // ...from this grip on, a hand is closing
+constexpr float kMoveHand_mps = 0.8f;  // with which the hand is moved...
+constexpr float kMoveBack_mps = 0.25f; // ...and back when it is open and empty
+constexpr float kPull_mps2 = 30;       // of a fish into the hand
+constexpr float kShow_Hz = 12;         // easing of what is shown
+
+// Distance of the fish from the hand in units of the range, 0 in the hand to 1 at its edge and beyond, as
+// both will be in kLook_s; very large where the hand cannot mean it.
+float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpoint& view, const Help& help) {
+    constexpr float kNever = std::numeric_limits<float>::max();
+    if (!f.free() || f.uncatchable_s > 0 || kind.stings) return kNever;
+    const glm::vec3 apart = f.velocity - hand.calmVelocity;
+    const float speed = glm::length(apart);
+    if (speed > kTooFast_mps) return kNever;
+    const float behindPalm = 2 * help.moveHand_m; // hand and fish meet half way
+    if (glm::dot(f.position - hand.palm().position, hand.outOfPalm()) < -behindPalm) return kNever;
+    const auto gapAt = [&](glm::vec3 centre) {
+        const physics::Capsule body = capsuleOf(f, kind);
+        const physics::Nearest at = physics::nearest({centre, centre, 0}, body);
+        const glm::vec3 way = at.onSecond - centre;
+        const float distance = glm::length(way);
+        const glm::vec3 gap = way * (std::max(0.0f, distance - body.radius) / std::max(distance, 1e-6f));
+        const glm::vec3 sight = normalizedOr(hand.graspCentre - view.headWorld, {0, 0, -1});
+        const float along = glm::dot(gap, sight);
+        const float across = glm::length(gap - along * sight);
+        return std::sqrt(along * along / (help.along_m * help.along_m) +
+                         across * across / (help.across_m * help.across_m));
+    };
+    // The better of now and soon: a fish in the hand is not lost because it will swim through.
+    const float reach = std::min(gapAt(hand.graspCentre), gapAt(hand.graspCentre - apart * kLook_s));
+    return reach + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
+}
+
+void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,
+                const Help& help) {
+    Intent& intent = hand.intent;
+    intent.inRange = false;
+    if (!hand.solid || hand.stung_s > 0 || hand.grasp.holds >= 0) {
+        intent.fish = -1;
+        return;
+    }
+    const auto reach = [&](int id) { return reachOf(fish[id], species[fish[id].species], hand, view, help); };
+    const float kept = intent.fish >= 0 ? reach(intent.fish) : 1e9f;
+    intent.unseen_s = kept < 1 ? 0 : intent.unseen_s + kDt;
+    if (kept > kKeep || intent.unseen_s > kForget_s) intent.fish = -1;
+    const bool closes = isClosing(hand);
+    if (hand.grasp.closed && !closes) { // a fist is after nothing
+        intent.fish = -1;
+        return;
+    }
+    // Another is meant where it is clearly nearer; none is while fingers close on one.
+    float best = intent.fish >= 0 ? (closes ? 0.0f : kept - 0.25f) : kEnter;
+    for (size_t i = 0; i < fish.size(); ++i) {
+        const float here = reach(static_cast<int>(i));
+        if (here >= std::min(best, kEnter)) continue;
+        best = here;
+        intent.fish = static_cast<int>(i);
+        intent.unseen_s = 0;
+    }
+    intent.inRange = intent.fish >= 0 && intent.unseen_s == 0;
+}
+
+// The help lets go of an open, empty hand slowly.
+void moveBack(Hand& hand) {
+    Intent& intent = hand.intent;
+    if (hand.grasp.closed || hand.grasp.holds >= 0 || hand.grasp.window > 0) return;
+    intent.helps = false;
+    intent.movedView -= limited(intent.movedView, kMoveBack_mps * kDt);
+}
+
+} // namespace
+
+void readIntents(Hands& hands, const Viewpoint& view, const SpeciesTable& species, std::span<Fish> fish,
+                 Assist assist) {
+    std::array<int, 2> meant{};
+    for (int h = 0; h < 2; ++h) {
+        Hand& hand = hands[h];
+        hand.stung_s = std::max(0.0f, hand.stung_s - kDt);
+        hand.sinceMiss_s += kDt;
+        readIntent(hand, view, species, fish, kHelp[static_cast<size_t>(assist)]);
+        moveBack(hand);
+        meant[h] = hand.intent.inRange ? hand.intent.fish : -1;
+    }
+    for (size_t i = 0; i < fish.size(); ++i) {
+        Fish& f = fish[i];
+        const int id = static_cast<int>(i), by = meant[1] == id ? 1 : meant[0] == id ? 0 : -1;
+        if (by >= 0) f.catchableBy = by;
+        f.catchable =
+            by >= 0 ? eased(f.catchable, 1, kShow_Hz) : std::max(0.0f, eased(f.catchable, -0.1f, kShow_Hz));
+        if (f.catchable == 0) f.catchableBy = -1;
+    }
+}
+
+void helpClosing(Fish& f, const Species& kind, Hand& hand, const Viewpoint& view, Assist assist) {
+    Intent& intent = hand.intent;
+    intent.helps = true;
+    const glm::vec3 hollow = hollowOf(hand.palm(), std::min(kind.bodyRadius_m, physics::kEnclosed_m));
+    const glm::vec3 apart = f.position - hollow;
+    const glm::vec3 step = limited(apart, kMoveHand_mps * kDt);
+    intent.movedView = limited(intent.movedView + glm::conjugate(view.worldFromView) * step,
+                               kHelp[static_cast<size_t>(assist)].moveHand_m);
+    const glm::vec3 wanted = limited(
+        hand.calmVelocity + limited(-apart * physics::kDrawRate_Hz, physics::kDrawMax_mps), kMaxSpeed_mps);
+    const glm::vec3 push = wanted - f.forward * f.speed;
+    f.push += limited(push - f.push, kPull_mps2 * kDt);
+}
+
+bool isClosing(const Hand& hand) {
+    return hand.grasp.window > 0 || (hand.intent.closing_Hz > kClosing_Hz && hand.grip > kBegun);
+}
+
+bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
+
+Miss missOf(const Hand& hand, const Viewpoint& view, const SpeciesTable& species,
+            std::span<const Fish> fish) {
+    constexpr float kCone = 0.12f, kBeside_m = 0.12f; // of the line of sight: tangent, and metres
+    constexpr float kFarthest_m = 3;
+    const glm::vec3 sight = normalizedOr(hand.graspCentre - view.headWorld, {0, 0, -1});
+    const Fish* meant = nullptr;
+    float nearest = 1, depth = 0; // depth: beyond the hand, metres
+    glm::vec3 beside(0);
+    for (const Fish& f : fish) {
+        if (!f.free() || f.uncatchable_s > 0) continue;
+        const glm::vec3 fromHead = f.position - view.headWorld;
+        const float along = glm::dot(fromHead, sight);
+        if (along < 0.2f || along > kFarthest_m) continue;
+        const glm::vec3 across = fromHead - along * sight;
+        const float room = kBeside_m + 0.5f * species[f.species].length_m + kCone * along;
+        const float beyond = along - glm::length(hand.graspCentre - view.headWorld);
+        // Depth counts a little: of two fish beside the line the nearer one was meant.
+        const float cost = glm::length(across) / room + 0.15f * std::fabs(beyond);
+        if (cost >= nearest || glm::length(across) > room) continue;
+        nearest = cost;
+        meant = &f;
+        depth = beyond;
+        beside = across;
+    }
+    if (!meant) return Miss::Nothing;
+    if (hand.intent.fastest_mps > kFastHand_mps || meant->state == Fish::State::Dart) return Miss::TooFast;
+    const float reach = kGraspRadius_m + species[meant->species].bodyRadius_m;
+    if (depth > reach) return Miss::TooFar;
+    const bool leaves = glm::dot(meant->velocity, beside) > 0;
+    if (depth < -reach || (leaves && glm::length(beside) > reach)) return Miss::Behind;
+    return Miss::TooEarly;
+}
+
+EventKind eventOf(Miss miss) {
+    switch (miss) {
+    case Miss::TooFar:
+        return EventKind::MissTooFar;
+    case Miss::TooFast:
+        return EventKind::MissTooFast;
+    case Miss::TooEarly:
+        return EventKind::MissTooEarly;
+    case Miss::Behind:
+        return EventKind::MissBehind;
+    case Miss::None:
+    case Miss::Nothing:
+        break;
+    }
+    return EventKind::Miss;
+}
+
+} // namespace shoal::game

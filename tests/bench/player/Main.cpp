@@ -1,0 +1,101 @@
+// Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST]]. Prints a table
+// and writes FOLDER/players.tsv, a row a dive.
+#include "engine/core/Files.h"
+#include "tests/bench/player/PlayedDive.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+using namespace shoal;
+
+namespace {
+
+struct Kind {
+    const char* name;
+    player::PlayerSetup setup;
+    int atLeast, atMost; // catches, in 9 of 10 dives
+    float firstBefore_s; // the same of the first catch
+};
+
+std::vector<Kind> kinds() {
+    using namespace player;
+    using game::Assist;
+    const game::DiveRules none{Assist::None, false, true}, normal{Assist::Normal, false, true},
+        strong{Assist::Strong, false, true};
+    return {
+        {"mouse, novice", {Skill::Novice, Device::Mouse, normal}, 4, 1000, 45},
+        {"mouse, practised", {Skill::Practised, Device::Mouse, normal}, 10, 18, 90},
+        {"mouse, practised, assist none", {Skill::Practised, Device::Mouse, none}, 4, 1000, 90},
+        {"mouse, novice, assist strong", {Skill::Novice, Device::Mouse, strong}, 4, 1000, 45},
+        {"hands, novice", {Skill::Novice, Device::Hands, normal}, 4, 1000, 45},
+        {"hands, practised", {Skill::Practised, Device::Hands, normal}, 10, 18, 90},
+        {"hands, practised, assist none", {Skill::Practised, Device::Hands, none}, 4, 1000, 90},
+    };
+}
+
+void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
+    std::vector<int> caught;
+    int met = 0, first = 0;
+    double closings = 0, escapes = 0, lost = 0, startles = 0;
+    std::array<double, 6> misses{};
+    std::vector<float> firsts;
+    for (const player::PlayedDive& dive : dives) {
+        caught.push_back(dive.caught);
+        firsts.push_back(dive.firstCatch_s);
+        met += dive.caught >= kind.atLeast && dive.caught <= kind.atMost;
+        first += dive.firstCatch_s <= kind.firstBefore_s;
+        closings += dive.closings, escapes += dive.escapes, lost += dive.lost, startles += dive.startles;
+        for (size_t i = 0; i < misses.size(); ++i) misses[i] += dive.misses[i];
+    }
+    std::sort(caught.begin(), caught.end());
+    std::sort(firsts.begin(), firsts.end());
+    const auto n = static_cast<double>(dives.size());
+    const auto share = [&](auto& sorted, double at) {
+        return static_cast<double>(sorted[static_cast<size_t>(at * (n - 1) + 0.5)]);
+    };
+    std::printf("%-30s caught %2.0f %2.0f %2.0f (10, 50, 90 %%)  in goal %3.0f %%  first %4.1f %4.1f s (50, "
+                "90 %%), in "
+                "time %3.0f %%\n    a dive: %.1f closings, %.1f escapes, %.1f lost, %.1f startled; missed: "
+                "nothing %.1f, "
+                "far %.1f, fast %.1f, early %.1f, behind %.1f\n",
+                kind.name, share(caught, 0.1), share(caught, 0.5), share(caught, 0.9), 100 * met / n,
+                share(firsts, 0.5), share(firsts, 0.9), 100 * first / n, closings / n, escapes / n, lost / n,
+                startles / n, misses[1] / n, misses[2] / n, misses[3] / n, misses[4] / n, misses[5] / n);
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count < 2) {
+        std::fputs("bench_player FOLDER [SEEDS [FIRST]]\n", stderr);
+        return 2;
+    }
+    const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 50;
+    const int from = count > 3 ? std::max(1, std::atoi(arguments[3])) : 1;
+    const auto files = game::loadDiveFiles("reef");
+    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+    if (!files || !rig) {
+        std::fprintf(stderr, "%s\n", (files ? rig.error() : files.error()).message().c_str());
+        return 1;
+    }
+    std::string table = "player\tseed\tcaught\tfirst_s\tlost\tpoints\n";
+    for (const Kind& kind : kinds()) {
+        std::vector<player::PlayedDive> dives;
+        for (int seed = from; seed < from + seeds; ++seed) {
+            player::PlayerSetup setup = kind.setup;
+            setup.seed = static_cast<uint64_t>(seed);
+            const player::PlayedDive& dive = dives.emplace_back(player::play(*files, *rig, setup));
+            char row[200];
+            std::snprintf(row, sizeof row, "%s\t%d\t%d\t%.2f\t%d\t%d\n", kind.name, seed, dive.caught,
+                          static_cast<double>(std::min(dive.firstCatch_s, files->dive.duration_s)), dive.lost,
+                          dive.points);
+            table += row;
+        }
+        report(kind, dives);
+    }
+    const Status written = writeFileWhole(Path(arguments[1]) / "players.tsv", table);
+    if (!written) std::fprintf(stderr, "%s\n", written.error().message().c_str());
+    return written ? 0 : 1;
+}

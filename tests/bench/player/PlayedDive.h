@@ -1,0 +1,30 @@
+// A dive as a modelled person plays it, along the way that a real one's input takes: pointer, help with reach
+// and mouse's hand, or tracker, filters and selection of hands; 60 frames and 120 ticks a second.
+#pragma once
+
+#include "game/rules/Dive.h"
+#include "input/hands/HandRig.h"
+#include "tests/bench/player/Player.h"
+
+#include <array>
+
+namespace shoal::player {
+
+struct PlayerSetup {
+    Skill skill = Skill::Novice;
+    Device device = Device::Mouse;
+    game::DiveRules rules{game::Assist::Normal, false, true};
+    float reachHelp = 1;
+    uint64_t seed = 1; // of the dive; the person's own follows from it
+};
+
+struct PlayedDive {
+    int caught = 0, lost = 0, points = 0;
+    float firstCatch_s = 1e9f; // of the dive's clock
+    int closings = 0, escapes = 0, startles = 0;
+    std::array<int, 6> misses{}; // by game::Miss
+};
+
+PlayedDive play(const game::DiveFiles&, const hands::HandRig&, const PlayerSetup&);
+
+} // namespace shoal::player

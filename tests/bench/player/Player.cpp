@@ -1,0 +1,219 @@
+#include "tests/bench/player/Player.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::player {
+
+namespace {
+
+constexpr float kTires_s = 3;    // of a chase...
+constexpr float kTiredFor_s = 5; // ...and tries that fish no more for so long
+constexpr float kTurn_radps = 1.2f;
+constexpr float kJudgement_m = 0.05f; // error of depth with a hand in space, at first
+constexpr glm::vec3 kHandRests(0.12f, -0.15f, -0.55f);
+
+// Fitts' law, seconds: a + b log2(distance / width + 1).
+struct Fitts {
+    float a_s, b_s;
+};
+constexpr Fitts kMouseFitts{0.12f, 0.15f}, kHandFitts{0.18f, 0.16f};
+
+glm::vec3 rayOf(glm::vec2 px) { return glm::normalize(glm::vec3(px / kFocal_px, -1)); }
+
+} // namespace
+
+void Movement::start(glm::vec3 from, glm::vec3 to, double now_s, float length_s) {
+    from_ = from;
+    to_ = to;
+    begin_s_ = now_s;
+    end_s_ = now_s + static_cast<double>(length_s);
+}
+
+glm::vec3 Movement::at(double time_s) const {
+    if (end_s_ <= begin_s_) return to_;
+    const float t = std::clamp(static_cast<float>((time_s - begin_s_) / (end_s_ - begin_s_)), 0.0f, 1.0f);
+    return from_ + (to_ - from_) * (t * t * t * (10 - 15 * t + 6 * t * t));
+}
+
+Player::Player(Skill skill, Device device, uint64_t seed, const game::SpeciesTable& species)
+    : skill_(skill), device_(device), random_(seed, 77) {
+    for (const game::Species& kind : species) {
+        isShark_.push_back(kind.shark);
+        length_m_.push_back(kind.length_m * std::exp((skill == Skill::Novice ? 0.25f : 0.1f) * gauss()));
+    }
+    const glm::vec3 start = device == Device::Mouse ? glm::vec3(0) : kHandRests;
+    movement_.start(start, start, 0, 0);
+    turn_ = random_.unit() < 0.5f ? -1.0f : 1.0f;
+}
+
+float Player::gauss() { // Box & Muller 1958
+    const float a = 1 - random_.unit(), b = random_.unit();
+    return std::sqrt(-2 * std::log(a)) * std::cos(2 * std::numbers::pi_v<float> * b);
+}
+
+Action Player::frame(const game::Snapshot& shown, double time_s) {
+    eyes_.look(shown, isShark_, time_s);
+    if (time_s >= idleUntil_s_) {
+        switch (doing_) {
+        case Doing::Resting:
+            doing_ = Doing::Looking;
+            since_s_ = time_s;
+            [[fallthrough]];
+        case Doing::Looking:
+            look(time_s);
+            break;
+        case Doing::Chasing:
+            chase(time_s);
+            break;
+        case Doing::Holding:
+            hold(time_s);
+            break;
+        }
+    }
+    Action action;
+    const glm::vec3 place = movement_.at(time_s);
+    action.cursor_px = glm::clamp(glm::vec2(place), -kHalfScreen_px, kHalfScreen_px);
+    action.grasp = place;
+    action.close = close_;
+    action.turn_radps = time_s < turnUntil_s_ ? turn_ * kTurn_radps : 0;
+    return action;
+}
+
+// By its apparent size, if eyes have no other way.
+float Player::judgedDistance_m(const SeenFish& fish) const {
+    if (device_ == Device::Hands) return fish.distance_m + misjudged_m_;
+    return length_m_[static_cast<size_t>(fish.species)] * kFocal_px / fish.size_px;
+}
+
+// The fish that is easiest to get: near the hand, near the eye, slow; -1: none.
+int Player::choose(double time_s) const {
+    const Sight& sight = eyes_.now();
+    int best = -1;
+    float bestCost = 1e9f;
+    for (const SeenFish& fish : sight.fish) {
+        if (fish.shark || fish.held) continue;
+        if (std::fabs(fish.at_px.x) > 560 || std::fabs(fish.at_px.y) > 320) continue;
+        const auto tired = tiredOf_.find(fish.id);
+        if (tired != tiredOf_.end() && time_s < tired->second) continue;
+        const float distance_m = judgedDistance_m(fish), speed_px = glm::length(eyes_.velocity_px(fish.id));
+        if (distance_m > 1.7f || speed_px > 700) continue; // looks small, or flees
+        float cost = glm::distance(fish.at_px, sight.hand_px) / 300 + distance_m / 0.7f + speed_px / 250;
+        if (fish.marked) cost -= 2;
+        if (cost < bestCost) bestCost = cost, best = fish.id;
+    }
+    return best;
+}
+
+void Player::look(double time_s) {
+    target_ = choose(time_s);
+    if (target_ >= 0) {
+        doing_ = Doing::Chasing;
+        since_s_ = time_s;
+        turnUntil_s_ = 0;
+        rightSince_s_ = -1;
+        judged_s_ = time_s;
+        misjudged_m_ = kJudgement_m * gauss();
+        return;
+    }
+    // Waits a while for one to come, then looks elsewhere.
+    if (time_s - since_s_ > 1.5 && time_s >= turnUntil_s_) {
+        if (random_.unit() < 0.2f) turn_ = -turn_;
+        turnUntil_s_ = time_s + static_cast<double>(random_.between(0.4f, 0.9f));
+        since_s_ = turnUntil_s_ - 1.0;
+    }
+}
+
+void Player::giveUp(double time_s) {
+    tiredOf_[target_] = time_s + static_cast<double>(kTiredFor_s);
+    doing_ = Doing::Looking;
+    since_s_ = time_s;
+    target_ = -1;
+}
+
+// Where to bring the pointer or the hand. ahead_s: since what is seen, in which the practised expect the fish
+// to go on.
+glm::vec3 Player::goalFor(const SeenFish& fish, float ahead_s) const {
+    const float lead_s = skill_ == Skill::Practised ? ahead_s : 0;
+    const glm::vec2 px = fish.at_px + eyes_.velocity_px(fish.id) * lead_s;
+    if (device_ == Device::Mouse) return glm::vec3(px, 0);
+    return rayOf(px) * std::clamp(judgedDistance_m(fish), 0.3f, 1.2f);
+}
+
+void Player::startMoving(glm::vec3 goal, float width, double time_s) {
+    const glm::vec3 from = movement_.at(time_s);
+    const float way = glm::distance(from, goal);
+    const Fitts law = device_ == Device::Mouse ? kMouseFitts : kHandFitts;
+    const float calm = skill_ == Skill::Novice ? 1.4f : 1.15f; // a slow hand
+    const float length_s = calm * (law.a_s + law.b_s * std::log2(way / width + 1));
+    const float sd = (skill_ == Skill::Novice ? 0.05f : 0.035f) * way + 0.04f * width;
+    glm::vec3 end = goal;
+    end.x += sd * gauss();
+    end.y += sd * gauss();
+    if (device_ == Device::Hands) end.z += sd * gauss();
+    movement_.start(from, end, time_s, length_s);
+}
+
+void Player::point(const SeenFish& fish, double time_s) {
+    if (!movement_.over(time_s)) return;
+    const bool mouse = device_ == Device::Mouse;
+    const float width = mouse ? std::max(0.5f * fish.size_px, 20.0f) : 0.05f;
+    const float off = glm::distance(movement_.at(time_s), goalFor(fish, kReaction_s));
+    if (off < 0.4f * width) return;
+    const Fitts law = mouse ? kMouseFitts : kHandFitts;
+    const float takes_s = law.a_s + law.b_s * std::log2(off / width + 1);
+    startMoving(goalFor(fish, kReaction_s + takes_s), width, time_s);
+}
+
+// The highlight; or, for longer, the pointer over the fish and a hand as far away as the fish seems to be.
+bool Player::looksRight(const SeenFish& fish, double time_s) {
+    const Sight& sight = eyes_.now();
+    const float near_px = 0.5f * fish.size_px + 1.5f * kDegree_px;
+    const float hand_m =
+        device_ == Device::Hands ? sight.handDistance_m : 0.19f * kFocal_px / sight.handSize_px;
+    const float fish_m = judgedDistance_m(fish);
+    const bool over = glm::distance(fish.at_px, sight.hand_px) < near_px &&
+                      std::fabs(fish_m - hand_m) < (device_ == Device::Hands ? 0.06f : 0.25f * fish_m);
+    if (!over) rightSince_s_ = -1;
+    if (over && rightSince_s_ < 0) rightSince_s_ = time_s;
+    const float patience_s = skill_ == Skill::Novice ? 1.2f : 0.6f;
+    return fish.marked || (over && time_s - rightSince_s_ > static_cast<double>(patience_s));
+}
+
+void Player::chase(double time_s) {
+    const SeenFish* fish = find(eyes_.now(), target_);
+    if (!fish || fish->held || time_s - since_s_ > static_cast<double>(kTires_s)) return giveUp(time_s);
+    // Another that lights up beside it is as good.
+    for (const SeenFish& other : eyes_.now().fish)
+        if (other.marked && !fish->marked) fish = &other, target_ = other.id;
+    if (device_ == Device::Hands && time_s - judged_s_ > 0.4) {
+        misjudged_m_ *= 0.6f; // hand and fish side by side show how far off it is
+        judged_s_ = time_s;
+    }
+    point(*fish, time_s);
+    if (!looksRight(*fish, time_s)) return;
+    close_ = true;
+    doing_ = Doing::Holding;
+    since_s_ = time_s;
+    const bool novice = skill_ == Skill::Novice;
+    holdFor_s_ = std::max(1.25f, (novice ? 1.5f : 1.4f) + 0.12f * gauss());
+}
+
+void Player::hold(double time_s) {
+    const double held_s = time_s - since_s_;
+    // Sees that the hand is empty, and what became of it.
+    const bool missed = held_s > 0.5 && !eyes_.now().holds;
+    if (held_s < static_cast<double>(holdFor_s_) && !missed) return;
+    close_ = false;
+    tiredOf_[target_] = time_s + 2;
+    target_ = -1;
+    doing_ = Doing::Resting;
+    const bool novice = skill_ == Skill::Novice;
+    idleUntil_s_ =
+        time_s + static_cast<double>(novice ? random_.between(0.5f, 1.0f) : random_.between(0.3f, 0.6f));
+}
+
+} // namespace shoal::player

@@ -1,0 +1,182 @@
+// Hands that are nearly right: which fish they mean, how they are helped, and why they missed.
+#include "Fixture.h"
+
+#include "game/rules/Intent.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+namespace shoal::game {
+namespace {
+
+using test::count;
+using test::first;
+using test::handAt;
+using test::kPlace;
+
+// One resting fish, and a right hand that is open at a place for a moment and then closes there in 0.12 s.
+struct OneClosing : test::OneFish {
+    explicit OneClosing(Assist assist) : OneFish(false, {assist, false, false}) {}
+
+    void open(glm::vec3 hand, glm::vec3 fish, int ticks = 30) {
+        for (int i = 0; i < ticks; ++i) {
+            input.hands[1] = handAt(hand);
+            rest(fish);
+            step();
+        }
+    }
+    void close(glm::vec3 hand, int ticks = 30) {
+        moveGrip(hand, 0, 1);
+        step(ticks);
+    }
+    bool took() { return count<EventKind::Grab>(events) > 0; }
+};
+
+// By how far fish are beside the hand: those that show as catchable are caught, by every strength of help.
+TEST(Intent, WhatIsShownAsCatchableIsCaughtByAHandThatCloses) {
+    int shown = 0, caught = 0;
+    for (Assist assist : {Assist::Normal, Assist::Strong})
+        for (float x = -0.2f; x <= 0.2f; x += 0.05f)
+            for (float y = -0.2f; y <= 0.2f; y += 0.1f)
+                for (float z = -0.3f; z <= 0.31f; z += 0.1f) {
+                    OneClosing one(assist);
+                    one.open(kPlace, kPlace + glm::vec3(x, y, z));
+                    if (one.fish().catchable < 0.5f) continue;
+                    EXPECT_EQ(one.fish().catchableBy, 1);
+                    ++shown;
+                    one.close(kPlace);
+                    caught += one.took();
+                }
+    std::printf("%d of %d caught\n", caught, shown);
+    EXPECT_GT(shown, 60);
+    EXPECT_EQ(caught, shown);
+}
+
+TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
+    const auto reachAlong = [](Assist assist) {
+        float farthest = 0;
+        for (float beyond = 0; beyond < 0.5f; beyond += 0.01f) {
+            OneClosing one(assist);
+            one.open(kPlace, kPlace * (1 + beyond / glm::length(kPlace)));
+            one.close(kPlace);
+            if (one.took()) farthest = beyond;
+        }
+        return farthest;
+    };
+    const float none = reachAlong(Assist::None), normal = reachAlong(Assist::Normal),
+                strong = reachAlong(Assist::Strong);
+    // Of the grasp centre from the body's middle: the range along the line of sight plus the body's radius.
+    EXPECT_LT(none, 0.11f);
+    EXPECT_GT(normal, 0.17f);
+    EXPECT_LT(normal, 0.25f);
+    EXPECT_GT(strong, normal + 0.05f);
+}
+
+TEST(Intent, TheHelpMovesNothingByMuchOrFast) {
+    OneClosing one(Assist::Normal);
+    const glm::vec3 fish = kPlace + glm::vec3(0.09f, 0, -0.09f);
+    one.open(kPlace, fish);
+    const glm::vec3 alone = hands::graspCentre(handAt(kPlace).joints);
+    float farthest = 0;
+    for (int i = 1; i <= 45; ++i) {
+        const glm::vec3 before = one.world.hands[1].graspCentre;
+        one.input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
+        one.step();
+        // The fingers' bending leaves the grasp centre where it is; a micrometre of rounding a tick.
+        EXPECT_LE(glm::distance(one.world.hands[1].graspCentre, before) * 120, 0.8f + 2e-3f);
+        farthest = std::max(farthest, glm::distance(one.world.hands[1].graspCentre, alone));
+        if (!one.took()) {
+            EXPECT_LE(glm::length(one.fish().velocity), 1.6f);
+        }
+    }
+    EXPECT_TRUE(one.took());
+    EXPECT_GT(farthest, 0.02f);
+    EXPECT_LE(farthest, 0.05f + 1e-4f);
+    // Open and empty again, it goes back to where the player has it.
+    for (int i = 0; i < 60; ++i) {
+        one.input.hands[1] = handAt(kPlace);
+        one.step();
+    }
+    EXPECT_LT(glm::distance(one.world.hands[1].graspCentre, alone), 1e-4f);
+}
+
+TEST(Intent, AFishOnceMeantIsStillMeantWhenItHasJustSlippedOutOfRange) {
+    const glm::vec3 edge = kPlace + glm::vec3(0.11f, 0, 0), beyond = kPlace + glm::vec3(0.165f, 0, 0);
+    OneClosing meant(Assist::Normal);
+    meant.open(kPlace, edge);
+    ASSERT_GT(meant.fish().catchable, 0.5f);
+    meant.open(kPlace, beyond, 20);
+    meant.close(kPlace);
+    EXPECT_TRUE(meant.took());
+    OneClosing stranger(Assist::Normal);
+    stranger.open(kPlace, beyond, 60);
+    EXPECT_LT(stranger.fish().catchable, 0.5f);
+    stranger.close(kPlace);
+    EXPECT_FALSE(stranger.took());
+}
+
+TEST(Intent, NothingIsCatchableWithoutAHandOrInAFist) {
+    OneClosing one(Assist::Strong);
+    one.open(kPlace, kPlace);
+    EXPECT_GT(one.fish().catchable, 0.9f);
+    one.input.hands[1].tracked = false;
+    one.step(60);
+    EXPECT_EQ(one.fish().catchable, 0);
+    EXPECT_EQ(one.fish().catchableBy, -1);
+    OneClosing fist(Assist::Strong);
+    fist.close(kPlace + glm::vec3(0.6f, 0, 0), 60);
+    fist.input.hands[1] = handAt(kPlace + glm::vec3(0.1f, 0, 0), 1);
+    fist.rest();
+    fist.step(30);
+    EXPECT_LT(fist.fish().catchable, 0.1f);
+}
+
+// Why it missed, by where the fish was as the hand closed; without help, so that it does miss.
+TEST(Misses, SayWhy) {
+    struct Case {
+        const char* what;
+        glm::vec3 fish;     // against the hand
+        glm::vec3 velocity; // of the fish as the hand closes, m/s
+        EventKind says;
+    };
+    const glm::vec3 sight = glm::normalize(kPlace);
+    const Case cases[] = {
+        {"half a metre beyond", 0.5f * sight, {0, 0, 0}, EventKind::MissTooFar},
+        {"just beyond", 0.16f * sight, {0, 0, 0}, EventKind::MissTooFar},
+        {"before the back of the hand", -0.2f * sight, {0, 0, 0}, EventKind::MissBehind},
+        {"beside, coming", {-0.17f, 0, 0}, {0.3f, 0, 0}, EventKind::MissTooEarly},
+        {"beside, gone by", {0.17f, 0, 0}, {0.3f, 0, 0}, EventKind::MissBehind},
+        {"far to the side", {0.6f, 0, 0}, {0, 0, 0}, EventKind::Miss},
+    };
+    for (const Case& c : cases) {
+        OneClosing one(Assist::None);
+        one.open(kPlace, kPlace + c.fish, 10);
+        for (int i = 1; i <= 30; ++i) {
+            one.rest(kPlace + c.fish);
+            one.fish().velocity = c.velocity;
+            one.input.hands[1] = handAt(kPlace, std::min(1.0f, static_cast<float>(i) / 15));
+            one.step();
+        }
+        EXPECT_EQ(std::ranges::count(one.events, c.says, &Event::kind), 1) << c.what;
+        Snapshot now;
+        one.world.snapshot(now);
+        EXPECT_EQ(eventOf(now.hands[1].lastMiss), c.says) << c.what;
+        EXPECT_LT(now.hands[1].sinceMiss_s, 0.3f);
+    }
+}
+
+TEST(Misses, AFastHandIsTold) {
+    OneClosing one(Assist::None);
+    for (int i = 0; i < 60; ++i) { // 1.5 m/s past the fish, closing on the way
+        one.rest(kPlace + glm::vec3(0, 0, -0.1f));
+        const float way = 1.5f * static_cast<float>(i - 30) / 120;
+        one.input.hands[1] =
+            handAt(kPlace + glm::vec3(way, 0, 0), std::clamp(static_cast<float>(i - 25) / 15, 0.0f, 1.0f));
+        one.step();
+    }
+    EXPECT_EQ(count<EventKind::MissTooFast>(one.events), 1);
+}
+
+} // namespace
+} // namespace shoal::game
