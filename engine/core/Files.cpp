@@ -11,13 +11,16 @@ namespace shoal {
 
 namespace fs = std::filesystem;
 
+Path programFolder() {
+    std::error_code code;
+    return fs::read_symlink("/proc/self/exe", code).parent_path();
+}
+
 const Path& dataRoot() {
     static const Path root = [] {
         if (const char* set = std::getenv("SHOAL_DATA"); set && *set) return Path(set);
         std::error_code code;
-        const Path installed =
-            (fs::read_symlink("/proc/self/exe", code).parent_path() / SHOAL_DATA_FROM_PROGRAM)
-                .lexically_normal();
+        const Path installed = (programFolder() / SHOAL_DATA_FROM_PROGRAM).lexically_normal();
         return fs::exists(installed / "content", code) ? installed : Path(SHOAL_SOURCE_DIR);
     }();
     return root;

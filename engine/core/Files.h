@@ -13,6 +13,9 @@ namespace shoal {
 
 using Path = std::filesystem::path;
 
+// Of the program that runs.
+Path programFolder();
+
 // Folder of content/ and shaders/: $SHOAL_DATA; else where `cmake --install` puts them, seen from the
 // program, so that an installation can be moved; else the source tree this was built from. Fixed at first
 // use.

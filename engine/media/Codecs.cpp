@@ -1,20 +1,21 @@
 #include "engine/media/Codecs.h"
 
+#include "engine/core/Files.h"
 #include "engine/media/Ffmpeg.h"
 
 #include <dlfcn.h>
-
-#include <filesystem>
 
 namespace shoal::media {
 
 static Result<const Codecs*> load() {
     setUpDecoders();
-    const std::filesystem::path built = SHOAL_CODECS;
+    const Path built = SHOAL_CODECS;
+    Path file = built;
     std::error_code code;
-    const auto beside =
-        std::filesystem::read_symlink("/proc/self/exe", code).replace_filename(built.filename());
-    const auto& file = std::filesystem::exists(beside, code) ? beside : built;
+    for (const char* folder : {".", SHOAL_LIBRARY_FROM_PROGRAM}) {
+        const Path there = (programFolder() / folder / built.filename()).lexically_normal();
+        if (file == built && std::filesystem::exists(there, code)) file = there;
+    }
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     const void* found = library ? dlsym(library, kCodecsName) : nullptr;
     if (!found) {

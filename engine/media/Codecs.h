@@ -32,8 +32,9 @@ struct Codecs {
     CameraReader (*openCamera)(int index, const CameraRequest& request);
 };
 
-// Loads the plug-in with the first call, from any thread: from beside the program, else from where it was
-// built. Error: it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h, setUpDecoders()).
+// Loads the plug-in with the first call, from any thread: from beside the program, else from where it is
+// installed or was built. Error: it, or a library that it needs, is missing. Sets up OpenCV (Ffmpeg.h,
+// setUpDecoders()).
 Result<const Codecs*> codecs();
 
 // Name of the plug-in's Codecs, with C linkage.

@@ -1,0 +1,167 @@
+// The game as a package brings it: it runs from where it is installed, wherever that is, and what describes
+// it to desktops, shops and readers agrees with the program.
+#include "engine/core/Files.h"
+#include "tests/TestPaths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+#include <sys/wait.h>
+
+namespace shoal {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const Path kScratch = SHOAL_SCRATCH;
+
+std::string quoted(const Path& path) { return "'" + path.string() + "'"; }
+
+struct Outcome {
+    int status;
+    std::string said; // on standard output and standard error
+};
+
+Outcome run(const std::string& command) {
+    const Path file = kScratch / "said.txt";
+    const int status = std::system(("(" + command + ") >" + quoted(file) + " 2>&1 </dev/null").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readText(file).value()};
+}
+
+bool installed(const std::string& tool) { return run("command -v " + tool).status == 0; }
+
+class Package : public testing::Test {
+  protected:
+    // Installed for one folder and moved to another, as packages and containers do.
+    static void SetUpTestSuite() {
+        fs::remove_all(kScratch);
+        fs::create_directories(kScratch);
+        const Outcome outcome = run(std::string(SHOAL_CMAKE) + " --install " + quoted(SHOAL_BUILD) +
+                                    " --prefix " + quoted(kScratch / "prefix"));
+        ASSERT_EQ(outcome.status, 0) << outcome.said;
+        fs::rename(kScratch / "prefix", prefix());
+    }
+    static Path prefix() { return kScratch / "moved"; }
+    static std::string game() {
+        return "env -u SHOAL_DATA XDG_CONFIG_HOME=" + quoted(kScratch) + " " +
+               quoted(prefix() / "games/shoal") + " ";
+    }
+    static std::string text(const Path& file) {
+        if (file.extension() == ".gz") return run("gzip -dc " + quoted(prefix() / file)).said;
+        const auto read = readText(prefix() / file);
+        EXPECT_TRUE(read) << read.error().message();
+        return read ? *read : "";
+    }
+    static std::string version() {
+        return std::regex_replace(run(game() + "--version").said, std::regex("\\s"), "");
+    }
+};
+
+TEST_F(Package, RunsFromWhereItIs) {
+    const Path dives = prefix() / "share/games/shoal/content/dives";
+    fs::copy_file(dives / "reef.toml", dives / "zz_added.toml");
+    EXPECT_THAT(run(game() + "--headless --dive none").said, HasSubstr("zz_added")) << "reads other data";
+    fs::remove(dives / "zz_added.toml");
+    const Path picture = kScratch / "picture.png",
+               photo = prefix() / "share/icons/hicolor/256x256/apps/shoal.png";
+    const Outcome dive = run(game() + "--headless --at 0.1 --size 64x36 --screenshot " + quoted(picture));
+    EXPECT_EQ(dive.status, 0) << dive.said;
+    EXPECT_TRUE(fs::exists(picture));
+    // Pictures are decoded by a library that is loaded when it is needed.
+    const Outcome check = run("LD_DEBUG=files " + game() + "check " + quoted(photo));
+    EXPECT_THAT(check.said, HasSubstr("usable: " + photo.string()));
+    EXPECT_THAT(check.said, HasSubstr((prefix() / "lib/games/shoal/libshoal_codecs.so").string()));
+}
+
+TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
+    const Path content = prefix() / "share/games/shoal/content";
+    for (const char* name : {"make", "truth", "glove", "udev", "package"})
+        EXPECT_FALSE(fs::exists(content / name)) << name;
+    for (const auto& entry : fs::recursive_directory_iterator(prefix()))
+        EXPECT_EQ(entry.status().permissions() & fs::perms::others_read, fs::perms::others_read)
+            << entry.path();
+    EXPECT_TRUE(fs::exists(prefix() / "lib/udev/rules.d/70-shoal-haptics.rules"));
+}
+
+TEST_F(Package, SaysOneVersionEverywhere) {
+    EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+    EXPECT_THAT(text("share/doc/shoal/changelog.gz"), HasSubstr("shoal (" + version() + ")"));
+    EXPECT_THAT(text("share/man/man6/shoal.6.gz"), HasSubstr("Shoal " + version()));
+    EXPECT_THAT(text("share/metainfo/org.shoalgame.shoal.metainfo.xml"),
+                HasSubstr("version=\"" + version() + "\""));
+}
+
+TEST_F(Package, ManualPageNamesOnlyOptionsThatThereAre) {
+    const std::string page = std::regex_replace(text("share/man/man6/shoal.6.gz"), std::regex("\\\\-"), "-");
+    std::string help;
+    for (const char* command : {"play", "view", "light", "panorama", "check", "devices"}) {
+        help += run(game() + command + " --help").said;
+        EXPECT_THAT(page, HasSubstr(command));
+    }
+    const std::regex option("--[a-z][a-z-]*");
+    std::set<std::string> named;
+    for (std::sregex_iterator at(page.begin(), page.end(), option), end; at != end; ++at)
+        named.insert(at->str());
+    EXPECT_GT(named.size(), 8u);
+    for (const std::string& name : named) EXPECT_THAT(help, HasSubstr(name + " ")) << name;
+}
+
+TEST_F(Package, IconsHaveTheirSizes) {
+    for (const int size : {48, 128, 256}) {
+        const std::string name = std::to_string(size) + "x" + std::to_string(size);
+        EXPECT_THAT(
+            run(game() + "check " + quoted(prefix() / ("share/icons/hicolor/" + name + "/apps/shoal.png")))
+                .said,
+            HasSubstr(name + " PNG"));
+    }
+    EXPECT_THAT(run(game() + "check " + quoted(prefix() / "share/games/shoal/content/icon.png")).said,
+                HasSubstr("64x64 PNG"));
+    EXPECT_TRUE(fs::exists(prefix() / "share/icons/hicolor/scalable/apps/shoal.svg"));
+}
+
+TEST_F(Package, DesktopEntryStartsTheGameWithAndWithoutAFile) {
+    const std::string entry = text("share/applications/shoal.desktop");
+    // The prefix that it was installed for.
+    EXPECT_THAT(entry, HasSubstr("\nExec=" + (kScratch / "prefix/games/shoal").string() + " play %f\n"));
+    EXPECT_THAT(entry, HasSubstr("\nMimeType=video/mp4;"));
+    if (!installed("desktop-file-validate")) GTEST_SKIP() << "needs desktop-file-utils";
+    const Outcome outcome =
+        run("desktop-file-validate " + quoted(prefix() / "share/applications/shoal.desktop"));
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(outcome.said, "");
+}
+
+TEST_F(Package, AppStreamMetadataAreValid) {
+    const std::string metadata = text("share/metainfo/org.shoalgame.shoal.metainfo.xml");
+    EXPECT_THAT(metadata, HasSubstr("<content_rating type=\"oars-1.1\">"));
+    EXPECT_THAT(metadata, HasSubstr(">shoal.desktop<"));
+    if (!installed("appstreamcli")) GTEST_SKIP() << "needs appstream";
+    const Outcome outcome = run("appstreamcli validate --no-net " +
+                                quoted(prefix() / "share/metainfo/org.shoalgame.shoal.metainfo.xml"));
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+}
+
+TEST_F(Package, DebianFindsNoErrorInIt) {
+    if (!installed("dpkg-shlibdeps")) GTEST_SKIP() << "needs dpkg-dev";
+    // Compressed a little only: its size is not looked at.
+    const Outcome made = run("cd " + quoted(kScratch) + " && " + SHOAL_CPACK + " --config " +
+                             quoted(Path(SHOAL_BUILD) / "CPackConfig.cmake") +
+                             " -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip && mv shoal_*.deb shoal.deb");
+    ASSERT_EQ(made.status, 0) << made.said;
+    const std::string control = run("dpkg-deb -f " + quoted(kScratch / "shoal.deb")).said;
+    for (const char* needed :
+         {"Package: shoal\n", "Section: games\n", "libavcodec", "libopencv-imgcodecs", "libglfw3"})
+        EXPECT_THAT(control, HasSubstr(needed));
+    EXPECT_THAT(control, HasSubstr("Version: " + version() + "\n"));
+    if (!installed("lintian")) GTEST_SKIP() << "needs lintian";
+    const Outcome looked =
+        run("lintian --allow-root --fail-on error,warning " + quoted(kScratch / "shoal.deb"));
+    EXPECT_EQ(looked.status, 0) << looked.said;
+}
+
+} // namespace
+} // namespace shoal
