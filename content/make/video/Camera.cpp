@@ -108,6 +108,7 @@ Exposure::Exposure(const CameraData& camera, std::vector<float> readings)
     : camera_(camera), readings_(std::move(readings)) {
     const size_t n = readings_.size();
     for (const float r : readings_) mean_ += r / static_cast<float>(n);
+    mean_ = camera.mean.value_or(mean_);
     for (int pass = 0; pass < 3; ++pass) { // an eye's ease of a few seconds
         const auto was = readings_;
         for (size_t i = 0; i < n; ++i) readings_[i] = (was[(i + n - 1) % n] + was[i] + was[(i + 1) % n]) / 3;

@@ -300,6 +300,73 @@ Mesh leather(Random& random) {
     return mesh;
 }
 
+// One blade of kelp from its bladder: out, then hanging, ruffled along its edges.
+void addKelpBlade(Mesh& mesh, Random& random, const vec3& root, float rootSway, float length) {
+    const float angle = random.between(0, 2 * kPi), tint = random.between(0.75f, 1.2f),
+                lift = random.between(0.1f, 0.7f), ruffle = random.between(0, 6.0f),
+                curl = random.between(-0.7f, 0.7f);
+    const vec3 out(std::cos(angle), 0, std::sin(angle));
+    const vec3 start = root + out * 0.0035f;
+    mesh.addTube(
+        {root, root + out * 0.0018f + vec3(0, 0.0012f, 0), start}, {0.0006f, 0.0018f, 0.0006f}, 5,
+        [](float) { return vec3(1.25f, 1.15f, 0.8f); }, Kind::Leaf);
+    for (size_t i = mesh.vertices.size() - 15; i < mesh.vertices.size(); ++i)
+        mesh.vertices[i].sway = rootSway;
+    mesh.addGrid(3, 9, false, [&](float u, float v) {
+        const float heading = angle + curl * v;
+        const vec3 ahead(std::cos(heading), 0, std::sin(heading)), across(-ahead.z, 0, ahead.x);
+        const float wide = 0.0062f * std::sqrt(std::max(std::sin(kPi * std::pow(v, 0.7f)), 0.0f)) + 0.0003f;
+        const float side = (u - 0.5f) * 2, wave = 0.0016f * side * std::sin(v * 26 + ruffle + side);
+        const vec3 p = start + ahead * (length * v * (1 - 0.25f * v)) +
+                       vec3(0, length * (lift * v - (lift + 0.45f) * v * v) + wave, 0) +
+                       across * (side * wide);
+        return Vertex{p, vec3(0, 1, 0),
+                      tint *
+                          glm::mix(vec3(1.1f, 1.05f, 0.9f), vec3(0.85f, 0.9f, 0.9f), u == 0.5f ? 1.0f : 0.3f),
+                      Kind::Leaf, rootSway + 0.009f * v * v};
+    });
+}
+
+// Giant kelp, a metre for its height: stipes from one holdfast that lie along the surface at their ends.
+Mesh kelp(Random& random) {
+    Mesh mesh;
+    const int stipes = 3 + static_cast<int>(random.below(3));
+    const float drift = random.between(0, 2 * kPi);
+    for (int s = 0; s < stipes; ++s) {
+        vec3 p(random.between(-0.012f, 0.012f), -0.01f, random.between(-0.012f, 0.012f));
+        const float top = random.between(0.75f, 1.0f);
+        vec3 along(random.between(-0.12f, 0.12f), 1, random.between(-0.12f, 0.12f));
+        std::vector<vec3> points{p};
+        std::vector<float> radii{0.0016f};
+        constexpr int kSteps = 44;
+        for (int i = 1; i <= kSteps; ++i) {
+            const float lying = glm::smoothstep(top - 0.08f, top, p.y);
+            along += 0.05f * anyDirection(random) +
+                     lying * vec3(0.5f * std::cos(drift), -0.5f, 0.5f * std::sin(drift));
+            along.y = std::max(along.y, 0.03f);
+            along = glm::normalize(along + vec3(0, 0.12f * (1 - lying), 0));
+            p += along * (1.12f / kSteps);
+            points.push_back(p);
+            radii.push_back(0.0015f - 0.0009f * static_cast<float>(i) / kSteps);
+        }
+        const auto swayAt = [](float height) { return 0.034f * std::pow(std::max(height, 0.0f), 1.3f); };
+        const size_t first = mesh.vertices.size();
+        mesh.addTube(
+            points, radii, 4, [](float) { return vec3(0.8f, 0.75f, 0.7f); }, Kind::Leaf);
+        for (size_t i = first; i < mesh.vertices.size(); ++i)
+            mesh.vertices[i].sway = swayAt(mesh.vertices[i].p.y);
+        for (size_t i = 2; i < points.size(); ++i)
+            for (int blade = 0; blade < (i % 3 ? 1 : 2); ++blade) {
+                const vec3 root = glm::mix(points[i - 1], points[i], random.unit());
+                const float young = glm::smoothstep(0.0f, 0.3f, root.y);
+                addKelpBlade(mesh, random, root, swayAt(root.y),
+                             random.between(0.045f, 0.085f) * (0.5f + 0.5f * young));
+            }
+    }
+    mesh.makeNormals();
+    return mesh;
+}
+
 struct Species {
     Mesh (*make)(Random&);
     std::vector<vec3> albedos;
@@ -362,6 +429,7 @@ const std::map<std::string, Species>& allSpecies() {
         {"grass", {grass, {{0.11f, 0.19f, 0.05f}, {0.15f, 0.19f, 0.05f}, {0.17f, 0.17f, 0.06f}}, true, 0.1f}},
         {"fan", {fan, {{0.36f, 0.13f, 0.30f}, {0.48f, 0.28f, 0.06f}, {0.42f, 0.09f, 0.06f}}, true, 0.6f}},
         {"whip", {whip, {{0.42f, 0.20f, 0.07f}, {0.34f, 0.27f, 0.16f}, {0.40f, 0.12f, 0.18f}}, true, 0.3f}},
+        {"kelp", {kelp, {{0.30f, 0.22f, 0.055f}, {0.26f, 0.21f, 0.05f}, {0.34f, 0.23f, 0.06f}}, true, 0.0f}},
         {"leather",
          {leather, {{0.34f, 0.29f, 0.17f}, {0.30f, 0.30f, 0.18f}, {0.36f, 0.26f, 0.22f}}, true, 0.6f}},
     };

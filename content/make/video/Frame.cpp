@@ -55,8 +55,8 @@ vec3 Filming::shade(Hit& hit, float footprint) const {
         const vec4 middle = lumps_.at(vec3(hit.p.x, 0.21f, hit.p.z) * 2.3f);
         const vec4 fine = fade(0.018f) > 0 ? lumps_.at(vec3(hit.p.x, 0.4f, hit.p.z) * 6.3f) : vec4(0);
         bump = (0.018f * vec3(middle) * fade(0.05f) + 0.006f * vec3(fine) * fade(0.018f)) * vec3(1, 0, 1);
-        const float speck = glm::smoothstep(0.30f, 0.55f, fine.w * fade(0.018f));
-        tone = 1 + 0.14f * middle.w * fade(0.06f) + 0.24f * fine.w * fade(0.018f) - 0.35f * speck +
+        const float speck = glm::smoothstep(0.15f, 0.75f, fine.w * fade(0.018f));
+        tone = 1 + 0.14f * middle.w * fade(0.06f) + 0.24f * fine.w * fade(0.018f) - 0.22f * speck +
                0.10f * wide.w;
         tint = glm::mix(vec3(1), vec3(0.94f, 1.0f, 0.92f), glm::smoothstep(-0.2f, 0.4f, wide.w));
     }
@@ -73,7 +73,13 @@ vec3 Filming::shade(Hit& hit, float footprint) const {
     // Indirect light comes from above on the whole, so relief shows in it too; pits are darker.
     const float relief =
         std::clamp(1 + 0.55f * (n.y - smooth.y), 0.3f, 1.6f) * std::clamp(0.75f + 0.35f * tone, 0.5f, 1.25f);
-    return albedo * (sunAtDepth(scene_, -hit.p.y) * lit + hit.indirect * relief) / kPi;
+    vec3 irradiance = sunAtDepth(scene_, -hit.p.y) * lit + hit.indirect * relief;
+    for (const Lamps::Arriving& light : world_.lamps().at(hit.p + smooth * 0.02f)) {
+        const float towards = glm::dot(n, light.toLamp);
+        irradiance += light.irradiance *
+                      (hit.kind == Kind::Leaf ? 0.6f * std::fabs(towards) + 0.1f : std::max(towards, 0.0f));
+    }
+    return albedo * irradiance / kPi + hit.glow * (hit.kind == Kind::Lamp ? 1.0f : tone * relief);
 }
 
 vec3 Filming::surfaceFromBelow(const vec3& dir, float distance, float pixelAngle) const {

@@ -26,10 +26,15 @@ class Filming {
     // The picture at a time between two that were drawn, share of the way from a to b: each moved as its
     // distances tell, then mixed.
     Drawn between(const Drawn& a, const Drawn& b, float share, float turn) const;
-    // Marine snow.
-    void addSnow(Drawn& drawn, float turn) const;
+    // What drifts in the water: marine snow, and plankton that glows.
+    void addSpecks(Drawn& drawn, float turn) const {
+        addSnow(drawn, turn);
+        addPlankton(drawn, turn);
+    }
 
   private:
+    void addSnow(Drawn& drawn, float turn) const;
+    void addPlankton(Drawn& drawn, float turn) const;
     struct Sample {
         vec3 radiance{0};
         float distance = 0;

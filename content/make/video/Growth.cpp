@@ -4,6 +4,8 @@
 #include "content/make/video/Ground.h"
 #include "content/make/video/Noise.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
 
 namespace shoal::reef {
@@ -21,10 +23,28 @@ bool thrives(const Growth& growth, const Vertex& ground, const Route& route, flo
         patch < random.between(-0.1f, 0.35f))
         return false;
     if (growth.kind == "grass" && patch < 0.16f) return false;
-    const float away = route.distanceTo(ground.p);
-    if (away < 0.62f + 0.9f * size || random.unit() > 2.6f / (1 + 0.12f * away * away)) return false;
+    // What is tall keeps its distance at the camera's height.
+    const float away =
+        route.distanceTo(growth.clear > 0 ? vec3(ground.p.x, route.at(0).y, ground.p.z) : ground.p);
+    const float clear = growth.clear > 0 ? growth.clear : 0.62f + 0.9f * size;
+    if (away < clear || random.unit() > 2.6f / (1 + 0.12f * away * away)) return false;
     const float sun = sunlit(ground.p + ground.normal * 0.1f);
     return sun >= growth.light.x && sun <= growth.light.y;
+}
+
+// Nothing stands out of the sea; some colonies glow, though not right below the camera, pale parts of them
+// most.
+void finish(const Growth& growth, const Route& route, uint32_t number, Mesh& mesh, size_t first) {
+    const bool glows = growth.glow != vec3(0) && unitFrom(hash(number, 3, 71)) < 0.45f &&
+                       route.distanceTo(mesh.vertices[first].p) > 1.4f;
+    const float strength = 0.4f + unitFrom(hash(number, 5, 71));
+    for (size_t i = first; i < mesh.vertices.size(); ++i) {
+        Vertex& v = mesh.vertices[i];
+        v.p.y = std::min(v.p.y, -0.06f);
+        if (!glows) continue;
+        const float pale = 3 * glm::dot(v.albedo, vec3(0.333f));
+        v.glow = glm::packF3x9_E1x5(growth.glow * (strength * pale * pale));
+    }
 }
 
 } // namespace
@@ -51,8 +71,10 @@ Grown grow(const Scene& scene, const Route& route, const Mesh& ground,
             const float share = random.unit(), size = glm::mix(growth.size.x, growth.size.y, share * share);
             if (!thrives(growth, at, route, size, seed, random, sunlit)) continue;
             const vec3 up = glm::normalize(glm::mix(vec3(0, 1, 0), at.normal, leans(growth.kind)));
+            const size_t first = into.vertices.size();
             into.add(variants[random.below(6)], frameAlong(up, random.between(0, kTurn)), size, at.p,
                      colonyAlbedo(growth.kind, random));
+            finish(growth, route, static_cast<uint32_t>(set), into, first);
             ++set;
         }
     }

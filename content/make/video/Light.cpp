@@ -9,12 +9,11 @@ namespace shoal::reef {
 
 vec3 skyRadiance(const Scene& scene, const vec3& d) {
     const float up = std::max(d.y, 0.0f);
-    const float white = 0.2126f * scene.sun.sky.x + 0.7152f * scene.sun.sky.y + 0.0722f * scene.sun.sky.z;
-    vec3 sky = glm::mix(vec3(1.35f * white), scene.sun.sky, std::sqrt(up));
+    vec3 sky = glm::mix(scene.sun.horizon, scene.sun.sky, std::sqrt(up));
     const vec2 roof = vec2(d.x, d.z) / (up + 0.18f);
     const float cloud =
         glm::smoothstep(0.02f, 0.34f, fractalNoise(vec3(roof.x * 1.1f, 3.7f, roof.y * 1.1f), 4));
-    sky = glm::mix(sky, vec3(2.1f * white), 0.6f * cloud * glm::smoothstep(0.02f, 0.2f, up));
+    sky = glm::mix(sky, scene.sun.horizon * (2.1f / 1.35f), 0.6f * cloud * glm::smoothstep(0.02f, 0.2f, up));
     const float near = std::max(glm::dot(d, scene.sun.toSunAir), 0.0f);
     return sky + scene.sun.irradiance * (0.035f * std::pow(near, 24.0f) + 0.35f * std::pow(near, 380.0f));
 }

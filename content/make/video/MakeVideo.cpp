@@ -1,22 +1,20 @@
-// Films the reef (Reef.toml): make_video_frames FOLDER TASK [-- TASK]..., where a task is
-//     draw                     radiance and distances, into FOLDER, at times through the film; what is there
-//     stays film                     all frames, raw, 3 bytes a pixel, sRGB-coded, to standard output truth
-//     TO FRAME...        TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml enclosure
-//     FILE.toml        when the camera is enclosed, and how much look WIDTH FRAME... PNGs
-//     of some frames in FOLDER, to be looked at
-// FOLDER keeps what was lit once, for the next run.
+// Films a scene; kUsage tells how.
 #include "content/make/video/Camera.h"
 #include "content/make/video/Frame.h"
+#include "content/make/video/Kept.h"
 #include "content/make/video/Resize.h"
 #include "content/make/video/Scene.h"
 
+#include "engine/media/Ffmpeg.h"
 #include "engine/media/Pictures.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <glm/gtc/packing.hpp>
+extern "C" {
+#include <libavutil/mem.h>
+}
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <optional>
 
@@ -24,6 +22,17 @@ namespace {
 
 using namespace shoal;
 using namespace shoal::reef;
+
+constexpr const char* kUsage = R"(make_video_frames SCENE FOLDER TASK [-- TASK]...
+SCENE.toml lies beside this program's source; FOLDER keeps traced frames and what was lit once. A task is
+    draw [EVERY [FIRST COUNT]]   traces the frames of radiance and distances that FOLDER lacks, or only each so many,
+                                 and only of a part of the path
+    film [FIRST COUNT]           frames, raw, 3 bytes a pixel, sRGB-coded, to standard output
+    size                         width of these frames and frames a second, to standard output
+    truth TO FRAME...            TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml
+    enclosure FILE.toml          when the camera is enclosed, and how much
+    look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
+)";
 
 constexpr int kTruthWidth = 512, kMeterWidth = 128;
 
@@ -34,10 +43,13 @@ struct Studio {
     const Route& route;
     Path folder;
 
+    // Where every frame is traced, the film shows those; else its frames lie half a frame or more off those
+    // that are, so that all are equally soft.
+    float offset() const { return scene.film.every == 1 ? 0.0f : 0.5f; }
+    int onPath(int frame) const { return (frame + scene.film.start) % scene.film.frames; }
     // Of a frame of the film, counted from its start.
     float turn(int frame) const {
-        const int onPath = (frame + scene.film.start) % scene.film.frames;
-        return (static_cast<float>(onPath) + 0.5f) / static_cast<float>(scene.film.frames);
+        return (static_cast<float>(onPath(frame)) + offset()) / static_cast<float>(scene.film.frames);
     }
 };
 
@@ -49,38 +61,13 @@ std::string numbered(const char* format, int number) {
 
 constexpr int kCoarsest = 8;
 
-Path keptAt(const Studio& studio, int time) { return studio.folder / numbered("drawn_%04d.bin", time); }
-
-// Half floats: red, green, blue, distance.
-Status keep(const Drawn& drawn, const Path& file) {
-    std::vector<uint32_t> packed;
-    packed.reserve(2 * drawn.distance.size());
-    for (size_t i = 0; i < drawn.distance.size(); ++i) {
-        const float* c = drawn.radianceLin.pixels.data() + 3 * i;
-        const vec3 safe = glm::min(vec3(c[0], c[1], c[2]), 6e4f);
-        packed.push_back(glm::packHalf2x16({safe.x, safe.y}));
-        packed.push_back(glm::packHalf2x16({safe.z, drawn.distance[i]}));
-    }
-    return writeFileWhole(file,
-                          {reinterpret_cast<const char*>(packed.data()), packed.size() * sizeof packed[0]});
-}
+Path keptAt(const Studio& studio, int time) { return studio.folder / numbered("drawn_%04d.nut", time); }
 
 Result<Drawn> recall(const Studio& studio, int time) {
-    const int width = studio.scene.film.drawn, height = width / 2;
-    Drawn drawn{ImageRgbF(width, height), std::vector<float>(static_cast<size_t>(width) * height),
-                studio.route.at(static_cast<float>(time) / static_cast<float>(studio.scene.film.frames))};
-    const auto bytes = readFile(keptAt(studio, time), 1u << 30);
-    if (!bytes) return bytes.error();
-    if (bytes->size() != drawn.distance.size() * 8)
-        return Error{keptAt(studio, time).string(), "was drawn at another size; remove it"};
-    const auto* packed = reinterpret_cast<const uint32_t*>(bytes->data());
-    for (size_t i = 0; i < drawn.distance.size(); ++i) {
-        const vec2 redGreen = glm::unpackHalf2x16(packed[2 * i]),
-                   blueFar = glm::unpackHalf2x16(packed[2 * i + 1]);
-        float* c = drawn.radianceLin.pixels.data() + 3 * i;
-        c[0] = redGreen.x, c[1] = redGreen.y, c[2] = blueFar.x;
-        drawn.distance[i] = blueFar.y;
-    }
+    auto drawn = reef::recall(keptAt(studio, time), studio.scene.film.drawn);
+    if (drawn)
+        drawn->camera =
+            studio.route.at(static_cast<float>(time) / static_cast<float>(studio.scene.film.frames));
     return drawn;
 }
 
@@ -92,24 +79,33 @@ std::vector<int> drawnTimes(const Studio& studio) {
     return times;
 }
 
-// The meter is read every two seconds.
-Result<Exposure> meter(const Studio& studio) {
+// The meter is read every two seconds; where no frames are traced there, once at the nearest.
+Result<Exposure> meter(const Studio& studio, int at) {
     std::vector<float> readings;
     for (int time = 0; time < studio.scene.film.frames; time += 2 * studio.scene.film.fps) {
+        if (!std::filesystem::exists(keptAt(studio, time))) continue;
         const auto drawn = recall(studio, time);
         if (!drawn) return drawn.error();
         readings.push_back(meterReading(reduced(drawn->radianceLin, kMeterWidth)));
     }
+    if (const std::vector<int> times = drawnTimes(studio); readings.empty() && !times.empty()) {
+        const auto nearest =
+            std::ranges::min_element(times, {}, [&](int time) { return std::abs(time - at); });
+        const auto drawn = recall(studio, *nearest);
+        if (!drawn) return drawn.error();
+        readings.push_back(meterReading(reduced(drawn->radianceLin, kMeterWidth)));
+    }
+    if (readings.empty()) readings.push_back(studio.scene.camera.mean.value_or(0));
     return Exposure{studio.scene.camera, readings};
 }
 
 // All that are missing, coarsely first: a run that is stopped leaves a film that can be shown already.
-Status drawAll(const Studio& studio) {
+Status drawAll(const Studio& studio, int every, int first, int count) {
     const Film& film = studio.scene.film;
-    const int every = film.every;
     for (int spacing = kCoarsest; spacing >= every; spacing /= 2)
         for (int time = 0; time < film.frames; time += spacing) {
-            if (std::filesystem::exists(keptAt(studio, time))) continue;
+            if (time < first || time >= first + count || std::filesystem::exists(keptAt(studio, time)))
+                continue;
             const Drawn drawn = studio.filming.draw(
                 static_cast<float>(time) / static_cast<float>(film.frames), film.drawn, true);
             if (Status kept = keep(drawn, keptAt(studio, time)); !kept) return kept;
@@ -120,29 +116,33 @@ Status drawAll(const Studio& studio) {
     return Done{};
 }
 
-// Frames lie half a frame off the times that were drawn, or further: none is drawn itself, so that all are
-// equally soft.
-Status film(const Studio& studio) {
+// A frame that was not traced is seen from the traced ones before and after it.
+Status film(const Studio& studio, int first, int count) {
     const Film& cut = studio.scene.film;
     const std::vector<int> times = drawnTimes(studio);
-    const auto exposure = meter(studio);
+    const auto exposure = meter(studio, studio.onPath(first));
     if (!exposure) return exposure.error();
     std::optional<Drawn> before, after;
-    int from = -1;
-    for (int frame = 0; frame < cut.frames; ++frame) {
-        const int onPath = (frame + cut.start) % cut.frames;
+    int from = -1, ahead = -1;
+    for (int frame = first; frame < first + count; ++frame) {
+        const int onPath = studio.onPath(frame);
         const auto next = std::upper_bound(times.begin(), times.end(), onPath);
         const int earlier = *(next - 1), later = next == times.end() ? cut.frames : *next;
         if (earlier != from) {
-            auto first = recall(studio, earlier), second = recall(studio, later % cut.frames);
-            if (!first) return first.error();
-            if (!second) return second.error();
-            before = std::move(*first), after = std::move(*second), from = earlier;
+            auto one = earlier == ahead && after ? Result<Drawn>(std::move(*after)) : recall(studio, earlier);
+            if (!one) return one.error();
+            before = std::move(*one), after.reset(), from = earlier;
         }
-        const float turn = studio.turn(frame),
-                    share = (static_cast<float>(onPath - from) + 0.5f) / static_cast<float>(later - from);
-        Drawn shown = studio.filming.between(*before, *after, share, turn);
-        studio.filming.addSnow(shown, turn);
+        const bool traced = earlier == onPath && studio.offset() == 0;
+        if (!traced && !after) {
+            auto one = recall(studio, later % cut.frames);
+            if (!one) return one.error();
+            after = std::move(*one), ahead = later;
+        }
+        const float turn = studio.turn(frame), share = (static_cast<float>(onPath - from) + studio.offset()) /
+                                                       static_cast<float>(later - from);
+        Drawn shown = traced ? *before : studio.filming.between(*before, *after, share, turn);
+        studio.filming.addSpecks(shown, turn);
         const ImageRgb8 image = develop(studio.scene.camera, shown.radianceLin, exposure->at(turn), onPath);
         if (std::fwrite(image.pixels.data(), 1, image.pixels.size(), stdout) != image.pixels.size())
             return Error{"", "the encoder stopped listening"};
@@ -156,7 +156,7 @@ Status truth(const Studio& studio, const Path& to, const std::vector<int>& frame
     for (const int frame : frames) {
         const std::string name = numbered("frame_%04d.hdr", frame);
         Drawn drawn = studio.filming.draw(studio.turn(frame), 2 * kTruthWidth, true);
-        studio.filming.addSnow(drawn, studio.turn(frame));
+        studio.filming.addSpecks(drawn, studio.turn(frame));
         const ImageRgbF image = reduced(drawn.radianceLin, kTruthWidth);
         if (Status written = media::writeHdr(to / name, image); !written) return written;
         list += "\n[[truth]]\nframe = " + std::to_string(frame) + "\nfile = \"" + name + "\"\n";
@@ -184,13 +184,13 @@ Status enclosure(const Studio& studio, const Path& to) {
 }
 
 Status look(const Studio& studio, int width, const std::vector<int>& frames) {
-    const auto exposure = meter(studio);
+    const auto exposure = meter(studio, 0);
     if (!exposure) return exposure.error();
     std::fprintf(stderr, "path %.1f m\n", static_cast<double>(studio.route.length()));
     for (const int frame : frames) {
         const std::clock_t start = std::clock();
         Drawn picture = studio.filming.draw(studio.turn(frame), width, true);
-        studio.filming.addSnow(picture, studio.turn(frame));
+        studio.filming.addSpecks(picture, studio.turn(frame));
         const std::clock_t drawn = std::clock();
         const float factor = exposure->at(studio.turn(frame));
         const ImageRgb8 image = develop(studio.scene.camera, picture.radianceLin, factor, frame);
@@ -207,28 +207,41 @@ Status look(const Studio& studio, int width, const std::vector<int>& frames) {
 // words: a task's name and what it wants.
 Status perform(const Studio& studio, const std::vector<std::string>& words) {
     const std::string task = words.empty() ? "" : words[0];
-    if (task == "draw") return drawAll(studio);
-    if (task == "film") return film(studio);
+    const int frames = studio.scene.film.frames;
+    const auto wordOr = [&](size_t i, int other) {
+        return i < words.size() ? std::atoi(words[i].c_str()) : other;
+    };
+    if (task == "draw") {
+        const int every = std::max(wordOr(1, 1), studio.scene.film.every);
+        return drawAll(studio, every, wordOr(2, 0), wordOr(3, frames));
+    }
+    if (task == "film") return film(studio, wordOr(1, 0), wordOr(2, frames));
+    if (task == "size") {
+        std::printf("%d %d\n", studio.scene.film.drawn, studio.scene.film.fps);
+        return Done{};
+    }
     if (words.size() < 2) return Error{task, "is no task, or wants more words"};
-    std::vector<int> frames;
-    for (size_t i = 2; i < words.size(); ++i) frames.push_back(std::atoi(words[i].c_str()));
-    if (task == "truth") return truth(studio, words[1], frames);
+    std::vector<int> named;
+    for (size_t i = 2; i < words.size(); ++i) named.push_back(std::atoi(words[i].c_str()));
+    if (task == "truth") return truth(studio, words[1], named);
     if (task == "enclosure") return enclosure(studio, words[1]);
-    if (task == "look") return look(studio, std::atoi(words[1].c_str()), frames);
+    if (task == "look") return look(studio, std::atoi(words[1].c_str()), named);
     return Error{task, "is no task"};
 }
 
 Status run(int argc, char** argv) {
-    if (argc < 3) return Error{"", "wants FOLDER and tasks"};
-    const auto scene = readScene(dataRoot() / "content/make/video/Reef.toml");
+    if (argc < 4) return Error{"", kUsage};
+    media::setUpDecoders();
+    av_max_alloc(size_t{2} << 30); // FFV1's encoder takes memory for the largest frame that could come
+    const auto scene = readScene(dataRoot() / "content/make/video" / (std::string(argv[1]) + ".toml"));
     if (!scene) return scene.error();
     const Route route(scene->path);
-    const Path folder = argv[1];
+    const Path folder = argv[2];
     World world(*scene, route, folder / "lit.bin");
     Filming filming(*scene, route, world);
     const Studio studio{*scene, filming, world, route, folder};
     std::vector<std::string> words;
-    for (int i = 2; i <= argc; ++i) {
+    for (int i = 3; i <= argc; ++i) {
         if (i < argc && std::string(argv[i]) != "--") {
             words.emplace_back(argv[i]);
             continue;

@@ -8,13 +8,14 @@
 namespace shoal::reef {
 
 // How a surface looks from near: each has its own fine relief and colour.
-enum class Kind : uint8_t { Sand, Rock, Coral, Soft, Leaf, Fish };
+enum class Kind : uint8_t { Sand, Rock, Coral, Soft, Leaf, Lamp };
 
 struct Vertex {
     vec3 p{0}, normal{0};
     vec3 albedo{0};
     Kind kind = Kind::Rock;
-    float sway = 0; // metres that the surge moves it to either side; 0 for what stands still
+    float sway = 0;    // metres that the surge moves it to either side; 0 for what stands still
+    uint32_t glow = 0; // radiance that it sends by itself, as glm::packF3x9_E1x5 packs it
 };
 
 struct Mesh {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace shoal::reef {
 
@@ -109,23 +110,26 @@ NoiseVolume::NoiseVolume(Kind kind) : texels_(kSide * kSide * kSide) {
         }
 }
 
+// Four channels a step: the compiler's vectors, because this is an eighth of a frame's time.
 vec4 NoiseVolume::at(const vec3& p) const {
+    using Bytes [[gnu::vector_size(4)]] = int8_t;
+    using Floats [[gnu::vector_size(16)]] = float;
     const vec3 q = p * static_cast<float>(kSide);
     const vec3 base = glm::floor(q), f = q - base;
     const glm::ivec3 c(base);
     const int x0 = c.x & (kSide - 1), x1 = (c.x + 1) & (kSide - 1);
-    vec4 sum(0);
+    Floats sum = {};
     for (int i = 0; i < 4; ++i) {
         const int y = (c.y + (i & 1)) & (kSide - 1), z = (c.z + (i >> 1)) & (kSide - 1);
         const float weight = ((i & 1) ? f.y : 1 - f.y) * ((i >> 1) ? f.z : 1 - f.z);
         const auto* row = texels_.data() + static_cast<size_t>((z * kSide + y) * kSide);
-        const auto &a = row[x0], &b = row[x1];
-        for (int k = 0; k < 4; ++k) {
-            const auto j = static_cast<size_t>(k);
-            sum[k] += weight * (static_cast<float>(a[j]) * (1 - f.x) + static_cast<float>(b[j]) * f.x);
-        }
+        Bytes a, b;
+        std::memcpy(&a, row + x0, sizeof a);
+        std::memcpy(&b, row + x1, sizeof b);
+        sum += (__builtin_convertvector(a, Floats) * (1 - f.x) + __builtin_convertvector(b, Floats) * f.x) *
+               weight;
     }
-    return {vec3(sum) * gradientScale_, sum.w / 127};
+    return {sum[0] * gradientScale_, sum[1] * gradientScale_, sum[2] * gradientScale_, sum[3] / 127};
 }
 
 } // namespace shoal::reef

@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <numbers>
+#include <sstream>
 
 namespace shoal::reef {
 
@@ -80,7 +81,51 @@ Growth growth(const toml::table& table) {
             .size = vec<2>(must(table, "size")),
             .light = vec<2>(must(table, "light")),
             .up = number(table, "up"),
+            .clear = table["clear"].value_or(0.0f),
+            .glow = table.contains("glow") ? vec<3>(must(table, "glow")) : vec3(0),
             .onSand = table["on"].value_or(std::string("rock")) == "sand"};
+}
+
+Lamp lamp(const toml::table& table) {
+    constexpr float kRadians = std::numbers::pi_v<float> / 180;
+    Lamp out;
+    out.place = vec<3>(must(table, "place"));
+    out.towards = glm::normalize(vec<3>(must(table, "towards")));
+    out.cosInner = std::cos(number(table, "inner") * kRadians);
+    out.cosOuter = std::cos(number(table, "outer") * kRadians);
+    out.intensity = vec<3>(must(table, "intensity"));
+    out.carried = table["carried"].value_or(false);
+    return out;
+}
+
+// `over` on top of `under`.
+void join(toml::table& under, const toml::table& over) {
+    for (const auto& [key, node] : over) {
+        toml::table* was = under[key].as_table();
+        const toml::table* now = node.as_table();
+        if (was && now)
+            join(*was, *now);
+        else
+            under.insert_or_assign(key, node);
+    }
+}
+
+toml::table withBase(const Path& file) {
+    toml::table own = toml::parse_file(file.string());
+    const auto base = own["base"].value<std::string>();
+    if (!base) return own;
+    toml::table joined = withBase(file.parent_path() / *base);
+    join(joined, own);
+    return joined;
+}
+
+// Film and camera change nothing that is lit.
+uint64_t keyOf(toml::table root) {
+    root.erase("film");
+    root.erase("camera");
+    std::ostringstream text;
+    text << root;
+    return std::hash<std::string>()(text.str());
 }
 
 Scene fromTable(const toml::table& root) {
@@ -93,7 +138,8 @@ Scene fromTable(const toml::table& root) {
     for (const toml::node& node : list(part(root, "path"), "places")) scene.path.push_back(vec<3>(node));
     const toml::table& water = part(root, "water");
     scene.water = {vec<3>(must(water, "attenuation")), vec<3>(must(water, "scattered")),
-                   number(water, "forward"), number(water, "forward_share")};
+                   number(water, "forward"), number(water, "forward_share"),
+                   water["veil_width"].value_or(256)};
     const toml::table& sun = part(root, "sun");
     const float high = number(sun, "elevation") * kRadians, round = number(sun, "azimuth") * kRadians;
     scene.sun.toSunAir = {std::cos(high) * std::sin(round), std::sin(high),
@@ -101,17 +147,31 @@ Scene fromTable(const toml::table& root) {
     scene.sun.toSunWater = refractedDown(scene.sun.toSunAir);
     scene.sun.irradiance = vec<3>(must(sun, "irradiance"));
     scene.sun.sky = vec<3>(must(sun, "sky"));
+    scene.sun.horizon = sun.contains("horizon")
+                            ? vec<3>(must(sun, "horizon"))
+                            : vec3(1.35f * glm::dot(scene.sun.sky, vec3(0.2126f, 0.7152f, 0.0722f)));
     const toml::table& waves = part(root, "waves");
     scene.waves = {number(waves, "tile"), number(waves, "rms_slope"), number(waves, "longest"),
                    number(waves, "shortest"), number(waves, "wind") * kRadians};
     const toml::table& camera = part(root, "camera");
-    scene.camera = {number(camera, "exposure"), number(camera, "adaptation"), number(camera, "noise"),
-                    vec<3>(must(camera, "white")), static_cast<int>(number(camera, "snow"))};
+    scene.camera = {.exposure = number(camera, "exposure"),
+                    .adaptation = number(camera, "adaptation"),
+                    .noise = number(camera, "noise"),
+                    .mean = camera["mean"].value<float>(),
+                    .white = vec<3>(must(camera, "white")),
+                    .snow = static_cast<int>(number(camera, "snow"))};
     const toml::table& sand = part(root, "sand");
     scene.sandHeight = number(sand, "height");
     scene.sandAlbedo = vec<3>(must(sand, "albedo"));
     for (const toml::node& node : list(root, "rock")) scene.rocks.push_back(rock(*node.as_table()));
     for (const toml::node& node : list(root, "growth")) scene.growths.push_back(growth(*node.as_table()));
+    if (root.contains("lamp"))
+        for (const toml::node& node : list(root, "lamp")) scene.lamps.push_back(lamp(*node.as_table()));
+    if (root.contains("plankton")) {
+        const toml::table& plankton = part(root, "plankton");
+        scene.plankton = {static_cast<int>(number(plankton, "count")), vec<3>(must(plankton, "radiance"))};
+    }
+    scene.key = keyOf(root);
     return scene;
 }
 
@@ -125,7 +185,7 @@ float Water::phase(float cosine) const {
 
 Result<Scene> readScene(const Path& file) {
     try {
-        return fromTable(toml::parse_file(file.string()));
+        return fromTable(withBase(file));
     } catch (const toml::parse_error& error) {
         return Error{file.string(), std::string(error.description())};
     } catch (const Missing& missing) {

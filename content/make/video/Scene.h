@@ -1,4 +1,4 @@
-// The scene as data (Reef.toml): what is filmed, before anything is built of it.
+// The scene as data (Reef.toml, Night.toml, Kelp.toml): what is filmed, before anything is built of it.
 // Metres, +Y up, the water's surface at y = 0; radiance in one arbitrary unit throughout.
 #pragma once
 
@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Water {
     vec3 attenuation{0}; // per metre
     vec3 scattered{0};   // share of the attenuation that is scattering
     float forward = 0, forwardShare = 0;
+    int veilWidth =
+        256; // columns that its light is marched at, a power of two; more where the camera is sheltered
 
     vec3 transmittance(float metres) const { return glm::exp(-attenuation * metres); }
     // Share of scattered light that turns by an angle of this cosine, per steradian: integrates to 1.
@@ -30,6 +33,22 @@ struct Sun {
     vec3 toSunAir{0}, toSunWater{0}; // unit; the second refracted at the level surface
     vec3 irradiance{0};              // on a plane facing it, just below the surface
     vec3 sky{0};                     // radiance overhead in air
+    vec3 horizon{0};                 // and low down
+};
+
+// A spotlight under water: set somewhere, or carried by the camera.
+struct Lamp {
+    vec3 place{0};                    // metres; against the camera if it is carried
+    vec3 towards{0};                  // unit
+    float cosInner = 1, cosOuter = 1; // full within the first, dark outside the second
+    vec3 intensity{0};                // irradiance at one metre
+    bool carried = false;
+};
+
+// Specks that glow by themselves, by turns.
+struct Plankton {
+    int count = 0;
+    vec3 radiance{0}; // of a speck of one millimetre
 };
 
 struct Waves {
@@ -45,6 +64,7 @@ struct Film {
 
 struct CameraData {
     float exposure = 1, adaptation = 0, noise = 0;
+    std::optional<float> mean; // meter reading that is exposed so; without it the film's own
     vec3 white{1};
     int snow = 0;
 };
@@ -64,6 +84,8 @@ struct Growth {
     int count = 0;
     vec2 size{0}, light{0, 1};
     float up = 0;
+    float clear = 0; // metres that its root keeps from the camera's path; 0: by its size
+    vec3 glow{0};    // radiance that some of it send by themselves where their albedo is 1/3
     bool onSand = false;
 };
 
@@ -78,11 +100,15 @@ struct Scene {
     vec3 sandAlbedo{0};
     std::vector<Rock> rocks;
     std::vector<Growth> growths;
+    std::vector<Lamp> lamps;
+    Plankton plankton;
+    uint64_t key = 0; // of all that what is lit once depends on
 };
 
 // Refractive index of sea water.
 constexpr float kWaterIndex = 1.34f;
 
+// A file may name another as its `base` and state only what differs: tables are joined, all else replaced.
 Result<Scene> readScene(const Path& file);
 
 } // namespace shoal::reef

@@ -136,12 +136,14 @@ vec2 Sea::slope(const vec2& xz, float width) const {
 }
 
 namespace {
-constexpr std::array<float, 4> kDepths = {1.2f, 2.9f, 4.3f, 5.6f};
+constexpr std::array<float, 4> kDepths = {0.218f, 0.527f, 0.782f, 1.018f}; // of the sand's
 }
 
 Caustics::Caustics(const Scene& scene)
     : toSun_(scene.sun.toSunWater), toSunAir_(scene.sun.toSunAir), tile_(scene.waves.tile),
-      layers_(kDepths.size(), std::vector<float>(kSide * kSide)) {}
+      layers_(kDepths.size(), std::vector<float>(kSide * kSide)) {
+    for (const float share : kDepths) depths_.push_back(-share * scene.sandHeight);
+}
 
 // Each texel's two photons go straight from the surface to each depth, in the frame that the level sea's ray
 // stays still in.
@@ -165,7 +167,7 @@ void Caustics::advance(const Sea& sea) {
                                                          wrapped(x + i, kSide))];
                     };
                     const vec2 d = part ? 0.25f * (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1)) : at(0, 0);
-                    const vec2 p = vec2(x, y) + (part ? 0.5f : 0.0f) + d * kDepths[layer];
+                    const vec2 p = vec2(x, y) + (part ? 0.5f : 0.0f) + d * depths_[layer];
                     const vec2 base = glm::floor(p), f = p - base;
                     const int x0 = wrapped(static_cast<int>(base.x), kSide), x1 = wrapped(x0 + 1, kSide);
                     const int y0 = wrapped(static_cast<int>(base.y), kSide), y1 = wrapped(y0 + 1, kSide);
@@ -200,13 +202,13 @@ float Caustics::at(const vec3& pWorld) const {
     const float depth = std::max(-pWorld.y, 0.0f);
     const vec2 surface = vec2(pWorld.x, pWorld.z) + vec2(toSun_.x, toSun_.z) * (depth / toSun_.y);
     const vec2 texel = surface * (kSide / tile_);
-    if (depth <= kDepths.front()) {
-        const float share = depth / kDepths.front();
+    if (depth <= depths_.front()) {
+        const float share = depth / depths_.front();
         return 1 - share + share * repeating(layers_.front(), kSide, texel);
     }
     size_t upper = 0;
-    while (upper + 2 < kDepths.size() && kDepths[upper + 1] < depth) ++upper;
-    const float share = std::min((depth - kDepths[upper]) / (kDepths[upper + 1] - kDepths[upper]), 1.0f);
+    while (upper + 2 < depths_.size() && depths_[upper + 1] < depth) ++upper;
+    const float share = std::min((depth - depths_[upper]) / (depths_[upper + 1] - depths_[upper]), 1.0f);
     return repeating(layers_[upper], kSide, texel) * (1 - share) +
            repeating(layers_[upper + 1], kSide, texel) * share;
 }

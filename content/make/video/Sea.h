@@ -39,6 +39,7 @@ class Caustics {
     static constexpr int kSide = 512;
     vec3 toSun_{0}, toSunAir_{0};
     float tile_ = 0;
+    std::vector<float> depths_; // metres, a layer each
     std::vector<std::vector<float>> layers_;
 };
 

@@ -12,10 +12,16 @@ namespace shoal::reef {
 // Edges grow evenly at first, then by a constant ratio.
 float Veil::edge(int slice) { return kNearest * (std::exp(static_cast<float>(slice) * kRatio) - 1) / kFirst; }
 
+namespace {
+constexpr vec3 kSpread[8] = {{1, 0.2f, 0.1f},       {-0.9f, -0.3f, 0.3f}, {0.2f, 1, -0.2f},
+                             {-0.1f, -0.9f, -0.4f}, {0.3f, -0.2f, 1},     {-0.3f, 0.3f, -0.9f},
+                             {0.6f, -0.6f, 0.5f},   {-0.6f, 0.6f, -0.4f}};
+}
+
 void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera) {
     const vec3 open(12, camera.y, -12);
     const bool sheltered = world.ambient(camera).y < 0.45f * world.ambient(open).y;
-    width_ = sheltered ? 512 : 256;
+    width_ = sheltered ? std::max(512, scene.water.veilWidth) : scene.water.veilWidth;
     height_ = width_ / 2;
     cells_.resize(static_cast<size_t>(width_) * height_ * kSlices);
     const Water& water = scene.water;
@@ -39,15 +45,21 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
             for (int i = 0; i < kSlices; ++i) {
                 const float to = edge(i + 1), length = std::max(std::min(to, above) - from, 0.0f);
                 if (length > 0) {
-                    const int parts = i > 6 ? 2 : 1;
+                    // Around the sun a ray keeps to one beam: there the whole cell is asked.
+                    const bool beams = i > 6 && turned > 0.25f;
+                    const int parts = beams ? 8 : i <= 6 || i > 20 ? 1 : scene.lamps.empty() ? 2 : 4;
                     vec3 source(0);
                     for (int k = 0; k < parts; ++k) {
+                        const vec3 aside = beams ? kSpread[k] * (9.0f / static_cast<float>(width_)) : vec3(0);
                         const vec3 p =
-                            camera + dir * (from + length * (static_cast<float>(k) + 0.15f + 0.7f * jitter) /
-                                                       static_cast<float>(parts));
+                            camera +
+                            (dir + aside) * (from + length * (static_cast<float>(k) + 0.15f + 0.7f * jitter) /
+                                                        static_cast<float>(parts));
                         const float lit = world.sunlit(p);
                         if (lit > 0) source += sunAtDepth(scene, -p.y) * (lit * turned * caustics.at(p));
                         source += world.ambient(p);
+                        for (const Lamps::Arriving& light : world.lamps().at(p))
+                            source += light.irradiance * water.phase(glm::dot(light.toLamp, dir));
                     }
                     const vec3 passed = water.transmittance(length);
                     sum += through * (1.0f - passed) * water.scattered * source / static_cast<float>(parts);

@@ -4,6 +4,8 @@
 #include "content/make/video/Growth.h"
 #include "content/make/video/Light.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +19,7 @@ namespace {
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr float kShadowTexel = 0.02f;
 constexpr int kShadowSide = 1800;
-constexpr float kSwayingSeen = 9; // metres: beyond it the water hides so little motion
+constexpr float kSwayingSeen = 16; // metres: beyond it the water hides so little motion
 
 bool traceRay(RTCScene scene, const vec3& origin, const vec3& dir, float furthest, RTCRayHit& ray) {
     RTCIntersectContext context;
@@ -38,7 +40,9 @@ void append(Mesh& all, Mesh&& part) {
 
 World::World(const Scene& scene, const Route& route, const Path& cache)
     : scene_(scene), device_(rtcNewDevice(nullptr)),
-      duration_(static_cast<float>(scene.film.frames) / static_cast<float>(scene.film.fps)) {
+      duration_(static_cast<float>(scene.film.frames) / static_cast<float>(scene.film.fps)),
+      gridLow_(-16, scene.sandHeight - 1.1f, -16),
+      gridCells_(65, static_cast<int>((1.5f - scene.sandHeight) / kGridCell + 0.5f) + 1, 65) {
     Mesh ground = makeSand(scene);
     for (const Rock& rock : scene.rocks) append(ground, makeRock(scene, rock));
     std::fprintf(stderr, "ground: %zu triangles\n", ground.triangles.size());
@@ -46,11 +50,17 @@ World::World(const Scene& scene, const Route& route, const Path& cache)
     castShadows();
     Grown grown = grow(scene, route, ground, [this](const vec3& p) { return sunlitSoft(p); });
     append(ground, std::move(grown.still));
+    for (const Lamp& lamp : scene.lamps)
+        if (!lamp.carried) append(ground, makeLamp(lamp));
     std::fprintf(stderr, "still: %zu triangles, swaying: %zu\n", ground.triangles.size(),
                  grown.swaying.triangles.size());
     raise(std::move(ground), std::move(grown.swaying));
     castShadows();
-    const uint64_t key = parts_[0].vertices.size() * 1000003 + parts_[1].vertices.size();
+    lamps_ = Lamps(scene.lamps, scene.water, [this](const vec3& origin, const vec3& dir) {
+        Hit hit;
+        return trace(origin, dir, Lamps::kReach, hit) ? hit.distance : Lamps::kReach;
+    });
+    const uint64_t key = scene.key ^ (parts_[0].vertices.size() * 1000003 + parts_[1].vertices.size());
     if (!load(cache, key)) {
         light();
         save(cache, key);
@@ -88,16 +98,18 @@ void World::advance(float turn, const vec3& camera) {
     const Mesh& mesh = parts_[1];
     const auto cycles = [&](float period) { return std::round(duration_ / period); };
     const float slow = cycles(5.4f), quick = cycles(2.3f), flutter = cycles(1.1f);
+    lamps_.carry(camera);
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vertex& v = mesh.vertices[i];
-        if (v.sway == 0 || glm::distance(v.p, camera) > kSwayingSeen) continue;
-        const float place = v.p.x * 0.55f + v.p.z * 0.35f, here = v.p.x * 2.3f - v.p.z * 3.1f;
+        const float sway =
+            v.sway * glm::smoothstep(kSwayingSeen, 0.75f * kSwayingSeen, glm::distance(v.p, camera));
+        const float place = v.p.x * 0.55f + v.p.z * 0.35f + v.p.y * 0.3f, here = v.p.x * 2.3f - v.p.z * 3.1f;
         const float a =
             std::sin(kTurn * slow * turn - place) + 0.35f * std::sin(kTurn * quick * turn - 2.1f * here);
         const float b = 0.45f * std::sin(kTurn * slow * turn - place - 1.1f) +
                         0.22f * std::sin(kTurn * flutter * turn + 3.3f * here);
-        moved_[i] = v.p + v.sway * vec3(0.85f * a + 0.3f * b, -0.22f * a * a, 0.5f * a - 0.8f * b);
+        moved_[i] = v.p + sway * vec3(0.85f * a + 0.3f * b, -0.22f * a * a, 0.5f * a - 0.8f * b);
     }
     if (mesh.triangles.empty()) return;
     const RTCGeometry geometry = rtcGetGeometry(swayingScene_.get(), 0);
@@ -129,6 +141,10 @@ bool World::trace(const vec3& origin, const vec3& dir, float furthest, Hit& hit)
     hit.albedo = w * a.albedo + u * b.albedo + v * c.albedo;
     hit.indirect = w * indirect[t.x] + u * indirect[t.y] + v * indirect[t.z];
     hit.kind = a.kind;
+    hit.glow = vec3(0);
+    if (a.glow | b.glow | c.glow)
+        hit.glow = w * glm::unpackF3x9_E1x5(a.glow) + u * glm::unpackF3x9_E1x5(b.glow) +
+                   v * glm::unpackF3x9_E1x5(c.glow);
     return true;
 }
 

@@ -1,6 +1,7 @@
 // Everything solid under the water: traced, shadowed, and lit by what its surroundings send back.
 #pragma once
 
+#include "content/make/video/Lamps.h"
 #include "content/make/video/Mesh.h"
 #include "content/make/video/Route.h"
 
@@ -15,9 +16,12 @@ struct Hit {
     float distance = 0;
     vec3 p{0}, normal{0}; // the normal faces the viewer
     vec3 albedo{0};
-    vec3 indirect{0}; // irradiance from all but the sun itself
+    vec3 indirect{0}; // irradiance from all but sun and lamps themselves
+    vec3 glow{0};     // radiance of its own
     Kind kind = Kind::Rock;
 };
+
+constexpr float kGridCell = 0.5f; // metres
 
 class World {
   public:
@@ -31,8 +35,9 @@ class World {
     // The share of the sun that solid things leave at a place.
     float sunlit(const vec3& p) const;
     float sunlitSoft(const vec3& p) const; // with the penumbra that waves and disc make
-    // Mean radiance over all directions but the sun's.
+    // Mean radiance over all directions but the sun's and the lamps'.
     vec3 ambient(const vec3& p) const;
+    const Lamps& lamps() const { return lamps_; }
 
   private:
     void raise(Mesh&& still, Mesh&& swaying);
@@ -58,7 +63,13 @@ class World {
     float duration_ = 0;
     std::vector<float>
         shadow_; // height of what the sun meets first, by the place where its ray enters the water
+    Lamps lamps_;
+    vec3 gridLow_{0};
+    glm::ivec3 gridCells_{0};
     std::vector<vec3> grid_;
+    size_t cell(int x, int y, int z) const {
+        return static_cast<size_t>((z * gridCells_.y + y) * gridCells_.x + x);
+    }
 };
 
 } // namespace shoal::reef

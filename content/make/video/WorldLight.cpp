@@ -15,12 +15,6 @@ namespace shoal::reef {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kCell = 0.5f;
-constexpr glm::ivec3 kCells(65, 15, 65);
-constexpr vec3 kLow(-16, -6.6f, -16);
-
-size_t cell(int x, int y, int z) { return static_cast<size_t>((z * kCells.y + y) * kCells.x + x); }
-
 // Evenly over the square, turned by a random step (Roberts' sequence).
 vec2 spread(int i, const vec2& shift) {
     const vec2 p = shift + static_cast<float>(i) * vec2(0.7548776662f, 0.5698402910f);
@@ -30,7 +24,7 @@ vec2 spread(int i, const vec2& shift) {
 } // namespace
 
 void World::light() {
-    grid_.assign(cell(0, 0, kCells.z), vec3(-1));
+    grid_.assign(cell(0, 0, gridCells_.z), vec3(-1));
     lightGrid(16);
     lightVertices(4);
     lightGrid(32);
@@ -49,7 +43,12 @@ vec3 World::incoming(const vec3& origin, const vec3& dir, bool& fromBehind) cons
         const vec3 sun =
             sunAtDepth(scene_, -hit.p.y) * (sunlit(hit.p + hit.normal * 0.03f) *
                                             std::max(glm::dot(hit.normal, scene_.sun.toSunWater), 0.0f));
-        behind = fromBehind ? vec3(0) : hit.albedo * (sun + hit.indirect) / kPi;
+        vec3 irradiance = sun + hit.indirect;
+        for (const Lamps::Arriving& light : lamps_.at(hit.p + hit.normal * 0.02f))
+            irradiance += light.irradiance * std::max(glm::dot(hit.normal, light.toLamp), 0.0f);
+        behind = fromBehind ? vec3(0) : hit.albedo * irradiance / kPi;
+        // A lamp's glass would be met by chance only; what it sends is counted above.
+        if (hit.kind != Kind::Lamp) behind += hit.glow;
     } else if (dir.y > 0.02f) {
         distance = std::min(-origin.y / dir.y, 60.0f);
         const Window window = throughSurface(dir, vec3(0, 1, 0));
@@ -60,7 +59,10 @@ vec3 World::incoming(const vec3& origin, const vec3& dir, bool& fromBehind) cons
                through = scene_.water.transmittance(distance);
     const vec3 sun = sunAtDepth(scene_, -middle.y) *
                      (sunlit(middle) * scene_.water.phase(glm::dot(-scene_.sun.toSunWater, -dir)));
-    const vec3 veil = scene_.water.scattered * (sun + ambient(middle));
+    vec3 source = sun + ambient(middle);
+    for (const Lamps::Arriving& light : lamps_.at(middle))
+        source += light.irradiance * scene_.water.phase(glm::dot(light.toLamp, dir));
+    const vec3 veil = scene_.water.scattered * source;
     return behind * through + veil * (1.0f - through);
 }
 
@@ -69,10 +71,10 @@ void World::lightGrid(int rays) {
     std::vector<vec3> next(grid_.size());
     std::vector<uint8_t> solid(grid_.size());
 #pragma omp parallel for schedule(dynamic)
-    for (int z = 0; z < kCells.z; ++z)
-        for (int y = 0; y < kCells.y; ++y)
-            for (int x = 0; x < kCells.x; ++x) {
-                const vec3 p = kLow + vec3(x, y, z) * kCell;
+    for (int z = 0; z < gridCells_.z; ++z)
+        for (int y = 0; y < gridCells_.y; ++y)
+            for (int x = 0; x < gridCells_.x; ++x) {
+                const vec3 p = gridLow_ + vec3(x, y, z) * kGridCell;
                 Random random(cell(x, y, z), 3);
                 const vec2 shift(random.unit(), random.unit());
                 vec3 sum(0);
@@ -91,9 +93,9 @@ void World::lightGrid(int rays) {
     // Places within rock take their neighbours' light, so that it can be interpolated up to the wall.
     for (int pass = 0; pass < 3; ++pass) {
         const auto was = solid;
-        for (int z = 1; z + 1 < kCells.z; ++z)
-            for (int y = 1; y + 1 < kCells.y; ++y)
-                for (int x = 1; x + 1 < kCells.x; ++x) {
+        for (int z = 1; z + 1 < gridCells_.z; ++z)
+            for (int y = 1; y + 1 < gridCells_.y; ++y)
+                for (int x = 1; x + 1 < gridCells_.x; ++x) {
                     if (!was[cell(x, y, z)]) continue;
                     vec3 sum(0);
                     int count = 0;
@@ -110,8 +112,8 @@ void World::lightGrid(int rays) {
 
 vec3 World::ambient(const vec3& p) const {
     if (grid_[0].x < 0) return 0.03f * sunAtDepth(scene_, -p.y);
-    const vec3 q = glm::clamp((p - kLow) / kCell, vec3(0), vec3(kCells) - 1.01f), base = glm::floor(q),
-               f = q - base;
+    const vec3 q = glm::clamp((p - gridLow_) / kGridCell, vec3(0), vec3(gridCells_) - 1.01f),
+               base = glm::floor(q), f = q - base;
     const int x = static_cast<int>(base.x), y = static_cast<int>(base.y), z = static_cast<int>(base.z);
     const vec3* at = grid_.data() + cell(x, y, z);
     const auto row = [&](int j, int k) {
