@@ -72,9 +72,10 @@ bool sees(const View& view, const Sphere& sphere) {
 float toleranceFor(const Sphere& sphere, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
     const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
+    constexpr float kNearest_m = 0.2f; // of what an eye inside of the sphere looks at, such as its own arm
     const float distance = glm::distance(sphere.centre, view.eyeWorld) - sphere.radius;
-    return std::max(distance, view.near_m) * 2 * view.halfExtent().y / static_cast<float>(view.heightPixels) *
-           unseen_px;
+    return std::max(distance, std::max(view.near_m, kNearest_m)) * 2 * view.halfExtent().y /
+           static_cast<float>(view.heightPixels) * unseen_px;
 }
 
 // Whether relief may be left out and light come by the vertex. Over a whole picture of a dive, hands and all,

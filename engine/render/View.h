@@ -15,7 +15,8 @@ struct View {
     glm::quat worldFromEye{1, 0, 0, 0}; // the eye looks along its -Z, +Y up
     float verticalFov = 1.0f;           // radians
     float aspect = 16.0f / 9.0f;        // width / height
-    float near_m = 0.05f, far_m = 100.0f;
+    // Nearer than an arm passes the eye that is in the picture at a field of view of 130 degrees.
+    float near_m = 0.02f, far_m = 100.0f;
     // Centre of the image plane at distance 1, for frusta off axis (headsets); right and up positive.
     glm::vec2 shift{0};
 

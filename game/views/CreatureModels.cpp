@@ -15,6 +15,7 @@ namespace shoal::app {
 namespace {
 
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
+constexpr float kArmMargin = 1.3f; // of an arm's bounding spheres, whose flesh a bend or stretch moves
 constexpr float kMinSwing =
     0.01f; // of the tail in an animation, body lengths: below, there is no wave to scale
 constexpr float kMaxScale = 2.5f; // of the wave: more would fold the body
@@ -62,10 +63,10 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     instance.model = std::move(*model);
     if (!request.variant.empty() && !scene::applyVariant(instance.model, request.variant))
         return Error{request.file.string(), "has no variant named " + request.variant};
-    for (size_t joint = 0; joint < hands::kJointNames.size() && request.side; ++joint) {
-        const std::string name(hands::kJointNames[joint]);
-        instance.jointNodes[joint] = instance.model.findNode(name);
-        if (instance.jointNodes[joint] < 0) return Error{request.file.string(), "has no joint named " + name};
+    for (const std::string_view joint : request.joints) {
+        instance.jointNodes.push_back(instance.model.findNode(std::string(joint)));
+        if (instance.jointNodes.back() < 0)
+            return Error{request.file.string(), "has no joint named " + std::string(joint)};
     }
     scene::restPose(instance.model, instance.pose);
     scene::updateGlobals(instance.model, instance.pose);
@@ -77,8 +78,7 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
         baked = render::BakedOcclusion{.parts = ellipsoidOf(instance.model, bounds)};
     }
     if (baked->selfOcclusion.empty()) traceSelfOcclusion(instance.model);
-    instance.body =
-        render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.side.has_value());
+    instance.body = render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.onItself);
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
     instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);
@@ -100,7 +100,7 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     const scene::Gloss gloss = scene::minGloss(instance.model);
     minRoughness_ =
         std::min(minRoughness_, detail == render::Detail::Lean ? gloss.meanRoughness : gloss.minRoughness);
-    // Both hands have the same textures.
+    // Both hands have the same textures, and both arms.
     const auto same = [](const ImageRgba8& a, const ImageRgba8& b) { return a.pixels == b.pixels; };
     const bool shared = std::ranges::equal(instance.model.images, lastImages_, same);
     instance.gpu = render::uploadModel(instance.model, reflectance, detail, shared ? lastTextures_ : nullptr);
@@ -114,9 +114,11 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
                                             render::Reflectance reflectance, render::Detail detail) {
     const Path content = dataRoot() / "content";
     std::vector<ModelRequest> requests;
-    for (const game::Species& kind : species) requests.push_back({content / kind.model, {}, {}});
-    requests.push_back({content / "models/hand_left.glb", handVariant, hands::Side::Left});
-    requests.push_back({content / "models/hand_right.glb", handVariant, hands::Side::Right});
+    for (const game::Species& kind : species) requests.push_back({content / kind.model, {}, {}, false});
+    for (const char* hand : {"models/hand_left.glb", "models/hand_right.glb"})
+        requests.push_back({content / hand, handVariant, hands::kJointNames, true});
+    for (const char* arm : {"models/arm_left.glb", "models/arm_right.glb"})
+        requests.push_back({content / arm, {}, kArmJointNames, false});
     // Each is read while the one before it is uploaded; not all at once, to save memory.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
@@ -130,8 +132,10 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
         models.upload(*instance, reflectance, detail);
         if (i < species.size())
             models.species_.push_back(std::move(*instance));
+        else if (const size_t limb = i - species.size(); limb < 2)
+            models.hands_[limb] = std::move(*instance);
         else
-            models.hands_[i - species.size()] = std::move(*instance);
+            models.arms_[limb - 2] = std::move(*instance);
     }
     models.lastImages_ = {};
     return models;
@@ -186,16 +190,25 @@ void CreatureModels::show(const game::Snapshot& snapshot, render::ObjectPass& pa
         pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
                  {creature.position, creature.length * 0.7f}, &instance.body, spheres_);
     }
+    const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
         const game::HandView& hand = snapshot.hands[side];
         if (!hand.visible) continue;
-        ModelInstance& instance = hands_[side];
-        placeJoints(hand.joints, instance.jointNodes, instance.pose);
-        const glm::mat4 worldFromModel(1); // the joints already stand in the world
-        scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
-        pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
-                 scene::boundingSphereOf(spheres_), &instance.body, spheres_);
+        placeJoints(hand.joints, hands_[side].jointNodes, hands_[side].pose);
+        showPosed(hands_[side], 1, pass);
+        const ArmPose arm = poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head);
+        for (size_t k = 0; k < arm.size(); ++k)
+            arms_[side].pose.modelFromNode[static_cast<size_t>(arms_[side].jointNodes[k])] = arm[k];
+        showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), pass);
     }
+}
+
+void CreatureModels::showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass) {
+    const glm::mat4 worldFromModel(1);
+    scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
+    for (scene::Sphere& sphere : spheres_) sphere.radius *= margin;
+    pass.add(instance.model, instance.gpu, instance.pose, worldFromModel, scene::boundingSphereOf(spheres_),
+             &instance.body, spheres_);
 }
 
 } // namespace shoal::app

@@ -1,5 +1,5 @@
-// Posed models of what a snapshot shows: creatures by species, and two hands. The thread of the OpenGL
-// context.
+// Posed models of what a snapshot shows: creatures by species, two hands, and their arms. The thread of the
+// OpenGL context.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -10,9 +10,11 @@
 #include "engine/scene/Surface.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
+#include "game/views/ArmPose.h"
 
 #include <array>
-#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace shoal::app {
@@ -40,25 +42,28 @@ class CreatureModels {
         render::BodyOccluders body;
         float length_m = 1;                                      // of the rest pose along z
         std::array<int, game::kMotionNames.size()> animations{}; // by Motion; -1: the model has no such clip
-        std::array<int, hands::kJointCount> jointNodes{};        // hands only
+        std::vector<int> jointNodes;                             // of the request's joints
         std::vector<scene::NodeSphere> boundingSpheres;
     };
     static void pose(const game::CreatureView& creature, ModelInstance& instance);
     struct ModelRequest {
         Path file;
-        std::string variant;             // of the materials; empty: as it is
-        std::optional<hands::Side> side; // hands only
+        std::string variant;                      // of the materials; empty: as it is
+        std::span<const std::string_view> joints; // that it must have, posed in the world: hands and arms
+        bool onItself = false;                    // its parts take light from each other
     };
     // On any thread; lacks what upload() makes.
     static Result<ModelInstance> readInstance(const ModelRequest&, render::Reflectance reflectance);
     void upload(ModelInstance& instance, render::Reflectance reflectance, render::Detail detail);
+    // Of an instance whose joints already stand in the world. margin: of its bounding spheres.
+    void showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass);
 
     float minRoughness_ = 1;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading
     std::shared_ptr<const render::TexturesGpu> lastTextures_;
     std::vector<ModelInstance> species_;
-    std::array<ModelInstance, 2> hands_;
-    std::vector<scene::Sphere> spheres_; // scratch
+    std::array<ModelInstance, 2> hands_, arms_; // left, right
+    std::vector<scene::Sphere> spheres_;        // scratch
 };
 
 } // namespace shoal::app

@@ -10,7 +10,7 @@ from surface import capsule, ellipsoid, smooth_max, smooth_min
 
 PARENTS = (1, -1, 1, 2, 3, 4, 1, 6, 7, 8, 9, 1, 11, 12, 13, 14, 1, 16, 17, 18, 19, 1, 21, 22, 23, 24)
 FINGERS = ('thumb', 'index', 'middle', 'ring', 'little')
-WRIST_END = 0.022  # where the arm ends, hidden in the sleeve, metres behind the wrist
+WRIST_END = 0.030  # where the hand ends, hidden in the sleeve (arms.py), metres behind the wrist
 
 
 @dataclass

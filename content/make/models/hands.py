@@ -2,18 +2,15 @@
 
 import numpy as np
 
-import hand_sleeve
 import paint
 import surface
 from glb import Glb
 from hand_glove import Glove
 from hand_shape import FINGERS, PARENTS, WRIST_END, hand_field, read_skeleton
 from hand_skin import HandSkin
-from mesh import Part, facing, join, mirrored, strongest_four, tangent_frame, unit
+from mesh import Part, facing, mirrored, strongest_four, tangent_frame, unit
 
 TEXELS = 1024
-HAND_TEXELS = 896  # of these; the sleeve has the strip at the right
-GAP = 4
 CELL = (0.0048, 0.0046, 0.0057)  # metres; fingers run along z
 
 
@@ -67,7 +64,7 @@ def weights(hand, p):
 
 
 def right_part(skeleton):
-    """The mesh, hand and sleeve, and where in space the texels of the hand lie."""
+    """The mesh, and where in space its texels lie."""
     field = hand_field(skeleton)
     # the grid starts where its points fall into the narrow gaps between the fingers, and near the tips
     points, quads = surface.surface_nets(field, (-0.0967, -0.045, -0.209), (0.066, 0.036, WRIST_END + 0.008), CELL)
@@ -75,28 +72,22 @@ def right_part(skeleton):
     points = surface.relax(field, points, quads)
     triangles = surface.split_quads(points, quads)
     normals = unit(surface.gradient(field, points, 4e-4))
-    old, triangles, uv, u_axis, up_axis = surface.unfold(points, triangles, normals, HAND_TEXELS)
+    old, triangles, uv, u_axis, up_axis = surface.unfold(points, triangles, normals, TEXELS)
     p, n = points[old], normals[old]
-    part = facing(Part(p, n, tangent_frame(n, u_axis, up_axis), uv * (HAND_TEXELS / TEXELS), triangles))
+    part = facing(Part(p, n, tangent_frame(n, u_axis, up_axis), uv, triangles))
     part.joints, part.weights = strongest_four(weights(skeleton, p))
-    sleeve = hand_sleeve.tube()
-    sleeve.uvs = (sleeve.uvs * [TEXELS - HAND_TEXELS - 2 * GAP, TEXELS - 2 * GAP] + [HAND_TEXELS + GAP, GAP]) / TEXELS
-    sleeve.joints = np.tile([skeleton.index('wrist'), 0, 0, 0], (len(sleeve.positions), 1))
-    sleeve.weights = np.tile(np.array([1, 0, 0, 0], '<f4'), (len(sleeve.positions), 1))
-    baked, mask = surface.bake(uv, triangles, np.concatenate([p, n, u_axis, up_axis], 1), HAND_TEXELS)
-    return join([part, sleeve]), baked, mask
+    baked, mask = surface.bake(uv, triangles, np.concatenate([p, n, u_axis, up_axis], 1), TEXELS)
+    return part, baked, mask
 
 
 def painted(cover, baked, mask):
-    """Colours by look, normal map and roughness: a cover (skin or glove) on the hand, the sleeve beside it."""
+    """Colours by look, normal map and roughness of a cover (skin or glove)."""
     p, n = baked[mask][:, :3], unit(baked[mask][:, 3:6])
     up = n[:, 1]
-    sleeve = hand_sleeve.pictures(TEXELS - HAND_TEXELS, TEXELS)
 
-    def sheet(values, empty, beside):
+    def sheet(values, empty):
         picture = np.ones((TEXELS, TEXELS, 3)) * empty
-        picture[:HAND_TEXELS, :HAND_TEXELS][mask] = values
-        picture[:, HAND_TEXELS:] = beside
+        picture[mask] = values
         return picture
     e = 1.2e-4
     here = cover.relief(p, up)
@@ -108,8 +99,8 @@ def painted(cover, baked, mask):
                            np.ones(len(p))], -1))
     rough = cover.rough(p, up)
     gloss = np.stack([np.ones_like(rough), rough, 0 * rough], -1)
-    colours = {look: sheet(c, c.mean(0), sleeve[0]) for look, c in cover.colours(p, up).items()}
-    return colours, sheet(slope * 0.5 + 0.5, [0.5, 0.5, 1.0], sleeve[1]), sheet(gloss, [1, 0.5, 0], sleeve[2])
+    colours = {look: sheet(c, c.mean(0)) for look, c in cover.colours(p, up).items()}
+    return colours, sheet(slope * 0.5 + 0.5, [0.5, 0.5, 1.0]), sheet(gloss, [1, 0.5, 0])
 
 
 def turn_to_quaternion(m):

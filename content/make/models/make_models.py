@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes content/models/*.glb: every animal and both hands. Same program, same bytes.
+"""Makes content/models/*.glb: every animal, both hands and both arms. Same program, same bytes.
 
 Usage: make_models.py [NAME ...] [--out FOLDER]. Needs Python 3, numpy and Pillow.
 """
@@ -16,18 +16,19 @@ sys.dont_write_bytecode = True
 
 ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'boxfish', 'idol', 'ray', 'shark')
 HANDS = ('hand_left', 'hand_right')
+ARMS = ('arm_left', 'arm_right')
 
 
 def main():
     models = HERE.parent.parent / 'models'
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('names', nargs='*', metavar='NAME', help=', '.join(ANIMALS + HANDS))
+    parser.add_argument('names', nargs='*', metavar='NAME', help=', '.join(ANIMALS + HANDS + ARMS))
     parser.add_argument('--out', type=Path, default=models, help='folder of the .glb files')
     options = parser.parse_args()
-    unknown = set(options.names) - set(ANIMALS + HANDS)
+    unknown = set(options.names) - set(ANIMALS + HANDS + ARMS)
     if unknown:
         parser.error(f'unknown: {", ".join(sorted(unknown))}')
-    wanted = options.names or ANIMALS + HANDS
+    wanted = options.names or ANIMALS + HANDS + ARMS
     options.out.mkdir(parents=True, exist_ok=True)
 
     def report(name, started, size, triangles, vertices):
@@ -44,6 +45,12 @@ def main():
         started = time.monotonic()
         import hands as maker
         for name, *figures in maker.write(options.out, models / 'hand_skeleton.json', hands):
+            report(name, started, *figures)
+    arms = [name for name in wanted if name in ARMS]
+    if arms:
+        started = time.monotonic()
+        import arms as maker
+        for name, *figures in maker.write(options.out, arms):
             report(name, started, *figures)
 
 

@@ -73,12 +73,15 @@ TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
     }
 }
 
+// Measured on the hands as they are, and a tenth: since they end at the wrist, 0.039 and 0.046, 0.054 and
+// 0.064, 0.047 and 0.060, 0.035 and 0.050. (With a sleeve, lit as open as can be: 0.058, 0.059; 0.039, 0.049;
+// 0.054, 0.059; 0.064, 0.072.)
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Bodies,
-    testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.065, 0.067},
-                    Case{"hand_closing", [] { return handOnFish(0.45f); }, 0.044, 0.054},
-                    Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.06, 0.067},
-                    Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.073, 0.079},
+    testing::Values(Case{"hand_opening", [] { return handOnFish(0.2f); }, 0.045, 0.052},
+                    Case{"hand_closing", [] { return handOnFish(0.45f); }, 0.059, 0.069},
+                    Case{"hand_closed", [] { return handOnFish(0.65f); }, 0.052, 0.066},
+                    Case{"hand_by_itself", [] { return handBySelf(0.6f); }, 0.041, 0.056},
                     Case{"shark_above_shoal", [] { return sharkAboveShoal(); }, 0.033, 0.03}),
     [](const auto& each) { return std::string(each.param.name); });
 

@@ -30,7 +30,8 @@ std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts
 // TraceSelfOcclusion at rest, and half closed beside these ellipsoids. Seconds.
 render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts);
 
-// The ellipsoids of a creature that bends softly; its self-occlusion is traced when it is loaded.
+// The ellipsoids of a creature that bends softly, or of an arm; its self-occlusion is traced when it is
+// loaded.
 Result<render::BakedOcclusion> fitCreature(const Path& model);
 
 // As its file holds it; self-occlusion to 1 / kSelfOcclusionSteps.

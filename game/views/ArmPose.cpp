@@ -1,0 +1,111 @@
+#include "game/views/ArmPose.h"
+
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::app {
+
+namespace {
+
+// Of the right shoulder from the eyes, yawed frame (+x right, +y up, +z behind), metres: of a person of 1.75
+// m.
+constexpr glm::vec3 kShoulder{0.21f, -0.29f, 0.06f};
+// So far behind the plane through the eyes, and aside of where they look, the shoulder stays at least.
+constexpr float kBehindEyes_m = 0.03f, kAside_m = 0.33f;
+// Where an elbow that hangs loosely points, the right one, same frame: down, outwards and back.
+constexpr glm::vec3 kElbowHint{0.60f, -0.72f, 0.35f};
+// The same in the arm's own frame, of the model at rest: arms.py's POINT.
+constexpr glm::vec3 kElbowAtRest{0.6f, -0.8f, 0};
+
+glm::vec3 ofSide(hands::Side side, const glm::vec3& right) {
+    return side == hands::Side::Left ? glm::vec3(-right.x, right.y, right.z) : right;
+}
+
+// About the world's up; ahead stays ahead as it is seen from above, even for a head that looks up or down.
+glm::quat yawOf(const glm::quat& worldFromView) {
+    const glm::vec3 ahead = worldFromView * glm::vec3(0, 0, -1), up = worldFromView * glm::vec3(0, 1, 0);
+    const glm::vec3 level = ahead - up * ahead.y; // the up of a head that looks down is ahead of it
+    return glm::angleAxis(std::atan2(-level.x, -level.z), glm::vec3(0, 1, 0));
+}
+
+// The direction of v's part at right angles to the axis, which may be none (0); of `otherwise` where that is
+// as good as nothing.
+glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& otherwise) {
+    glm::vec3 part = v - axis * glm::dot(v, axis);
+    if (glm::dot(part, part) < 1e-6f) part = otherwise - axis * glm::dot(otherwise, axis);
+    return glm::normalize(part);
+}
+
+// Z along `axis`, and what points along kElbowAtRest of this side points along `point`, at right angles to
+// it.
+glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
+    const glm::vec3 rest = ofSide(side, kElbowAtRest);
+    const glm::mat3 from(rest, glm::cross(glm::vec3(0, 0, 1), rest), glm::vec3(0, 0, 1));
+    const glm::mat3 to(point, glm::cross(axis, point), axis);
+    return glm::normalize(glm::quat_cast(to * glm::transpose(from)));
+}
+
+// The shortest turn from one unit vector to another (Lengyel 2011, "Mathematics for 3D Game Programming").
+glm::quat swing(const glm::vec3& from, const glm::vec3& to) {
+    const float cosine = glm::dot(from, to);
+    if (cosine < -0.9999f) return glm::angleAxis(glm::pi<float>(), across({0, 1, 0}, from, {1, 0, 0}));
+    return glm::normalize(glm::quat(1 + cosine, glm::cross(from, to)));
+}
+
+} // namespace
+
+glm::vec3 shoulderWorld(hands::Side side, const Head& head) {
+    const glm::vec3 fromHead = yawOf(head.worldFromView) * ofSide(side, kShoulder);
+    glm::vec3 inView = glm::conjugate(head.worldFromView) * fromHead;
+    const float aside_m = std::max(std::hypot(inView.x, inView.y), 1e-3f);
+    const float outwards = std::max(kAside_m / aside_m, 1.0f);
+    inView = {inView.x * outwards, inView.y * outwards, std::max(inView.z, kBehindEyes_m)};
+    return head.positionWorld + head.worldFromView * inView;
+}
+
+ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& head) {
+    const glm::vec3 shoulder = shoulderWorld(side, head), wrist = wristWorld.position;
+    const glm::quat yaw = yawOf(head.worldFromView);
+    const glm::vec3 hint = yaw * ofSide(side, kElbowHint), aside = yaw * ofSide(side, {1, 0, 0});
+    const glm::vec3 apart = shoulder - wrist;
+    // A wrist at the shoulder or nearer to it than the bones differ: the elbow is put where it would just
+    // reach.
+    const float distance = std::max(glm::length(apart), kUpperArm_m - kForearm_m + 1e-3f);
+    const glm::vec3 back = across(apart, glm::vec3(0), yaw * glm::vec3(0, 0, 1));
+    const glm::vec3 point = across(hint, back, aside); // where the elbow stands off the straight line
+    // Two-bone inverse kinematics: the triangle of both bones and the distance, by the law of cosines.
+    const float stretch = std::max(distance / (kForearm_m + kUpperArm_m), 1.0f);
+    const float fore = kForearm_m * stretch, upper = kUpperArm_m * stretch;
+    const float along =
+        std::clamp((distance * distance + fore * fore - upper * upper) / (2 * distance), -fore, fore);
+    const glm::vec3 elbow = wrist + along * back + std::sqrt(fore * fore - along * along) * point;
+
+    const glm::vec3 foreAxis = (elbow - wrist) / fore, upperAxis = (wrist + distance * back - elbow) / upper;
+    const glm::vec3 hinge = glm::cross(back, point); // of the elbow, at right angles to both bones
+    const glm::quat forearm = frameOf(side, foreAxis, glm::cross(hinge, foreAxis));
+    const glm::quat upperArm = frameOf(side, upperAxis, glm::cross(hinge, upperAxis));
+    // The hand's own turn, with the bend of the wrist taken out; half of its twist is the forearm's middle's.
+    const glm::quat hand = wristWorld.orientation;
+    const glm::quat end = swing(hand * glm::vec3(0, 0, 1), foreAxis) * hand;
+    const auto at = [](const glm::vec3& place, const glm::quat& turn) {
+        return glm::translate(glm::mat4(1), place) * glm::mat4_cast(turn);
+    };
+    return {at(wrist, hand),
+            at(wrist, end),
+            at(0.5f * (wrist + elbow), glm::slerp(forearm, end, 0.5f)),
+            at(elbow, forearm),
+            at(elbow, glm::slerp(forearm, upperArm, 0.5f)),
+            at(elbow, upperArm),
+            at(shoulder, upperArm)};
+}
+
+float stretchOf(const ArmPose& arm) {
+    const auto place = [&](ArmJoint joint) { return glm::vec3(arm[static_cast<size_t>(joint)][3]); };
+    return glm::distance(place(ArmJoint::UpperArm), place(ArmJoint::UpperArmEnd)) / kUpperArm_m;
+}
+
+} // namespace shoal::app
