@@ -9,6 +9,8 @@
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 
+#include <thread>
+
 namespace shoal::app {
 
 namespace {
@@ -80,8 +82,10 @@ Status Application::openScene(bool software) {
                                  compositionIn(options_) == render::Composition::CameraResponse};
     analysis.water = options_.water == WaterChoice::On ||
                      (options_.water == WaterChoice::Auto && (!own || config_.dive.water));
+    const bool slow = software || std::thread::hardware_concurrency() < 4;
+    const Path film = filmFor(dataRoot() / "content" / config_.dive.video, options_.film, slow);
     if (Status s = Environment::open({.options = options_.environment,
-                                      .defaultVideo = dataRoot() / "content" / config_.dive.video,
+                                      .defaultVideo = film,
                                       .bothEyes = options_.stereo == StereoOutput::SideBySide || options_.xr,
                                       .waterIsCertain = own || options_.water == WaterChoice::On,
                                       .analysis = analysis,

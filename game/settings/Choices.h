@@ -25,6 +25,7 @@ enum class StereoOutput { None, SideBySide };
 enum class QualityControl { Auto, Fixed };
 enum class WaterChoice { Auto, On, Off };
 enum class ShadowChoice { On, Off };
+enum class FilmChoice { Auto, Best, Small };
 enum class Skin { Light, Medium, Dark, Glove };
 enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
 enum class Background { Environment, None };
@@ -60,6 +61,9 @@ template <> struct EnumNames<app::WaterChoice> {
     static constexpr std::array kNames = {"auto", "on", "off"};
 };
 template <> struct EnumNames<app::ShadowChoice> { static constexpr std::array kNames = {"on", "off"}; };
+template <> struct EnumNames<app::FilmChoice> {
+    static constexpr std::array kNames = {"auto", "best", "small"};
+};
 template <> struct EnumNames<app::Skin> { // variants of the hands' models
     static constexpr std::array kNames = {"light", "medium", "dark", "glove"};
 };

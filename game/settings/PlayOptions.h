@@ -46,7 +46,8 @@ struct PlayOptions {
     float hapticStrength = 1;
     bool captions = true;
     WaterChoice water = WaterChoice::Auto;
-    bool snow = true;                        // specks that drift in the water
+    bool snow = true; // specks that drift in the water
+    FilmChoice film = FilmChoice::Auto;
     ShadowChoice shadows = ShadowChoice::On; // on the ground that the dive's video shows
 
     void addTo(SettingsTable& table) {
@@ -110,6 +111,9 @@ struct PlayOptions {
             "Dims what is drawn with distance as the environment's water does: auto as the dive says, "
             "or, of another video or photo, where the picture has lost its red; on; off");
         table.addKept("!--no-snow", &snow, "No specks that drift in the water");
+        table.addKept("--film", choice(film),
+                      "Which version of a dive's film: best; small, for slow machines; auto: small without "
+                      "a graphics card or with fewer than four processor cores");
         table.addKept("--shadows", choice(shadows),
                       "Of what swims and of your hands, on the ground that the dive's own video shows");
         table.addKept("!--no-captions", &captions, "Do not name sounds on the screen");

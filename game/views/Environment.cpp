@@ -42,6 +42,14 @@ EnvironmentOptions environmentOf(const std::string& file, EnvironmentOptions opt
     return options;
 }
 
+Path filmFor(const Path& film, FilmChoice choice, bool slow) {
+    Path small = film;
+    small.replace_extension(".small" + film.extension().string());
+    const bool wanted = choice == FilmChoice::Small || (choice == FilmChoice::Auto && slow);
+    std::error_code missing;
+    return wanted && std::filesystem::exists(small, missing) ? small : film;
+}
+
 Result<std::unique_ptr<Environment>> Environment::open(const EnvironmentSetup& setup) {
     std::unique_ptr<Environment> environment(new Environment(setup));
     const EnvironmentOptions& options = setup.options;

@@ -39,6 +39,10 @@ render::Reflectance reflectanceIn(const EnvironmentOptions& options);
 // else a video or live stream.
 EnvironmentOptions environmentOf(const std::string& file, EnvironmentOptions options);
 
+// Which file of a dive's film is played: the film itself, or beside NAME.mp4 the smaller NAME.small.mp4 if
+// there is one.
+Path filmFor(const Path& film, FilmChoice choice, bool slow);
+
 class Environment {
   public:
     // Needs a current GL context. The first picture is there on return.
