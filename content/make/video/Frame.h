@@ -1,21 +1,13 @@
 // One frame's radiance, before any camera.
 #pragma once
 
+#include "content/make/video/Drawn.h"
 #include "content/make/video/Noise.h"
 #include "content/make/video/Sea.h"
 #include "content/make/video/Veil.h"
 #include "content/make/video/World.h"
 
-#include "engine/core/Image.h"
-
 namespace shoal::reef {
-
-// What was drawn at one time, with what is needed to see it from a little beside.
-struct Drawn {
-    ImageRgbF radianceLin;
-    std::vector<float> distance; // metres, a pixel each
-    vec3 camera{0};
-};
 
 class Filming {
   public:

@@ -2,7 +2,7 @@
 // 9043) within NUT, so that ffmpeg reads it too. Planes of 12 bits: red, green, blue and, as alpha, distance.
 #pragma once
 
-#include "content/make/video/Frame.h"
+#include "content/make/video/Drawn.h"
 
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"

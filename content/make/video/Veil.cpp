@@ -25,6 +25,24 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
     height_ = width_ / 2;
     cells_.resize(static_cast<size_t>(width_) * height_ * kSlices);
     const Water& water = scene.water;
+    // No light is wanted from behind what is seen, in a direction or beside it.
+    std::vector<float> seen(static_cast<size_t>(width_) * height_);
+#pragma omp parallel for schedule(dynamic, 2)
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) {
+            Hit hit;
+            const vec3 dir = directionFromLatLong((vec2(x, y) + 0.5f) / vec2(width_, height_));
+            const bool met = world.trace(camera, dir, edge(kSlices), hit);
+            seen[static_cast<size_t>(y) * width_ + x] = met ? hit.distance : edge(kSlices);
+        }
+    const auto furthest = [&](int x, int y, int step) {
+        float distance = 0;
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j)
+            for (int i = x - 1; i <= x + step; ++i)
+                distance =
+                    std::max(distance, seen[static_cast<size_t>(j) * width_ + ((i + width_) & (width_ - 1))]);
+        return distance;
+    };
 #pragma omp parallel for schedule(dynamic, 2)
     for (int y = 0; y < height_; ++y) {
         // Towards the poles columns crowd: fill every n-th and repeat it.
@@ -38,12 +56,14 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
             const vec3 dir = directionFromLatLong(uv);
             const float turned = water.phase(glm::dot(scene.sun.toSunWater, dir));
             const float above = dir.y > 0.001f ? -camera.y / dir.y : 1e9f;
+            const float wanted = furthest(x, y, step);
             const float jitter = unitFrom(hash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), 77));
             vec3 sum(0), through(1);
             vec3* out = cells_.data() + (static_cast<size_t>(y) * width_ + x) * kSlices;
             float from = 0;
             for (int i = 0; i < kSlices; ++i) {
-                const float to = edge(i + 1), length = std::max(std::min(to, above) - from, 0.0f);
+                const float to = edge(i + 1),
+                            length = from > wanted ? 0.0f : std::max(std::min(to, above) - from, 0.0f);
                 if (length > 0) {
                     // Around the sun a ray keeps to one beam: there the whole cell is asked.
                     const bool beams = i > 6 && turned > 0.25f;
