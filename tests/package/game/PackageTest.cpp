@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <sys/wait.h>
 
 namespace shoal {
@@ -157,6 +158,13 @@ TEST_F(Package, DebianFindsNoErrorInIt) {
          {"Package: shoal\n", "Section: games\n", "libavcodec", "libopencv-imgcodecs", "libglfw3"})
         EXPECT_THAT(control, HasSubstr(needed));
     EXPECT_THAT(control, HasSubstr("Version: " + version() + "\n"));
+    // Every file has the time of the release, so that equal sources give equal packages.
+    std::smatch date;
+    const std::string metadata = text("share/metainfo/org.shoalgame.shoal.metainfo.xml");
+    ASSERT_TRUE(std::regex_search(metadata, date, std::regex(" date=\"([0-9-]+)\"")));
+    std::istringstream files(run("TZ=UTC dpkg-deb -c " + quoted(kScratch / "shoal.deb")).said);
+    for (std::string line; std::getline(files, line);)
+        EXPECT_THAT(line, HasSubstr(date[1].str() + " 00:00 ./"));
     if (!installed("lintian")) GTEST_SKIP() << "needs lintian";
     const Outcome looked =
         run("lintian --allow-root --fail-on error,warning " + quoted(kScratch / "shoal.deb"));
