@@ -1,6 +1,7 @@
 #include "engine/core/Files.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -39,20 +40,27 @@ static Path xdgFolder(const char* variable, const char* fallbackBelowHome) {
 Path configFolder() { return xdgFolder("XDG_CONFIG_HOME", ".config") / "shoal"; }
 Path scoreFolder() { return xdgFolder("XDG_DATA_HOME", ".local/share") / "shoal"; }
 
-Path picturesFolder() {
+Path userFolder(UserFolder which) {
+    struct Row {
+        std::string_view entry;
+        const char* english;
+    };
+    constexpr std::array kRows = {Row{"XDG_PICTURES_DIR=\"", "Pictures"}, Row{"XDG_VIDEOS_DIR=\"", "Videos"},
+                                  Row{"XDG_DOWNLOAD_DIR=\"", "Downloads"}};
+    const auto [entry, english] = kRows[static_cast<size_t>(which)];
     // One line a folder, for a shell: NAME="$HOME/relative" or NAME="/absolute", special characters after \.
     const auto text = readText(xdgFolder("XDG_CONFIG_HOME", ".config") / "user-dirs.dirs", 1u << 16);
     std::istringstream lines(text ? *text : "");
-    constexpr std::string_view kName = "XDG_PICTURES_DIR=\"", kHome = "$HOME";
+    constexpr std::string_view kHome = "$HOME";
     for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with(kName)) continue;
+        if (!line.starts_with(entry)) continue;
         std::string value;
-        for (size_t i = kName.size(); i < line.size() && line[i] != '"'; ++i)
+        for (size_t i = entry.size(); i < line.size() && line[i] != '"'; ++i)
             value += line[i] == '\\' && i + 1 < line.size() ? line[++i] : line[i];
         if (value.starts_with('/')) return value;
         if (value.starts_with(kHome)) return home() / Path(value.substr(kHome.size())).relative_path();
     }
-    return home() / "Pictures";
+    return home() / english;
 }
 
 enum class Extent { Whole, Begin };

@@ -26,9 +26,10 @@ const Path& dataRoot();
 Path configFolder();
 Path scoreFolder();
 
-// The person's folder for pictures, whatever it is called in their language: XDG_PICTURES_DIR as
-// xdg-user-dirs keeps it in $XDG_CONFIG_HOME/user-dirs.dirs, else ~/Pictures. Not created here.
-Path picturesFolder();
+// A folder of the person's own, whatever it is called in their language: as xdg-user-dirs keeps it in
+// $XDG_CONFIG_HOME/user-dirs.dirs, else its English name in the home folder. Not created here.
+enum class UserFolder { Pictures, Videos, Downloads };
+Path userFolder(UserFolder which);
 
 // The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
 // is taken).

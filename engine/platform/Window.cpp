@@ -2,18 +2,59 @@
 
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 
 namespace shoal::platform {
+
+namespace {
+
+glm::vec2 withDeadZone(float x, float y) {
+    constexpr float kDead = 0.18f; // of the stick's way: sticks do not come back to their exact middle
+    const glm::vec2 stick(x, -y);
+    const float length = glm::length(stick);
+    return length <= kDead ? glm::vec2(0) : stick / length * std::min((length - kDead) / (1 - kDead), 1.0f);
+}
+
+void pollGamepad(Gamepad& pad) {
+    pad.pressed.clear();
+    GLFWgamepadstate state;
+    for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST; ++i) {
+        if (!glfwJoystickIsGamepad(i) || !glfwGetGamepadState(i, &state)) continue;
+        pad.present = true;
+        pad.leftStick =
+            withDeadZone(state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]);
+        pad.rightStick =
+            withDeadZone(state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
+        pad.leftTrigger = 0.5f + 0.5f * state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER];
+        pad.rightTrigger = 0.5f + 0.5f * state.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER];
+        for (size_t button = 0; button < pad.down.size(); ++button) {
+            const bool down = state.buttons[button] == GLFW_PRESS;
+            if (down && !pad.down[button]) pad.pressed.push_back(static_cast<int>(button));
+            pad.down[button] = down;
+        }
+        return;
+    }
+    pad = {};
+}
+
+} // namespace
 
 struct Window::State {
     GLFWwindow* window = nullptr;
     WindowInput input;
     glm::dvec2 lastCursor{0};
     bool cursorKnown = false;
+    bool waited = false; // wait() has collected events for the next poll
     int restoreX = 80, restoreY = 80, restoreWidth = 1280, restoreHeight = 720;
 
+    void forgetEvents() {
+        input.keysPressed.clear();
+        input.droppedFiles.clear();
+        input.wheel = 0;
+        input.leftPressed = false;
+    }
     ~State() {
         if (window) glfwDestroyWindow(window);
         glfwTerminate();
@@ -62,15 +103,25 @@ Result<Window> Window::open(const WindowOptions& options) {
         WindowInput& input = static_cast<State*>(glfwGetWindowUserPointer(window))->input;
         if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) input.leftPressed = true;
     });
+    glfwSetDropCallback(state->window, [](GLFWwindow* window, int count, const char** files) {
+        auto& dropped = static_cast<State*>(glfwGetWindowUserPointer(window))->input.droppedFiles;
+        dropped.insert(dropped.end(), files, files + count);
+    });
     return Window(std::move(state));
+}
+
+void Window::wait(double atMost_s) {
+    state_->forgetEvents();
+    glfwWaitEventsTimeout(atMost_s);
+    state_->waited = true;
 }
 
 const WindowInput& Window::poll() {
     WindowInput& input = state_->input;
-    input.keysPressed.clear();
-    input.wheel = 0;
-    input.leftPressed = false;
+    if (!state_->waited) state_->forgetEvents();
+    state_->waited = false;
     glfwPollEvents();
+    pollGamepad(input.gamepad);
     GLFWwindow* window = state_->window;
     int width = 1, height = 1;
     glfwGetWindowSize(window, &width, &height);
@@ -85,6 +136,7 @@ const WindowInput& Window::poll() {
     input.leftButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
     input.rightButton = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
     input.focused = glfwGetWindowAttrib(window, GLFW_FOCUSED) == GLFW_TRUE;
+    input.minimised = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
     input.closing = glfwWindowShouldClose(window);
     return input;
 }
@@ -98,6 +150,12 @@ glm::ivec2 Window::framebufferSize() const {
 }
 
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle(), title.c_str()); }
+
+void Window::setIcon(const ImageRgba8& icon) {
+    std::vector<uint8_t> pixels = icon.pixels; // GLFW takes no constant ones
+    const GLFWimage image{icon.width, icon.height, pixels.data()};
+    glfwSetWindowIcon(handle(), 1, &image);
+}
 
 void Window::present() { glfwSwapBuffers(state_->window); }
 

@@ -1,10 +1,12 @@
 // A window with an OpenGL 3.3 core context, and what the player does in it since the last poll.
 #pragma once
 
+#include "engine/core/Image.h"
 #include "engine/core/Result.h"
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,15 +22,27 @@ struct WindowOptions {
     bool vsync = true;
 };
 
+// The first gamepad that GLFW's database of mappings knows, in the layout of an Xbox controller.
+struct Gamepad {
+    bool present = false;
+    glm::vec2 leftStick{0}, rightStick{0};   // -1 to 1, +x right, +y up; 0 within the dead zone
+    float leftTrigger = 0, rightTrigger = 0; // 0 to 1
+    std::array<bool, 15> down{};             // by GLFW_GAMEPAD_BUTTON_*
+    std::vector<int> pressed;                // buttons that went down since the last poll
+};
+
 // Keys by GLFW's numbers (GLFW_KEY_*), which are ASCII capitals for letters.
 struct WindowInput {
-    std::vector<int> keysPressed; // since the last poll
-    glm::dvec2 cursor{0.5};       // 0 to 1 from the window's upper left
-    glm::dvec2 cursorMoved{0};    // since the last poll, pixels
-    double wheel = 0;             // notches since the last poll, away from the player positive
+    std::vector<int> keysPressed;          // since the last poll
+    std::vector<std::string> droppedFiles; // since the last poll
+    Gamepad gamepad;
+    glm::dvec2 cursor{0.5};    // 0 to 1 from the window's upper left
+    glm::dvec2 cursorMoved{0}; // since the last poll, pixels
+    double wheel = 0;          // notches since the last poll, away from the player positive
     bool leftButton = false, rightButton = false;
     bool leftPressed = false; // went down since the last poll
     bool focused = true;
+    bool minimised = false;
     bool closing = false;
 };
 
@@ -42,10 +56,13 @@ class Window {
     ~Window();
 
     const WindowInput& poll(); // valid until the next poll
+    // Sleeps until the player does something, at most so long; the next poll() tells what.
+    void wait(double atMost_s);
     bool down(int key) const;
     glm::ivec2 framebufferSize() const;
     void present();
     void setTitle(const std::string& title);
+    void setIcon(const ImageRgba8& icon);
     void toggleFullscreen();
     void holdCursor(bool hold); // hides it and lets it move without bounds
     void close();

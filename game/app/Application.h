@@ -1,15 +1,17 @@
-// `shoal play` while it runs: opens what a dive needs, then runs its frames. Main thread, which has the
-// OpenGL context.
+// `shoal play` while it runs: opens what is needed, then runs frames of the title screen and of dives. Main
+// thread, which has the OpenGL context.
 #pragma once
 
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "game/app/Display.h"
+#include "game/app/FirstSteps.h"
 #include "game/app/FrameClock.h"
-#include "game/session/GameSession.h"
+#include "game/app/PhotoMode.h"
+#include "game/app/ProgramStates.h"
 #include "game/session/SoundAndHaptics.h"
 #include "game/session/Statistics.h"
-#include "game/settings/PlayOptions.h"
+#include "game/ui/MenuControls.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"
 #include "game/views/SceneRenderer.h"
@@ -21,48 +23,98 @@ namespace shoal::app {
 
 class Application {
   public:
-    explicit Application(const PlayOptions& options) : options_(options) {}
+    explicit Application(const PlayOptions& options);
 
     Status open();
 
-    // One session from start to end. measured: not only to warm up.
-    Status runSession(bool measured);
+    // Until the player leaves, or what was asked for is done. measured: not only to warm up.
+    Status run(bool measured);
 
     bool hasPicture() const { return !display_->pictures().empty(); }
     Status saveScreenshot() const;
-    const PlayOptions& options() const { return options_; } // with what the player has changed by keys
     const Statistics& statistics() const { return statistics_; }
+    bool leaving() const { return leaving_; } // the player has asked for it
     bool showsLiveVideo() const { return environment_->live(); }
 
   private:
-    struct Frame; // what the steps of one frame share
-    Status openContext();
-    Status openDisplay(int samples);
-    Status openScene(bool software);
+    // A session while it runs.
+    struct Play {
+        Play(const SessionConfig& config, Screens& screens, Mode mode, bool keepsScores,
+             FrameClock::Mode clockMode, double fps)
+            : session(config), states(session, screens, mode, keepsScores), clock(clockMode, fps) {}
+        GameSession session;
+        ProgramStates states;
+        FrameClock clock;
+        double elapsed_s = 0;                         // of this frame
+        const platform::WindowInput* input = nullptr; // of this frame; null: there is no window
+        Controls controls;
+        bool freshVideo = false; // a new frame of the video is shown
+        std::optional<FirstSteps> steps;
+        float stepsDone_s = 0; // since they were over
+        Hints hints;
+    };
 
-    void readInput(Frame& frame);
-    void globalKey(int key);
-    void simulate(Frame& frame);
-    Result<bool> draw(const Frame& frame);
-    void drawHud(const Frame& frame, HudPart part, Audience audience, const render::View& view,
-                 glm::ivec2 size);
-    void adjustQuality(const FrameClock& clock);
-    void measure(const Frame& frame);
-    bool isOver(const Frame& frame) const;
+    Status openContext();
+    Status openDisplay();
+    Status openScene();
+    Status loadModels();
+    EnvironmentSetup environmentSetup(float minRoughness);
+    Status makeRenderer(CreatureModels models, render::Composition composition);
+    bool castsShadows() const;
+    render::Detail detail() const;
+    void openSound();
+    void setIcon();
+    Status openFilm(const std::string& file); // empty: the dive's own
+    bool drawLoading(float progress);         // false: the player wants to leave
+    Mode firstMode() const;
+    Status begin(Mode mode);
+    Status endPlay(bool measured);
+
+    Status frame(bool measured);
+    void readInput();
+    void readMenuInput();
+    void globalActions(const Controls& controls);
+    Status answer(const Request& request);
+    Status startDive(const std::string& name, Mode mode);
+    Status startHeadset();
+    Status endFirstSteps();
+    void photograph();
+    void savePhotos();
+    void applySettings();
+    void simulate();
+    Result<bool> draw();
+    void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
+    void drawTeaching(const Pen& pen, const render::View& view);
+    TextOptions textOptions() const;
+    ImageRgb8 pictureShown() const; // as drawn last; both eyes side by side
+    void adjustQuality();
+    void measure();
+    bool isOver() const;
+    int eyes() const { return options_.stereo == StereoOutput::SideBySide ? 2 : 1; }
 
     PlayOptions options_;
+    PlayOptions applied_; // as they took effect last
+    Bindings bindings_;
+    Screens screens_{options_, bindings_};
+    MenuControls menuControls_;
     SessionConfig config_;
     std::optional<platform::Headless> headless_; // the context first: it dies last
     std::optional<platform::Window> window_;
     std::unique_ptr<Display> display_;
-    std::unique_ptr<Environment> environment_;
-    std::optional<SceneRenderer> sceneRenderer_;
     std::optional<Hud> hud_;
+    std::unique_ptr<Environment> environment_;
+    std::optional<CreatureModels> models_; // while no scene renderer has them
+    std::optional<SceneRenderer> sceneRenderer_;
+    bool software_ = false; // OpenGL renders on the processor
     std::optional<SoundAndHaptics> soundAndHaptics_;
     std::optional<DynamicQuality> quality_; // while somebody looks on and the quality is not fixed
-    Statistics statistics_;                 // of the present session
+    std::optional<Play> play_;
+    std::optional<PhotoMode> photo_; // while the camera is free
+    float playFov_deg_ = 0;          // before that
+    std::string photoNotice_;
+    Popups popups_;
+    Statistics statistics_; // of the present session
     double volumeShown_s_ = -10;
-    int bestScore_ = 0;
     bool leaving_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 
+#include <cstdlib>
 #include <thread>
 
 namespace shoal::app {
@@ -19,45 +20,97 @@ render::Composition compositionIn(const PlayOptions& options) {
     return options.backdropOnly ? render::Composition::BackgroundOnly : options.compose;
 }
 
-// What the player has changed by keys, into the settings file.
-void keepChanges(const PlayOptions& before, const PlayOptions& after) {
-    if (after.volume == before.volume && after.fullscreen == before.fullscreen &&
-        after.frameTimes == before.frameTimes)
-        return;
-    PlayOptions kept;
-    const SettingsTable table = settingsOf(kept);
-    loadSettings(table);
-    if (after.volume != before.volume) kept.volume = after.volume;
-    if (after.fullscreen != before.fullscreen) kept.fullscreen = after.fullscreen;
-    if (after.frameTimes != before.frameTimes) kept.frameTimes = after.frameTimes;
-    if (Status saved = saveSettings(table); !saved) log::warn("{}", saved.error().message());
+// A runtime says so in one of these places (the OpenXR loader's own search); whether a headset is there shows
+// only when it is asked.
+bool hasHeadsetRuntime() {
+    if (std::getenv("XR_RUNTIME_JSON")) return true;
+    const char* home = std::getenv("HOME");
+    std::error_code code;
+    for (const Path& folder :
+         {Path(home ? home : "") / ".config", Path("/etc/xdg"), Path("/etc"), Path("/usr/share")})
+        if (std::filesystem::exists(folder / "openxr/1/active_runtime.json", code)) return true;
+    return false;
+}
+
+// With their titles and best scores; a dive whose file cannot be read is left out.
+std::vector<DiveName> divesThereAre() {
+    std::vector<DiveName> dives;
+    for (const std::string& name : game::diveNames()) {
+        const auto files = game::loadDiveFiles(name);
+        if (!files) {
+            log::warn("{}", files.error().message());
+            continue;
+        }
+        const DiveScores scores = readScores(name);
+        dives.push_back({name, files->dive.title, scores.top.empty() ? 0 : scores.top.front()});
+    }
+    return dives;
 }
 
 } // namespace
+
+Application::Application(const PlayOptions& options) : options_(options), applied_(options) {
+    if (!bindings_.parse(options.controls.bindings))
+        log::warn("settings: \"bindings\" cannot be read; keys and buttons are as at first");
+}
 
 Status Application::open() {
     if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
     if (Status opened = openContext(); !opened) return opened;
     statistics_.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     gl::spreadRasterThreads();
-    const bool software = gl::rendersInSoftware();
-    const int samples = options_.look.samples > 0 ? options_.look.samples : software ? 1 : 4;
+    software_ = gl::rendersInSoftware();
     // Before what takes longer: a headset fails more often.
-    if (Status opened = openDisplay(samples); !opened) return opened;
-    if (Status opened = openScene(software); !opened) return opened;
-    soundAndHaptics_.emplace(options_, environment_->file(), environment_->length_s());
-    bestScore_ = bestScore(config_.dive.name);
+    if (Status opened = openDisplay(); !opened) return opened;
+    screens_.facts = {.species = &config_.species,
+                      .dive = &config_.dive,
+                      .dives = divesThereAre(),
+                      .headset = hasHeadsetRuntime(),
+                      .met = readGuide()};
+    if (Status opened = openScene(); !opened) return opened;
+    openSound();
+    if (window_) setIcon();
     return Done{};
 }
 
-Status Application::openContext() {
-    if (options_.headless) return platform::Headless::open().moveTo(headless_);
-    return platform::Window::open({"Shoal", options_.look.size.x, options_.look.size.y, options_.fullscreen,
-                                   options_.vsync && !options_.timedemo && !options_.xr})
-        .moveTo(window_);
+// The program's sign is a disc; what lies outside is seen through.
+void Application::setIcon() {
+    const auto picture = media::readPicture(dataRoot() / "content/icon.png");
+    if (!picture) return log::warn("{}", picture.error().message());
+    ImageRgba8 icon(picture->width, picture->height);
+    const glm::vec2 middle = glm::vec2(icon.width, icon.height) / 2.0f;
+    const float radius = 0.95f * std::min(middle.x, middle.y);
+    for (int y = 0; y < icon.height; ++y)
+        for (int x = 0; x < icon.width; ++x) {
+            const float outside = glm::distance(glm::vec2(x, y) + 0.5f, middle) - radius;
+            std::copy_n(picture->at(x, y), 3, icon.at(x, y));
+            icon.at(x, y)[3] = static_cast<uint8_t>(255 * std::clamp(0.5f - outside, 0.0f, 1.0f));
+        }
+    window_->setIcon(icon);
 }
 
-Status Application::openDisplay(int samples) {
+void Application::openSound() {
+    soundAndHaptics_.emplace(options_, environment_->file(), environment_->length_s());
+}
+
+Status Application::openContext() {
+    if (options_.headless) {
+        if (Status opened = platform::Headless::open().moveTo(headless_); !opened) return opened;
+        return Hud::make().moveTo(hud_);
+    }
+    if (Status opened =
+            platform::Window::open({"Shoal", options_.look.size.x, options_.look.size.y, options_.fullscreen,
+                                    options_.vsync && !options_.timedemo && !options_.xr})
+                .moveTo(window_);
+        !opened)
+        return opened;
+    if (Status made = Hud::make().moveTo(hud_); !made) return made;
+    drawLoading(0); // no black window
+    return Done{};
+}
+
+Status Application::openDisplay() {
+    const int samples = options_.look.samples > 0 ? options_.look.samples : software_ ? 1 : 4;
     if (!options_.xr) {
         display_ = std::make_unique<FlatDisplay>(window_ ? &*window_ : nullptr, options_, samples);
         return Done{};
@@ -68,47 +121,108 @@ Status Application::openDisplay(int samples) {
     return Done{};
 }
 
-Status Application::openScene(bool software) {
-    const render::Detail detail = software ? render::Detail::Lean : render::Detail::Full;
-    auto models = CreatureModels::load(config_.species, enumName(options_.skin),
-                                       reflectanceIn(options_.environment), detail);
-    if (!models) return models.error();
+// Over the film where it can be shown already, and over the colour of deep water until then.
+bool Application::drawLoading(float progress) {
+    if (!window_) return true;
+    const platform::WindowInput& input = window_->poll();
+    leaving_ |= input.closing;
+    const glm::ivec2 size = window_->framebufferSize();
+    if (!hud_ || size.x <= 0 || size.y <= 0) return !leaving_;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+    glClearColor(0.02f, 0.11f, 0.16f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (sceneRenderer_ && environment_) {
+        game::Snapshot nothing;
+        sceneRenderer_->set(nothing, *environment_, {environment_->toneCurve(options_.look.tone), 0});
+        if (display_->draw(
+                {.scene =
+                     [&](std::span<const SceneRenderer::Eye> shownEyes, const Painter::AfterEye& after) {
+                         return sceneRenderer_->draw(shownEyes, after);
+                     },
+                 .hud = [&](HudPart, Audience, const render::View&,
+                            glm::ivec2 eye) { hud_->drawLoading(progress, textOptions(), eye); }},
+                nothing, 1))
+            display_->present();
+        return !leaving_;
+    }
+    hud_->drawLoading(progress, textOptions(), size);
+    window_->present();
+    return !leaving_;
+}
+
+render::Detail Application::detail() const { return software_ ? render::Detail::Lean : render::Detail::Full; }
+
+Status Application::loadModels() {
+    const auto said = [&](float share) { return drawLoading(share); };
+    return CreatureModels::load(config_.species, enumName(options_.skin), reflectanceIn(options_.environment),
+                                detail(), said)
+        .moveTo(models_);
+}
+
+EnvironmentSetup Application::environmentSetup(float minRoughness) {
     const bool own = options_.environment.isOwnVideo();
-    const bool shadows = options_.shadows == ShadowChoice::On && own && !config_.dive.ground.empty();
     AnalysisOptions analysis{.pyramid = options_.look.glossy == render::Glossy::PhongRings,
-                             .minRoughness = models->minRoughness(),
-                             .lights = shadows,
+                             .minRoughness = minRoughness,
+                             .lights = castsShadows(),
                              .cameraResponse =
                                  compositionIn(options_) == render::Composition::CameraResponse};
     analysis.water = options_.water == WaterChoice::On ||
                      (options_.water == WaterChoice::Auto && (!own || config_.dive.water));
-    const bool slow = software || std::thread::hardware_concurrency() < 4;
-    const Path film = filmFor(dataRoot() / "content" / config_.dive.video, options_.film, slow);
-    if (Status s = Environment::open({.options = options_.environment,
-                                      .defaultVideo = film,
-                                      .bothEyes = options_.stereo == StereoOutput::SideBySide || options_.xr,
-                                      .waterIsCertain = own || options_.water == WaterChoice::On,
-                                      .analysis = analysis,
-                                      .wait = [&] { return !window_ || !window_->poll().closing; }})
-                       .moveTo(environment_);
-        !s)
+    const bool slow = software_ || std::thread::hardware_concurrency() < 4;
+    return {.options = options_.environment,
+            .defaultVideo = filmFor(dataRoot() / "content" / config_.dive.video, options_.film, slow),
+            .bothEyes = options_.stereo == StereoOutput::SideBySide || options_.xr,
+            .waterIsCertain = own || options_.water == WaterChoice::On,
+            .analysis = analysis,
+            .wait = [this](float share) { return drawLoading(share); }};
+}
+
+bool Application::castsShadows() const {
+    return options_.shadows == ShadowChoice::On && options_.environment.isOwnVideo() &&
+           !config_.dive.ground.empty();
+}
+
+Status Application::makeRenderer(CreatureModels models, render::Composition composition) {
+    return SceneRenderer::make(std::move(models),
+                               {.detail = detail(),
+                                .particles = options_.snow && !options_.reducedMotion,
+                                .shadows = castsShadows(),
+                                .occlusion = options_.look.occlusion == Occlusion::Ellipsoids,
+                                .shown = options_.look.shown,
+                                .skip = options_.look.skip,
+                                .compositor = {.composition = composition,
+                                               .backend = options_.look.backend,
+                                               .layerSamples = options_.look.samples,
+                                               .frameIsCoded = environment_->gpu(0).frameIsCoded()}})
+        .moveTo(sceneRenderer_);
+}
+
+// The film first, so that there is a picture; then the models, and the light that they need.
+Status Application::openScene() {
+    const bool watched = window_ && !options_.xr && options_.environment.isOwnVideo();
+    if (sceneRenderer_ && !models_) models_ = sceneRenderer_->takeModels();
+    sceneRenderer_.reset();
+    const bool reload = !models_ || models_->reflectance() != reflectanceIn(options_.environment) ||
+                        models_->handVariant() != enumName(options_.skin);
+    if (reload) {
+        models_.reset();
+        if (watched) {
+            if (Status s = Environment::open(environmentSetup(1)).moveTo(environment_); !s) return s;
+            if (Status s = makeRenderer({}, render::Composition::BackgroundOnly); !s) return s;
+        }
+        if (Status loaded = loadModels(); !loaded) return loaded;
+        sceneRenderer_.reset();
+    }
+    environment_.reset();
+    if (leaving_) return Error{"", "left while it was loading"};
+    if (Status s = Environment::open(environmentSetup(models_->minRoughness())).moveTo(environment_); !s)
         return s;
-    if (own) config_.dive.videoLength_s = environment_->length_s();
-    if (Status s = SceneRenderer::make(std::move(*models),
-                                       {.detail = detail,
-                                        .particles = options_.snow,
-                                        .shadows = shadows,
-                                        .occlusion = options_.look.occlusion == Occlusion::Ellipsoids,
-                                        .shown = options_.look.shown,
-                                        .skip = options_.look.skip,
-                                        .compositor = {.composition = compositionIn(options_),
-                                                       .backend = options_.look.backend,
-                                                       .layerSamples = options_.look.samples,
-                                                       .frameIsCoded = environment_->gpu(0).frameIsCoded()}})
-                       .moveTo(sceneRenderer_);
-        !s)
-        return s;
-    return Hud::make().moveTo(hud_);
+    if (options_.environment.isOwnVideo()) config_.dive.videoLength_s = environment_->length_s();
+    CreatureModels taken = std::move(*models_);
+    models_.reset();
+    screens_.facts.ownFilm = options_.environment.isOwnVideo();
+    return makeRenderer(std::move(taken), compositionIn(options_));
 }
 
 // Before anything is played: what would be written at the end must have a place.
@@ -126,11 +240,13 @@ Status play(const PlayOptions& given) {
     if (!options.file.empty()) options.environment = environmentOf(options.file, options.environment);
     if (Status possible = checkOutputs(options); !possible) return possible;
     Application application(options);
-    if (Status opened = application.open(); !opened) return opened;
+    if (Status opened = application.open(); !opened) {
+        if (application.leaving()) return Done{};
+        return opened;
+    }
     Status verdict = Done{};
-    if (options.timedemo) verdict = application.runSession(false); // to warm up
-    if (verdict) verdict = application.runSession(true);
-    if (!options.headless) keepChanges(options, application.options());
+    if (options.timedemo) verdict = application.run(false); // to warm up
+    if (verdict) verdict = application.run(true);
     // What was asked for is written even when an expectation failed: it helps to see why.
     if (!options.screenshot.empty() && application.hasPicture())
         if (Status saved = application.saveScreenshot(); !saved) return saved;

@@ -31,29 +31,27 @@ Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
     return choice;
 }
 
-// Six digits, so that it can be read out and typed.
+HandSource makeSource(const SessionConfig& config) {
+    if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
+    if (config.replay) return ReplaySource{*config.replay};
+    if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
+    return MouseSource(config.rig, config.species);
+}
+
+} // namespace
+
 uint64_t drawnSeed() {
     std::random_device device;
     return std::uniform_int_distribution<uint64_t>(100'000, 999'999)(device);
 }
 
-HandSource makeSource(const SessionConfig& config) {
-    if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
-    if (config.replay) return ReplaySource{*config.replay};
-    if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
-    return MouseSource(config.rig, config.species, config.reachHelp);
-}
-
-} // namespace
-
 Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     SessionConfig config;
     config.hands = options.hands;
     config.live = !options.headless && !options.timedemo;
-    config.reachHelp = options.reachHelp;
     config.rules = {options.assist, options.freeSwim, true};
     config.seed = options.seed ? *options.seed : config.live ? drawnSeed() : 1;
-    std::string diveName = options.dive;
+    std::string diveName = options.dive.empty() ? kFirstDive : options.dive;
     if (Status s = handSourceFor(options).moveTo(config.handSource); !s) return s.error();
     const std::string& file = config.handSource.argument;
     if (config.handSource.kind == HandSourceKind::Script) {

@@ -17,7 +17,6 @@ struct SessionConfig {
     game::SpeciesTable species;
     game::DiveFile dive;
     game::DiveRules rules;
-    float reachHelp = 1; // 0 to 1, of the mouse's hand
     hands::HandRig rig;
     uint64_t seed = 1;
     HandSourceChoice handSource;
@@ -26,6 +25,9 @@ struct SessionConfig {
     std::optional<game::Script> script;
     std::optional<sim::Recording> replay;
 };
+
+// For a dive in a window: six digits, so that it can be read out and typed.
+uint64_t drawnSeed();
 
 // Reads the files that the options name. A script or replay brings its own dive and seed.
 Result<SessionConfig> makeSessionConfig(const PlayOptions& options);

@@ -3,8 +3,6 @@
 #include "engine/core/Files.h"
 #include "engine/core/Log.h"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -17,7 +15,11 @@ namespace {
 
 constexpr float kKeyTurn_radps = 1.6f;
 constexpr float kDragTurn_rad = 0.0032f; // a pixel
+constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
 constexpr float kPitchMax = 1.45f;
+constexpr float kStickReach_ps = 1.1f;  // half pictures a second that a full stick moves the hand
+constexpr float kKeyNotches_ps = 12;    // of a key, as the wheel's
+constexpr float kTriggerStarts = 0.06f; // a trigger at rest is not always at 0
 
 constexpr double kCaption_s = 4;
 constexpr double kFindDevices_s = 1; // before the mouse is said to be all there is
@@ -31,38 +33,80 @@ hands::WebcamOptions webcamFrom(const std::string& which, bool live) {
 
 } // namespace
 
-void MouseSource::frame(platform::Window* window, const platform::WindowInput* input,
-                        const game::Snapshot& shown, float dt_s, float verticalFov, float aspect) {
+namespace {
+
+// By how much the view turns in this frame: +x right, +y up, radians. snapped: kept from frame to frame.
+glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
+    const auto key = [&](Action plus, Action minus) {
+        return static_cast<float>(c.is(plus)) - static_cast<float>(c.is(minus));
+    };
+    const glm::vec2 keys(key(Action::LookRight, Action::LookLeft), key(Action::LookUp, Action::LookDown));
+    const float up = options.invertLook ? -1.0f : 1.0f;
+    glm::vec2 turn = (keys + c.look * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
+    if (options.turning == Turning::Snap) {
+        constexpr float kOn = 0.6f, kOff = 0.3f; // of the stick's way
+        const float step =
+            static_cast<float>(c.was(Action::LookRight)) - static_cast<float>(c.was(Action::LookLeft));
+        const bool pushed = std::abs(c.look.x) > kOn && !snapped;
+        if (pushed) snapped = true;
+        if (std::abs(c.look.x) < kOff) snapped = false;
+        turn.x = kSnapTurn_rad * (step + (pushed ? std::copysign(1.0f, c.look.x) : 0.0f));
+    }
+    turn += glm::vec2(c.dragged.x, -up * static_cast<float>(c.dragged.y)) * kDragTurn_rad;
+    return turn * (options.turning == Turning::Snap ? 1.0f : options.sensitivity);
+}
+
+} // namespace
+
+void MouseSource::frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
+                        float dt_s, float verticalFov, float aspect) {
     hands::MouseInput mouse;
     mouse.aspect = aspect;
     mouse.fovY = verticalFov;
-    if (window && input) {
-        const auto key = [&](int plus, int minus) {
-            return static_cast<float>(window->down(plus)) - static_cast<float>(window->down(minus));
-        };
-        const float turn = kKeyTurn_radps * dt_s;
-        yaw_ += turn * (key(GLFW_KEY_RIGHT, GLFW_KEY_LEFT) + key(GLFW_KEY_D, GLFW_KEY_A));
-        pitch_ += turn * (key(GLFW_KEY_UP, GLFW_KEY_DOWN) + key(GLFW_KEY_W, GLFW_KEY_S));
-        window->holdCursor(input->rightButton);
-        if (input->rightButton) {
-            yaw_ += static_cast<float>(input->cursorMoved.x) * kDragTurn_rad;
-            pitch_ -= static_cast<float>(input->cursorMoved.y) * kDragTurn_rad;
+    if (controls) {
+        const Controls& c = *controls;
+        const glm::vec2 turn = turnBy(c, options, dt_s, snapped_);
+        yaw_ = std::remainder(yaw_ + turn.x, 2 * std::numbers::pi_v<float>);
+        pitch_ = std::clamp(pitch_ + turn.y, -kPitchMax, kPitchMax);
+        const float rate = dt_s > 0 ? glm::length(turn) / dt_s : 0;
+        turning_radps_ += (rate - turning_radps_) * std::min(1.0f, 8 * dt_s);
+        if (c.was(Action::Recentre)) recentre();
+        // The mouse points at a place, a stick moves from where the hand is.
+        if (c.mouseMoved && !c.turns)
+            pointer_ = {static_cast<float>(c.cursor.x) * 2 - 1, 1 - static_cast<float>(c.cursor.y) * 2};
+        pointer_ = glm::clamp(pointer_ + c.reach * (kStickReach_ps * dt_s), -1.0f, 1.0f);
+        mouse.cursor = pointer_;
+        mouse.wheel = static_cast<float>(c.wheel) + kKeyNotches_ps * dt_s *
+                                                        (static_cast<float>(c.is(Action::Farther)) -
+                                                         static_cast<float>(c.is(Action::Nearer)));
+        if (hand_ != options.hand) {
+            hand_ = options.hand;
+            hands_.setActive(options.hand == Handedness::Left ? hands::Side::Left : hands::Side::Right);
         }
-        pitch_ = std::clamp(pitch_, -kPitchMax, kPitchMax);
-        yaw_ = std::remainder(yaw_, 2 * std::numbers::pi_v<float>);
-        mouse.cursor = {static_cast<float>(input->cursor.x) * 2 - 1,
-                        1 - static_cast<float>(input->cursor.y) * 2};
-        mouse.wheel = static_cast<float>(input->wheel);
-        mouse.close = input->leftButton || window->down(GLFW_KEY_SPACE);
-        for (const int pressed : input->keysPressed) mouse.swapHands |= pressed == GLFW_KEY_TAB;
-        used_ |= mouse.close;
+        mouse.swapHands = c.was(Action::SwapHands);
+        const bool pressed = c.mouseCloses || c.is(Action::CloseHand) || c.trigger > kTriggerStarts;
+        awaitsOpen_ = awaitsOpen_ && pressed;
+        const bool down = pressed && !awaitsOpen_;
+        if (options.closing == Closing::Toggle) {
+            toggled_ = toggled_ != (down && !wasDown_);
+            mouse.close = toggled_;
+        } else {
+            mouse.close = down;
+            if (!c.mouseCloses && !c.is(Action::CloseHand)) mouse.closeTo = c.trigger;
+        }
+        wasDown_ = down;
         const float half = std::tan(verticalFov / 2);
         const glm::vec3 ray =
             glm::normalize(glm::vec3(mouse.cursor.x * half * aspect, mouse.cursor.y * half, -1));
         mouse.reach_m = reach_.update(shown, species_, ray, hands_.distance_m());
-        mouse.reachHelp = reachHelp_;
+        mouse.reachHelp = options.reachHelp;
     }
     poses_ = hands_.update(mouse, dt_s);
+}
+
+void MouseSource::idle(float dt_s, float yaw_radps) {
+    yaw_ = std::remainder(yaw_ + yaw_radps * dt_s, 2 * std::numbers::pi_v<float>);
+    poses_ = {};
 }
 
 void MouseSource::next(game::TickInput& out) const {
@@ -102,6 +146,14 @@ void TrackedHands::frame(double elapsed_s) {
 
 void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
     choice_.tick(hands_, input.hands, ticksLeft, static_cast<float>(sim::kTick_s));
+}
+
+std::array<hands::HandPose, 2> TrackedHands::seen() const {
+    constexpr float kRecent_s = 0.2f;
+    std::array<hands::HandPose, 2> poses{};
+    for (int side = 0; side < 2; ++side)
+        if (hands_.notSeen_s(side) < kRecent_s) poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
+    return poses;
 }
 
 std::string_view TrackedHands::caption() const {

@@ -8,7 +8,8 @@
 #include "game/playthrough/Script.h"
 #include "game/rules/Dive.h"
 #include "game/rules/ReachHelp.h"
-#include "game/settings/SharedOptions.h"
+#include "game/session/Controls.h"
+#include "game/settings/PlayOptions.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/MouseHands.h"
 
@@ -24,24 +25,34 @@ namespace shoal::app {
 // Mouse and keys. Poses change once a frame and are the same for all its ticks.
 class MouseSource {
   public:
-    // reachHelp: 0 to 1, how far the hand is helped with depth.
-    MouseSource(hands::HandRig rig, game::SpeciesTable species, float reachHelp)
-        : hands_(std::move(rig)), species_(std::move(species)), reachHelp_(reachHelp) {}
+    MouseSource(hands::HandRig rig, game::SpeciesTable species)
+        : hands_(std::move(rig)), species_(std::move(species)) {}
 
-    // window: null when headless, where the hands rest and the head looks ahead.
-    void frame(platform::Window* window, const platform::WindowInput* input, const game::Snapshot& shown,
+    // controls: null when headless, where the hands rest and the head looks ahead.
+    void frame(const Controls* controls, const ControlOptions& options, const game::Snapshot& shown,
                float dt_s, float verticalFov, float aspect);
+    // Nobody plays: no hands are seen, and the head turns by itself. yaw: radians a second, to the right.
+    void idle(float dt_s, float yaw_radps);
+    // The player is in a menu: hands and view stay, and the press that ends the menu closes no hand.
+    void release() { awaitsOpen_ = true; }
     void next(game::TickInput& out) const;
-    bool used() const { return used_; } // the button has been held at least once
+    void recentre() { yaw_ = pitch_ = 0; }
+    // The view turns by the player's will, radians a second; smoothed, for the dark edges that help comfort.
+    float turning_radps() const { return turning_radps_; }
 
   private:
     hands::MouseHands hands_;
     game::SpeciesTable species_;
-    float reachHelp_;
     game::ReachHelp reach_;
     std::array<hands::HandPose, 2> poses_{};
     float yaw_ = 0, pitch_ = 0; // radians; yaw to the right, pitch up
-    bool used_ = false;
+    float turning_radps_ = 0;
+    glm::vec2 pointer_{0}; // what the hand reaches for: -1 to 1 across the window, +x right, +y up
+    Handedness hand_ = Handedness::Right; // as the player has chosen
+    bool wasDown_ = false;
+    bool toggled_ = false;   // closed, where each press closes or opens
+    bool awaitsOpen_ = true; // the press that ended a menu closes no hand
+    bool snapped_ = false;   // the stick has turned the view by a step, and has not come back yet
 };
 
 struct ReplaySource {
@@ -63,6 +74,9 @@ class TrackedHands {
 
     // Once a tick: replaces the mouse's hands in `input` by those of the device, if one sees hands.
     void tick(game::TickInput& input, int ticksLeft);
+
+    // Of the hands that the device sees now, viewer's frame; the others are not tracked.
+    std::array<hands::HandPose, 2> seen() const;
 
     // To be shown now: which device is used, or what it asks of the player. May be empty.
     std::string_view caption() const;
@@ -87,6 +101,7 @@ Status checkHandSource(const HandSourceChoice& source);
 class OpenXrSource {
   public:
     void frame(const std::array<hands::HandPose, 2>& poses) { before_ = std::exchange(poses_, poses); }
+    const std::array<hands::HandPose, 2>& seen() const { return poses_; }
     // share: the tick's time between the frame before (0) and this one (1).
     void next(game::TickInput& out, float share) const;
 

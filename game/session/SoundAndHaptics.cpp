@@ -5,7 +5,7 @@
 namespace shoal::app {
 
 SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, double videoLength_s)
-    : hapticStrength_(options.hapticStrength), videoSound_(options.videoSound) {
+    : hapticStrength_(options.hapticStrength), effects_(options.effects), videoSound_(options.videoSound) {
     if (!options.mute && !options.headless)
         if (Status opened = openSound(options); !opened)
             log::info("playing on without sound: {}", opened.error().message());
@@ -39,6 +39,19 @@ void SoundAndHaptics::openVideoSound(const Path& video, double videoLength_s, bo
                       .read = [this](std::span<int16_t> stereo) { return track_->read(stereo); }});
 }
 
+void SoundAndHaptics::setMix(float effects, float videoSound, float hapticStrength) {
+    effects_ = effects;
+    videoSound_ = videoSound;
+    hapticStrength_ = hapticStrength;
+}
+
+std::span<const audio::Sound> SoundAndHaptics::atVolume(std::span<const audio::Sound> sounds,
+                                                        std::vector<audio::Sound>& scratch) const {
+    scratch.assign(sounds.begin(), sounds.end());
+    for (audio::Sound& sound : scratch) sound.gain *= effects_;
+    return scratch;
+}
+
 void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& events, float dt_s,
                             bool attended, double videoPosition_s) {
     // Haptics first: a touch has the shortest latency that is noticed.
@@ -49,7 +62,7 @@ void SoundAndHaptics::frame(const game::Snapshot& shown, const game::Events& eve
     audio_->setPaused(shown.paused);
     audio_->update(
         {.position = shown.headWorld, .worldFromHead = shown.worldFromView, .enclosure = sounds_.enclosure()},
-        sounds_.emitters(), sounds_.shots());
+        atVolume(sounds_.emitters(), emitters_), atVolume(sounds_.shots(), shots_));
     audio_->syncTrack(videoPosition_s, track_ ? videoSound_ : 0, shown.paused);
 }
 

@@ -9,6 +9,8 @@
 #include "input/haptics/HapticDevices.h"
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace shoal::app {
 
@@ -28,18 +30,24 @@ class SoundAndHaptics {
         if (audio_) audio_->setVolume(volume);
     }
 
+    // Volumes of the game's sounds and of the video's own, and strength of haptics, 0 to 1.
+    void setMix(float effects, float videoSound, float hapticStrength);
+
     const haptics::HapticFrame& hapticFrame() const { return hapticFrame_; } // as sent by the last frame()
     // Newest first; valid until the next frame().
     std::span<const game::Caption> captions() const { return sounds_.captions(); }
 
   private:
+    std::span<const audio::Sound> atVolume(std::span<const audio::Sound> sounds,
+                                           std::vector<audio::Sound>& scratch) const;
     Status openSound(const PlayOptions& options);
     void openVideoSound(const Path& video, double videoLength_s, bool ofDive);
 
     game::SoundCues sounds_;
     game::HapticFeedback hapticFeedback_;
-    float hapticStrength_, videoSound_;
-    std::optional<media::SoundTrack> track_; // before the audio, which reads it
+    float hapticStrength_, effects_, videoSound_;
+    std::vector<audio::Sound> emitters_, shots_; // scratch: the cues at their volume
+    std::optional<media::SoundTrack> track_;     // before the audio, which reads it
     std::optional<audio::Audio> audio_;
     std::optional<haptics::HapticOutput> haptics_;
     haptics::HapticFrame hapticFrame_;

@@ -28,6 +28,12 @@ enum class ShadowChoice { On, Off };
 enum class FilmChoice { Auto, Best, Small };
 enum class Skin { Light, Medium, Dark, Glove };
 enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
+enum class Handedness { Right, Left };
+enum class Closing { Hold, Toggle }; // of the hand, by a button
+enum class Turning { Smooth, Snap };
+enum class CaptionSize { Small, Medium, Large };
+enum class LanguageChoice { Auto, English, German, French }; // Auto: the system's
+enum class Start { Auto, Title, Dive };
 enum class Background { Environment, None };
 enum class LightFormat { Pfm, Exr, Hdr };
 
@@ -70,6 +76,16 @@ template <> struct EnumNames<app::Skin> { // variants of the hands' models
 template <> struct EnumNames<app::HandSourceKind> {
     static constexpr std::array kNames = {"auto", "mouse", "leap", "webcam", "openxr", "script", "replay"};
 };
+template <> struct EnumNames<app::Handedness> { static constexpr std::array kNames = {"right", "left"}; };
+template <> struct EnumNames<app::Closing> { static constexpr std::array kNames = {"hold", "toggle"}; };
+template <> struct EnumNames<app::Turning> { static constexpr std::array kNames = {"smooth", "snap"}; };
+template <> struct EnumNames<app::CaptionSize> {
+    static constexpr std::array kNames = {"small", "medium", "large"};
+};
+template <> struct EnumNames<app::LanguageChoice> {
+    static constexpr std::array kNames = {"auto", "english", "german", "french"};
+};
+template <> struct EnumNames<app::Start> { static constexpr std::array kNames = {"auto", "title", "dive"}; };
 template <> struct EnumNames<hands::LeapMount> { static constexpr std::array kNames = {"desk", "head"}; };
 template <> struct EnumNames<app::Background> { static constexpr std::array kNames = {"env", "none"}; };
 template <> struct EnumNames<app::LightFormat> { // also the files' extensions

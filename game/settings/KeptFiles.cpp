@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace shoal::app {
 
 namespace {
@@ -12,7 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Path settingsFile() { return configFolder() / "settings.json"; }
-Path scoreFile() { return scoreFolder() / "scores.json"; } // an object of dive name to score
+// An object of dive name to its scores, as {"top": [...], "last": ...}.
+Path scoreFile() { return scoreFolder() / "scores.json"; }
+Path guideFile() { return scoreFolder() / "guide.json"; }
 
 // The object in a file; empty where there is no file.
 Result<Json> readObject(const Path& file) {
@@ -24,29 +28,32 @@ Result<Json> readObject(const Path& file) {
     return json;
 }
 
-// Sets one setting from its entry in the file, where that fits.
+// Sets one setting from its entry in the file. False: that does not fit.
 struct ReadEntry {
     const Json& entry;
     const Setting& row;
 
     template <class Number>
     requires std::is_arithmetic_v<Number>
-    void operator()(Number* value) const {
-        if (!entry.is_number()) return;
+    bool operator()(Number* value) const {
+        if (!entry.is_number() || !row.range) return false;
         const double given = entry.get<double>();
-        if (row.range && given >= row.range->low && given <= row.range->high)
-            *value = static_cast<Number>(given);
+        if (!(given >= row.range->low && given <= row.range->high)) return false;
+        *value = static_cast<Number>(given);
+        return true;
     }
-    void operator()(bool* value) const {
+    bool operator()(bool* value) const {
         if (entry.is_boolean()) *value = entry.get<bool>();
+        return entry.is_boolean();
     }
-    void operator()(std::string* value) const {
+    bool operator()(std::string* value) const {
         if (entry.is_string()) *value = entry.get<std::string>();
+        return entry.is_string();
     }
-    void operator()(const TextSetting& text) const {
-        if (entry.is_string()) text.set(entry.get<std::string>());
+    bool operator()(const TextSetting& text) const {
+        return entry.is_string() && text.set(entry.get<std::string>());
     }
-    template <class Other> void operator()(Other*) const {} // lists and optional values are not kept
+    template <class Other> bool operator()(Other*) const { return false; } // these are not kept
 };
 
 struct MakeEntry {
@@ -60,34 +67,74 @@ struct MakeEntry {
 void loadSettings(const SettingsTable& table) {
     const auto json = readObject(settingsFile());
     if (!json) return log::warn("{}", json.error().message());
-    for (const Setting& row : table.rows) {
-        const auto entry = json->find(row.key());
-        if (row.kept && entry != json->end()) std::visit(ReadEntry{*entry, row}, row.value);
+    std::string unfit;
+    for (const auto& [name, entry] : json->items()) {
+        const auto isThis = [&name = name](const Setting& row) { return row.kept && row.key() == name; };
+        const auto row = std::ranges::find_if(table.rows, isThis);
+        if (row == table.rows.end() || !std::visit(ReadEntry{entry, *row}, row->value))
+            unfit += (unfit.empty() ? "" : ", ") + name;
     }
+    if (!unfit.empty())
+        log::warn("{}: these settings are not known, or their values not possible; they have their defaults: "
+                  "{}",
+                  settingsFile().string(), unfit);
 }
 
-Status saveSettings(const SettingsTable& table) {
-    Json json = Json::object();
-    for (const Setting& row : table.rows)
-        if (row.kept) json[row.key()] = std::visit(MakeEntry(), row.value);
-    return writeFileWhole(settingsFile(), json.dump(2) + "\n");
+Status saveSetting(const Setting& setting) {
+    auto json = readObject(settingsFile());
+    if (!json) return json.error();
+    (*json)[setting.key()] = std::visit(MakeEntry(), setting.value);
+    return writeFileWhole(settingsFile(), json->dump(2) + "\n");
 }
 
-int bestScore(const std::string& dive) {
-    const auto scores = readObject(scoreFile());
-    if (!scores) {
-        log::warn("{}", scores.error().message());
-        return 0;
+DiveScores readScores(const std::string& dive) {
+    DiveScores scores;
+    const auto all = readObject(scoreFile());
+    if (!all) {
+        log::warn("{}", all.error().message());
+        return scores;
     }
-    const auto entry = scores->find(dive);
-    return entry != scores->end() && entry->is_number_integer() ? entry->get<int>() : 0;
+    const auto entry = all->find(dive);
+    if (entry == all->end()) return scores;
+    const auto add = [&](const Json& score) {
+        if (score.is_number_integer() && scores.top.size() < DiveScores::kKept)
+            scores.top.push_back(score.get<int>());
+    };
+    add(*entry); // earlier versions kept the best one alone
+    if (!entry->is_object()) return scores;
+    if (const auto top = entry->find("top"); top != entry->end() && top->is_array())
+        for (const Json& score : *top) add(score);
+    std::ranges::sort(scores.top, std::greater());
+    if (const auto last = entry->find("last"); last != entry->end() && last->is_number_integer())
+        scores.last = last->get<int>();
+    return scores;
 }
 
-Status saveBestScore(const std::string& dive, int score) {
-    auto scores = readObject(scoreFile());
-    if (!scores) return scores.error();
-    (*scores)[dive] = score;
-    return writeFileWhole(scoreFile(), scores->dump(2) + "\n");
+Status addScore(const std::string& dive, int score) {
+    auto all = readObject(scoreFile());
+    if (!all) return all.error();
+    std::vector<int> top = readScores(dive).top;
+    top.insert(std::ranges::upper_bound(top, score, std::greater()), score);
+    top.resize(std::min(top.size(), DiveScores::kKept));
+    (*all)[dive] = {{"top", top}, {"last", score}};
+    return writeFileWhole(scoreFile(), all->dump(2) + "\n");
+}
+
+std::vector<std::string> readGuide() {
+    std::vector<std::string> met;
+    const auto guide = readObject(guideFile());
+    if (!guide) {
+        log::warn("{}", guide.error().message());
+        return met;
+    }
+    if (const auto names = guide->find("met"); names != guide->end() && names->is_array())
+        for (const Json& name : *names)
+            if (name.is_string()) met.push_back(name.get<std::string>());
+    return met;
+}
+
+Status saveGuide(const std::vector<std::string>& species) {
+    return writeFileWhole(guideFile(), Json{{"met", species}}.dump(2) + "\n");
 }
 
 } // namespace shoal::app

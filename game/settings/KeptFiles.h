@@ -1,24 +1,36 @@
 // What a player keeps between games: settings, in $XDG_CONFIG_HOME/shoal/settings.json, which the command
-// line overrides, and best scores, in $XDG_DATA_HOME/shoal/scores.json. A file that cannot be used is left
-// alone.
+// line overrides, and scores, in $XDG_DATA_HOME/shoal/scores.json. A file that cannot be used is left alone.
 #pragma once
 
 #include "engine/core/Result.h"
 #include "game/settings/Setting.h"
 
+#include <string>
+#include <vector>
+
 namespace shoal::app {
 
-// Sets what the file holds of the table's kept settings; values of the wrong type or out of range are
-// ignored.
+// Sets what the file holds of the table's kept settings. Values of the wrong type or out of range, and names
+// that are no settings, are left in the file and named in one warning.
 void loadSettings(const SettingsTable& table);
 
-// Writes the table's kept settings; the file is replaced as a whole or not at all.
-Status saveSettings(const SettingsTable& table);
+// Writes one setting; all else that the file holds stays. The file is replaced as a whole or not at all.
+Status saveSetting(const Setting& setting);
 
-// 0 if there is none yet, or the file cannot be used (which is logged, and the file left as it is).
-int bestScore(const std::string& dive);
+struct DiveScores {
+    static constexpr size_t kKept = 5;
+    std::vector<int> top; // the best first, at most kKept
+    int last = 0;         // of the dive before; 0: none
+};
+
+// Empty where there are none yet, or the file cannot be used (which is logged, and the file left as it is).
+DiveScores readScores(const std::string& dive);
 
 // Written whole or not at all. Keeps the other dives' scores.
-Status saveBestScore(const std::string& dive, int score);
+Status addScore(const std::string& dive, int score);
+
+// Names of the species that the player has touched, in $XDG_DATA_HOME/shoal/guide.json.
+std::vector<std::string> readGuide();
+Status saveGuide(const std::vector<std::string>& species);
 
 } // namespace shoal::app

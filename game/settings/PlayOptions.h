@@ -9,14 +9,92 @@
 
 namespace shoal::app {
 
+// How mouse, keys and gamepad move the player.
+struct ControlOptions {
+    Handedness hand = Handedness::Right;
+    float sensitivity = 1;
+    bool invertLook = false;
+    Closing closing = Closing::Hold;
+    float reachHelp = 1; // 0 to 1
+    Turning turning = Turning::Smooth;
+    std::string bindings; // of keys and buttons, as Bindings::parse() reads them; empty: the defaults
+
+    void addTo(SettingsTable& table) {
+        using enum SettingsPage;
+        table.category = Category::Hands;
+        table.addKept("--dominant-hand", choice(hand), "The hand that mouse and gamepad move")
+            .shownAs(Hands, "Dominant hand");
+        table
+            .addKept("--sensitivity", &sensitivity,
+                     "How far mouse and gamepad turn the view, in times of the default")
+            .between(0.2, 3)
+            .shownAs(Hands, "Mouse sensitivity");
+        table.addKept("--invert-look", &invertLook, "Mouse and stick forward look down")
+            .shownAs(Hands, "Invert looking up and down");
+        table
+            .addKept(
+                "--reach-help", &reachHelp,
+                "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1")
+            .between(0, 1)
+            .shownAs(Hands, "Help with depth");
+        table
+            .addKept(
+                "--closing", choice(closing),
+                "hold: the hand is closed while the button is down; toggle: each press closes or opens it")
+            .shownAs(Hands, "Close the hand by");
+        table
+            .addKept("--turning", choice(turning),
+                     "smooth, or snap: in steps of 30 degrees, which more people bear")
+            .shownAs(Comfort, "Turning");
+        table
+            .addKept("--bindings", &bindings,
+                     "Keys and a gamepad's button of actions, as the game's settings write them")
+            .takes("TEXT");
+    }
+};
+
+// How text is written on the screen.
+struct TextSettings {
+    LanguageChoice language = LanguageChoice::Auto;
+    float scale = 1;
+    bool highContrast = false;
+    bool captions = true, captionPanels = true;
+    CaptionSize captionSize = CaptionSize::Medium;
+
+    void addTo(SettingsTable& table) {
+        using enum SettingsPage;
+        table.category = Category::Picture;
+        table.addKept("--language", choice(language), "Of the screen; auto: the system's (LC_MESSAGES)")
+            .shownAs(Text, "Language");
+        table.addKept("--text-size", &scale, "Of all text, in times of the default")
+            .between(0.8, 1.6)
+            .shownAs(Text, "Text size");
+        table.addKept("--high-contrast", &highContrast, "White text on black").shownAs(Text, "High contrast");
+        table.addKept("!--no-captions", &captions, "Do not name sounds on the screen")
+            .shownAs(Text, "Captions");
+        table.addKept("--caption-size", choice(captionSize), "Of captions").shownAs(Text, "Size of captions");
+        table.addKept("!--no-caption-background", &captionPanels, "Captions stand on no dark panel")
+            .shownAs(Text, "Background of captions");
+    }
+};
+
+inline constexpr const char* kFirstDive = "reef";
+
 struct PlayOptions {
-    std::string dive = "reef";
+    std::string dive;             // empty: kFirstDive
     std::optional<uint64_t> seed; // empty: drawn for a dive in a window, else 1
     std::string file;             // of the environment, whatever it holds
     EnvironmentOptions environment;
     LookOptions look;
     HandOptions hands;
     Skin skin = Skin::Light;
+    Start start = Start::Auto;
+    ControlOptions controls;
+    bool firstSteps = true;     // before the next dive, which begins when they are over
+    float speed = 1;            // of the game against the clock
+    bool reducedMotion = false; // nothing moves but what the player and the animals move
+    bool vignette = false;      // dark edges while the view turns
+    TextSettings text;
     std::string record;
     StereoOutput stereo = StereoOutput::None;
     bool xr = false;    // in an OpenXR headset
@@ -35,24 +113,35 @@ struct PlayOptions {
     bool backdropOnly = false;
     game::Assist assist = game::Assist::Normal;
     bool freeSwim = false;
-    float reachHelp = 1;
     render::Composition compose = render::Composition::CameraResponse;
     bool frameTimes = false; // the developer's panel
     bool mute = false;
     bool headphones = false;
     float volume = 0.8f;
+    float effects = 1;       // volume of all sounds but the video's, 0 to 1
     float videoSound = 0.8f; // of the video's own sound, 0 to 1
     float doppler = audio::kDopplerAsInAir;
     float hapticStrength = 1;
-    bool captions = true;
     WaterChoice water = WaterChoice::Auto;
     bool snow = true; // specks that drift in the water
     FilmChoice film = FilmChoice::Auto;
     ShadowChoice shadows = ShadowChoice::On; // on the ground that the dive's video shows
 
     void addTo(SettingsTable& table) {
+        using enum SettingsPage;
         table.category = Category::Dive;
-        table.add("--dive", &dive, "Name of a dive in content/dives");
+        table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given");
+        table.add(
+            "--start", choice(start),
+            "What the game begins with: title or dive; auto: title, where a person plays in a window and "
+            "has named no dive");
+        table
+            .addKept("!--no-first-steps", &firstSteps,
+                     "A player's first dive begins at once, without the steps that teach how to catch")
+            .shownAs(Comfort, "Show the first steps");
+        table.addKept("--speed", &speed, "Of the game, in times of the clock's")
+            .between(0.5, 1)
+            .shownAs(Comfort, "Game speed");
         table.add("--seed", &seed,
                   "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
                   "dives without a window have 1");
@@ -66,17 +155,19 @@ struct PlayOptions {
         look.addTo(table, false);
         addPictureTo(table);
         hands.addTo(table);
-        table.addKept(
-            "--assist", choice(assist),
-            "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
-            "really close around is held");
         table
             .addKept(
-                "--reach-help", &reachHelp,
-                "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1")
-            .between(0, 1);
-        table.addKept("--skin", choice(skin), "How your hands look");
-        table.addKept("--haptics", &hapticStrength, "Strength of haptics, 0 (off) to 1").between(0, 1);
+                "--assist", choice(assist),
+                "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
+                "really close around is held")
+            .shownAs(Hands, "Help with catching");
+        table.addKept("--skin", choice(skin), "How your hands look").shownAs(Hands, "Skin");
+        controls.addTo(table);
+        table.category = Category::Hands;
+        table.addKept("--haptics", &hapticStrength, "Strength of haptics, 0 (off) to 1")
+            .between(0, 1)
+            .shownAs(Hands, "Strength of vibration");
+        text.addTo(table);
         addSoundTo(table);
         addTestsTo(table);
     }
@@ -84,49 +175,78 @@ struct PlayOptions {
   private:
     void addPictureTo(SettingsTable& table) {
         using enum render::Composition;
-        table.addKept("--stereo", choice(stereo), "none, or sbs: left and right eye side by side");
+        using enum SettingsPage;
+        table.category = Category::Picture;
+        table
+            .addKept("--reduced-motion", &reducedMotion,
+                     "Nothing moves by itself but the video and the animals: no drifting view, no particles")
+            .shownAs(Comfort, "Reduced motion");
+        table.addKept("--vignette", &vignette, "Dark edges while the view turns, against sickness")
+            .shownAs(Comfort, "Dark edges while turning");
+        table.addKept("--stereo", choice(stereo), "none, or sbs: left and right eye side by side")
+            .shownAs(Picture, "Stereo");
         table
             .add("--xr", &xr,
                  "In a headset, by the OpenXR runtime that is active; the window shows its left eye")
             .without({"--stereo", "--headless"});
-        table.addKept("--fov", &fov_deg, "Vertical field of view, degrees").between(20, 130);
+        table.addKept("--fov", &fov_deg, "Vertical field of view, degrees")
+            .between(20, 130)
+            .shownAs(Picture, "Field of view");
         table.addKept("--eye-distance", &eyeDistance_mm, "Between the eyes in stereo, millimetres")
             .between(0, 100);
-        table.addKept("--fullscreen", &fullscreen, "Fill the screen (F11 in the game)");
+        table.addKept("--fullscreen", &fullscreen, "Fill the screen (F11 in the game)")
+            .shownAs(Picture, "Fullscreen");
         table.addKept("!--no-vsync", &vsync, "Do not wait for the display");
-        table.addKept(
-            "--quality", choice(quality),
-            "auto draws fewer pixels, then makes light less often, while frames take longer than the "
-            "display allows; fixed never does (nor does --headless)");
-        table.addKept(
-            "--compose",
-            choice(compose, {Plain, MatchedResolution, VideoTexels, CameraResponse},
-                   {{"auto", CameraResponse}}),
-            "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
-            "finely as the video is, and scaled up with it; texels, into the video's own frame; camera, "
-            "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated); "
-            "auto: camera");
+        table
+            .addKept(
+                "--quality", choice(quality),
+                "auto draws fewer pixels, then makes light less often, while frames take longer than the "
+                "display allows; fixed never does (nor does --headless)")
+            .shownAs(Picture, "Quality");
+        table
+            .addKept(
+                "--compose",
+                choice(compose, {Plain, MatchedResolution, VideoTexels, CameraResponse},
+                       {{"auto", CameraResponse}}),
+                "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
+                "finely as the video is, and scaled up with it; texels, into the video's own frame; camera, "
+                "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated); "
+                "auto: camera")
+            .shownAs(Picture, "Compositing");
         table.addKept(
             "--water", choice(water),
             "Dims what is drawn with distance as the environment's water does: auto as the dive says, "
             "or, of another video or photo, where the picture has lost its red; on; off");
-        table.addKept("!--no-snow", &snow, "No specks that drift in the water");
-        table.addKept("--film", choice(film),
-                      "Which version of a dive's film: best; small, for slow machines; auto: small without "
-                      "a graphics card or with fewer than four processor cores");
+        table.addKept("!--no-snow", &snow, "No particles that drift in the water")
+            .shownAs(Comfort, "Drifting particles");
+        table
+            .addKept("--film", choice(film),
+                     "Which version of a dive's film: best; small, for slow machines; auto: small without a "
+                     "graphics card or with fewer than four processor cores")
+            .shownAs(Picture, "Version of the film");
         table.addKept("--shadows", choice(shadows),
                       "Of what swims and of your hands, on the ground that the dive's own video shows");
-        table.addKept("!--no-captions", &captions, "Do not name sounds on the screen");
-        table.addKept("--frame-times", &frameTimes,
-                      "Shows frame times, and which light is used (F1 in the game)");
+        table
+            .addKept("--frame-times", &frameTimes,
+                     "Shows frame times, and which light is used (F1 in the game)")
+            .shownAs(Picture, "Performance");
     }
 
     void addSoundTo(SettingsTable& table) {
+        using SettingsPage::Sound;
         table.category = Category::Sound;
         table.addKept("--mute", &mute, "No sound");
-        table.addKept("--headphones", &headphones, "Sound for headphones (HRTF)");
-        table.addKept("--volume", &volume, "Sound volume (+ and - in the game), 0 to 1").between(0, 1);
-        table.addKept("--video-sound", &videoSound, "Volume of the video's own sound, 0 to 1").between(0, 1);
+        table.addKept("--volume", &volume, "Sound volume (+ and - in the game), 0 to 1")
+            .between(0, 1)
+            .shownAs(Sound, "Volume");
+        table.addKept("--effects-volume", &effects, "Volume of all sounds but the video's own, 0 to 1")
+            .between(0, 1)
+            .shownAs(Sound, "Volume of effects");
+        table.addKept("--video-sound", &videoSound, "Volume of the video's own sound, 0 to 1")
+            .between(0, 1)
+            .shownAs(Sound, "Volume of the film");
+        table.addKept("--headphones", &headphones, "Sound for headphones (HRTF)")
+            .shownAs(Sound, "Headphones");
         table
             .addKept(
                 "--doppler", &doppler,

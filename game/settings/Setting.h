@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/EnumNames.h"
+#include "game/texts/Texts.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -20,6 +21,9 @@
 namespace shoal::app {
 
 enum class Category { General, Dive, Environment, Picture, Hands, Sound, Measuring };
+
+// Where a setting stands in the game's own settings.
+enum class SettingsPage { None, Hands, Comfort, Picture, Sound, Text };
 
 // A setting that is text: one of a few names, or of a notation of its own.
 struct TextSetting {
@@ -67,12 +71,19 @@ struct Setting {
     bool kept = false;            // in the settings file
     bool required = false;
     std::vector<std::string> excludes{}, needs{}; // other options
+    // In the game's own settings; numbers are sliders there, so they need a range.
+    SettingsPage page = SettingsPage::None;
+    std::optional<game::Text> label{};
+    std::vector<std::string> suggestions{}; // values that are offered there for a text of any other form
 
     Setting& between(double low, double high) { return range = {low, high}, *this; }
     Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
     Setting& mustBeGiven() { return required = true, *this; }
     Setting& without(std::vector<std::string> others) { return excludes = std::move(others), *this; }
     Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }
+
+    Setting& offers(std::vector<std::string> some) { return suggestions = std::move(some), *this; }
+    Setting& shownAs(SettingsPage where, game::Text words) { return page = where, label = words, *this; }
 
     std::string key() const; // its name in the settings file: the option's, without dashes and "no"
 };

@@ -104,7 +104,9 @@ struct HandOptions {
                      "the default with a window; webcam, webcam:NUMBER, or webcam:FILE (a clip of hands); "
                      "openxr (a headset's, which --xr means); script:FILE (a playthrough); replay:FILE. "
                      "Where a device sees no hands, the mouse has them")
-            .takes("SOURCE");
+            .takes("SOURCE")
+            .offers({"auto", "mouse", "leap", "webcam"})
+            .shownAs(SettingsPage::Hands, "Hand source");
         addLeapTo(table);
         table.addKept(
             "--leap-mount", choice(leap.mount),

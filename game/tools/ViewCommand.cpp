@@ -193,7 +193,7 @@ Status Viewer::open() {
                                         .minRoughness = scene::minGloss(model_).minRoughness,
                                         .quality = light::LightQuality::Still,
                                         .diffuse = options_.diffuse},
-                           .wait = [this] { return !window_ || !window_->poll().closing; }});
+                           .wait = [this](float) { return !window_ || !window_->poll().closing; }});
     if (!environment) return environment.error();
     environment_ = std::move(*environment);
     environment_->update(static_cast<double>(options_.at_s), true);

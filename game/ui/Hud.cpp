@@ -8,29 +8,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <span>
 
 namespace shoal::app {
 
 namespace {
 
-constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"; // fonts-dejavu-core
-constexpr float kFontPixels = 40; // of the atlas; text is scaled down from it
-
 using namespace colour;
 
 void drawScore(const Pen& pen, const HudInfo& info) {
     const game::Snapshot& s = *info.snapshot;
-    const float margin = pen.line * 0.8f;
-    pen.text(margin, margin * 0.7f, 0, 1.7f, kWhite, std::to_string(s.score));
-    pen.text(margin, margin * 0.7f + pen.line * 1.8f, 0, 0.8f, kDim,
-             s.lost ? fmt::format("{} caught   {} taken", s.caught, s.lost)
-                    : fmt::format("{} caught", s.caught));
+    if (s.freeSwim) return; // nobody counts
+    const float margin = pen.line;
+    const Rectangle score =
+        pen.label(margin, margin * 0.7f, 0, TextSize::Heading, kWhite, std::to_string(s.score));
+    std::string counts = fmt::format(fmt::runtime(pen.in("{} caught")), s.caught);
+    if (s.lost > 0) counts += "   " + fmt::format(fmt::runtime(pen.in("{} taken by the shark")), s.lost);
+    if (s.caught > 0 || s.lost > 0)
+        pen.label(margin, score.high.y + pen.line * 0.3f, 0, TextSize::Small, kGrey, counts);
     const int left = static_cast<int>(std::ceil(std::max(0.0f, s.timeLeft_s)));
-    const bool last = left <= 10;
-    pen.text(pen.size.x - margin, margin * 0.7f, 1, last ? 2.0f : 1.5f, last ? kGold : kWhite,
-             fmt::format("{}:{:02}", left / 60, left % 60));
+    pen.label(pen.size.x - margin, margin * 0.7f, 1, TextSize::Heading, left <= 10 ? kGold : kWhite,
+              fmt::format("{}:{:02}", left / 60, left % 60));
 }
 
 // The place on the screen, pixels; false behind the viewer.
@@ -56,36 +54,66 @@ void drawHold(const Pen& pen, const HudInfo& info) {
     }
 }
 
+// Darkness from the edges inwards, as strong as the view turns.
+void drawVignette(const Pen& pen, float turning_radps) {
+    constexpr float kFull_radps = 1.2f, kWidth = 0.3f; // of the picture's size
+    const float strength = std::min(turning_radps / kFull_radps, 1.0f);
+    if (strength < 0.02f) return;
+    const uint32_t dark = IM_COL32(0, 6, 10, static_cast<int>(235 * strength)), none = IM_COL32(0, 6, 10, 0);
+    const ImVec2 low(0, 0), high(pen.size.x, pen.size.y);
+    const float x = pen.size.x * kWidth, y = pen.size.y * kWidth;
+    pen.list->AddRectFilledMultiColor(low, ImVec2(x, high.y), dark, none, none, dark);
+    pen.list->AddRectFilledMultiColor(ImVec2(high.x - x, 0), high, none, dark, dark, none);
+    pen.list->AddRectFilledMultiColor(low, ImVec2(high.x, y), dark, dark, none, none);
+    pen.list->AddRectFilledMultiColor(ImVec2(0, high.y - y), high, none, none, dark, dark);
+}
+
+void drawPopups(const Pen& pen, const HudInfo& info) {
+    for (const Popup& popup : info.popups) {
+        ImVec2 at;
+        if (!project(pen, *info.view, popup.position, at)) continue;
+        std::string text = fmt::format("+{} {}", popup.points, game::translated(popup.species, pen.language));
+        if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
+        const float rise = 3 * pen.line * popup.age_s / Popups::kStay_s;
+        pen.label(at.x, std::clamp(at.y - 3 * pen.line - rise, pen.line, pen.size.y - 2 * pen.line), 0.5f,
+                  TextSize::Body, kGold, text);
+    }
+}
+
 // What sounds, and from where: an arrow leads to what the eye does not see.
 void drawCaptions(const Pen& pen, const HudInfo& info) {
-    float y = pen.size.y - pen.line * 1.9f;
+    // Captions have sizes of their own among those that are rasterised.
+    const TextSize size = info.text.captionScale > 1.2f   ? TextSize::Heading
+                          : info.text.captionScale < 0.9f ? TextSize::Small
+                                                          : TextSize::Body;
+    const float step = pen.fonts->pixels(size) * 1.55f;
+    float y = pen.size.y - step - pen.line * 0.5f;
     for (const game::Caption& caption : info.captions) {
-        const float fade = std::clamp((game::kCaptionStay_s - caption.age_s) / 0.6f, 0.0f, 1.0f);
         const glm::vec3 inView = glm::conjugate(info.view->worldFromEye) * caption.position;
         const bool placed = glm::dot(caption.position, caption.position) > 1e-4f;
         const float bearing = placed ? std::atan2(inView.x, -inView.z) : 0.0f;
         const float seen = std::atan(info.view->halfExtent().x);
         const std::string line =
-            fmt::format("{}{}{}", bearing < -seen ? "◀ " : "", caption.text, bearing > seen ? " ▶" : "");
-        const glm::vec2 extent = pen.extent(line, 0.8f);
-        const auto shade = static_cast<int>(120 * fade);
-        pen.list->AddRectFilled(ImVec2(pen.size.x / 2 - extent.x / 2 - 10, y - 3),
-                                ImVec2(pen.size.x / 2 + extent.x / 2 + 10, y + extent.y + 3),
-                                IM_COL32(4, 18, 28, shade), 6);
-        pen.text(pen.size.x / 2, y, 0.5f, 0.8f, IM_COL32(255, 255, 255, static_cast<int>(240 * fade)), line);
-        y -= pen.line * 1.3f;
+            fmt::format("{}{}{}", bearing < -seen ? "\u2190 " : "",
+                        game::translated(caption.text, pen.language), bearing > seen ? " \u2192" : "");
+        if (info.text.captionPanels)
+            pen.label(pen.size.x / 2, y, 0.5f, size, kWhite, line);
+        else
+            pen.text(pen.size.x / 2, y, 0.5f, size, kWhite, line);
+        y -= step;
     }
 }
 
 void drawTimes(const HudInfo& info) {
     const Statistics& statistics = *info.statistics;
     const Environment& environment = *info.environment;
-    ImGui::SetNextWindowPos(ImVec2(12, 110), ImGuiCond_Always);
-    ImGui::SetNextWindowBgAlpha(0.7f);
+    // At the right, where no menu stands.
+    const ImVec2 corner(ImGui::GetIO().DisplaySize.x - 12, 110);
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 0));
+    ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Frame", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
-    ImGui::SetWindowFontScale(0.4f);
     const std::span<const float> recent = statistics.frame_ms.last(120);
     std::vector<float> sorted(recent.begin(), recent.end());
     std::sort(sorted.begin(), sorted.end());
@@ -109,13 +137,18 @@ void drawTimes(const HudInfo& info) {
 }
 
 void drawText(const Pen& pen, const HudInfo& info) {
-    drawScore(pen, info);
-    if (!info.snapshot->paused) drawCaptions(pen, info);
+    if (info.inDive) {
+        drawScore(pen, info);
+        if (!info.snapshot->paused) drawCaptions(pen, info);
+    }
     if (info.overlay) info.overlay(pen);
     const float x = pen.size.x / 2;
     if (info.showVolume)
-        pen.text(x, pen.line, 0.5f, 1, kWhite, fmt::format("Sound {:.0f} %", info.volume * 100));
-    if (!info.notice.empty()) pen.text(x, pen.line * 2.4f, 0.5f, 0.75f, kGold, info.notice);
+        pen.label(x, pen.line, 0.5f, TextSize::Body, kWhite,
+                  fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(info.volume * 100)));
+    if (!info.notice.empty()) pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice);
+    if (info.finger)
+        pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
     if (info.showTimes) drawTimes(info);
 }
 
@@ -131,38 +164,65 @@ Result<Hud> Hud::make() {
     Hud hud;
     hud.context_.reset(ImGui::CreateContext());
     ImGui::SetCurrentContext(hud.context_.get());
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    static constexpr ImWchar kRanges[] = {0x20, 0xFF, 0x25B6, 0x25C0, 0};
-    if (std::filesystem::exists(kFontFile))
-        hud.font_ = io.Fonts->AddFontFromFileTTF(kFontFile, kFontPixels, nullptr, kRanges);
-    if (!hud.font_) {
-        ImFontConfig config;
-        config.SizePixels = 26;
-        hud.font_ = io.Fonts->AddFontDefault(&config);
-    }
+    ImGui::GetIO().IniFilename = nullptr;
     if (!ImGui_ImplOpenGL3_Init("#version 330 core") || !ImGui_ImplOpenGL3_CreateDeviceObjects())
         return Error{"", "the on-screen display could not be set up"};
-    io.Fonts->ClearTexData(); // on the graphics side from now on
     return hud;
 }
 
-void Hud::draw(const HudInfo& info, glm::ivec2 size) {
+Pen Hud::beginFrame(Audience audience, bool hasText, const TextOptions& text, glm::ivec2 size) {
     ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
     io.DeltaTime = 1.0f / 60; // nothing here moves by itself
+    // Lines of text that would fill the picture; a headset shows fewer pixels.
+    const float lines = audience == Audience::HeadsetPlayer ? 22 : 30;
+    const float height = static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines * text.scale;
+    float line = std::round(std::clamp(height, 11.0f, 90.0f));
+    // In a headset's session the window shows the panel's fonts: two sizes would be rasterised in turns.
+    if (audience == Audience::Onlooker && fonts_.ready())
+        line = fonts_.pixels(TextSize::Body);
+    else if (hasText || !fonts_.ready())
+        fonts_.fit(line);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    // Lines of text that would fill the picture; a headset shows fewer pixels.
-    const float lines = info.audience == Audience::HeadsetPlayer ? 22 : 30;
-    const Pen pen{ImGui::GetBackgroundDrawList(), font_, size,
-                  std::clamp(static_cast<float>(std::min(size.y, size.x * 9 / 16)) / lines, 9.0f, 60.0f),
-                  info.audience};
-    if (info.part != HudPart::Panel) drawHold(pen, info);
-    if (info.part != HudPart::Marks) drawText(pen, info);
+    return {ImGui::GetBackgroundDrawList(), &fonts_, size, line, audience, text.language, text.highContrast};
+}
+
+void Hud::endFrame() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Hud::draw(const HudInfo& info, glm::ivec2 size) {
+    const Pen pen = beginFrame(info.audience, info.part != HudPart::Marks, info.text, size);
+    if (info.part != HudPart::Panel) {
+        if (info.vignette > 0) drawVignette(pen, info.vignette);
+        drawHold(pen, info);
+        drawPopups(pen, info);
+    }
+    if (info.part != HudPart::Marks) drawText(pen, info);
+    endFrame();
+}
+
+void Hud::drawNotice(std::string_view notice, const TextOptions& text, glm::ivec2 size) {
+    const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
+    pen.label(pen.size.x / 2, pen.size.y - 2 * pen.line, 0.5f, TextSize::Small, kWhite, notice);
+    endFrame();
+}
+
+void Hud::drawLoading(float progress, const TextOptions& text, glm::ivec2 size) {
+    const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
+    const float y = pen.size.y * 0.72f;
+    const Rectangle said = pen.label(pen.size.x / 2, y, 0.5f, TextSize::Body, kWhite, pen.in("Loading"));
+    const float half = 7 * pen.line, top = said.high.y + 0.5f * pen.line, bottom = top + 0.35f * pen.line;
+    const Rectangle track{{pen.size.x / 2 - half, top}, {pen.size.x / 2 + half, bottom}};
+    pen.fill(track, kPanel, 0.17f * pen.line);
+    if (progress >= 0)
+        pen.fill({track.low, {track.low.x + 2 * half * std::clamp(progress, 0.02f, 1.0f), bottom}}, kGold,
+                 0.17f * pen.line);
+    pen.label(pen.size.x / 2, pen.size.y * 0.36f, 0.5f, TextSize::Display, kWhite, "Shoal");
+    endFrame();
 }
 
 } // namespace shoal::app

@@ -8,6 +8,7 @@
 #include "game/feedback/SoundCues.h"
 #include "game/session/Statistics.h"
 #include "game/ui/Pen.h"
+#include "game/ui/Popups.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"
 
@@ -15,11 +16,21 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 struct ImGuiContext;
 
 namespace shoal::app {
+
+// How text is written; as the player has set it.
+struct TextOptions {
+    game::Language language = game::Language::English;
+    float scale = 1;           // of all text
+    float captionScale = 1;    // of captions besides
+    bool captionPanels = true; // captions stand on panels
+    bool highContrast = false;
+};
 
 // In a headset text hangs on a panel of its own, and what marks a thing in the world is drawn where that is.
 enum class HudPart { All, Panel, Marks };
@@ -30,7 +41,12 @@ struct HudInfo {
     const game::Snapshot* snapshot = nullptr;
     const render::View* view = nullptr; // for what stands at a place in the world
     std::span<const game::Caption> captions;
+    std::span<const Popup> popups;
+    bool inDive = true;                      // score, time and captions are shown
     std::function<void(const Pen&)> overlay; // of the program's state; may be empty
+    TextOptions text;
+    float vignette = 0;              // of comfort: how fast the view turns, radians a second; 0: none
+    std::optional<glm::vec2> finger; // that points at a menu, pixels
     bool showTimes = false;
     const Statistics* statistics = nullptr;
     Quality quality;
@@ -48,13 +64,19 @@ class Hud {
 
     // Over the bound framebuffer, which is `size` pixels large.
     void draw(const HudInfo& info, glm::ivec2 size);
+    // One line and nothing else.
+    void drawNotice(std::string_view notice, const TextOptions& text, glm::ivec2 size);
+    // While things are loaded; progress: 0 to 1.
+    void drawLoading(float progress, const TextOptions& text, glm::ivec2 size);
 
   private:
+    Pen beginFrame(Audience audience, bool hasText, const TextOptions& text, glm::ivec2 size);
+    static void endFrame();
     struct DestroyContext {
         void operator()(ImGuiContext* context) const;
     };
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
-    ImFont* font_ = nullptr;
+    Fonts fonts_;
 };
 
 } // namespace shoal::app

@@ -4,36 +4,58 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 namespace shoal::app {
 
-glm::vec2 Pen::extent(std::string_view text, float scale) const {
-    const ImVec2 extent =
-        font->CalcTextSizeA(line * scale, FLT_MAX, 0, text.data(), text.data() + text.size());
-    return {extent.x, extent.y};
+namespace {
+
+ImVec2 imVec(glm::vec2 v) { return {v.x, v.y}; }
+
+} // namespace
+
+glm::vec2 Pen::extent(std::string_view text, TextSize textSize, float width) const {
+    const ImVec2 extent = fonts->at(textSize)->CalcTextSizeA(fonts->pixels(textSize), FLT_MAX, width,
+                                                             text.data(), text.data() + text.size());
+    return {std::ceil(extent.x), extent.y};
 }
 
-void Pen::text(float x, float y, float anchor, float scale, uint32_t colour, std::string_view text) const {
-    const float pixels = line * scale, shadow = std::max(1.0f, pixels * 0.06f);
-    const char *const begin = text.data(), *const end = begin + text.size();
-    x -= extent(text, scale).x * anchor;
-    list->AddText(font, pixels, ImVec2(x + shadow, y + shadow), IM_COL32(0, 10, 20, 190), begin, end);
-    list->AddText(font, pixels, ImVec2(x, y), colour, begin, end);
+void Pen::text(float x, float y, float anchor, TextSize textSize, uint32_t colour,
+               std::string_view text) const {
+    x -= extent(text, textSize).x * anchor;
+    // On whole pixels, where the font's texels are shown as they were rasterised.
+    list->AddText(fonts->at(textSize), fonts->pixels(textSize), ImVec2(std::round(x), std::round(y)), colour,
+                  text.data(), text.data() + text.size());
 }
 
-void Pen::lines(float y, std::span<const char* const> texts) const {
-    for (const char* each : texts) {
-        text(size.x / 2, y, 0.5f, 0.85f, colour::kWhite, each);
-        y += line * 1.35f;
-    }
+float Pen::paragraph(float x, float y, float width, TextSize textSize, uint32_t colour,
+                     std::string_view text) const {
+    list->AddText(fonts->at(textSize), fonts->pixels(textSize), ImVec2(std::round(x), std::round(y)), colour,
+                  text.data(), text.data() + text.size(), width);
+    return extent(text, textSize, width).y;
 }
 
-void Pen::panel(float widthLines, float heightLines) const {
-    const glm::vec2 half = glm::vec2(widthLines, heightLines) * line / 2.0f, low = size / 2.0f - half,
-                    high = size / 2.0f + half;
-    list->AddRectFilled(ImVec2(low.x, low.y), ImVec2(high.x, high.y), colour::kPanel, line * 0.6f);
+Rectangle Pen::label(float x, float y, float anchor, TextSize textSize, uint32_t colour,
+                     std::string_view content) const {
+    const glm::vec2 extents = extent(content, textSize), margin(line * 0.5f, line * 0.18f);
+    // Stays on the picture.
+    const float left =
+        std::clamp(x - extents.x * anchor, margin.x, std::max(margin.x, size.x - margin.x - extents.x));
+    const Rectangle area{glm::vec2(left, y) - margin, glm::vec2(left, y) + extents + margin};
+    panel(area);
+    text(left, y, 0, textSize, colour, content);
+    return area;
 }
 
-void Pen::shade() const { list->AddRectFilled(ImVec2(0, 0), ImVec2(size.x, size.y), colour::kShade); }
+void Pen::fill(const Rectangle& area, uint32_t colour, float rounding_px) const {
+    list->AddRectFilled(imVec(area.low), imVec(area.high), colour, rounding_px);
+}
+
+void Pen::panel(const Rectangle& area) const {
+    const float rounding = std::min(line * 0.5f, 0.5f * (area.high.y - area.low.y));
+    fill(area, highContrast ? colour::kSolid : colour::kPanel, rounding);
+}
+
+void Pen::shade() const { fill({{0, 0}, size}, colour::kShade); }
 
 } // namespace shoal::app

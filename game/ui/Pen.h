@@ -1,14 +1,15 @@
 // Draws text and panels over a picture, measured in lines of text. Valid while Hud::draw() runs.
 #pragma once
 
+#include "game/texts/Texts.h"
+#include "game/ui/Fonts.h"
+
 #include <glm/vec2.hpp>
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 struct ImDrawList;
-struct ImFont;
 
 namespace shoal::app {
 
@@ -20,26 +21,45 @@ enum class Audience {
 };
 
 // Display colours, 0xAABBGGRR. Gold and orange are of Okabe and Ito's palette, which the colour-blind tell
-// apart.
+// apart. White and grey text on a panel over a white sky keep a contrast of 4.5 to 1 and more (HudTest).
 namespace colour {
-inline constexpr uint32_t kWhite = 0xF0FFFFFF, kDim = 0xAAFFFFFF, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
-                          kPanel = 0x961C1204, kShade = 0x78140C02;
+inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFC8C4BC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
+                          kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kShade = 0x60140C02,
+                          kTrack = 0xFF4F3A22;
 }
+
+struct Rectangle { // pixels from the upper left
+    glm::vec2 low{0}, high{0};
+    bool contains(glm::vec2 at) const {
+        return at.x >= low.x && at.y >= low.y && at.x < high.x && at.y < high.y;
+    }
+};
 
 struct Pen {
     ImDrawList* list;
-    ImFont* font;
+    const Fonts* fonts;
     glm::vec2 size; // of the picture, pixels
-    float line;     // height of a line of text at scale 1, pixels
+    float line;     // height of a line of text of size Body, pixels
     Audience audience = Audience::WindowPlayer;
+    game::Language language = game::Language::English;
+    bool highContrast = false; // panels are black and let nothing through
 
-    glm::vec2 extent(std::string_view text, float scale) const; // pixels
-    // anchor: which part of the text is at x: 0 left, 0.5 centre, 1 right.
-    void text(float x, float y, float anchor, float scale, uint32_t colour, std::string_view text) const;
-    // Centred lines below each other from y on, 1.35 lines apart.
-    void lines(float y, std::span<const char* const> texts) const;
-    void panel(float widthLines, float heightLines) const; // in the picture's middle
-    void shade() const;                                    // darkens the whole picture
+    const char* in(game::Text text) const { return text.in(language); }
+
+    // width: where lines are broken, pixels; 0: they are not.
+    glm::vec2 extent(std::string_view text, TextSize size, float width = 0) const; // pixels
+    // anchor: which part of the text is at x: 0 left, 0.5 centre, 1 right. Text that stands on no panel has a
+    // shadow, which alone does not make it readable.
+    void text(float x, float y, float anchor, TextSize size, uint32_t colour, std::string_view text) const;
+    // Lines broken at width; returns the height, pixels.
+    float paragraph(float x, float y, float width, TextSize size, uint32_t colour,
+                    std::string_view text) const;
+    // Text on a small panel of its own; y: of the text's upper edge. Returns the panel.
+    Rectangle label(float x, float y, float anchor, TextSize size, uint32_t colour,
+                    std::string_view text) const;
+    void panel(const Rectangle& area) const;
+    void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
+    void shade() const; // darkens the whole picture
 };
 
 } // namespace shoal::app

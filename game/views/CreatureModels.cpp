@@ -111,7 +111,8 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
 }
 
 Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, const std::string& handVariant,
-                                            render::Reflectance reflectance, render::Detail detail) {
+                                            render::Reflectance reflectance, render::Detail detail,
+                                            const std::function<bool(float)>& progress) {
     const Path content = dataRoot() / "content";
     std::vector<ModelRequest> requests;
     for (const game::Species& kind : species) requests.push_back({content / kind.model, {}, {}, false});
@@ -124,6 +125,8 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
     };
     CreatureModels models;
+    models.reflectance_ = reflectance;
+    models.handVariant_ = handVariant;
     auto next = read(0);
     for (size_t i = 0; i < requests.size(); ++i) {
         auto instance = next.get();
@@ -136,6 +139,8 @@ Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, c
             models.hands_[limb] = std::move(*instance);
         else
             models.arms_[limb - 2] = std::move(*instance);
+        const auto done = static_cast<float>(i + 1) / static_cast<float>(requests.size());
+        if (progress && !progress(done)) return Error{"", "loading was stopped"};
     }
     models.lastImages_ = {};
     return models;

@@ -13,7 +13,9 @@
 #include "game/views/ArmPose.h"
 
 #include <array>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,8 +25,12 @@ class CreatureModels {
   public:
     // The species' models in the table's order; handVariant: a variant of both hands' models, such as
     // "glove". Needs a current GL context.
+    // progress: called between two models with the share that is done; false: stop.
     static Result<CreatureModels> load(const game::SpeciesTable& species, const std::string& handVariant,
-                                       render::Reflectance reflectance, render::Detail detail);
+                                       render::Reflectance reflectance, render::Detail detail,
+                                       const std::function<bool(float)>& progress = {});
+    render::Reflectance reflectance() const { return reflectance_; }
+    const std::string& handVariant() const { return handVariant_; }
 
     float minRoughness() const { return minRoughness_; } // of all surfaces
 
@@ -59,6 +65,8 @@ class CreatureModels {
     void showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass);
 
     float minRoughness_ = 1;
+    render::Reflectance reflectance_ = render::Reflectance::Coded;
+    std::string handVariant_;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading
     std::shared_ptr<const render::TexturesGpu> lastTextures_;
     std::vector<ModelInstance> species_;

@@ -7,7 +7,9 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <atomic>
 #include <chrono>
+#include <future>
 
 namespace shoal::app {
 
@@ -69,21 +71,35 @@ Status Environment::openVideo(const std::string& name) {
     media::PlayerOptions options{.layout = setup_.options.layout, .keepPixels = false};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
     if (*address)
-        return media::LivePlayer::open(media::feedFrom(**address), {options}, setup_.wait).moveTo(live_);
+        return media::LivePlayer::open(media::feedFrom(**address), {options},
+                                       [this] { return !setup_.wait || setup_.wait(-1); })
+            .moveTo(live_);
     file_ = name;
     return media::VideoPlayer::open(name, options).moveTo(player_);
 }
 
+// Read, and grown where it is no environment yet, on a thread of its own while the screen says how far it is.
+Result<ImageRgb8> Environment::readPhoto(const Path& file, bool grow) const {
+    std::atomic<float> share = 0;
+    auto reading = std::async(std::launch::async, [&]() -> Result<ImageRgb8> {
+        auto picture = media::readPicture(file);
+        if (!picture || !grow) return picture;
+        auto full = environmentFrom(file, std::move(*picture), std::nullopt,
+                                    [&](double done) { share = static_cast<float>(done); });
+        if (!full) return full.error();
+        return std::move(full->picture);
+    });
+    while (reading.wait_for(std::chrono::milliseconds(30)) != std::future_status::ready)
+        if (setup_.wait) setup_.wait(share);
+    return reading.get();
+}
+
 Status Environment::openPhoto(const Path& file) {
     media::Layout layout = setup_.options.layout;
-    auto picture = media::readPicture(file);
+    const bool grow = layout == media::Layout::Auto; // with a layout, somebody says that it is an environment
+    auto picture = readPhoto(file, grow);
     if (!picture) return picture.error();
-    if (layout == media::Layout::Auto) { // with a layout, somebody says that it is an environment
-        auto full = environmentFrom(file, std::move(*picture), std::nullopt);
-        if (!full) return full.error();
-        picture = std::move(full->picture);
-        layout = media::layoutFromShape(picture->width, picture->height);
-    }
+    if (grow) layout = media::layoutFromShape(picture->width, picture->height);
     if (layout == media::Layout::Auto) layout = media::layoutFromContent(*picture);
     setLayout(layout);
     prepareFor(light::LightQuality::Still, 1);

@@ -29,7 +29,9 @@ struct EnvironmentSetup {
     bool bothEyes = false;      // a stereo picture shows each eye its own half; else all see the left one
     bool waterIsCertain = true; // where the analysis looks for it; false: as far as the picture shows it
     AnalysisOptions analysis;
-    std::function<bool()> wait; // false: stop waiting for the first frame of a live video
+    // Called while something takes its time, a live video's first frame or a photo that is grown, with the
+    // share that is done, 0 to 1, or -1 where nobody knows. False: wait no longer for a live video.
+    std::function<bool(float)> wait;
 };
 
 // How reflectance is represented for the light of these; known before anything is opened.
@@ -97,6 +99,7 @@ class Environment {
 
     Status openVideo(const std::string& name); // a file, or something live
     Status openPhoto(const Path& file);
+    Result<ImageRgb8> readPhoto(const Path& file, bool grow) const;
     Status openEnv(const Path& file);
     void prepareFor(light::LightQuality quality, size_t slots);
     void prepare(const media::VideoFrame& frame);

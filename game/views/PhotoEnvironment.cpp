@@ -63,7 +63,8 @@ template <class Picture> std::string seamClause(const panorama::Panorama<Picture
 
 template <class Picture>
 Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
-                                                  std::optional<double> fov_deg) {
+                                                  std::optional<double> fov_deg,
+                                                  const std::function<void(double)>& progress) {
     const auto placement = fov_deg ? std::nullopt : media::panoramaPlacement(file);
     if (placement && (placement->width < placement->fullWidth || placement->height < placement->fullHeight)) {
         const auto share = [](int pixels, int of) { return static_cast<double>(pixels) / of; };
@@ -80,8 +81,10 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
         return PhotoEnvironment<Picture>{std::move(photo), "a full environment already, kept as it is"};
 
     ProgressLine line(file);
-    auto grown = panorama::panoramaFromPhoto(
-        photo, {.fov_deg = fov_deg, .progress = [&line](double share) { line.show(share); }});
+    auto grown = panorama::panoramaFromPhoto(photo, {.fov_deg = fov_deg, .progress = [&](double share) {
+                                                         line.show(share);
+                                                         if (progress) progress(share);
+                                                     }});
     if (!grown) return Error{file.string(), grown.error().reason};
     return PhotoEnvironment<Picture>{
         std::move(grown->latLong),
@@ -91,7 +94,9 @@ Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture phot
                     seamClause(*grown))};
 }
 
-template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>);
-template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>);
+template Result<PhotoEnvironment<ImageRgb8>> environmentFrom(const Path&, ImageRgb8, std::optional<double>,
+                                                             const std::function<void(double)>&);
+template Result<PhotoEnvironment<ImageRgbF>> environmentFrom(const Path&, ImageRgbF, std::optional<double>,
+                                                             const std::function<void(double)>&);
 
 } // namespace shoal::app

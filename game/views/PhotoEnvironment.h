@@ -5,6 +5,7 @@
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,7 @@ template <class Picture> struct PhotoEnvironment {
 // file: where it was read from.
 template <class Picture> // ImageRgb8, or ImageRgbF of linear light
 Result<PhotoEnvironment<Picture>> environmentFrom(const Path& file, Picture photo,
-                                                  std::optional<double> fov_deg);
+                                                  std::optional<double> fov_deg,
+                                                  const std::function<void(double)>& progress = {});
 
 } // namespace shoal::app

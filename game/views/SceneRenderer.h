@@ -29,6 +29,9 @@ class SceneRenderer final : private render::CompositorScene {
   public:
     static Result<SceneRenderer> make(CreatureModels creatureModels, const SceneRendererSetup& setup);
 
+    // To give them to another renderer; this one draws no more.
+    CreatureModels takeModels() { return std::move(creatureModels_); }
+
     // Between two frames.
     Status setCompositor(const render::CompositorSetup& setup);
 

@@ -94,7 +94,8 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
         else
             hand.grasp = goal;
         hand.placed = true;
-        const float closedGoal = active ? (input.close ? 1.0f : 0.0f) : (hand.closed > 0.5f ? 1.0f : 0.0f);
+        const float closedGoal =
+            active ? (input.close ? input.closeTo : 0.0f) : (hand.closed > 0.5f ? 1.0f : 0.0f);
         const float step = dt_s / kCloseTime_s;
         hand.closed += std::clamp(closedGoal - hand.closed, -step, step);
         poses_[i] = reachingHand(rig_, side, hand.grasp, hand.closed);

@@ -14,6 +14,7 @@ struct MouseInput {
     glm::vec2 cursor{0};     // -1 to 1 across the window, +x right, +y up
     float wheel = 0;         // notches since the last call; positive reaches farther
     bool close = false;      // button held: the active hand closes
+    float closeTo = 1;       // how far, 0 to 1: a gamepad's trigger closes it by degrees
     bool swapHands = false;  // true on the frame the key goes down
     float aspect = 16.f / 9; // width / height
     float fovY = 1.2f;       // radians
@@ -34,6 +35,7 @@ class MouseHands {
     const std::array<HandPose, 2>& update(const MouseInput&, float dt_s);
 
     Side active() const { return active_; }
+    void setActive(Side side) { active_ = side; }
     float distance_m() const; // of the active hand from the eye
 
   private:

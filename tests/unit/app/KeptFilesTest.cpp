@@ -6,6 +6,7 @@
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 
@@ -20,6 +21,12 @@ class KeptFiles : public testing::Test {
         ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     }
 
+    static Status saveAll(PlayOptions& options) {
+        for (const Setting& row : settingsOf(options).rows)
+            if (row.kept)
+                if (Status saved = saveSetting(row); !saved) return saved;
+        return Done{};
+    }
     static PlayOptions load() {
         PlayOptions options;
         loadSettings(settingsOf(options));
@@ -37,16 +44,16 @@ TEST_F(KeptFiles, SettingsComeBack) {
                     .headphones = true,
                     .volume = 0.25f,
                     .hapticStrength = 0.5f,
-                    .captions = false,
                     .snow = false};
+    set.text.captions = false;
     set.hands.leap.host = "tracker";
     set.hands.leap.port = 7000;
-    ASSERT_TRUE(saveSettings(settingsOf(set)));
+    ASSERT_TRUE(saveAll(set));
     const PlayOptions settings = load();
     EXPECT_EQ(settings.volume, 0.25f);
     EXPECT_EQ(settings.hapticStrength, 0.5f);
     EXPECT_TRUE(settings.headphones);
-    EXPECT_FALSE(settings.captions);
+    EXPECT_FALSE(settings.text.captions);
     EXPECT_FALSE(settings.snow);
     EXPECT_FALSE(settings.vsync);
     EXPECT_EQ(settings.skin, Skin::Glove);
@@ -57,19 +64,21 @@ TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(settings.hands.leap.port, 7000);
 }
 
-// What a command is given for one run only must not stay.
-TEST_F(KeptFiles, SettingsOfOneRunAreNotKept) {
-    PlayOptions set{.seed = 7, .record = "a.replay", .headless = true, .timedemo = true};
-    set.environment.video = "mine.mp4";
-    set.look.size = {64, 36};
-    ASSERT_TRUE(saveSettings(settingsOf(set)));
-    const PlayOptions settings = load();
-    EXPECT_EQ(settings.seed, PlayOptions().seed);
-    EXPECT_EQ(settings.record, "");
-    EXPECT_FALSE(settings.headless);
-    EXPECT_FALSE(settings.timedemo);
-    EXPECT_EQ(settings.environment.video, "");
-    EXPECT_EQ(settings.look.size, PlayOptions().look.size);
+// What a command is given for one run is written by nobody: only a setting that the player changes is.
+TEST_F(KeptFiles, OneSettingIsWrittenAndAllElseInTheFileStays) {
+    const Path file = folder_ / "shoal/settings.json";
+    ASSERT_TRUE(writeFileWhole(file, R"({"of-a-later-version": [1, 2], "volume": 17, "fov": 80})"));
+    PlayOptions set{.record = "a.replay", .volume = 0.25f, .snow = false};
+    for (const Setting& row : settingsOf(set).rows) {
+        if (row.key() == "snow") {
+            ASSERT_TRUE(saveSetting(row));
+        }
+    }
+    const auto json = nlohmann::json::parse(readText(file).value());
+    EXPECT_EQ(json, nlohmann::json::parse(
+                        R"({"of-a-later-version": [1, 2], "volume": 17, "fov": 80, "snow": false})"));
+    EXPECT_EQ(load().fov_deg, 80);
+    EXPECT_FALSE(load().snow);
 }
 
 TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
@@ -77,7 +86,7 @@ TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
                                R"({"volume": 17, "captions": "yes", "haptics": null, "skin": "scales",
                                    "leap": "nowhere", "samples": 1e300, "fov": [65]})"));
     EXPECT_EQ(load().volume, PlayOptions().volume);
-    EXPECT_TRUE(load().captions);
+    EXPECT_TRUE(load().text.captions);
     EXPECT_EQ(load().skin, PlayOptions().skin);
     EXPECT_EQ(load().hands.leap.host, PlayOptions().hands.leap.host);
     EXPECT_EQ(load().look.samples, 0);
@@ -86,20 +95,35 @@ TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
     EXPECT_EQ(load().volume, PlayOptions().volume);
 }
 
-TEST_F(KeptFiles, ScoresAreKeptByDive) {
-    EXPECT_EQ(bestScore("reef"), 0);
-    ASSERT_TRUE(saveBestScore("reef", 120));
-    ASSERT_TRUE(saveBestScore("wreck", 40));
-    EXPECT_EQ(bestScore("reef"), 120);
-    EXPECT_EQ(bestScore("wreck"), 40);
+TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
+    EXPECT_TRUE(readScores("reef").top.empty());
+    for (const int score : {30, 120, 50, 10, 70, 60}) ASSERT_TRUE(addScore("reef", score));
+    ASSERT_TRUE(addScore("wreck", 40));
+    EXPECT_EQ(readScores("reef").top, (std::vector<int>{120, 70, 60, 50, 30}));
+    EXPECT_EQ(readScores("reef").last, 60);
+    EXPECT_EQ(readScores("wreck").top, std::vector<int>{40});
+}
+
+TEST_F(KeptFiles, ScoresOfEarlierVersionsAreRead) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "shoal/scores.json", R"({"reef": 90, "wreck": "many"})"));
+    EXPECT_EQ(readScores("reef").top, std::vector<int>{90});
+    EXPECT_TRUE(readScores("wreck").top.empty());
+    ASSERT_TRUE(addScore("reef", 40));
+    EXPECT_EQ(readScores("reef").top, (std::vector<int>{90, 40}));
 }
 
 TEST_F(KeptFiles, ADamagedScoreFileIsLeftAlone) {
     const Path file = folder_ / "shoal/scores.json";
     ASSERT_TRUE(writeFileWhole(file, "[1, 2"));
-    EXPECT_EQ(bestScore("reef"), 0);
-    EXPECT_FALSE(saveBestScore("reef", 1));
+    EXPECT_TRUE(readScores("reef").top.empty());
+    EXPECT_FALSE(addScore("reef", 1));
     EXPECT_EQ(readText(file).value(), "[1, 2");
+}
+
+TEST_F(KeptFiles, TheFieldGuideRemembers) {
+    EXPECT_TRUE(readGuide().empty());
+    ASSERT_TRUE(saveGuide({"snapper", "ray"}));
+    EXPECT_EQ(readGuide(), (std::vector<std::string>{"snapper", "ray"}));
 }
 
 TEST(Series, QuantilesAreValuesOfTheSeries) {

@@ -1,10 +1,8 @@
-// What keys, clicks and the dive itself do in each state of the program.
-#include "game/app/DiveStates.h"
+// What keys and the dive itself do in each state of the program, and which pages stand over the picture then.
 #include "game/app/FrameClock.h"
-#include "game/settings/KeptFiles.h"
+#include "game/app/ProgramStates.h"
 #include "tests/TestPaths.h"
 
-#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,103 +15,114 @@ const SessionConfig& config() {
     return loaded;
 }
 
-class ProgramStates : public testing::Test {
+class ProgramStatesTest : public testing::Test {
   protected:
     tests::ScratchFolder folder_;
+    PlayOptions options_;
+    Bindings bindings_;
+    Screens screens_{options_, bindings_};
     GameSession session_{config()};
-    std::string dive_ = "reef";
-    int best_ = 100;
     bool leaving_ = false;
-    DiveStates states_{session_, dive_, best_, true, leaving_};
+    std::optional<ProgramStates> states_;
 
-    void SetUp() override { ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
+    void SetUp() override {
+        ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+        ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
+        screens_.facts.species = &config().species;
+        screens_.facts.dive = &config().dive;
+        states_.emplace(session_, screens_, Mode::Dive, true);
+    }
 
-    void press(std::vector<int> keys) { states_.input({.keysPressed = std::move(keys)}, true); }
+    void press(Action action) {
+        Controls controls;
+        controls.pressed[static_cast<size_t>(action)] = true;
+        states_->input(controls, false, leaving_);
+        states_->update();
+    }
     void end(int score) {
         session_.after.phase = game::Phase::Results;
         session_.after.score = score;
-        states_.update();
+        states_->update();
+    }
+    // Escape, or B on a gamepad, on the page that is shown.
+    std::optional<Request> back() {
+        screens_.input({.back = true});
+        return screens_.takeRequest();
     }
 };
 
-TEST_F(ProgramStates, EscapeAndPPauseAndGoOn) {
-    for (const int key : {GLFW_KEY_ESCAPE, GLFW_KEY_P}) {
-        press({key});
-        EXPECT_TRUE(session_.paused);
-        press({key});
-        EXPECT_FALSE(session_.paused);
-        press({key, key}); // between two frames
-        EXPECT_FALSE(session_.paused);
-    }
-    EXPECT_FALSE(leaving_);
-}
-
-TEST_F(ProgramStates, QLeavesOnlyWhilePausedOrAfterwards) {
-    press({GLFW_KEY_Q});
-    EXPECT_FALSE(leaving_);
-    press({GLFW_KEY_ESCAPE, GLFW_KEY_Q});
-    EXPECT_TRUE(leaving_);
-}
-
-TEST_F(ProgramStates, RStartsAgainOnlyWhilePausedOrAfterwards) {
-    press({GLFW_KEY_R});
-    EXPECT_FALSE(session_.restart);
-    press({GLFW_KEY_P, GLFW_KEY_R});
-    EXPECT_TRUE(session_.restart);
-    EXPECT_FALSE(session_.paused);
-}
-
-TEST_F(ProgramStates, LosingTheFocusPausesButNotInAHeadset) {
-    states_.input({.focused = false}, false);
-    EXPECT_FALSE(session_.paused);
-    states_.input({.focused = false}, true);
+TEST_F(ProgramStatesTest, PauseOpensItsPageAndBackGoesOn) {
+    EXPECT_FALSE(screens_.isOpen());
+    press(Action::Pause);
     EXPECT_TRUE(session_.paused);
-    states_.input({.focused = true}, true);
-    EXPECT_TRUE(session_.paused); // until the player goes on
+    EXPECT_EQ(screens_.top(), Screen::Paused);
+    const auto request = back();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::Resume);
+    session_.paused = false; // as the program answers
+    states_->update();
+    EXPECT_FALSE(screens_.isOpen());
+    EXPECT_FALSE(leaving_);
 }
 
-TEST_F(ProgramStates, TheHeadsetMayPauseAndGoOn) {
+TEST_F(ProgramStatesTest, LosingTheFocusPausesUntilThePlayerGoesOn) {
+    states_->input({}, true, leaving_);
+    EXPECT_TRUE(session_.paused);
+    states_->update();
+    states_->input({}, false, leaving_);
+    EXPECT_TRUE(session_.paused);
+}
+
+TEST_F(ProgramStatesTest, TheHeadsetMayPauseAndGoOn) {
     session_.paused = true;
-    states_.update();
-    press({GLFW_KEY_Q}); // as while paused by a key
-    EXPECT_TRUE(leaving_);
-    leaving_ = false;
+    states_->update();
+    EXPECT_EQ(screens_.top(), Screen::Paused);
     session_.paused = false;
-    states_.update();
-    press({GLFW_KEY_Q});
-    EXPECT_FALSE(leaving_);
+    states_->update();
+    EXPECT_FALSE(screens_.isOpen());
 }
 
-TEST_F(ProgramStates, ResultsKeepTheBestScoreAndStartAgain) {
+TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
     end(120);
-    EXPECT_EQ(best_, 120);
-    EXPECT_EQ(bestScore("reef"), 120);
-    states_.input({.leftPressed = true}, true);
-    EXPECT_TRUE(session_.restart);
-    session_.restart = false;
-    press({GLFW_KEY_ENTER});
-    EXPECT_TRUE(session_.restart);
-    session_.restart = false; // the simulation has taken it
-    session_.after.phase = game::Phase::Diving;
-    states_.update();
-    press({GLFW_KEY_ESCAPE}); // dives again: pauses instead of leaving
-    EXPECT_FALSE(leaving_);
+    EXPECT_EQ(screens_.top(), Screen::Results);
+    EXPECT_EQ(readScores("reef").top, std::vector<int>{120});
+    states_->update(); // counts once
+    EXPECT_EQ(readScores("reef").top, std::vector<int>{120});
+    const auto request = back();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::Title);
+    session_.after.phase = game::Phase::Diving; // dives again
+    states_->update();
+    EXPECT_FALSE(screens_.isOpen());
+    press(Action::Pause);
     EXPECT_TRUE(session_.paused);
-    end(110);
-    EXPECT_EQ(best_, 120);
-    press({GLFW_KEY_ESCAPE});
-    EXPECT_TRUE(leaving_);
 }
 
-TEST_F(ProgramStates, AReplayCannotBePausedOnlyLeft) {
+TEST_F(ProgramStatesTest, AReplayCannotBePausedOnlyLeft) {
     session_.source = ReplaySource{sim::Recording(session_.recording.header(), 0)};
-    press({GLFW_KEY_P});
-    states_.input({.focused = false}, true);
+    states_->input({}, true, leaving_);
     EXPECT_FALSE(session_.paused);
-    press({GLFW_KEY_ESCAPE});
+    press(Action::Pause);
+    EXPECT_FALSE(session_.paused);
     EXPECT_TRUE(leaving_);
     end(500); // its score is no person's
-    EXPECT_EQ(bestScore("reef"), 0);
+    EXPECT_TRUE(readScores("reef").top.empty());
+}
+
+TEST_F(ProgramStatesTest, TouchedSpeciesComeIntoTheGuide) {
+    ASSERT_FALSE(session_.after.tally.empty());
+    session_.after.tally[1].touched = true;
+    press(Action::Pause);
+    EXPECT_EQ(readGuide(), std::vector<std::string>{config().species[1].name});
+}
+
+TEST_F(ProgramStatesTest, TheTitleStandsOverAnIdleReef) {
+    states_.emplace(session_, screens_, Mode::Title, true);
+    EXPECT_EQ(states_->state(), ProgramStates::State::Title);
+    EXPECT_TRUE(states_->idle());
+    EXPECT_EQ(screens_.top(), Screen::Title);
+    EXPECT_FALSE(back()); // Escape does not leave by mistake
+    EXPECT_EQ(screens_.top(), Screen::Title);
 }
 
 TEST(FrameClock, FixedStepsAreEqualAndADisplayKnowsBetter) {

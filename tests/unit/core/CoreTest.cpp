@@ -141,9 +141,9 @@ TEST_F(Files, PicturesGoWhereTheDesktopKeepsThem) {
     ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     const auto folderIn = [&](const std::string& file) {
         EXPECT_TRUE(writeFileWhole(folder_ / "user-dirs.dirs", file));
-        return picturesFolder().string();
+        return userFolder(UserFolder::Pictures).string();
     };
-    EXPECT_EQ(picturesFolder(), "/home/diver/Pictures") << "there is no such file";
+    EXPECT_EQ(userFolder(UserFolder::Pictures), "/home/diver/Pictures") << "there is no such file";
     EXPECT_EQ(folderIn("XDG_MUSIC_DIR=\"$HOME/Musik\"\n# a comment\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n"),
               "/home/diver/Bilder");
     EXPECT_EQ(folderIn("XDG_PICTURES_DIR=\"/data/my \\\"best\\\" pictures\"\n"),

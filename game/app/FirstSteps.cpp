@@ -1,0 +1,169 @@
+#include "game/app/FirstSteps.h"
+
+#include "input/hands/MouseHands.h"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr float kReach_m = 1.2f; // the ghost reaches for fish up to here
+constexpr std::array<game::Text, 3> kHints = {"A fast hand frightens fish",
+                                              "Wait in a fish’s way with an open hand",
+                                              "Keep what you hold away from the shark"};
+
+float eased(float t) {
+    t = std::clamp(t, 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
+
+// The fish nearest to the middle of the view that a hand may reach.
+std::optional<glm::vec3> fishToReach(const game::Snapshot& shown) {
+    std::optional<glm::vec3> best;
+    float bestCosine = 0.8f;
+    const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
+    for (const game::CreatureView& creature : shown.creatures) {
+        const glm::vec3 way = creature.position - shown.headWorld;
+        const float distance = glm::length(way);
+        if (creature.length > 1 || distance > kReach_m || distance < 0.3f) continue;
+        const float cosine = glm::dot(way / distance, ahead);
+        if (cosine > bestCosine) bestCosine = cosine, best = creature.position;
+    }
+    return best;
+}
+
+// A hand as a white sign with a dark outline: rounded bones, and the palm.
+void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
+    const glm::vec2 half = view.halfExtent();
+    const auto onScreen = [&](int joint) {
+        const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
+        const float depth = std::max(-p.z, 0.05f);
+        return ImVec2((0.5f + 0.5f * p.x / (depth * half.x)) * pen.size.x,
+                      (0.5f - 0.5f * p.y / (depth * half.y)) * pen.size.y);
+    };
+    const float depth = std::max(-hand.joints[hands::kPalmJoint].position.z, 0.1f);
+    const float radius = 0.009f / (depth * half.y) * 0.5f * pen.size.y;
+    const auto bone = [&](int from, int to, float thicker, uint32_t colour) {
+        const ImVec2 a = onScreen(from), b = onScreen(to);
+        pen.list->AddLine(a, b, colour, 2 * (radius + thicker));
+        pen.list->AddCircleFilled(a, radius + thicker, colour);
+        pen.list->AddCircleFilled(b, radius + thicker, colour);
+    };
+    const auto shape = [&](float thicker, uint32_t colour) {
+        for (int finger = 0; finger < hands::kFingerCount; ++finger) {
+            const hands::FingerJoints& joints = hands::kFingerJoints[finger];
+            bone(hands::kWristJoint, joints.metacarpal, thicker, colour);
+            for (int joint = joints.metacarpal; joint < joints.tip; ++joint)
+                bone(joint, joint + 1, thicker, colour);
+            if (finger + 1 == hands::kFingerCount) break;
+            const hands::FingerJoints& beside = hands::kFingerJoints[finger + 1];
+            pen.list->AddTriangleFilled(onScreen(hands::kWristJoint), onScreen(joints.proximal),
+                                        onScreen(beside.proximal), colour);
+        }
+    };
+    shape(0.12f * pen.line, IM_COL32(4, 22, 34, 255));
+    shape(0, IM_COL32(235, 248, 255, 255));
+}
+
+} // namespace
+
+void FirstSteps::next(Step step) {
+    step_ = step;
+    inStep_s_ = 0;
+}
+
+void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
+    inStep_s_ += elapsed_s;
+    // The angle between the last view and this one.
+    if (before_) {
+        const float cosine = std::abs(glm::dot(*before_, shown.worldFromView));
+        turned_rad_ += 2 * std::acos(std::min(cosine, 1.0f));
+    }
+    before_ = shown.worldFromView;
+    const bool catchable =
+        std::ranges::any_of(shown.creatures, [](const auto& creature) { return creature.catchable > 0.5f; });
+    near_s_ = catchable ? near_s_ + elapsed_s : 0;
+    // The target stays for a round, so that the ghost does not jump from fish to fish.
+    if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown);
+
+    if (shown.caught > caughtBefore_) return next(Step::Done); // who can hold can do all of it
+    switch (step_) {
+    case Step::Look:
+        if (turned_rad_ > kTurned_rad) next(Step::Reach);
+        break;
+    case Step::Reach:
+        if (near_s_ > kNear_s) next(Step::Hold);
+        break;
+    case Step::Hold:
+    case Step::Done:
+        break;
+    }
+}
+
+// Viewer's frame. The hand goes to its place within the first half of a round and acts in the second.
+hands::HandPose FirstSteps::ghost(const render::View& view, bool hasTarget) const {
+    const float round = std::fmod(inStep_s_, kShown_s) / kShown_s;
+    const glm::vec3 rest(0.22f, -0.26f, -0.5f);
+    if (step_ == Step::Look) {
+        const float swing = std::sin(2 * 3.14159265f * round);
+        return hands::reachingHand(*rig_, hands::Side::Right, {0.3f * swing, -0.05f, -0.6f}, 0);
+    }
+    glm::vec3 goal(0, 0, -0.7f);
+    if (hasTarget) goal = glm::conjugate(view.worldFromEye) * (*target_ - view.eyeWorld);
+    const glm::vec3 at = glm::mix(rest, goal, eased(round * 2));
+    const float closed = step_ == Step::Hold ? eased((round - 0.5f) * 6) : 0.0f;
+    return hands::reachingHand(*rig_, hands::Side::Right, at, closed);
+}
+
+void FirstSteps::draw(const Pen& pen, const render::View& view) const {
+    if (step_ == Step::Done) return;
+    drawGhost(pen, view, ghost(view, target_.has_value()));
+    const bool headset = pen.audience == Audience::HeadsetPlayer;
+    const std::array<const char*, 3> titles = {pen.in("Look around"),
+                                               pen.in("Reach for a fish until it glows"),
+                                               pen.in("Close your hand and hold the fish")};
+    const std::array<const char*, 3> hows = {
+        headset ? pen.in("Turn your head") : pen.in("Arrow keys, or hold the right mouse button and move"),
+        headset ? pen.in("Move slowly: a fast hand frightens fish")
+                : pen.in("Move the mouse slowly: a fast hand frightens fish"),
+        headset ? pen.in("For one second") : pen.in("Hold the left mouse button for one second")};
+    const auto index = static_cast<size_t>(step_);
+    const float x = pen.size.x / 2;
+    const Rectangle title = pen.label(x, pen.size.y * 0.1f, 0.5f, TextSize::Heading, colour::kWhite,
+                                      std::to_string(index + 1) + " / 3   " + titles[index]);
+    pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold, hows[index]);
+}
+
+void Hints::say(Kind kind) {
+    if (now_ || said_[kind] >= kTimes) return;
+    ++said_[kind];
+    now_ = kind;
+    left_s_ = kStay_s;
+}
+
+void Hints::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
+    if (shown.paused) return;
+    left_s_ -= elapsed_s;
+    if (left_s_ <= 0) now_.reset();
+    sinceCatch_s_ = shown.caught > caught_ ? 0 : sinceCatch_s_ + elapsed_s;
+    caught_ = shown.caught;
+    for (const game::Event& event : events) {
+        if (event.kind == game::EventKind::SharkNear &&
+            (shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0))
+            say(Shark);
+        if (caught_ >= kUnderstood) continue;
+        if (event.kind == game::EventKind::MissTooFast) say(FastHand);
+    }
+    if (sinceCatch_s_ > kWithout_s && caught_ < kUnderstood) {
+        say(Wait);
+        sinceCatch_s_ = 0;
+    }
+}
+
+std::optional<game::Text> Hints::shown() const { return now_ ? std::optional(kHints[*now_]) : std::nullopt; }
+
+} // namespace shoal::app

@@ -1,0 +1,63 @@
+// The first minute, which teaches: three steps without a clock, each over as soon as the player does it, and
+// hints that come when a rule matters and stop once it is understood. Reads snapshots and events only.
+#pragma once
+
+#include "engine/render/View.h"
+#include "game/rules/Events.h"
+#include "game/rules/Snapshot.h"
+#include "game/ui/Pen.h"
+#include "input/hands/HandRig.h"
+
+#include <array>
+#include <optional>
+
+namespace shoal::app {
+
+class FirstSteps {
+  public:
+    enum class Step { Look, Reach, Hold, Done };
+
+    explicit FirstSteps(const hands::HandRig& rig) : rig_(&rig) {} // which outlives this
+
+    // Once a frame. elapsed_s: since the last.
+    void follow(const game::Snapshot& shown, float elapsed_s);
+    Step step() const { return step_; }
+
+    // What is to be done, and a hand that shows it.
+    void draw(const Pen& pen, const render::View& view) const;
+
+    static constexpr float kTurned_rad = 0.6f; // of the view, in all: the player has looked around
+    static constexpr float kNear_s = 0.25f;    // a fish is within reach of the hand for so long
+    static constexpr float kShown_s = 3;       // a round of what the ghost hand does
+
+  private:
+    void next(Step step);
+    hands::HandPose ghost(const render::View& view, bool hasTarget) const;
+
+    const hands::HandRig* rig_;
+    Step step_ = Step::Look;
+    float inStep_s_ = 0, turned_rad_ = 0, near_s_ = 0;
+    std::optional<glm::quat> before_;
+    std::optional<glm::vec3> target_; // a fish that the ghost reaches for; world
+    int caughtBefore_ = 0;
+};
+
+class Hints {
+  public:
+    void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
+    std::optional<game::Text> shown() const;
+
+    static constexpr int kTimes = 3;                     // each is said so often at most
+    static constexpr int kUnderstood = 3;                // catches after which nothing is said any more
+    static constexpr float kStay_s = 5, kWithout_s = 14; // without a catch
+
+  private:
+    enum Kind { FastHand, Wait, Shark };
+    void say(Kind kind);
+    std::array<int, 3> said_{};
+    std::optional<Kind> now_;
+    float left_s_ = 0, sinceCatch_s_ = 0;
+    int caught_ = 0;
+};
+
+} // namespace shoal::app

@@ -1,0 +1,111 @@
+#include "game/app/PhotoMode.h"
+
+#include "engine/math/LatLong.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr float kTurn_radps = 1.2f, kMove_mps = 0.8f, kDrag_rad = 0.0032f;
+
+// Turns of the six faces of a cube, each seen with 90 degrees: ahead, right, back, left, up, down.
+std::array<glm::quat, 6> faceTurns() {
+    constexpr float kQuarter = std::numbers::pi_v<float> / 2;
+    const auto about = [](glm::vec3 axis, float angle) { return glm::angleAxis(angle, axis); };
+    return {about({0, 1, 0}, 0),        about({0, 1, 0}, -kQuarter), about({0, 1, 0}, 2 * kQuarter),
+            about({0, 1, 0}, kQuarter), about({1, 0, 0}, kQuarter),  about({1, 0, 0}, -kQuarter)};
+}
+
+size_t faceOf(glm::vec3 d) {
+    const glm::vec3 a = glm::abs(d);
+    if (a.y >= a.x && a.y >= a.z) return d.y > 0 ? 4 : 5;
+    if (a.x >= a.z) return d.x > 0 ? 1 : 3;
+    return d.z < 0 ? 0 : 2;
+}
+
+} // namespace
+
+PhotoMode::PhotoMode(const game::Snapshot& shown) : shown_(shown), origin_(shown.headWorld) {
+    for (game::HandView& hand : shown_.hands) hand.visible = false;
+    const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
+    yaw_ = std::atan2(ahead.x, -ahead.z);
+    pitch_ = std::asin(std::clamp(ahead.y, -1.0f, 1.0f));
+}
+
+void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
+    const auto key = [&](Action plus, Action minus) {
+        return static_cast<float>(c.is(plus)) - static_cast<float>(c.is(minus));
+    };
+    const glm::vec2 drag = glm::vec2(c.dragged.x, -c.dragged.y) * (kDrag_rad * sensitivity);
+    const glm::vec2 turn = c.look * (kTurn_radps * dt_s) + drag;
+    yaw_ += turn.x;
+    pitch_ = std::clamp(pitch_ + turn.y, -1.5f, 1.5f);
+    shown_.worldFromView =
+        glm::angleAxis(-yaw_, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0));
+    const glm::vec3 way(key(Action::LookRight, Action::LookLeft) + c.reach.x,
+                        key(Action::Farther, Action::Nearer),
+                        -key(Action::LookUp, Action::LookDown) - c.reach.y);
+    glm::vec3 from = shown_.headWorld + shown_.worldFromView * way * (kMove_mps * dt_s) - origin_;
+    if (const float length = glm::length(from); length > kReach_m) from *= kReach_m / length;
+    shown_.headWorld = origin_ + from;
+    fov_deg = std::clamp(fov_deg - 4 * static_cast<float>(c.wheel), 20.0f, 130.0f);
+}
+
+Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width) {
+    const int edge = width / 4;
+    const std::array<glm::quat, 6> turns = faceTurns();
+    std::array<ImageRgba8, 6> faces;
+    for (size_t face = 0; face < faces.size(); ++face) {
+        const gl::Target target(edge, edge, 1);
+        render::View view;
+        view.eyeWorld = eyeWorld;
+        view.worldFromEye = turns[face];
+        view.verticalFov = std::numbers::pi_v<float> / 2;
+        view.aspect = 1;
+        view.heightPixels = edge;
+        const SceneRenderer::Eye eye{0, view, target};
+        if (Status drawn = renderer.draw({&eye, 1}); !drawn) return drawn.error();
+        faces[face] = target.read();
+    }
+    ImageRgb8 around(width, width / 2);
+    for (int y = 0; y < around.height; ++y)
+        for (int x = 0; x < around.width; ++x) {
+            const glm::vec3 d = directionFromLatLong(
+                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(around.height)));
+            const size_t face = faceOf(d);
+            const glm::vec3 inFace = glm::conjugate(turns[face]) * d;
+            const glm::vec2 at =
+                (glm::vec2(inFace.x, -inFace.y) / -inFace.z * 0.5f + 0.5f) * static_cast<float>(edge) - 0.5f;
+            const glm::ivec2 low = glm::clamp(glm::ivec2(glm::floor(at)), 0, edge - 2);
+            const glm::vec2 share = glm::clamp(at - glm::vec2(low), 0.0f, 1.0f);
+            for (int channel = 0; channel < 3; ++channel) {
+                const auto texel = [&](int dx, int dy) {
+                    return static_cast<float>(faces[face].at(low.x + dx, low.y + dy)[channel]);
+                };
+                const float upper = glm::mix(texel(0, 0), texel(1, 0), share.x);
+                const float lower = glm::mix(texel(0, 1), texel(1, 1), share.x);
+                around.at(x, y)[channel] = static_cast<uint8_t>(glm::mix(upper, lower, share.y) + 0.5f);
+            }
+        }
+    return around;
+}
+
+Path newPictureFile(std::string_view what) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char stamp[32];
+    std::strftime(stamp, sizeof stamp, "%Y-%m-%d-%H%M%S", &local);
+    return userFolder(UserFolder::Pictures) / ("shoal-" + std::string(stamp) + std::string(what) + ".png");
+}
+
+} // namespace shoal::app

@@ -1,0 +1,424 @@
+#include "game/app/Screens.h"
+
+#include "engine/core/Log.h"
+#include "game/settings/FilmFolders.h"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+
+namespace shoal::app {
+
+namespace {
+
+struct Group {
+    SettingsPage page;
+    game::Text label;
+};
+constexpr std::array kGroups = std::to_array<Group>({
+    {SettingsPage::Hands, "Hands"},
+    {SettingsPage::Comfort, "Comfort"},
+    {SettingsPage::Picture, "Picture"},
+    {SettingsPage::Sound, "Sound"},
+    {SettingsPage::Text, "Text and captions"},
+});
+
+struct Fact {
+    std::string_view species;
+    game::Text text;
+};
+constexpr std::array kFacts = std::to_array<Fact>({
+    {"clownfish", "All are born male; the largest of a group becomes female."},
+    {"angelfish", "They live in pairs and keep their territory all their lives."},
+    {"snapper", "Some live for more than fifty years."},
+    {"sardine", "In the school each feels with its lateral line how its neighbours swim."},
+    {"boxfish", "Its armour of hexagonal bony plates leaves only fins and tail free."},
+    {"idol", "The filament of its dorsal fin can be longer than its body."},
+    {"ray", "It feels the electric fields of its prey beneath the sand."},
+    {"shark", "New teeth grow all its life, by the thousand."},
+    {"jellyfish", "It has neither brain nor heart, and has swum the seas for 500 million years."},
+    {"whale", "Its song is heard over hundreds of kilometres."},
+});
+
+template <class... Values> std::string filled(const char* text, const Values&... values) {
+    return fmt::format(fmt::runtime(text), values...);
+}
+
+std::string keysText(const Bindings::Keys& keys) {
+    std::string text(keyName(keys.keys[0]));
+    if (keys.keys[1] >= 0) text += ", " + std::string(keyName(keys.keys[1]));
+    if (keys.button >= 0) text += "  (" + std::string(buttonName(keys.button)) + ")";
+    return text;
+}
+
+} // namespace
+
+game::Language languageIn(const TextSettings& settings) {
+    switch (settings.language) {
+    case LanguageChoice::English:
+        return game::Language::English;
+    case LanguageChoice::German:
+        return game::Language::German;
+    case LanguageChoice::French:
+        return game::Language::French;
+    case LanguageChoice::Auto:
+        break;
+    }
+    for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
+        if (const char* locale = std::getenv(variable); locale && *locale) return game::languageOf(locale);
+    return game::Language::English;
+}
+
+std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
+    const auto text = [&](game::Text words) { return words.in(language); };
+    switch (goal.kind) {
+    case game::GoalKind::Catch:
+        if (goal.species < 0) return filled(text("Catch {} fish"), goal.count);
+        return filled(text("Catch {} of: {}"), goal.count,
+                      game::translated(species[static_cast<size_t>(goal.species)].name, language));
+    case game::GoalKind::Different:
+        return filled(text("Catch {} different species"), goal.count);
+    case game::GoalKind::Score:
+        return filled(text("Score {} points"), goal.count);
+    case game::GoalKind::NoLoss:
+        return text("Lose no fish to the shark");
+    case game::GoalKind::Combo:
+        return filled(text("Catch {} different species in a row"), goal.count);
+    }
+    return "";
+}
+
+Screens::Screens(PlayOptions& options, Bindings& bindings)
+    : options_(options), bindings_(bindings), table_(settingsOf(options)) {}
+
+game::Language Screens::language() const { return languageIn(options_.text); }
+
+std::string Screens::named(std::string_view english) const {
+    return std::string(game::translated(english, language()));
+}
+
+void Screens::open(Screen screen) {
+    stack_.clear();
+    push(screen);
+}
+
+void Screens::showFilms(std::string error) {
+    open(Screen::Title);
+    push(Screen::Films);
+    say(std::move(error));
+}
+
+void Screens::say(std::string error) {
+    error_ = std::move(error);
+    refresh();
+}
+
+void Screens::keep(std::string_view key) {
+    for (size_t row = 0; row < table_.rows.size(); ++row)
+        if (table_.rows[row].key() == key) keepRow(row);
+}
+
+std::optional<Screen> Screens::top() const {
+    return stack_.empty() ? std::nullopt : std::optional(stack_.back().screen);
+}
+
+void Screens::push(Screen screen, SettingsPage group) {
+    if (!stack_.empty()) stack_.back().focus = menu_.focus();
+    stack_.push_back({screen, group, 0});
+    message_.clear();
+    error_.clear();
+    show(0);
+}
+
+void Screens::back() {
+    captured_.reset();
+    message_.clear();
+    error_.clear();
+    if (stack_.size() == 1) { // Escape on the lowest page
+        switch (stack_.back().screen) {
+        case Screen::Paused:
+            return ask(Request::Kind::Resume);
+        case Screen::Results:
+            return ask(Request::Kind::Title);
+        default:
+            return; // the title screen leaves by its own button
+        }
+    }
+    stack_.pop_back();
+    show(stack_.back().focus);
+}
+
+MenuPage Screens::page() {
+    entries_.clear();
+    MenuPage page;
+    switch (stack_.back().screen) {
+    case Screen::Title:
+        page = titlePage();
+        break;
+    case Screen::Dives:
+        page = divesPage();
+        break;
+    case Screen::Films:
+        page = filmsPage();
+        break;
+    case Screen::Settings:
+        page = settingsPage();
+        break;
+    case Screen::SettingsGroup:
+        page = groupPage(stack_.back().group);
+        break;
+    case Screen::Bindings:
+        page = bindingsPage();
+        break;
+    case Screen::HowToPlay:
+        page = howToPlayPage();
+        break;
+    case Screen::Guide:
+        page = guidePage();
+        break;
+    case Screen::Paused:
+        page = pausedPage();
+        break;
+    case Screen::Results:
+        page = resultsPage();
+        break;
+    }
+    for (const Entry& entry : entries_) page.items.push_back(entry.item);
+    page.error = error_;
+    if (!message_.empty()) page.note = message_;
+    return page;
+}
+
+void Screens::show(size_t focus) { menu_.show(page(), focus); }
+
+void Screens::refresh() {
+    if (isOpen()) menu_.update(page());
+}
+
+void Screens::input(const MenuInput& input) {
+    if (stack_.empty() || captured_) return;
+    const auto event = menu_.input(input);
+    if (!event) return;
+    if (event->kind == MenuEvent::Kind::Back) return back();
+    const size_t depth = stack_.size();
+    const auto act = entries_[event->item].act; // the page may be replaced by it
+    act(*event);
+    if (stack_.size() == depth) refresh();
+}
+
+std::optional<Request> Screens::takeRequest() { return std::exchange(request_, std::nullopt); }
+
+void Screens::draw(const Pen& pen) {
+    if (isOpen()) menu_.draw(pen);
+}
+
+// -- What pages are made of --------------------------------------------------------------------------------
+
+void Screens::itemButton(std::string label, std::function<void()> act) {
+    entries_.push_back({{.label = std::move(label), .value = {}, .fraction = {}},
+                        [act = std::move(act)](const MenuEvent&) { act(); }});
+}
+
+void Screens::button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
+
+void Screens::backButton() {
+    button("Back", [this] { back(); });
+}
+
+// A change holds at once. Only what is changed is written: what the command line says is not kept.
+void Screens::keepRow(size_t row) {
+    if (Status saved = saveSetting(table_.rows[row]); !saved) {
+        log::warn("{}", saved.error().message());
+        error_ = saved.error().message();
+    }
+}
+
+void Screens::changed(size_t row) {
+    keepRow(row);
+    ask(Request::Kind::SettingsChanged);
+}
+
+void Screens::settingEntry(size_t row) {
+    const Setting& setting = table_.rows[row];
+    entries_.push_back({{.label = in(*setting.label),
+                         .value = shownValue(setting, language()),
+                         .fraction = sliderOf(setting)},
+                        [this, row](const MenuEvent& event) {
+                            if (event.kind == MenuEvent::Kind::Slide)
+                                slide(table_.rows[row], event.fraction);
+                            else
+                                adjust(table_.rows[row], event.steps);
+                            changed(row);
+                        }});
+}
+
+// -- The pages ---------------------------------------------------------------------------------------------
+
+MenuPage Screens::titlePage() {
+    button("Dive", [this] {
+        facts.dives.size() > 1 ? push(Screen::Dives) : ask(Request::Kind::Dive, options_.dive);
+    });
+    button("Free swim", [this] { ask(Request::Kind::Swim); });
+    button("My film or photo", [this] { push(Screen::Films); });
+    if (facts.headset) button("Headset", [this] { ask(Request::Kind::Headset); });
+    button("Settings", [this] { push(Screen::Settings); });
+    button("How to play", [this] { push(Screen::HowToPlay); });
+    button("Field guide", [this] { push(Screen::Guide); });
+    button("Quit", [this] { ask(Request::Kind::Quit); });
+    return {.title = "Shoal",
+            .text = {in("Fish in the light of a film")},
+            .note = in("Arrow keys and Enter, mouse or gamepad"),
+            .layout = PageLayout::Side};
+}
+
+MenuPage Screens::divesPage() {
+    for (const DiveName& dive : facts.dives) {
+        std::string label = named(dive.title);
+        if (dive.best > 0) label += "   \u2605 " + std::to_string(dive.best);
+        itemButton(std::move(label), [this, name = dive.name] { ask(Request::Kind::Dive, name); });
+    }
+    backButton();
+    return {.title = in("Choose a dive"), .layout = PageLayout::Side};
+}
+
+MenuPage Screens::filmsPage() {
+    if (!facts.ownFilm) button("The dive’s own film", [this] { ask(Request::Kind::OwnFilm); });
+    const std::vector<Path> files = filmsAndPhotos();
+    for (const Path& file : files)
+        itemButton(file.filename().string(), [this, file] { ask(Request::Kind::OpenFilm, file.string()); });
+    backButton();
+    return {.title = in("My film or photo"),
+            .text = {in("Drop a 360-degree video or any photo on this window, or choose one of these.")},
+            .note = files.empty() ? in("There are no films or photos in your folders yet.") : ""};
+}
+
+MenuPage Screens::settingsPage() {
+    for (const Group& group : kGroups)
+        button(group.label, [this, page = group.page] { push(Screen::SettingsGroup, page); });
+    button("Keys and buttons", [this] { push(Screen::Bindings); });
+    backButton();
+    return {.title = in("Settings"), .layout = PageLayout::Side};
+}
+
+MenuPage Screens::groupPage(SettingsPage group) {
+    for (size_t row = 0; row < table_.rows.size(); ++row)
+        if (table_.rows[row].page == group) settingEntry(row);
+    backButton();
+    const auto shown = std::ranges::find(kGroups, group, &Group::page);
+    return {.title = in(shown->label)};
+}
+
+MenuPage Screens::bindingsPage() {
+    for (const ActionRow& row : kActionRows)
+        entries_.push_back(
+            {{.label = in(row.label), .value = keysText(bindings_.of(row.action)), .fraction = {}},
+             [this, action = row.action](const MenuEvent&) {
+                 captured_ = action;
+                 message_ = filled(in("Press a key or a button for: {}"),
+                                   in(kActionRows[static_cast<size_t>(action)].label));
+             }});
+    button("All as at first", [this] {
+        bindings_ = Bindings();
+        captured({});
+    });
+    backButton();
+    return {.title = in("Keys and buttons")};
+}
+
+void Screens::captured(std::optional<Action> loser) {
+    captured_.reset();
+    message_.clear();
+    if (loser)
+        message_ = filled(in("{} now has no key or button of its own: {}"),
+                          in(kActionRows[static_cast<size_t>(*loser)].label), keysText(bindings_.of(*loser)));
+    options_.controls.bindings = bindings_.toText();
+    for (size_t row = 0; row < table_.rows.size(); ++row)
+        if (table_.rows[row].key() == "bindings") changed(row);
+    refresh();
+}
+
+void Screens::keyPressed(int key) { captured(bindings_.bindKey(*captured_, key)); }
+
+void Screens::buttonPressed(int button) { captured(bindings_.bindButton(*captured_, button)); }
+
+MenuPage Screens::howToPlayPage() {
+    backButton();
+    return {
+        .title = in("How to play"),
+        .text = {
+            in("Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the "
+               "fish for a second, and it counts."),
+            in("The wheel reaches nearer or farther. Look around with the arrow keys or with the right "
+               "button held. Tab swaps hands."),
+            in("With a gamepad the left stick looks, the right stick reaches and the right trigger closes "
+               "your hand."),
+            in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way."),
+            in("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
+               "away.")}};
+}
+
+MenuPage Screens::guidePage() {
+    MenuPage page{.title = in("Field guide")};
+    for (const game::Species& kind : *facts.species) {
+        if (std::ranges::find(facts.met, kind.name) == facts.met.end()) continue;
+        const auto fact = std::ranges::find(kFacts, kind.name, &Fact::species);
+        page.text.push_back(named(kind.name) +
+                            (fact == kFacts.end() ? "" : std::string(":  ") + in(fact->text)));
+    }
+    page.text.push_back(filled(in("You have met {} of {} animals. Touch the others to get to know them."),
+                               page.text.size(), facts.species->size()));
+    backButton();
+    return page;
+}
+
+MenuPage Screens::pausedPage() {
+    button("Resume", [this] { ask(Request::Kind::Resume); });
+    if (facts.firstSteps)
+        button("Skip the first steps", [this] { ask(Request::Kind::SkipFirstSteps); });
+    else
+        button("Start again", [this] { ask(Request::Kind::Restart); });
+    button("Photo mode", [this] { ask(Request::Kind::Photo); });
+    button("Settings", [this] { push(Screen::Settings); });
+    button("How to play", [this] { push(Screen::HowToPlay); });
+    button("Title screen", [this] { ask(Request::Kind::Title); });
+    button("Quit", [this] { ask(Request::Kind::Quit); });
+    MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
+    if (facts.freeSwim) return page;
+    for (size_t i = 0; i < facts.results.goals.size() && i < facts.dive->goals.size(); ++i)
+        page.text.push_back((facts.results.goals[i].reached ? "\u2713 " : "\u25a1 ") +
+                            goalText(facts.dive->goals[i], *facts.species, language()));
+    return page;
+}
+
+MenuPage Screens::resultsPage() {
+    const game::Snapshot& s = facts.results;
+    MenuPage page{.title = in("The dive is over") + std::string(":  ") + std::to_string(s.score)};
+    page.text.push_back(s.caught == 1 ? in("1 fish caught") : filled(in("{} fish caught"), s.caught));
+    std::string tally;
+    for (size_t i = 0; i < s.tally.size(); ++i)
+        if (s.tally[i].caught > 0)
+            tally += (tally.empty() ? "" : ",  ") + std::to_string(s.tally[i].caught) + " " +
+                     named((*facts.species)[i].name);
+    if (!tally.empty()) page.text.back() += ":  " + tally;
+    if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
+    for (size_t i = 0; i < s.goals.size() && i < facts.dive->goals.size(); ++i)
+        page.text.push_back((s.goals[i].reached ? "\u2713 " : "\u25a1 ") +
+                            goalText(facts.dive->goals[i], *facts.species, language()));
+    const DiveScores& before = facts.scores;
+    if (s.score > (before.top.empty() ? 0 : before.top.front()))
+        page.text.emplace_back(in("Your best dive yet"));
+    else if (before.last > 0 && s.score > before.last)
+        page.text.push_back(filled(in("Better than last time by {}"), s.score - before.last));
+    if (!before.top.empty()) {
+        std::string best = in("Your best dives before") + std::string(":");
+        for (const int score : before.top) best += "  " + std::to_string(score);
+        page.text.push_back(best);
+    }
+    button("Dive again", [this] { ask(Request::Kind::Restart); });
+    button("Title screen", [this] { ask(Request::Kind::Title); });
+    button("Quit", [this] { ask(Request::Kind::Quit); });
+    page.note = filled(in("Seed {}"), facts.seed);
+    return page;
+}
+
+} // namespace shoal::app

@@ -1,0 +1,88 @@
+// What mouse, keys and gamepad ask for, once the player's bindings have been looked up. Main thread.
+#pragma once
+
+#include "engine/platform/Window.h"
+#include "game/texts/Texts.h"
+
+#include <array>
+#include <bitset>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace shoal::app {
+
+enum class Action {
+    CloseHand,
+    LookLeft,
+    LookRight,
+    LookUp,
+    LookDown,
+    Farther,
+    Nearer,
+    SwapHands,
+    Recentre,
+    Pause,
+    Louder,
+    Quieter,
+    Fullscreen,
+    Performance,
+};
+inline constexpr size_t kActions = 14;
+
+struct ActionRow {
+    Action action;
+    const char* name; // in the settings file
+    game::Text label;
+    std::array<int, 2> keys; // GLFW_KEY_*; -1: none
+    int button;              // GLFW_GAMEPAD_BUTTON_*; -1: none
+};
+// The actions with their default keys and buttons, in the order of the enumeration.
+extern const std::array<ActionRow, kActions> kActionRows;
+
+class Bindings {
+  public:
+    Bindings(); // the defaults
+
+    struct Keys {
+        std::array<int, 2> keys;
+        int button;
+    };
+    const Keys& of(Action action) const { return bound_[static_cast<size_t>(action)]; }
+
+    // Binds a key, or a button, in place of the action's first. Whoever had it loses it and is returned.
+    std::optional<Action> bindKey(Action action, int key);
+    std::optional<Action> bindButton(Action action, int button);
+
+    // "close=Space,- A; pause=Escape,P Start": of the settings file. Actions that are not named keep what
+    // they have. False, and nothing changed: malformed.
+    bool parse(std::string_view text);
+    std::string toText() const;
+
+  private:
+    std::array<Keys, kActions> bound_;
+};
+
+std::string_view keyName(int key);       // "-" for none
+std::string_view buttonName(int button); // the same
+
+// Of one frame.
+struct Controls {
+    std::bitset<kActions> down, pressed;
+    glm::dvec2 cursor{0.5};      // 0 to 1 from the window's upper left
+    glm::dvec2 dragged{0};       // by the mouse with its right button down, pixels
+    double wheel = 0;            // notches, away from the player positive
+    bool mouseCloses = false;    // the left button
+    bool turns = false;          // the right button
+    glm::vec2 look{0}, reach{0}; // of the sticks: -1 to 1, +x right, +y up
+    float trigger = 0;           // 0 to 1: closes the hand by degrees
+    bool mouseMoved = false;
+
+    bool is(Action action) const { return down[static_cast<size_t>(action)]; }
+    bool was(Action action) const { return pressed[static_cast<size_t>(action)]; }
+};
+
+Controls readControls(const platform::Window& window, const platform::WindowInput& input,
+                      const Bindings& bindings);
+
+} // namespace shoal::app

@@ -1,0 +1,347 @@
+// Everything that the game writes on the screen, in each of its languages. The English text is the key, as in
+// gettext; a key that has no row here does not compile. Command line, log and error messages stay English.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace shoal::game {
+
+enum class Language { English, German, French };
+
+struct TextRow {
+    const char *english, *german, *french;
+};
+
+// "{}" is a number or a name that is put in there.
+inline constexpr auto kTexts = std::to_array<TextRow>({
+    // Screens
+    {"Dive", "Tauchen", "Plonger"},
+    {"Free swim", "Freies Schwimmen", "Nage libre"},
+    {"My film or photo", "Mein Film oder Foto", "Mon film ou ma photo"},
+    {"Headset", "Headset", "Casque"},
+    {"Settings", "Einstellungen", "Réglages"},
+    {"How to play", "Spielanleitung", "Comment jouer"},
+    {"Field guide", "Bestimmungsbuch", "Guide des espèces"},
+    {"Quit", "Beenden", "Quitter"},
+    {"Back", "Zurück", "Retour"},
+    {"Paused", "Pause", "Pause"},
+    {"Resume", "Weiter", "Reprendre"},
+    {"Start again", "Neu beginnen", "Recommencer"},
+    {"Title screen", "Startbildschirm", "Écran-titre"},
+    {"Photo mode", "Fotomodus", "Mode photo"},
+    {"Dive again", "Noch einmal tauchen", "Replonger"},
+    {"The dive is over", "Der Tauchgang ist zu Ende", "La plongée est terminée"},
+    {"Choose a dive", "Wähle einen Tauchgang", "Choisis une plongée"},
+    {"Loading", "Wird geladen", "Chargement"},
+    {"Fish in the light of a film", "Fische im Licht eines Films", "Des poissons dans la lumière d’un film"},
+
+    // Results
+    {"{} fish caught", "{} Fische gefangen", "{} poissons attrapés"},
+    {"1 fish caught", "1 Fisch gefangen", "1 poisson attrapé"},
+    {"{} taken by the shark", "{} vom Hai geraubt", "{} volés par le requin"},
+    {"Your best dive yet", "Dein bester Tauchgang bisher", "Ta meilleure plongée"},
+    {"Your best: {}", "Dein Rekord: {}", "Ton record : {}"},
+    {"Best: {}", "Rekord: {}", "Record : {}"},
+    {"Your best dives before", "Deine besten Tauchgänge zuvor", "Tes meilleures plongées jusqu’ici"},
+    {"Better than last time by {}", "{} mehr als beim letzten Mal", "{} de mieux que la dernière fois"},
+    {"Seed {}", "Startwert {}", "Graine {}"},
+    {"Goals", "Ziele", "Objectifs"},
+    {"Catch {} fish", "Fange {} Fische", "Attrape {} poissons"},
+    {"Catch {} of: {}", "Fange {}: {}", "Attrape {} : {}"},
+    {"goal reached", "Ziel erreicht", "objectif atteint"},
+    {"Catch {} different species", "Fange {} verschiedene Arten", "Attrape {} espèces différentes"},
+    {"Score {} points", "Erreiche {} Punkte", "Marque {} points"},
+    {"Lose no fish to the shark", "Verliere keinen Fisch an den Hai",
+     "Ne perds aucun poisson face au requin"},
+    {"Catch {} different species in a row", "Fange {} verschiedene Arten in Folge",
+     "Attrape {} espèces différentes d’affilée"},
+
+    // In the dive
+    {"{} caught", "{} gefangen", "{} attrapés"},
+    {"Reach for a fish and close your hand on it", "Greif nach einem Fisch und schließe die Hand um ihn",
+     "Tends la main vers un poisson et ferme-la sur lui"},
+    {"Hold it for a second", "Halte ihn eine Sekunde lang fest", "Tiens-le pendant une seconde"},
+    {"Keep what you hold away from the shark", "Halte deinen Fang vom Hai fern",
+     "Garde ta prise loin du requin"},
+    {"A fast hand frightens fish", "Eine schnelle Hand verscheucht Fische",
+     "Une main rapide effraie les poissons"},
+    {"Wait in a fish’s way with an open hand", "Warte mit offener Hand auf dem Weg eines Fischs",
+     "Attends, main ouverte, sur le chemin d’un poisson"},
+    {"Space or a click takes a picture; Esc goes back",
+     "Leertaste oder Klick macht ein Bild; Esc führt zurück",
+     "Espace ou un clic prend une photo ; Échap pour revenir"},
+    {"Look around", "Sieh dich um", "Regarde autour de toi"},
+    {"Turn your head", "Dreh den Kopf", "Tourne la tête"},
+    {"Arrow keys, or hold the right mouse button and move",
+     "Pfeiltasten, oder rechte Maustaste halten und bewegen",
+     "Flèches, ou tiens le bouton droit et bouge la souris"},
+    {"Reach for a fish until it glows", "Greif nach einem Fisch, bis er leuchtet",
+     "Tends la main vers un poisson jusqu’à ce qu’il s’illumine"},
+    {"Move the mouse slowly: a fast hand frightens fish",
+     "Bewege die Maus langsam: Eine schnelle Hand verscheucht Fische",
+     "Bouge la souris lentement : une main rapide effraie les poissons"},
+    {"Move slowly: a fast hand frightens fish", "Bewege dich langsam: Eine schnelle Hand verscheucht Fische",
+     "Bouge lentement : une main rapide effraie les poissons"},
+    {"Close your hand and hold the fish", "Schließe die Hand und halte den Fisch",
+     "Ferme la main et tiens le poisson"},
+    {"Hold the left mouse button for one second", "Halte die linke Maustaste eine Sekunde lang",
+     "Tiens le bouton gauche de la souris pendant une seconde"},
+    {"For one second", "Eine Sekunde lang", "Pendant une seconde"},
+    {"Well caught! Now for real: 90 seconds", "Gut gefangen! Jetzt gilt es: 90 Sekunden",
+     "Bien attrapé ! Maintenant pour de vrai : 90 secondes"},
+    {"Skip the first steps", "Erste Schritte überspringen", "Passer les premiers pas"},
+    {"Show the first steps", "Erste Schritte zeigen", "Montrer les premiers pas"},
+    {"Sound {} %", "Ton {} %", "Son {} %"},
+    {"Fish swim past you and see you. Touch them; the field guide remembers whom you have met.",
+     "Fische schwimmen vorbei und sehen dich an. Berühre sie; das Bestimmungsbuch merkt sich, wen du "
+     "getroffen hast.",
+     "Les poissons passent et te regardent. Touche-les ; le guide retient ceux que tu as rencontrés."},
+
+    // How to play
+    {"Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the fish for a "
+     "second, and it counts.",
+     "Greif mit der Maus. Leuchtet ein Fisch auf, halte die linke Taste gedrückt: Deine Hand schließt sich. "
+     "Halte den Fisch eine Sekunde, dann zählt er.",
+     "Tends la main avec la souris. Quand un poisson s’illumine, tiens le bouton gauche : ta main se ferme. "
+     "Tiens le poisson une seconde, et il compte."},
+    {"The wheel reaches nearer or farther. Look around with the arrow keys or with the right button held. "
+     "Tab swaps hands.",
+     "Das Mausrad greift näher oder weiter. Umsehen: mit den Pfeiltasten oder mit gedrückter rechter Taste. "
+     "Tab wechselt die Hand.",
+     "La molette tend la main plus près ou plus loin. Regarde autour de toi avec les flèches ou le bouton "
+     "droit. Tab change de main."},
+    {"With a gamepad the left stick looks, the right stick reaches and the right trigger closes your hand.",
+     "Mit dem Gamepad: Der linke Stick sieht sich um, der rechte greift, der rechte Trigger schließt die "
+     "Hand.",
+     "À la manette : le stick gauche regarde, le stick droit tend la main, la gâchette droite la ferme."},
+    {"Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way.",
+     "Fische fürchten schnelle Hände und sind neugierig auf ruhige: Bewege dich langsam, oder warte auf "
+     "ihrem Weg.",
+     "Les poissons craignent une main rapide et sont curieux d’une main au repos : bouge lentement, ou "
+     "attends sur leur chemin."},
+    {"The shark is drawn to a struggling fish. When it points at your hand, let go or pull away.",
+     "Zappelnde Fische locken den Hai an. Zeigt er auf deine Hand, lass los oder zieh sie weg.",
+     "Le requin est attiré par un poisson qui se débat. S’il vise ta main, lâche prise ou écarte-toi."},
+    {"Close a hand: go on", "Hand schließen: weiter", "Ferme une main : continuer"},
+    {"Close both hands: dive again", "Beide Hände schließen: noch einmal tauchen",
+     "Ferme les deux mains : replonger"},
+    {"Your headset’s own menu: leave", "Menü deines Headsets: beenden", "Menu de ton casque : quitter"},
+
+    // My film or photo
+    {"Drop a 360-degree video or any photo on this window, or choose one of these.",
+     "Zieh ein 360-Grad-Video oder irgendein Foto auf dieses Fenster, oder wähle eines von diesen.",
+     "Dépose une vidéo à 360 degrés ou une photo sur cette fenêtre, ou choisis parmi celles-ci."},
+    {"There are no films or photos in your folders yet.",
+     "In deinen Ordnern sind noch keine Filme oder Fotos.",
+     "Il n’y a encore ni film ni photo dans tes dossiers."},
+    {"The dive’s own film", "Der Film des Tauchgangs", "Le film de la plongée"},
+    {"Opening {}", "{} wird geöffnet", "Ouverture de {}"},
+
+    // Keys of the menus
+    {"Arrow keys and Enter, mouse or gamepad", "Pfeiltasten und Eingabe, Maus oder Gamepad",
+     "Flèches et Entrée, souris ou manette"},
+
+    // Pages of settings
+    {"Hands", "Hände", "Mains"},
+    {"Comfort", "Komfort", "Confort"},
+    {"Picture", "Bild", "Image"},
+    {"Sound", "Ton", "Son"},
+    {"Text and captions", "Text und Untertitel", "Texte et sous-titres"},
+    {"Keys and buttons", "Tasten und Knöpfe", "Touches et boutons"},
+
+    // Settings
+    {"Hand source", "Handquelle", "Suivi des mains"},
+    {"Dominant hand", "Haupthand", "Main dominante"},
+    {"Skin", "Haut", "Peau"},
+    {"Mouse sensitivity", "Mausempfindlichkeit", "Sensibilité de la souris"},
+    {"Invert looking up and down", "Blick auf und ab umkehren", "Inverser le regard vertical"},
+    {"Close the hand by", "Hand schließen durch", "Fermer la main"},
+    {"Help with catching", "Hilfe beim Fangen", "Aide à la prise"},
+    {"Help with depth", "Hilfe bei der Tiefe", "Aide à la profondeur"},
+    {"Strength of vibration", "Stärke der Vibration", "Force des vibrations"},
+    {"Turning", "Drehen", "Rotation"},
+    {"Dark edges while turning", "Dunkle Ränder beim Drehen", "Bords sombres en tournant"},
+    {"Reduced motion", "Weniger Bewegung", "Mouvement réduit"},
+    {"Drifting particles", "Schwebeteilchen", "Particules en suspension"},
+    {"Game speed", "Spieltempo", "Vitesse du jeu"},
+    {"Quality", "Qualität", "Qualité"},
+    {"Field of view", "Sichtfeld", "Champ de vision"},
+    {"Compositing", "Einblendung", "Incrustation"},
+    {"Version of the film", "Fassung des Films", "Version du film"},
+    {"best", "beste", "meilleure"},
+    {"Fullscreen", "Vollbild", "Plein écran"},
+    {"Brightness", "Helligkeit", "Luminosité"},
+    {"Stereo", "Stereo", "Stéréo"},
+    {"Performance", "Leistung", "Performances"},
+    {"Volume", "Lautstärke", "Volume"},
+    {"Volume of effects", "Lautstärke der Effekte", "Volume des effets"},
+    {"Volume of the film", "Lautstärke des Films", "Volume du film"},
+    {"Headphones", "Kopfhörer", "Casque audio"},
+    {"Captions", "Untertitel", "Sous-titres"},
+    {"Size of captions", "Größe der Untertitel", "Taille des sous-titres"},
+    {"Background of captions", "Hintergrund der Untertitel", "Fond des sous-titres"},
+    {"Text size", "Textgröße", "Taille du texte"},
+    {"High contrast", "Hoher Kontrast", "Contraste élevé"},
+    {"Language", "Sprache", "Langue"},
+
+    // Keys and buttons
+    {"Close the hand", "Hand schließen", "Fermer la main"},
+    {"Look to the left", "Nach links sehen", "Regarder à gauche"},
+    {"Look to the right", "Nach rechts sehen", "Regarder à droite"},
+    {"Look up", "Nach oben sehen", "Regarder en haut"},
+    {"Look down", "Nach unten sehen", "Regarder en bas"},
+    {"Reach farther", "Weiter greifen", "Tendre plus loin"},
+    {"Reach nearer", "Näher greifen", "Tendre plus près"},
+    {"Swap hands", "Hand wechseln", "Changer de main"},
+    {"Look ahead again", "Wieder nach vorn sehen", "Regarder devant soi"},
+    {"Pause", "Pause", "Pause"},
+    {"Louder", "Lauter", "Plus fort"},
+    {"Quieter", "Leiser", "Moins fort"},
+    {"Press a key or a button for: {}", "Drücke eine Taste oder einen Knopf für: {}",
+     "Appuie sur une touche ou un bouton pour : {}"},
+    {"{} now has no key or button of its own: {}", "{} hat seine Taste verloren: {}",
+     "{} a perdu sa touche : {}"},
+    {"All as at first", "Alles wie am Anfang", "Tout comme au début"},
+
+    // Values of settings
+    {"on", "an", "oui"},
+    {"off", "aus", "non"},
+    {"auto", "automatisch", "automatique"},
+    {"mouse", "Maus", "souris"},
+    {"leap", "Leap Motion", "Leap Motion"},
+    {"webcam", "Webcam", "webcam"},
+    {"left", "links", "gauche"},
+    {"right", "rechts", "droite"},
+    {"light", "hell", "claire"},
+    {"medium", "mittel", "moyenne"},
+    {"dark", "dunkel", "foncée"},
+    {"glove", "Handschuh", "gant"},
+    {"hold", "Halten", "maintenir"},
+    {"toggle", "Umschalten", "basculer"},
+    {"none", "keine", "aucune"},
+    {"normal", "normal", "normale"},
+    {"strong", "stark", "forte"},
+    {"smooth", "gleitend", "continue"},
+    {"snap", "in Schritten", "par paliers"},
+    {"fixed", "fest", "fixe"},
+    {"plain", "einfach", "simple"},
+    {"resolution", "Filmauflösung", "résolution du film"},
+    {"texels", "Filmpixel", "pixels du film"},
+    {"camera", "wie gefilmt", "comme filmé"},
+    {"sbs", "nebeneinander", "côte à côte"},
+    {"small", "klein", "petite"},
+    {"large", "groß", "grande"},
+    {"english", "English", "English"},
+    {"german", "Deutsch", "Deutsch"},
+    {"french", "Français", "Français"},
+
+    // Captions
+    {"a fish flees", "ein Fisch flieht", "un poisson s’enfuit"},
+    {"caught", "gefangen", "attrapé"},
+    {"let go", "losgelassen", "relâché"},
+    {"it slips away", "er entgleitet", "il s’échappe"},
+    {"it struggles", "er zappelt", "il se débat"},
+    {"something large passes", "etwas Großes zieht vorbei", "quelque chose de grand passe"},
+    {"the last seconds", "die letzten Sekunden", "les dernières secondes"},
+    {"the shark is near", "der Hai ist nah", "le requin est proche"},
+    {"the shark bumps you", "der Hai rempelt dich an", "le requin te heurte"},
+    {"the shark bites", "der Hai beißt zu", "le requin mord"},
+    {"the dive begins", "der Tauchgang beginnt", "la plongée commence"},
+    {"the dive is over", "der Tauchgang ist zu Ende", "la plongée est terminée"},
+    {"too far", "zu weit weg", "trop loin"},
+    {"too fast", "zu schnell", "trop rapide"},
+    {"closed too early", "zu früh geschlossen", "fermée trop tôt"},
+    {"behind it", "dahinter", "derrière lui"},
+    {"it stings", "es brennt", "ça pique"},
+
+    // Field guide
+    {"You have met {} of {} animals. Touch the others to get to know them.",
+     "Du kennst {} von {} Tieren. Berühre die anderen, um sie kennenzulernen.",
+     "Tu connais {} animaux sur {}. Touche les autres pour les découvrir."},
+    {"All are born male; the largest of a group becomes female.",
+     "Alle kommen als Männchen zur Welt; das größte einer Gruppe wird zum Weibchen.",
+     "Ils naissent tous mâles ; le plus grand du groupe devient femelle."},
+    {"They live in pairs and keep their territory all their lives.",
+     "Sie leben zu zweit und bleiben ihr Leben lang in ihrem Revier.",
+     "Ils vivent en couple et gardent leur territoire toute leur vie."},
+    {"Some live for more than fifty years.", "Manche werden über fünfzig Jahre alt.",
+     "Certains vivent plus de cinquante ans."},
+    {"In the school each feels with its lateral line how its neighbours swim.",
+     "Im Schwarm spürt jede mit ihrem Seitenlinienorgan, wie die Nachbarn schwimmen.",
+     "Dans le banc, chacune sent nager ses voisines par sa ligne latérale."},
+    {"Its armour of hexagonal bony plates leaves only fins and tail free.",
+     "Sein Panzer aus sechseckigen Knochenplatten lässt nur Flossen und Schwanz frei.",
+     "Sa carapace de plaques osseuses hexagonales ne laisse libres que nageoires et queue."},
+    {"The filament of its dorsal fin can be longer than its body.",
+     "Sein Rückenfaden kann länger sein als der ganze Fisch.",
+     "Son filament dorsal peut être plus long que son corps."},
+    {"It feels the electric fields of its prey beneath the sand.",
+     "Sie spürt unter dem Sand die elektrischen Felder ihrer Beute.",
+     "Elle sent sous le sable les champs électriques de ses proies."},
+    {"New teeth grow all its life, by the thousand.",
+     "Ihm wachsen sein Leben lang neue Zähne nach, Tausende davon.",
+     "De nouvelles dents lui poussent toute sa vie, par milliers."},
+
+    {"It has neither brain nor heart, and has swum the seas for 500 million years.",
+     "Sie hat weder Hirn noch Herz und schwimmt seit 500 Millionen Jahren durch die Meere.",
+     "Sans cerveau ni cœur, elle nage dans les mers depuis 500 millions d’années."},
+    {"Its song is heard over hundreds of kilometres.", "Seinen Gesang hört man Hunderte Kilometer weit.",
+     "Son chant s’entend à des centaines de kilomètres."},
+
+    // Animals and dives
+    {"clownfish", "Clownfisch", "poisson-clown"},
+    {"angelfish", "Kaiserfisch", "poisson-ange"},
+    {"snapper", "Schnapper", "vivaneau"},
+    {"sardine", "Sardine", "sardine"},
+    {"boxfish", "Kofferfisch", "poisson-coffre"},
+    {"idol", "Halfterfisch", "idole maure"},
+    {"ray", "Rochen", "raie"},
+    {"shark", "Hai", "requin"},
+    {"jellyfish", "Qualle", "méduse"},
+    {"whale", "Wal", "baleine"},
+    {"The reef", "Das Riff", "Le récif"},
+    {"The reef by night", "Das Riff bei Nacht", "Le récif la nuit"},
+    {"The kelp forest", "Der Kelpwald", "La forêt de kelp"},
+    {"The wreck", "Das Wrack", "L’épave"},
+});
+
+// Row of a text; kTexts.size(): it has none.
+constexpr size_t findText(std::string_view english) {
+    size_t row = 0;
+    while (row < kTexts.size() && english != kTexts[row].english) ++row;
+    return row;
+}
+
+constexpr const char* textIn(const TextRow& row, Language language) {
+    return language == Language::German   ? row.german
+           : language == Language::French ? row.french
+                                          : row.english;
+}
+
+// A text that has a row, by its English words.
+class Text {
+  public:
+    consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
+    constexpr const char* in(Language language) const { return textIn(kTexts[row_], language); }
+    constexpr const char* english() const { return kTexts[row_].english; }
+
+  private:
+    size_t row_;
+};
+
+// For names that come from files and tables; those without a row stay as they are.
+inline std::string_view translated(std::string_view english, Language language) {
+    const size_t row = findText(english);
+    return row < kTexts.size() ? textIn(kTexts[row], language) : english;
+}
+
+// locale: as in LC_ALL, LC_MESSAGES and LANG: "de_AT.UTF-8". English for languages that are not spoken here.
+constexpr Language languageOf(std::string_view locale) {
+    if (locale.starts_with("de")) return Language::German;
+    if (locale.starts_with("fr")) return Language::French;
+    return Language::English;
+}
+
+} // namespace shoal::game

@@ -1,0 +1,30 @@
+// Fonts of the user interface: each text size is rasterised at just the pixels it is shown with.
+#pragma once
+
+#include <array>
+
+struct ImFont;
+
+namespace shoal::app {
+
+enum class TextSize { Small, Body, Heading, Display };
+
+// Heights in lines: of the text size Body.
+inline constexpr std::array kTextScale = {0.82f, 1.0f, 1.5f, 2.6f};
+
+class Fonts {
+  public:
+    // Needs the ImGui context that it belongs to, with its OpenGL backend. Rasterises anew only if the line's
+    // height has changed, in whole pixels.
+    void fit(float line_px);
+
+    bool ready() const { return fonts_[0] != nullptr; }
+    ImFont* at(TextSize size) const { return fonts_[static_cast<size_t>(size)]; }
+    float pixels(TextSize size) const { return pixels_[static_cast<size_t>(size)]; }
+
+  private:
+    std::array<ImFont*, kTextScale.size()> fonts_{};
+    std::array<float, kTextScale.size()> pixels_{};
+};
+
+} // namespace shoal::app

@@ -1,0 +1,207 @@
+#include "game/ui/Menu.h"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+
+namespace shoal::app {
+
+namespace {
+
+// All in lines of text.
+constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
+constexpr float kWidth = 28, kSideWidth = 15;
+constexpr float kTrackWidth = 6, kValueWidth = 10;
+
+} // namespace
+
+void Menu::show(MenuPage page, size_t focus) {
+    page_ = std::move(page);
+    sliding_.reset();
+    scroll_ = 0;
+    areas_.clear();
+    focus_ = focus;
+    if (focus_ >= page_.items.size() || !page_.items[focus_].enabled) {
+        focus_ = page_.items.size() - 1; // the step that follows leads to the first
+        moveFocus(1);
+    }
+}
+
+void Menu::update(MenuPage page) {
+    page_ = std::move(page);
+    focus_ = std::min(focus_, page_.items.empty() ? 0 : page_.items.size() - 1);
+}
+
+void Menu::moveFocus(int steps) {
+    const auto count = static_cast<int>(page_.items.size());
+    const int way = steps < 0 ? -1 : 1;
+    for (int left = std::abs(steps); left > 0; --left)
+        for (int tries = 0; tries < count; ++tries) {
+            focus_ = static_cast<size_t>((static_cast<int>(focus_) + way + count) % count);
+            if (page_.items[focus_].enabled) break;
+        }
+}
+
+std::optional<MenuEvent> Menu::point(const MenuInput& input) {
+    if (input.pointer) pointer_ = *input.pointer;
+    if (sliding_) {
+        if (!input.held) {
+            sliding_.reset();
+            return std::nullopt;
+        }
+        const Rectangle track = trackOf(*sliding_);
+        const float along = (pointer_.x - track.low.x) / std::max(track.high.x - track.low.x, 1.0f);
+        return MenuEvent{MenuEvent::Kind::Slide, *sliding_, 0, std::clamp(along, 0.0f, 1.0f)};
+    }
+    if (input.wheel != 0) scroll_ -= input.wheel * line_ * kRow;
+    for (size_t i = 0; i < page_.items.size() && (input.pointer || input.pressed); ++i) {
+        const MenuItem& item = page_.items[i];
+        const auto area = areaOf(i);
+        if (!item.enabled || !area || !area->contains(pointer_)) continue;
+        focus_ = i;
+        if (!input.pressed) return std::nullopt;
+        if (!item.adjustable()) return MenuEvent{MenuEvent::Kind::Activate, i};
+        const Rectangle track = trackOf(i);
+        if (item.fraction && pointer_.x >= track.low.x - line_ && pointer_.x <= track.high.x + line_) {
+            sliding_ = i;
+            return point({.pointer = pointer_, .held = true});
+        }
+        // A click on a choice takes the next one; on the arrow to its left, the one before.
+        const bool before = pointer_.x >= track.low.x - line_ && pointer_.x < track.low.x + 2 * line_;
+        return MenuEvent{MenuEvent::Kind::Adjust, i, before ? -1 : 1};
+    }
+    return std::nullopt;
+}
+
+std::optional<MenuEvent> Menu::input(const MenuInput& input) {
+    if (input.back) return MenuEvent{MenuEvent::Kind::Back};
+    if (page_.items.empty()) return std::nullopt;
+    if (input.down != 0) moveFocus(input.down);
+    const MenuItem& item = page_.items[focus_];
+    if (input.right != 0 && item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, focus_, input.right};
+    if (input.accept && item.enabled)
+        return item.adjustable() ? MenuEvent{MenuEvent::Kind::Adjust, focus_, 1}
+                                 : MenuEvent{MenuEvent::Kind::Activate, focus_};
+    if (input.down != 0) return std::nullopt;
+    return point(input);
+}
+
+std::optional<Rectangle> Menu::areaOf(size_t item) const {
+    if (item >= areas_.size()) return std::nullopt;
+    Rectangle area = areas_[item];
+    area.low.y -= scroll_;
+    area.high.y -= scroll_;
+    if (area.low.y < list_.low.y - 1 || area.high.y > list_.high.y + 1) return std::nullopt;
+    return area;
+}
+
+Rectangle Menu::trackOf(size_t item) const {
+    Rectangle area = areas_[item];
+    const bool slider = page_.items[item].fraction.has_value();
+    area.high.x -= (slider ? 4.4f : 0.6f) * line_;
+    area.low.x = area.high.x - (slider ? kTrackWidth : kValueWidth) * line_;
+    return area;
+}
+
+void Menu::place(const Pen& pen) {
+    line_ = pen.line;
+    const float margin = kMargin * line_;
+    const bool side = page_.layout == PageLayout::Side;
+    const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
+    const float inner = width - 2 * margin;
+    float above =
+        page_.title.empty() ? 0 : pen.extent(page_.title, TextSize::Heading, inner).y + kTitleGap * line_;
+    for (const std::string& paragraph : page_.text)
+        above += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
+    float below = 0;
+    for (const std::string* line : {&page_.note, &page_.error})
+        if (!line->empty()) below += pen.extent(*line, TextSize::Small, inner).y + kParagraphGap * line_;
+    if (page_.progress) below += line_;
+    const float rows = kRow * line_ * static_cast<float>(page_.items.size());
+    const float height = std::min(above + rows + below + 2 * margin, pen.size.y - 0.5f * margin);
+    const float left = side ? std::min(margin * 2, (pen.size.x - width) / 2) : (pen.size.x - width) / 2;
+    const float top = (pen.size.y - height) / 2;
+    panel_ = {{left, top}, {left + width, top + height}};
+    list_ = {{left, top + margin + above},
+             {left + width, std::max(top + height - margin - below, top + margin + above + kRow * line_)}};
+    areas_.resize(page_.items.size());
+    for (size_t i = 0; i < areas_.size(); ++i) {
+        const float y = list_.low.y + kRow * line_ * static_cast<float>(i);
+        areas_[i] = {{left + 0.4f * margin, y}, {left + width - 0.4f * margin, y + kRow * line_}};
+    }
+    // The focused item is in sight.
+    const float room = list_.high.y - list_.low.y;
+    if (!areas_.empty() && rows > room) {
+        const Rectangle& focused = areas_[focus_];
+        scroll_ = std::max(scroll_, focused.high.y - list_.high.y);
+        scroll_ = std::min(scroll_, focused.low.y - list_.low.y);
+    }
+    scroll_ = std::clamp(scroll_, 0.0f, std::max(0.0f, rows - room));
+}
+
+void Menu::drawItem(const Pen& pen, size_t index) const {
+    const auto area = areaOf(index);
+    if (!area) return;
+    const MenuItem& item = page_.items[index];
+    const bool focused = index == focus_ && item.enabled;
+    const float y = area->low.y + (kRow - 1) / 2 * line_, x = area->low.x + 0.9f * line_;
+    if (focused) {
+        pen.fill(*area, colour::kFocus, 0.3f * line_);
+        pen.fill({area->low, {area->low.x + 0.25f * line_, area->high.y}}, colour::kGold, 0.1f * line_);
+    }
+    const uint32_t ink = item.enabled ? colour::kWhite : colour::kGrey;
+    pen.text(x, y, 0, TextSize::Body, ink, item.label);
+    if (!item.adjustable()) return;
+    Rectangle track = trackOf(index);
+    track.low.y = area->low.y;
+    track.high.y = area->high.y;
+    if (item.fraction) {
+        const float middle = (track.low.y + track.high.y) / 2, half = 0.14f * line_;
+        const float at = track.low.x + *item.fraction * (track.high.x - track.low.x);
+        pen.fill({{track.low.x, middle - half}, {track.high.x, middle + half}}, colour::kTrack, half);
+        pen.fill({{track.low.x, middle - half}, {at, middle + half}}, colour::kGold, half);
+        pen.list->AddCircleFilled(ImVec2(at, middle), 0.36f * line_,
+                                  focused ? colour::kGold : colour::kWhite);
+        pen.text(area->high.x - 0.5f * line_, y, 1, TextSize::Body, ink, item.value);
+        return;
+    }
+    if (focused) {
+        pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
+        pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
+    }
+    pen.text((track.low.x + track.high.x) / 2, y, 0.5f, TextSize::Body, ink, item.value);
+}
+
+void Menu::draw(const Pen& pen) {
+    place(pen);
+    pen.panel(panel_);
+    const float margin = kMargin * line_, x = panel_.low.x + margin;
+    const float inner = panel_.high.x - panel_.low.x - 2 * margin;
+    float y = panel_.low.y + margin;
+    if (!page_.title.empty())
+        y += pen.paragraph(x, y, inner, TextSize::Heading, colour::kWhite, page_.title) + kTitleGap * line_;
+    for (const std::string& paragraph : page_.text)
+        y += pen.paragraph(x, y, inner, TextSize::Body, colour::kWhite, paragraph) + kParagraphGap * line_;
+    for (size_t i = 0; i < page_.items.size(); ++i) drawItem(pen, i);
+    const float rows = kRow * line_ * static_cast<float>(areas_.size()), room = list_.high.y - list_.low.y;
+    if (rows > room + 1) { // a scroll bar
+        const float bar = room * room / rows, from = list_.low.y + scroll_ * room / rows;
+        const float right = panel_.high.x - 0.15f * line_;
+        pen.fill({{right - 0.2f * line_, from}, {right, from + bar}}, colour::kGrey, 0.1f * line_);
+    }
+    y = list_.high.y + kParagraphGap * line_;
+    if (page_.progress) {
+        const float half = 0.15f * line_, middle = y + 0.3f * line_;
+        const Rectangle track{{x, middle - half}, {x + inner, middle + half}};
+        pen.fill(track, colour::kTrack, half);
+        pen.fill({track.low, {x + inner * std::clamp(*page_.progress, 0.0f, 1.0f), track.high.y}},
+                 colour::kGold, half);
+        y += line_;
+    }
+    if (!page_.error.empty())
+        y +=
+            pen.paragraph(x, y, inner, TextSize::Small, colour::kOrange, page_.error) + kParagraphGap * line_;
+    if (!page_.note.empty()) pen.paragraph(x, y, inner, TextSize::Small, colour::kGrey, page_.note);
+}
+
+} // namespace shoal::app

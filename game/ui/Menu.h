@@ -1,0 +1,87 @@
+// A page of the menus: a title, some text and a column of items, of which one has the focus. Mouse, keys,
+// gamepad and a poking finger all come as the same MenuInput. Knows nothing of what the items are for.
+#pragma once
+
+#include "game/ui/Pen.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal::app {
+
+struct MenuItem {
+    std::string label;
+    std::string value;             // of a setting, as it is shown; empty: a button
+    std::optional<float> fraction; // where the value stands between its ends, 0 to 1: a slider
+    bool enabled = true;
+
+    bool adjustable() const { return !value.empty(); }
+};
+
+enum class PageLayout { Side, Centre }; // Side: the left part of the picture, the rest stays free
+
+struct MenuPage {
+    std::string title;
+    std::vector<std::string> text; // paragraphs above the items
+    std::vector<MenuItem> items;
+    std::string note;                // a line below the items
+    std::string error;               // what went wrong; empty: nothing
+    std::optional<float> progress{}; // of something that takes its time, 0 to 1
+    PageLayout layout = PageLayout::Centre;
+};
+
+// What the player did since the last frame.
+struct MenuInput {
+    int down = 0, right = 0; // steps of the focus, and of the focused value
+    bool accept = false, back = false;
+    std::optional<glm::vec2>
+        pointer; // pixels of the picture that the menu is drawn on; empty: it has not moved
+    bool pressed = false, held = false; // the pointer's button
+    float wheel = 0;                    // notches, away from the player positive
+};
+
+struct MenuEvent {
+    enum class Kind { Activate, Adjust, Slide, Back };
+    Kind kind;
+    size_t item = 0;
+    int steps = 0;      // Adjust: to the right positive
+    float fraction = 0; // Slide: 0 to 1
+};
+
+class Menu {
+  public:
+    // focus: of the item that is chosen at first; out of range: the first that is enabled.
+    void show(MenuPage page, size_t focus = 0);
+    // The same page with other words and values; the focus stays.
+    void update(MenuPage page);
+
+    std::optional<MenuEvent> input(const MenuInput& input);
+
+    // Places everything for this pen's picture and draws it.
+    void draw(const Pen& pen);
+
+    const MenuPage& page() const { return page_; }
+    size_t focus() const { return focus_; }
+    // Where an item was drawn last; empty while it is scrolled away.
+    std::optional<Rectangle> areaOf(size_t item) const;
+
+  private:
+    void moveFocus(int steps);
+    std::optional<MenuEvent> point(const MenuInput& input);
+    void place(const Pen& pen);
+    void drawItem(const Pen& pen, size_t index) const;
+    Rectangle trackOf(size_t item) const; // of a slider
+
+    MenuPage page_;
+    size_t focus_ = 0;
+    std::optional<size_t> sliding_; // the slider that the pointer's button holds
+    bool showsFocus_ = true;
+    // As placed last, pixels.
+    Rectangle panel_, list_;
+    std::vector<Rectangle> areas_;
+    float scroll_ = 0, line_ = 0; // scroll: how far the list is moved up
+    glm::vec2 pointer_{-1};
+};
+
+} // namespace shoal::app

@@ -1,0 +1,99 @@
+#include "game/ui/MenuControls.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::app {
+
+namespace {
+
+constexpr float kRepeatFirst_s = 0.4f, kRepeat_s = 0.09f;
+constexpr float kStick = 0.6f; // of its way: a step
+
+struct DirectionKey {
+    int key, button;
+    glm::ivec2 direction;
+};
+constexpr std::array kDirectionKeys = std::to_array<DirectionKey>({
+    {GLFW_KEY_UP, GLFW_GAMEPAD_BUTTON_DPAD_UP, {0, -1}},
+    {GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN, {0, 1}},
+    {GLFW_KEY_LEFT, GLFW_GAMEPAD_BUTTON_DPAD_LEFT, {-1, 0}},
+    {GLFW_KEY_RIGHT, GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, {1, 0}},
+});
+
+int stepOf(float stick) { return stick > kStick ? 1 : stick < -kStick ? -1 : 0; }
+
+bool has(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
+
+} // namespace
+
+void FingerPoke::step(const hands::HandPose& hand, glm::vec2 tanHalf, float dt_s) {
+    const glm::vec3 tip = hand.joints[hands::kFingerJoints[1].tip].position;
+    const float depth_m = -tip.z;
+    pressed_ = false;
+    if (!hand.tracked || depth_m < 0.05f) {
+        pointing_ = held_ = false;
+        return;
+    }
+    if (!pointing_) mean_m_ = depth_m;
+    pointing_ = true;
+    const float forward_m = depth_m - mean_m_;
+    // A press goes on where it began: a finger that pokes does not go straight.
+    if (!held_)
+        at_ = {0.5f + 0.5f * tip.x / (depth_m * tanHalf.x), 0.5f - 0.5f * tip.y / (depth_m * tanHalf.y)};
+    if (!held_ && forward_m > kPress_m) pressed_ = held_ = true;
+    if (held_ && forward_m < kRelease_m) held_ = false;
+    mean_m_ += forward_m * std::min(1.0f, dt_s / kMean_s);
+}
+
+MenuInput MenuControls::step(const platform::WindowInput* input, const platform::Window* window,
+                             const std::array<hands::HandPose, 2>& hands, glm::vec2 tanHalf, glm::vec2 size,
+                             int eyes, float dt_s) {
+    MenuInput menu;
+    if (input) {
+        const platform::Gamepad& pad = input->gamepad;
+        glm::ivec2 held(stepOf(pad.leftStick.x), -stepOf(pad.leftStick.y)), steps(0);
+        for (const DirectionKey& key : kDirectionKeys) {
+            for (const int pressed : input->keysPressed)
+                if (pressed == key.key) steps += key.direction;
+            if (has(pad.pressed, key.button)) steps += key.direction;
+            if ((window && window->down(key.key)) || pad.down[static_cast<size_t>(key.button)])
+                held += key.direction;
+        }
+        held = glm::clamp(held, -1, 1);
+        if (held != held_) {
+            repeat_s_ = kRepeatFirst_s;
+            if (steps == glm::ivec2(0) && held_ == glm::ivec2(0)) steps = held; // by the stick
+        } else if (held != glm::ivec2(0) && (repeat_s_ -= dt_s) <= 0) {
+            repeat_s_ = kRepeat_s;
+            steps += held;
+        }
+        held_ = held;
+        menu.down = steps.y;
+        menu.right = steps.x;
+        menu.accept = has(input->keysPressed, GLFW_KEY_ENTER) || has(input->keysPressed, GLFW_KEY_KP_ENTER) ||
+                      has(input->keysPressed, GLFW_KEY_SPACE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_A);
+        menu.back = has(input->keysPressed, GLFW_KEY_ESCAPE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_B);
+        if (input->cursorMoved != glm::dvec2(0) || input->leftPressed || input->leftButton)
+            menu.pointer =
+                glm::vec2(std::fmod(static_cast<float>(input->cursor.x) * static_cast<float>(eyes), 1.0f),
+                          input->cursor.y) *
+                size;
+        menu.pressed = input->leftPressed;
+        menu.held = input->leftButton;
+        menu.wheel = static_cast<float>(input->wheel);
+    }
+    finger_.reset();
+    for (size_t i = 0; i < hands.size(); ++i) {
+        pokes_[i].step(hands[i], tanHalf, dt_s);
+        if (!pokes_[i].pointing()) continue;
+        finger_ = menu.pointer = pokes_[i].at() * size;
+        menu.pressed |= pokes_[i].pressed();
+        menu.held |= pokes_[i].held();
+    }
+    return menu;
+}
+
+} // namespace shoal::app

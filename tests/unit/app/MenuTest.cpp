@@ -1,0 +1,239 @@
+// The menus: every page is reached with keys alone and with the pointer alone; settings hold at once; every
+// word has its translations; text can be read over white and black.
+#include "game/app/Screens.h"
+#include "game/feedback/EventTable.h"
+#include "game/ui/MenuControls.h"
+#include "tests/TestPaths.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+namespace shoal::app {
+namespace {
+
+class MenuTest : public testing::Test {
+  protected:
+    tests::ScratchFolder folder_;
+    PlayOptions options_;
+    Bindings bindings_;
+    Screens screens_{options_, bindings_};
+    game::SpeciesTable species_{{.name = "snapper"}};
+    game::DiveFile dive_;
+
+    void SetUp() override {
+        for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "HOME"})
+            ::setenv(variable, folder_.path().c_str(), 1);
+        ::setenv("LC_ALL", "C", 1);
+        screens_.facts.species = &species_;
+        screens_.facts.dive = &dive_;
+        screens_.facts.dives = {{"reef", "The reef", 0}, {"night", "The reef by night", 90}};
+        screens_.open(Screen::Title);
+    }
+
+    const MenuPage& page() const { return screens_.menu().page(); }
+    size_t find(std::string_view label) const {
+        const auto item = std::ranges::find(page().items, label, &MenuItem::label);
+        return static_cast<size_t>(item - page().items.begin());
+    }
+    // With the arrow keys and Enter.
+    void choose(std::string_view label) {
+        ASSERT_LT(find(label), page().items.size()) << label << " is not on the page " << page().title;
+        for (size_t steps = 0; screens_.menu().focus() != find(label) && steps < 100; ++steps)
+            screens_.input({.down = 1});
+        screens_.input({.accept = true});
+    }
+    std::optional<Request> asked() { return screens_.takeRequest(); }
+};
+
+TEST_F(MenuTest, EveryPageIsReachedWithKeysAlone) {
+    std::set<Screen> seen;
+    for (const char* label : {"Dive", "My film or photo", "Settings", "How to play", "Field guide"}) {
+        choose(label);
+        seen.insert(*screens_.top());
+        if (*screens_.top() == Screen::Settings)
+            for (const char* group :
+                 {"Hands", "Comfort", "Picture", "Sound", "Text and captions", "Keys and buttons"}) {
+                choose(group);
+                seen.insert(*screens_.top());
+                EXPECT_GT(page().items.size(), 2u) << group;
+                choose("Back");
+                EXPECT_EQ(screens_.top(), Screen::Settings);
+            }
+        screens_.input({.back = true});
+        EXPECT_EQ(screens_.top(), Screen::Title);
+        EXPECT_EQ(page().items[screens_.menu().focus()].label, label); // where one came from
+    }
+    EXPECT_EQ(seen.size(), 7u);
+    choose("Quit");
+    EXPECT_EQ(asked()->kind, Request::Kind::Quit);
+}
+
+TEST_F(MenuTest, ADiveIsChosenByItsName) {
+    choose("Dive");
+    EXPECT_LT(find("The reef by night   \u2605 90"), page().items.size());
+    screens_.input({.down = 1});
+    screens_.input({.accept = true});
+    const auto request = asked();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::Dive);
+    EXPECT_EQ(request->name, "night");
+}
+
+TEST_F(MenuTest, EverySettingOfThePagesChangesAndIsKept) {
+    for (const Setting& row : settingsOf(options_).rows) {
+        if (row.page == SettingsPage::None) continue;
+        ASSERT_TRUE(row.kept) << row.option; // or it would not stay
+        ASSERT_TRUE(row.label) << row.option;
+        const std::string before = shownValue(row, game::Language::English);
+        EXPECT_FALSE(before.empty()) << row.option;
+        adjust(row, 1);
+        const std::string after = shownValue(row, game::Language::English);
+        adjust(row, -1);
+        if (after == before) adjust(row, -1); // it stood at its upper end
+        EXPECT_TRUE(after != before || shownValue(row, game::Language::English) != before) << row.option;
+        if (sliderOf(row)) {
+            slide(row, 0);
+            EXPECT_NEAR(*sliderOf(row), 0, 1e-6f) << row.option; // an end is no float itself
+            slide(row, 1);
+            EXPECT_NEAR(*sliderOf(row), 1, 1e-6f) << row.option;
+            adjust(row, 1);
+            EXPECT_NEAR(*sliderOf(row), 1, 1e-6f) << row.option;
+        }
+    }
+}
+
+TEST_F(MenuTest, AChangeHoldsAtOnceAndIsWritten) {
+    choose("Settings");
+    choose("Sound");
+    ASSERT_EQ(page().items[0].label, "Volume");
+    screens_.input({.right = -1});
+    EXPECT_NEAR(options_.volume, 0.75f, 1e-5f);
+    EXPECT_EQ(page().items[0].value, "75 %");
+    EXPECT_EQ(asked()->kind, Request::Kind::SettingsChanged);
+    PlayOptions again;
+    loadSettings(settingsOf(again));
+    EXPECT_NEAR(again.volume, 0.75f, 1e-5f);
+}
+
+TEST_F(MenuTest, TheLanguageChangesThePage) {
+    choose("Settings");
+    choose("Text and captions");
+    ASSERT_EQ(page().items[0].label, "Language");
+    screens_.input({.right = 1}); // English
+    screens_.input({.right = 1}); // German
+    EXPECT_EQ(options_.text.language, LanguageChoice::German);
+    EXPECT_EQ(page().items[0].label, "Sprache");
+    EXPECT_EQ(page().items[0].value, "Deutsch");
+}
+
+TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
+    choose("Settings");
+    choose("Keys and buttons");
+    choose("Swap hands");
+    ASSERT_TRUE(screens_.capturesKey());
+    screens_.input({.back = true}); // is no input for the menus now
+    ASSERT_TRUE(screens_.capturesKey());
+    screens_.keyPressed(GLFW_KEY_P);
+    EXPECT_FALSE(screens_.capturesKey());
+    EXPECT_EQ(bindings_.of(Action::SwapHands).keys[0], GLFW_KEY_P);
+    EXPECT_EQ(bindings_.of(Action::Pause).keys[1], -1);
+    EXPECT_NE(page().note.find("Pause"), std::string::npos) << page().note;
+    Bindings read;
+    ASSERT_TRUE(read.parse(options_.controls.bindings)) << options_.controls.bindings;
+    EXPECT_EQ(read.of(Action::SwapHands).keys, bindings_.of(Action::SwapHands).keys);
+    EXPECT_EQ(read.of(Action::Pause).keys, bindings_.of(Action::Pause).keys);
+}
+
+TEST(Bindings, MalformedTextChangesNothing) {
+    for (const char* text : {"close=Nothing,- A", "jump=Space,- A", "close=Space,- Z", "close", "=,"}) {
+        Bindings bindings;
+        EXPECT_FALSE(bindings.parse(text)) << text;
+        EXPECT_EQ(bindings.toText(), "") << text;
+    }
+    EXPECT_TRUE(Bindings().parse(""));
+}
+
+size_t placeholders(std::string_view text) {
+    size_t count = 0;
+    for (size_t at = text.find("{}"); at != std::string_view::npos; at = text.find("{}", at + 2)) ++count;
+    return count;
+}
+
+TEST(Texts, EachIsThereOnceInEachLanguageWithTheSamePlaceholders) {
+    std::set<std::string_view> seen;
+    for (const game::TextRow& row : game::kTexts) {
+        EXPECT_TRUE(seen.insert(row.english).second) << row.english << " is there twice";
+        for (const char* text : {row.german, row.french}) {
+            ASSERT_TRUE(text && *text) << row.english;
+            EXPECT_EQ(placeholders(text), placeholders(row.english)) << text;
+        }
+    }
+}
+
+TEST(Texts, CaptionsHaveTranslations) {
+    for (const game::EventRow& row : game::kEventRows) {
+        if (*row.caption) {
+            EXPECT_LT(game::findText(row.caption), game::kTexts.size()) << row.caption;
+        }
+    }
+}
+
+TEST(Texts, TheSystemsLocaleChooses) {
+    EXPECT_EQ(game::languageOf("de_AT.UTF-8"), game::Language::German);
+    EXPECT_EQ(game::languageOf("fr"), game::Language::French);
+    EXPECT_EQ(game::languageOf("nl_NL"), game::Language::English);
+    EXPECT_EQ(game::languageOf("C"), game::Language::English);
+}
+
+// Contrast of WCAG 2.2, 1.4.3: of the relative luminances, at least 4.5 to 1.
+double luminance(double grey8) {
+    const double c = grey8 / 255;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+double luminance(uint32_t abgr, double behind8) {
+    const double alpha = (abgr >> 24) / 255.0;
+    const auto channel = [&](int shift) {
+        return luminance(alpha * (abgr >> shift & 0xFF) + (1 - alpha) * behind8);
+    };
+    return 0.2126 * channel(0) + 0.7152 * channel(8) + 0.0722 * channel(16);
+}
+
+TEST(Colours, TextOnPanelsIsReadableOverWhiteAndBlack) {
+    for (const double behind : {0.0, 128.0, 255.0})
+        for (const uint32_t text : {colour::kWhite, colour::kGrey, colour::kGold, colour::kOrange}) {
+            const double panel = luminance(colour::kPanel, behind);
+            const double contrast = (luminance(text, 0) + 0.05) / (panel + 0.05);
+            EXPECT_GE(contrast, 4.5) << std::hex << text << " over " << behind;
+        }
+    const double focus = (luminance(colour::kWhite, 0) + 0.05) / (luminance(colour::kFocus, 0) + 0.05);
+    EXPECT_GE(focus, 4.5);
+}
+
+// A finger that goes forward by 4 cm in a tenth of a second presses once, where it pointed before.
+TEST(FingerPoke, AQuickMoveForwardPressesOnceAndASlowOneDoesNot) {
+    hands::HandPose hand;
+    hand.tracked = true;
+    glm::vec3& tip = hand.joints[hands::kFingerJoints[1].tip].position;
+    const auto presses = [&](float forward_mps, int frames) {
+        FingerPoke poke;
+        tip = {0.1f, 0, -0.5f};
+        int count = 0;
+        for (int frame = 0; frame < frames; ++frame) {
+            if (frame > 10) tip.z -= forward_mps / 60;
+            poke.step(hand, {1, 0.5f}, 1.0f / 60);
+            count += poke.pressed();
+            EXPECT_NEAR(poke.at().x, 0.6f, 0.01f);
+        }
+        return count;
+    };
+    EXPECT_EQ(presses(0.4f, 18), 1);
+    EXPECT_EQ(presses(0.02f, 120), 0);
+}
+
+} // namespace
+} // namespace shoal::app
