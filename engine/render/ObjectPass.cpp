@@ -141,7 +141,7 @@ void ObjectPass::begin() {
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
                      const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body,
-                     std::span<const Sphere> parts) {
+                     std::span<const Sphere> parts, float highlight) {
     objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1)});
     if (parts.empty()) parts_.push_back(bound);
     parts_.insert(parts_.end(), parts.begin(), parts.end());
@@ -163,8 +163,8 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
         const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back(
-                {&gpu, &primitive, offset, bytes, bound, scale, number, body ? body->albedo : glm::vec3(0)});
+            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale, number,
+                              body ? body->albedo : glm::vec3(0), highlight});
     }
 }
 
@@ -295,6 +295,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     const bool lean = detail_ == Detail::Lean;
     program.set("metallic", lean ? item.primitive->gloss.meanMetallic : material.metallic);
     program.set("roughness", lean ? item.primitive->gloss.meanRoughness : material.roughness);
+    program.set("highlight", item.highlight);
     program.set("twoSided", material.doubleSided ? 1.0f : 0.0f);
     program.set("normalScale", material.normalScale);
     program.set("occlusionStrength", material.occlusionStrength);

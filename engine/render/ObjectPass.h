@@ -32,10 +32,11 @@ class ObjectPass {
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
     // bound: a sphere in the world that holds the posed model; what lies outside the view is not drawn. body:
     // what it takes from others' light, and they from its own; null: nothing. parts: smaller spheres that
-    // hold it as well, all together, for visibleSpheres(); empty: none are known.
+    // hold it as well, all together, for visibleSpheres(); empty: none are known. highlight: 0 to 1, of a rim
+    // that marks it for the player.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
              const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body = nullptr,
-             std::span<const Sphere> parts = {});
+             std::span<const Sphere> parts = {}, float highlight = 0);
     // Sends what was added to the graphics side. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
@@ -62,6 +63,7 @@ class ObjectPass {
         float scale;      // world metres for one of the mesh's units
         int body;         // of near_; -1: none
         glm::vec3 albedo; // mean, of the body that self-occlusion
+        float highlight;
     };
 
     struct Object {

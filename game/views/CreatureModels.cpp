@@ -193,7 +193,7 @@ void CreatureModels::show(const game::Snapshot& snapshot, render::ObjectPass& pa
         scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
         // No fin extends farther from the middle than this, however the body bends.
         pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
-                 {creature.position, creature.length * 0.7f}, &instance.body, spheres_);
+                 {creature.position, creature.length * 0.7f}, &instance.body, spheres_, creature.catchable);
     }
     const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {

@@ -11,6 +11,7 @@ uniform mat3 envFromWorld;
 #include "occlusion/Layers.glsl"
 #endif
 #include "render/Output.glsl"
+#include "render/Highlight.glsl"
 
 uniform vec3 eyeWorld;
 uniform vec4 baseColourLin;
@@ -57,6 +58,11 @@ in vec4 bodiesInLobe;
 #ifdef WATER
 in vec3 waterLeft, waterVeiled; // render/Water.glsl
 #endif
+#ifdef VERTEX_LIT
+in float litUp; // as highlightOf() has it
+#else
+uniform float highlight; // 0 to 1
+#endif
 out vec4 colour;
 
 // Linear, with its coverage; where vertices are lit, times the light and exposed. Discards what the mask cuts out.
@@ -96,6 +102,10 @@ vec3 throughWater(vec3 display) {
     return display;
 #endif
 }
+
+// What is marked for the player: lighter, so that it shows to every kind of colour vision, and by display values, so that it
+// shows in a cave as before a white sky. Not light: nothing else sees it.
+vec3 lightened(vec3 display, float share) { return mix(display, vec3(1.0, 0.98, 0.90), share); }
 
 #ifndef VERTEX_LIT
 // With the normal map; on the side that the eye sees. geometric: without it.
@@ -184,7 +194,7 @@ vec3 litByPixel(vec3 base) {
     return vec3(1.0 / (1.0 + length(toEye)));
 #endif
     vec3 radiance = reflectance.mirrored * light.mirrored * openMirrored + reflectance.around * light.around * open;
-    return throughWater(displayOfExposed((radiance + emitted()) * exposureScale));
+    return lightened(throughWater(displayOfExposed((radiance + emitted()) * exposureScale)), highlightOf(highlight, dot(geometric, v)));
 }
 #else
 vec3 litByVertex(vec3 baseExposed) {
@@ -192,7 +202,7 @@ vec3 litByVertex(vec3 baseExposed) {
 #ifdef EMISSIVE_MAP
     exposed += emitted() * exposureScale;
 #endif
-    return throughWater(displayOfExposed(exposed));
+    return lightened(throughWater(displayOfExposed(exposed)), litUp);
 }
 #endif
 

@@ -48,6 +48,9 @@ uniform float twoSided; // 1: the normal turns to whoever looks
 // is opacity. Software renderers fetch each uniform number once for each pixel, so pixels are handed products.
 out vec4 perMapExposed;
 out vec3 besidesExposed;
+uniform float highlight; // 0 to 1
+out float litUp;
+#include "render/Highlight.glsl"
 #endif
 #if defined(VERTEX_LIT) || defined(WATER)
 #include "render/Output.glsl"
@@ -118,6 +121,7 @@ void main() {
     besides += emissiveLin;
 #endif
     besidesExposed = besides * exposureScale;
+    litUp = highlightOf(highlight, dot(n, v));
 #else
     worldPosition = world.xyz;
     worldNormal = n;

@@ -115,6 +115,38 @@ TEST_F(RenderGL, YawOfTheEnvironmentTurnsItToTheRight) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f);
 }
 
+// A marked sphere is lighter than the light makes it, most so at its rim, in the dark as in bright light, and
+// alike where light comes by the pixel and by the vertex (heightPixels, lean).
+TEST_F(RenderGL, HighlightLightensMostAtTheRim) {
+    constexpr int kPixels = 64;
+    for (const uint8_t grey : {uint8_t(8), uint8_t(128), uint8_t(230)})
+        for (const render::Detail detail : {render::Detail::Full, render::Detail::Lean}) {
+            const bool lean = detail == render::Detail::Lean;
+            const ImageRgb8 frame = uniformFrame(grey, grey, grey);
+            render::EnvironmentGpu environment;
+            const ImageRgba8 shown = upload(environment, frame);
+            environment.uploadLight(lightOf(frame));
+            const render::View view{
+                .eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = lean ? kPixels : 0};
+            const ImageRgba8 picture =
+                drawSphere(sphere(0, 0.5f), environment, view, 0, kPixels, {}, detail, 1);
+            for (int x = kPixels / 2; x < kPixels; ++x) {
+                // The ray meets the unit sphere at t: its normal there is the place itself.
+                const float across = (2 * (static_cast<float>(x) + 0.5f) / kPixels - 1) * view.halfExtent().x;
+                const glm::vec3 ray = glm::normalize(glm::vec3(across, 0, -1));
+                const float half = -3 * ray.z, rest = half * half - 8;
+                if (rest < 0.05f) continue; // the outline, where a pixel spans much of the rim
+                const glm::vec3 normal = glm::vec3(0, 0, 3) + (half - std::sqrt(rest)) * ray;
+                const float edge = 1 - glm::dot(normal, -ray);
+                const float share = 0.15f + edge * (0.25f + 0.45f * edge * edge);
+                // A pixel beside the middle row, and the polygons of a coarser sphere.
+                EXPECT_NEAR(picture.at(x, kPixels / 2)[0], glm::mix(static_cast<float>(grey), 255.0f, share),
+                            lean ? 12 : 4)
+                    << x << " grey " << int(grey) << (lean ? " lean" : "");
+            }
+        }
+}
+
 TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
     for (const auto& [r, g, b] :
          {std::array<uint8_t, 3>{20, 20, 20}, {128, 128, 128}, {200, 180, 40}, {255, 255, 255}})

@@ -64,7 +64,8 @@ inline light::PackedLight lightOf(const ImageRgb8& frame) {
 
 inline ImageRgba8 drawSphere(const scene::Model& model, const render::EnvironmentGpu& environment,
                              const render::View& view, float exposure_ev, int size,
-                             const water::Water& water = {}, render::Detail detail = render::Detail::Full) {
+                             const water::Water& water = {}, render::Detail detail = render::Detail::Full,
+                             float highlight = 0) {
     auto pass = render::ObjectPass::make(detail);
     EXPECT_TRUE(pass) << pass.error().message();
     const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded, detail);
@@ -76,7 +77,7 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1});
+    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, nullptr, {}, highlight);
     pass->upload(glm::mat3(1));
     const Status drawn = pass->draw(environment, view, glm::mat3(1), {.exposure_ev = exposure_ev}, water,
                                     render::Glossy::Prefiltered);

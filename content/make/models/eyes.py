@@ -47,10 +47,14 @@ def fish_eye(iris, ring, pupil=0.50, seed=5, size=128):
     return paint.shrink(catch_light(c, x, y), 2)
 
 
-def slit_eye(iris, depth, seed=131, size=128):
-    """A shark's or a ray's: an upright slit in an iris that darkens outwards."""
+def slit_eye(iris, depth, seed=131, size=128, lid=None):
+    """A shark's or a ray's: an upright slit in an iris that darkens outwards. lid: colour of the third eyelid's edge below."""
     x, y, r, g = disc(size)
     spokes = paint.fbm(seed, np.cos(g) * 6, np.sin(g) * 6, r * 3, octaves=3)
     c = paint.mix(paint.rgb(iris), paint.rgb(depth), paint.step(0.30, 0.80, r)) * (1 + 0.2 * spokes)[..., None]
     c = paint.mix(paint.rgb('#040506'), c, paint.step(0.90, 1.08, np.hypot(x / 0.30, y / 0.66)))
-    return paint.shrink(catch_light(paint.mix(c, paint.rgb('#101416'), paint.step(0.80, 0.95, r)), x, y), 2)
+    c = paint.mix(c, paint.rgb('#101416'), paint.step(0.80, 0.95, r))
+    if lid:
+        fold = y - 0.62 + 0.35 * x * x
+        c = paint.mix(paint.mix(c, paint.rgb('#050606'), 0.8 * paint.bump(fold, 0.09)), paint.rgb(lid), paint.step(0.0, 0.10, fold))
+    return paint.shrink(catch_light(c, x, y), 2)

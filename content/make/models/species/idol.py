@@ -116,9 +116,9 @@ def tail_paint(a, b):
 
 
 def streamer_paint(a, b):
-    soft = step(0.0, 0.18, a) * step(1.0, 0.82, a)
+    soft = step(0.0, 0.08, a) * step(1.0, 0.92, a)
     colour = mix(rgb('#fbf8ea'), rgb('#cfc9b4'), 0.5 * bump(a - 0.5, 0.12))
-    alpha = soft * (0.95 - 0.35 * b)
+    alpha = soft * (0.97 - 0.12 * b)
     return colour, alpha, 0.0001 * bump(a - 0.5, 0.2)
 
 
@@ -141,12 +141,12 @@ def make():
     anal = median_fin(body, 'anal', 'lower', 0.455, 0.778, **keel, tile=(0.02, 0.50, 0.44, 0.40), columns=13, rows=6,
                       thickness=0.007, paint=fin_paint(over('lower', body, 0.455, 0.778, **keel), 30, 0.1, 0.84, 4))
     streamer = median_fin(body, 'streamer', 'upper', 0.318, 0.352, lengths=[(0, 0.60), (1, 0.62)], leans=[(0, 0.56), (1, 0.64)],
-                          tile=(0.95, 0.03, 0.03, 0.94), columns=4, rows=11, thickness=0.006, bend=np.array([0, -0.315, -0.328]) * LENGTH,
+                          tile=(0.95, 0.03, 0.03, 0.94), columns=4, rows=11, thickness=0.012, bend=np.array([0, -0.315, -0.328]) * LENGTH,
                           paint=streamer_paint)
-    # it narrows to a thread
+    # it narrows to a ribbon, upright where it turns back, that is still a pixel wide a metre away: a thread breaks up into dashes
     middle = streamer.direction[32] * streamer.length[32] + streamer.root[32]
-    tips = streamer.root + streamer.direction * streamer.length[:, None]
-    aim = 0.90 * middle + 0.10 * tips - streamer.root
+    across = (0.5 - np.linspace(0, 1, len(streamer.root)))[:, None] * np.array([0, 0.030 * LENGTH, 0])
+    aim = middle + across - streamer.root
     streamer.length = np.linalg.norm(aim, axis=1)
     streamer.direction = aim / streamer.length[:, None]
     tail = tail_fin(body, lengths=[(0, 0.185), (0.08, 0.180), (0.5, 0.150), (0.92, 0.180), (1, 0.185)], spread=0.50,

@@ -125,14 +125,17 @@ def mouth_inside(body):
 def mouth_picture():
     """Gums to throat, downwards."""
     depth = np.linspace(0, 1, 32)[:, None] * np.ones((1, 24))
-    return mix(rgb('#7d4a46'), rgb('#1c0a0a'), depth)
+    gums = mix(rgb('#a8615c'), rgb('#5a211f'), step(0.02, 0.22, depth))
+    return mix(gums, rgb('#0c0404'), step(0.16, 0.50, depth))
 
 
 def teeth(body):
     lip, jaw = body.lips(60)
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(lip, axis=0), axis=1))])
     parts, jaws = [], []
-    for row, (count, size, inward) in enumerate(((23, 0.0125, 0.0135), (22, 0.0098, 0.0035))):
+    # the rows in use, above and below, and behind them the rows that will replace them
+    for count, size, inward, upper, behind in ((24, 0.0175, 0.0135, True, 0.0), (23, 0.0140, 0.0035, False, 0.0),
+                                               (14, 0.0120, 0.0150, True, 0.011), (11, 0.0105, 0.0010, False, 0.011)):
         for k in range(count):
             where = along[-1] * (0.06 + 0.88 * (k + 0.5) / count)
             c = np.array([np.interp(where, along, lip[:, i]) for i in range(3)])
@@ -141,12 +144,12 @@ def teeth(body):
             inner = unit(np.array([0, -0.01, (0.5 - 0.13) * LENGTH]) - c)
             up = unit(np.array([0, 1.0, 0]) - inner * 0.0)
             grade = 0.65 + 0.35 * np.sin(np.pi * (k + 0.5) / count)
-            tall, wide = size * grade, 0.0052 * grade * (1 if row == 0 else 0.75)
-            if row == 0:
-                root = c + inner * 0.005 + up * (inward + 0.001 * paint.scatter(7, k))
-                tip = root - up * tall + inner * 0.004 + across * 0.002 * np.sign(k - count / 2)
+            tall, wide = size * grade * (0.92 + 0.16 * paint.scatter(8, k)), 0.0064 * grade * (1 if upper else 0.72)
+            if upper:
+                root = c + inner * (0.005 + behind) + up * (inward + 0.001 * paint.scatter(7, k))
+                tip = root - up * tall + inner * 0.004 + across * 0.003 * np.sign(k - count / 2)
             else:
-                root = c + inner * 0.006 + up * 0.0005
+                root = c + inner * (0.006 + behind) + up * 0.0005
                 tip = root + up * tall * 0.8 + inner * 0.002
             deep = inner * 0.0022
             points = np.array([root - across * wide - deep, root + across * wide - deep, root + across * wide + deep,
@@ -155,8 +158,8 @@ def teeth(body):
             out = unit(points - points.mean(0))
             parts.append(facing(Part(points, out, tangent_frame(out, np.broadcast_to(across, out.shape),
                                                                 np.broadcast_to(up, out.shape)),
-                                     np.full((5, 2), 0.5), faces)))
-            jaws.append(np.full(5, 0.0 if row == 0 else np.interp(where, along, jaw)))
+                                     np.array([[0.5, 0.08]] * 4 + [[0.5, 0.92]]), faces)))
+            jaws.append(np.full(5, 0.0 if upper else np.interp(where, along, jaw)))
     whole = join(parts)
     whole.follow = {'jaw': np.concatenate(jaws)}
     return whole
@@ -174,37 +177,69 @@ def make_body():
         widest=[(0, 0.45), (0.10, 0.40), (0.25, 0.42), (0.5, 0.5), (END, 0.5)], displace=displace)
 
 
-GREY, DARK, PALE = '#828a87', '#59615f', '#eceee9'
+GREY, DARK, PALE = '#75807f', '#414b4d', '#f1f2ed'
+
+
+def scars(skin, arc):
+    """Scratches, and two crescents of tooth marks such as sharks leave on each other; pale, with a dark rim."""
+    at = skin.at
+    marks = np.zeros_like(at.s)
+    for k in range(16):
+        s0, a0 = 0.14 + 0.52 * paint.scatter(131, k), -0.055 + 0.10 * paint.scatter(132, k)
+        angle, long = 2.6 * paint.scatter(133, k) - 1.3, 0.010 + 0.030 * paint.scatter(134, k) ** 2
+        x, y = at.s - s0, arc - a0
+        along, off = x * np.cos(angle) + y * np.sin(angle), y * np.cos(angle) - x * np.sin(angle)
+        off = off + 1.5 * along * along / long * (paint.scatter(135, k) - 0.5)
+        marks = np.maximum(marks, bump(off, 0.00075) * step(long, 0.6 * long, np.abs(along)) * (0.5 + 0.5 * paint.scatter(136, k)))
+    for s0, a0, radius, turn in ((0.30, -0.020, 0.030, 0.3), (0.46, 0.006, 0.022, 2.4)):
+        for k in range(11):
+            angle = turn + (k - 5) * 0.21
+            d = np.hypot(at.s - s0 - radius * np.cos(angle), arc - a0 - radius * np.sin(angle))
+            marks = np.maximum(marks, 0.9 * bump(d, 0.0011 + 0.0006 * paint.scatter(137, k)))
+    skin.tint('#2c3436', 0.35 * step(0.02, 0.25, marks) * step(0.6, 0.3, marks))
+    skin.tint('#c9c4bb', 0.62 * step(0.3, 0.8, marks))
+    skin.height -= LENGTH * 0.0007 * marks
 
 
 def paint_body(body):
     skin = Skin(body, 1024, 576)
     at = skin.at
+    arc = at.arc
     tone = paint.fbm(111, at.s * 10, at.v * 6, octaves=4)
     wave_line = 0.60 + 0.035 * np.sin(at.s * 17) + 0.02 * tone - 0.10 * step(0.14, 0.0, at.s) + 0.04 * step(0.6, 0.75, at.s)
-    skin.colour = mix(rgb(GREY), rgb(DARK), step(0.42, 0.05, at.v + 0.05 * tone))
-    skin.tint('#8a8a80', 0.45 * bump(at.v - 0.46, 0.10))
-    border = at.v - wave_line + 0.012 * paint.fbm(112, at.s * 90, at.v * 60, octaves=3)
-    skin.tint(PALE, step(-0.035, 0.045, border))
+    skin.colour = mix(rgb(GREY), rgb(DARK), step(0.46, 0.04, at.v + 0.07 * tone))
+    skin.tint('#8b8a7c', 0.40 * bump(at.v - 0.47, 0.09))
+    # dapples of the back, larger and paler down the flank
+    dapple = paint.fbm(118, at.s * 42, arc * 42, octaves=3)
+    skin.shade(1 - 0.20 * step(0.05, 0.40, dapple) * step(0.56, 0.30, at.v))
+    skin.shade(1 + 0.16 * step(0.10, 0.45, -dapple) * step(0.12, 0.40, at.v) * step(0.64, 0.52, at.v))
+    # the border with the belly, frayed and with islands on either side
+    border = at.v - wave_line + 0.020 * paint.fbm(112, at.s * 60, arc * 60, octaves=4) + 0.008 * paint.noise(117, at.s * 230, arc * 230)
+    skin.tint(PALE, step(-0.016, 0.020, border))
     # a faint pale wedge on the flank
     wedge = (at.s - 0.50) * 0.55
-    skin.tint('#b9bdb8', 0.35 * step(0.0, 0.03, at.s - 0.46) * line(at.v - 0.56 + wedge * 0.2, 0.02, 0.03) * step(0.66, 0.58, at.s))
-    skin.mottle(113, 0.10, 0.06)
-    skin.mottle(114, 0.02, 0.04)
-    # skin teeth too small to see one by one
-    grain = paint.noise(115, at.s * 420, at.v * 260) + 0.7 * paint.noise(116, at.s * 700, at.v * 480)
-    skin.height += 0.00012 * grain
-    skin.shade(1 + 0.025 * grain)
+    skin.tint('#b9bdb8', 0.40 * step(0.0, 0.03, at.s - 0.46) * line(at.v - 0.56 + wedge * 0.2, 0.02, 0.03) * step(0.66, 0.58, at.s))
+    skin.mottle(113, 0.10, 0.10)
+    skin.mottle(114, 0.02, 0.07)
+    skin.mottle(119, 0.006, 0.05)
+    # skin teeth too small to see one by one, in rows along the body, and folds of the skin
+    grain = paint.noise(115, at.s * 420, arc * 900) + 0.7 * paint.noise(116, at.s * 700, arc * 1500)
+    folds = paint.fbm(120, at.s * 26, arc * 150, octaves=3)
+    skin.height += 0.00022 * grain + 0.00060 * folds
+    skin.shade(1 + 0.040 * grain + 0.05 * folds)
+    scars(skin, arc)
     # five gill slits
     for k in range(5):
         s0 = 0.192 + 0.0145 * k
-        low, high = 0.44 + 0.012 * k, 0.68 - 0.014 * abs(k - 1.5)
+        low, high = 0.41 + 0.014 * k, 0.69 - 0.014 * abs(k - 1.5)
         span = step(low, low + 0.03, at.v) * step(high, high - 0.03, at.v)
         bow = s0 + 0.006 * ((at.v - 0.56) / 0.12) ** 2 * -1 + 0.004
         d = at.s - bow
-        skin.height += LENGTH * (0.0016 * bump(d + 0.0035, 0.0035) - 0.0024 * bump(d, 0.0016)) * span
-        skin.tint('#15191a', 0.90 * line(d, 0.0007, 0.0014) * span)
-        skin.shade(0.80, bump(d - 0.004, 0.004) * span)
+        skin.height += LENGTH * (0.0022 * bump(d + 0.0035, 0.0035) - 0.0034 * bump(d, 0.0018)) * span
+        skin.tint('#0d0c0c', 0.95 * line(d, 0.0010, 0.0016) * span)
+        skin.tint('#6b3f3c', 0.35 * bump(d - 0.0022, 0.0010) * span)  # a glimpse of the gill
+        skin.shade(0.70, bump(d - 0.0045, 0.004) * span)
+        skin.shade(1.16, bump(d + 0.004, 0.0025) * span)
     # nostrils, lips, eyes
     nostril = np.hypot((at.s - 0.045) * 1.0, (at.v - 0.80) * 0.09)
     slant = (at.s - 0.045) - (at.v - 0.80) * 0.05
@@ -213,11 +248,11 @@ def paint_body(body):
     lip = at.s - mouth_s(at.v)
     around = step(CORNER_V - 0.03, CORNER_V + 0.01, at.v)
     skin.tint('#a39a94', 0.55 * line(lip, 0.0015, 0.0035) * around)
-    skin.tint('#4a3a38', 0.75 * line(lip, 0.0004, 0.0011) * around)
+    skin.tint('#2a1413', 0.85 * line(lip, 0.0006, 0.0014) * around)
     skin.height += LENGTH * 0.0012 * bump(np.abs(lip) - 0.004, 0.0025) * around
     fold = np.hypot(np.maximum(np.abs(at.s - MOUTH_CORNER - 0.006) - 0.008, 0), (at.v - CORNER_V + 0.012) * 0.1)
     skin.tint('#55504e', 0.6 * line(fold, 0.0004, 0.001))
-    skin.socket(EYE[0], EYE[1], EYE[2], '#2a2e2e', 0.8)
+    skin.socket(EYE[0], EYE[1], EYE[2], '#161a1a', 0.9)
     for k in range(130):  # pores that sense electricity, over the snout
         s0, v0 = 0.012 + 0.07 * paint.scatter(122, k) ** 0.8, 0.45 + 0.5 * paint.scatter(123, k)
         d = np.hypot(at.s - s0, (at.v - v0) * 0.10)
@@ -231,7 +266,7 @@ def fin_paint(kind, seed):
     def picture(a, b):
         grain = paint.noise(seed, a * 190, b * 150) + 0.6 * paint.fbm(seed + 1, a * 8, b * 8, octaves=4)
         colour = mix(rgb(DARK), rgb('#727978'), 0.5 + 0.25 * grain)
-        fringe = step(0.45, 1.0, a) * 0.22
+        fringe = step(0.45, 1.0, a) * 0.10
         if kind == 'tail':
             edge = step(0.80, 0.96, b + 0.03 * grain + 0.10 * step(0.1, 0.6, a))
             colour = mix(colour, rgb('#1b1e1f'), 0.90 * edge)
@@ -240,7 +275,7 @@ def fin_paint(kind, seed):
         elif kind == 'dorsal':
             colour = mix(colour, rgb('#9aa09c'), 0.5 * step(0.88, 1.0, b + 0.02 * grain) + 0.3 * step(0.93, 1, a))
         else:
-            colour = mix(colour, rgb('#23282a'), 0.75 * step(0.70, 0.98, b + 0.05 * grain))
+            colour = mix(colour, rgb('#23282a'), 0.80 * step(0.80, 0.95, b + 0.06 * grain))
         colour = colour * (1 - fringe * 0.3)[..., None] * (0.92 + 0.08 * step(0, 0.3, b))[..., None]
         cloth = np.sin(a * 110 + 3 * b) * step(0.2, 0.8, b)
         return colour, np.ones(a.shape), 0.0003 * grain + 0.0001 * cloth
@@ -251,7 +286,7 @@ def under_paint(seed):
     def picture(a, b):
         grain = paint.fbm(seed, a * 14, b * 14, octaves=4)
         colour = mix(rgb(PALE), rgb('#c3c7c2'), 0.5 + 0.5 * grain)
-        dusk = np.maximum(step(0.80, 1.0, b + 0.05 * grain), 0.8 * step(0.86, 1.0, a) * step(0.2, 0.6, b))
+        dusk = np.maximum(step(0.86, 0.94, b + 0.06 * grain), 0.8 * step(0.93, 0.98, a + 0.03 * grain) * step(0.55, 0.8, b))
         return mix(colour, rgb('#2c3133'), 0.8 * dusk), np.ones(a.shape), 0.0002 * grain
     return picture
 
@@ -310,8 +345,8 @@ def make():
         dict(name='bite', duration=0.8, keys=32, lateral=lambda s, p: wave(0.7, 1.0)(s, p) + 0.05 * (s - 0.3) * np.sin(
             4 * np.pi * p) * bump(p - 0.6, 0.15) * step(0.3, 0, s),
              fins=both(steer(-0.15, 0.04), jaw_clip(snap)))]
-    inside, ivory = mouth_picture(), mix(rgb('#e6e2d4'), rgb('#d8d2c0'), np.zeros((24, 24)))
+    inside, ivory = mouth_picture(), mix(rgb('#8f6258'), rgb('#f3efe3'), step(0.02, 0.30, np.linspace(0, 1, 24)[:, None] * np.ones((1, 24))))
     return Animal('shark', body, [first, second, anal, tail, *with_mirror(pectoral), *with_mirror(pelvic)], EYE,
-                  slit_eye('#8d8a70', '#3f4138'), paint_body(body), clips, height=1024, rings=48, around=21,
+                  slit_eye('#a8a06c', '#3a3b2c', lid='#b4b6ac'), paint_body(body), clips, height=1024, rings=48, around=21,
                   extra_joints=[('jaw', 0, hinge)], thick_fins=True, fin_rough=0.46,
                   extra_parts=[(mouth_inside(body), inside), (teeth(body), ivory)])
