@@ -12,8 +12,9 @@ constexpr float kLayerWidth = 1.02f;
 
 // Four samples cost half a frame where the driver renders on the processor; and what is painted into texels
 // is filtered by them anyway.
-int defaultSamples(Composition composition) {
-    return gl::rendersInSoftware() && composition != Composition::MatchedResolution ? 1 : 4;
+int defaultSamples(const CompositorSetup& setup, Composition composition) {
+    const bool filtered = setup.frameIsCoded && composition != Composition::MatchedResolution;
+    return gl::rendersInSoftware() && filtered ? 1 : 4;
 }
 
 // What is left of it for an HDR frame.
@@ -29,25 +30,28 @@ Composition possible(const CompositorSetup& setup) {
 Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
-    made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(made.composition_);
+    made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(setup, made.composition_);
     if (Status s = BackgroundPass::make(setup.backend, made.intoTexels()).moveTo(made.background_); !s)
         return s.error();
-    if (made.intoTexels() || made.composition_ == Composition::MatchedResolution)
+    made.smoothsOutlines_ = !setup.frameIsCoded && made.samples_ > 1 && made.drawsObjects();
+    if (made.intoTexels() || made.composition_ == Composition::MatchedResolution || made.smoothsOutlines_)
         for (LayerPass& layer : made.layers_)
             if (Status s = LayerPass::make().moveTo(layer); !s) return s.error();
     return made;
 }
 
 glm::ivec2 Compositor::layerSize(const EyePicture& picture) const {
+    if (composition_ == Composition::Plain) return picture.size();
     auto rows = static_cast<float>(picture.environment.frameHeight());
     if (filmed()) rows /= layerTexels(picture.filmed.response, samples_);
     return sizeAsFine(intoTexels() ? widened(picture.view, kLayerWidth) : picture.view, picture.size(),
                       static_cast<int>(rows));
 }
 
-// Else objects are drawn into the canvas: so too where the video is finer than that.
+// Else objects are drawn into the canvas: so too where the video is finer than that. Beside an HDR picture,
+// which no texel blurs, a canvas of one sample would leave stairs at their outlines.
 bool Compositor::usesLayer(const EyePicture& picture) const {
-    return intoTexels() ||
+    return intoTexels() || (smoothsOutlines_ && picture.canvas.samples() == 1) ||
            (composition_ == Composition::MatchedResolution && layerSize(picture) != picture.size());
 }
 

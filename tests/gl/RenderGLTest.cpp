@@ -139,9 +139,10 @@ TEST_F(RenderGL, HighlightLightensMostAtTheRim) {
                 const glm::vec3 normal = glm::vec3(0, 0, 3) + (half - std::sqrt(rest)) * ray;
                 const float edge = 1 - glm::dot(normal, -ray);
                 const float share = 0.15f + edge * (0.25f + 0.45f * edge * edge);
-                // A pixel beside the middle row, and the polygons of a coarser sphere.
+                // A pixel beside the middle row; by the vertex, a chord of the curve, which lies above it:
+                // over a rim of 24 triangles to the circle by a tenth of the display at most.
                 EXPECT_NEAR(picture.at(x, kPixels / 2)[0], glm::mix(static_cast<float>(grey), 255.0f, share),
-                            lean ? 12 : 4)
+                            lean ? 24 : 4)
                     << x << " grey " << int(grey) << (lean ? " lean" : "");
             }
         }

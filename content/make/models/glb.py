@@ -49,8 +49,9 @@ class Glb:
         return self._append('textures', {'sampler': known.index(sampler), 'source': image})
 
     def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False,
-                 double=False, normal_scale=1.0):
-        """base: texture index or linear RGBA; metal_rough: texture index (G roughness, B metallic)."""
+                 double=False, normal_scale=1.0, glow=None):
+        """base: texture index or linear RGBA; metal_rough: texture index (G roughness, B metallic); glow: texture index of
+        what it emits."""
         pbr = {'metallicFactor': metal, 'roughnessFactor': rough}
         if isinstance(base, int):
             pbr['baseColorTexture'] = {'index': base}
@@ -61,6 +62,8 @@ class Glb:
         item = {'name': name, 'pbrMetallicRoughness': pbr}
         if normal is not None:
             item['normalTexture'] = {'index': normal, 'scale': normal_scale}
+        if glow is not None:
+            item['emissiveTexture'], item['emissiveFactor'] = {'index': glow}, [1.0, 1.0, 1.0]
         if blend:
             item['alphaMode'] = 'BLEND'
         if double:
