@@ -119,8 +119,9 @@ toml::table withBase(const Path& file) {
     return joined;
 }
 
-// Film and camera change nothing that is lit.
+// Film and camera change nothing that is lit, nor does where it is stated.
 uint64_t keyOf(toml::table root) {
+    root.erase("base");
     root.erase("film");
     root.erase("camera");
     std::ostringstream text;
@@ -138,8 +139,7 @@ Scene fromTable(const toml::table& root) {
     for (const toml::node& node : list(part(root, "path"), "places")) scene.path.push_back(vec<3>(node));
     const toml::table& water = part(root, "water");
     scene.water = {vec<3>(must(water, "attenuation")), vec<3>(must(water, "scattered")),
-                   number(water, "forward"), number(water, "forward_share"),
-                   water["veil_width"].value_or(256)};
+                   number(water, "forward"), number(water, "forward_share")};
     const toml::table& sun = part(root, "sun");
     const float high = number(sun, "elevation") * kRadians, round = number(sun, "azimuth") * kRadians;
     scene.sun.toSunAir = {std::cos(high) * std::sin(round), std::sin(high),

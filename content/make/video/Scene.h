@@ -21,8 +21,6 @@ struct Water {
     vec3 attenuation{0}; // per metre
     vec3 scattered{0};   // share of the attenuation that is scattering
     float forward = 0, forwardShare = 0;
-    int veilWidth =
-        256; // columns that its light is marched at, a power of two; more where the camera is sheltered
 
     vec3 transmittance(float metres) const { return glm::exp(-attenuation * metres); }
     // Share of scattered light that turns by an angle of this cosine, per steradian: integrates to 1.

@@ -9,17 +9,16 @@ namespace shoal::reef {
 
 class Veil {
   public:
-    // Marches from the camera through sunlight, shadow and caustics (shafts), and the ambient grid. Finer in
-    // the dark, where single beams stand out.
+    // Marches from the camera through sunlight, shadow and caustics (shafts), lamps, and the ambient grid.
     void fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera);
     // uv: lat-long; distance in metres.
     vec3 at(const vec2& uv, float distance) const;
 
   private:
-    static constexpr int kSlices = 26;
+    static constexpr int kSlices = 26, kWidth = 512, kHeight = kWidth / 2;
     static constexpr float kNearest = 0.35f, kRatio = 0.1646f, kFirst = 0.56f; // edges at 0.11 .. 45 m
     static float edge(int slice);
-    int width_ = 0, height_ = 0;
+    void smooth();
     std::vector<vec3> cells_; // [row][column][slice]: scattered up to the slice's far edge
 };
 
