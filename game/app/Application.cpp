@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
 constexpr float kStepsStay_s = 2.5f;      // from the end of the first steps until the dive begins
+constexpr float kResultsRest_s = 0.8f;    // in which the results take no choice
 constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
 
 } // namespace
@@ -151,9 +152,15 @@ void Application::readMenuInput() {
     if (const auto* headset = std::get_if<OpenXrSource>(&play_->session.source)) hands = headset->seen();
     const glm::vec2 size = glm::vec2(window_->framebufferSize()) / glm::vec2(eyes(), 1);
     const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
-    screens_.input(menuControls_.step(&input, &*window_, hands,
-                                      {tanY * size.x / std::max(size.y, 1.0f), tanY}, size, eyes(),
-                                      static_cast<float>(play_->elapsed_s)));
+    MenuInput menu =
+        menuControls_.step(&input, &*window_, hands, {tanY * size.x / std::max(size.y, 1.0f), tanY}, size,
+                           eyes(), static_cast<float>(play_->elapsed_s));
+    // The dive ends while the player's button is busy: what was meant for a fish chooses nothing.
+    if (play_->states.state() == ProgramStates::State::Results) {
+        play_->results_s += static_cast<float>(play_->elapsed_s);
+        if (play_->results_s < kResultsRest_s) menu.accept = menu.pressed = menu.back = false;
+    }
+    screens_.input(menu);
 }
 
 // What does the same in every state.
@@ -188,6 +195,7 @@ Status Application::answer(const Request& request) {
     case Request::Kind::Restart:
         session.restart = true;
         session.paused = false;
+        play_->results_s = 0;
         if (auto* mouse = std::get_if<MouseSource>(&session.source)) mouse->recentre();
         return Done{};
     case Request::Kind::Dive:

@@ -51,6 +51,7 @@ class Application {
         bool freshVideo = false; // a new frame of the video is shown
         std::optional<FirstSteps> steps;
         float stepsDone_s = 0; // since they were over
+        float results_s = 0;   // for which the results have been shown
         Hints hints;
     };
 
