@@ -57,6 +57,12 @@ struct Fish : Swimmer {
     float struggle_s = 0;    // left of this bout of struggling, or of the rest after it
     bool struggling = false;
 
+    // Of a hand that rests
+    int visits = -1;       // the hand that it has come to look at, -1 none
+    float visit_s = 0;     // left of the visit...
+    float linger_s = 0;    // ...of so long before the palm
+    float visitRest_s = 0; // until it may be curious anew
+
     // 0 to 1, eased: a hand that closes now takes it; and which, -1 none.
     float catchable = 0;
     int catchableBy = -1;
@@ -68,8 +74,8 @@ struct Fish : Swimmer {
                         sense, wander, wanderGoal, wanderTicks, routeTicks, pace, coasting, push, parting,
                         state, dart_s, flight_s, flightSide, frightRest_s, flee, nervous_s, touchedUntil,
                         uncatchable_s, heldBy, held_s, counted, palmFromBody, palmFromBodyGoal, palmOffset,
-                        slide, slid_m, struggle, unopposed, loose_s, struggle_s, struggling, catchable,
-                        catchableBy);
+                        slide, slid_m, struggle, unopposed, loose_s, struggle_s, struggling, visits, visit_s,
+                        linger_s, visitRest_s, catchable, catchableBy);
     }
 };
 

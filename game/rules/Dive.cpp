@@ -1,5 +1,6 @@
 #include "game/rules/Dive.h"
 
+#include "game/rules/Curiosity.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Holding.h"
 #include "game/rules/Intent.h"
@@ -29,7 +30,7 @@ void Dive::begin(uint64_t seed) {
         hand.grasp.window = 0;
         hand.intent = {};
         hand.lastMiss = Miss::None;
-        hand.stung_s = 0;
+        hand.stung_s = hand.rested_s = hand.nextVisit_s = 0;
     }
     state_.contacts.clear();
     spawnFish(files_, state_.random, state_.fish);
@@ -54,10 +55,11 @@ void Dive::step(const TickInput& input, Events& events) {
     const bool diving = s.phase == Phase::Diving;
     trackHands(input, s.view, s.hands);
     readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist);
-    frightenByHands(s.hands, files_.species, s.fish, s.random, events);
+    frightenByHands(s.hands, temperOf(rules_), files_.species, s.fish, s.random, events);
     followHands(s.hands, s.fish);
     touch(events);
     closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, rules_.assist, s.tick, diving}, events);
+    if (rules_.curious) chooseVisitors(s.hands, s.view, files_.species, s.fish, s.random);
     swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark}, neighbours_, s.random);
     advanceShark(events);
     countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);
@@ -77,7 +79,8 @@ void Dive::touch(Events& events) {
         for (const physics::Contact& contact : own) feel(contact, fish, s.hands);
         s.score.species[static_cast<size_t>(fish.species)].touched = true;
         if (fish.heldBy < 0)
-            pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, s.random, events);
+            pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, temperOf(rules_), s.random,
+                     events);
     });
     for (Fish& fish : s.fish) fish.nervous_s = std::max(0.0f, fish.nervous_s - 0.1f * kDt);
 }

@@ -16,7 +16,8 @@ enum class Assist { None, Normal, Strong };
 struct DiveRules {
     Assist assist = Assist::None;
     bool freeSwim = false; // no clock, no shark, no goals
-    bool curious = false;  // fish come to look at a hand that rests (game/rules/Curiosity.h)
+    // Fish come to look at a hand that rests (game/rules/Curiosity.h), and do not mind a head that turns.
+    bool curious = false;
 
     bool operator==(const DiveRules&) const = default;
 };

@@ -1,5 +1,6 @@
 #include "game/rules/FishBehaviour.h"
 
+#include "game/rules/Curiosity.h"
 #include "game/rules/Holding.h"
 #include "game/rules/Intent.h"
 #include "game/rules/Steering.h"
@@ -114,8 +115,8 @@ void startle(Fish& f, int id, glm::vec3 from, Random& random, Events& events) {
     events.push_back({.kind = EventKind::Startle, .creature = id, .position = f.position});
 }
 
-void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<Fish> fish, Random& random,
-                     Events& events) {
+void frightenByHands(const Hands& hands, const Temper& temper, const SpeciesTable& species,
+                     std::span<Fish> fish, Random& random, Events& events) {
     for (const Hand& hand : hands) {
         if (!hand.solid) continue;
         for (size_t i = 0; i < fish.size(); ++i) {
@@ -127,7 +128,8 @@ void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<
             const float distance = glm::length(apart);
             if (distance > 0.8f || distance < 1e-4f) continue;
             // A hand coming on at 1.2 m/s is noticed at 0.23 m, at 3 m/s at 0.5 m.
-            const float closing = glm::dot(hand.calmVelocity - f.velocity, apart / distance);
+            const glm::vec3 velocity = temper.mindsTurning ? hand.calmVelocity : hand.ownVelocity;
+            const float closing = glm::dot(velocity - f.velocity, apart / distance);
             if (closing < 1.2f || distance > shyness * (0.05f + 0.15f * closing)) continue;
             startle(f, static_cast<int>(i), hand.graspCentre, random, events);
         }
@@ -193,18 +195,32 @@ Desire cruise(const Fish& f, const Species& kind, const Place& place, const Neig
     return desire;
 }
 
+// To the place before the palm, slowly at the end, where it hovers and looks at the hand.
+Desire visit(const Fish& f, const Hand& hand) {
+    Desire desire;
+    const glm::vec3 apart = visitedPlace(hand) - f.position;
+    const float distance = glm::length(apart);
+    const float share = std::min(1.0f, distance / kVisitSlow_m);
+    const glm::vec3 looks = normalizedOr(hand.graspCentre - f.position, f.forward);
+    desire.speed = 1.3f * f.cruise * share;
+    desire.way = normalizedOr(apart, looks) * (f.cruise * share) + looks * (0.2f * f.cruise);
+    return desire;
+}
+
 // Round the player's head.
 void avoidEyes(const Fish& f, float length_m, Desire& desire) {
     const float distance = glm::length(f.position);
     const float room = distance - kEyeRoom_m - 0.5f * length_m;
-    if (room < kEyeShy_m && distance > 1e-4f)
-        desire.way += f.position / distance * (2.5f * (1 - room / kEyeShy_m) * std::max(f.cruise, f.speed));
+    const float shy_m = f.visits >= 0 ? 0.3f * kEyeShy_m : kEyeShy_m;
+    if (room < shy_m && distance > 1e-4f)
+        desire.way += f.position / distance * (2.5f * (1 - room / shy_m) * std::max(f.cruise, f.speed));
 }
 
 // A slow hand is merely swum around.
 void avoidHands(const Fish& f, const Hands& hands, Desire& desire) {
-    for (const Hand& hand : hands) {
-        if (!hand.visible || darts(f)) continue;
+    for (int h = 0; h < 2; ++h) {
+        const Hand& hand = hands[h];
+        if (!hand.visible || darts(f) || f.visits == h) continue;
         const glm::vec3 apart = f.position - hand.graspCentre;
         const float distance = glm::length(apart);
         if (distance < 0.25f && distance > 1e-4f)
@@ -237,15 +253,17 @@ void avoidFloor(const Fish& f, float floor_m, Desire& desire) {
 Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) {
     const Species& kind = s.species[f.species];
     const Place place = placeOf(f.position);
-    Desire desire =
-        darts(f) ? flee(f, kind, place, s.dive.schools[f.school]) : cruise(f, kind, place, around);
+    const bool visits = f.visits >= 0 && !darts(f);
+    Desire desire = darts(f) ? flee(f, kind, place, s.dive.schools[f.school])
+                    : visits ? visit(f, s.hands[f.visits])
+                             : cruise(f, kind, place, around);
     avoidEyes(f, kind.length_m, desire);
     avoidHands(f, s.hands, desire);
     avoidShark(f, kind, s.shark, s.species, desire);
     desire.way += around.giveWay * (desire.afraid ? 3.5f : 1.0f);
     if (!desire.afraid) // brakes for who is in its way
-        desire.speed =
-            std::max(0.3f * f.cruise, desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
+        desire.speed = std::max(visits ? 0.0f : 0.3f * f.cruise,
+                                desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
     avoidFloor(f, s.dive.floor_m, desire);
     return desire;
 }

@@ -70,25 +70,28 @@ struct Hand {
     Joints joints{}, before{};
     std::array<glm::vec3, hands::kJointCount> velocities{}; // of the joints, smoothed over about 25 ms
     glm::vec3 graspCentre{0};
-    glm::vec3 velocity{0};                               // of the palm, over the last tick
-    glm::vec3 calmVelocity{0};                           // the same, smoothed over about 50 ms
-    glm::vec3 calmAcceleration{0};                       // of the calm velocity, m/s2
-    float grip = 0;                                      // 0 open to 1 fist
+    glm::vec3 velocity{0};         // of the palm, over the last tick
+    glm::vec3 calmVelocity{0};     // the same, smoothed over about 50 ms
+    glm::vec3 ownVelocity{0};      // the same against the head, which may turn; without the help's part
+    glm::vec3 calmAcceleration{0}; // of the calm velocity, m/s2
+    float grip = 0;                // 0 open to 1 fist
     std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
     Grasp grasp;
     Intent intent;
     FingerWrap fingers;
     Miss lastMiss = Miss::None; // None: it took hold since
     float sinceMiss_s = 0;
-    float stung_s = 0; // left of a sting: it holds nothing
+    float stung_s = 0;     // left of a sting: it holds nothing
+    float rested_s = 0;    // how long it has rested, open and in view
+    float nextVisit_s = 0; // until the next fish may come to look at it
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
 
     auto fields() const {
         return std::tie(visible, known, lastGood, untrackedTicks, solid, joints, before, velocities,
-                        graspCentre, velocity, calmVelocity, calmAcceleration, grip, touching, grasp, intent,
-                        fingers, lastMiss, sinceMiss_s, stung_s);
+                        graspCentre, velocity, calmVelocity, ownVelocity, calmAcceleration, grip, touching,
+                        grasp, intent, fingers, lastMiss, sinceMiss_s, stung_s, rested_s, nextVisit_s);
     }
 };
 using Hands = std::array<Hand, 2>; // left, right

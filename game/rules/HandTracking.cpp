@@ -18,7 +18,7 @@ bool nearUnit(const glm::quat& q) {
 
 // A hand that starts anew does not move as far as fish are concerned, and takes hold of nothing.
 void stop(Hand& hand) {
-    hand.velocity = hand.calmVelocity = hand.calmAcceleration = glm::vec3(0);
+    hand.velocity = hand.calmVelocity = hand.ownVelocity = hand.calmAcceleration = glm::vec3(0);
     hand.velocities.fill(glm::vec3(0));
     hand.grasp.window = 0;
 }
@@ -54,10 +54,14 @@ void startGrasp(Hand& hand) {
     hand.grasp.firmest = std::max(hand.grip, kGripOpens);
 }
 
-void updateVelocities(Hand& hand) {
+// palmBefore: in the last tick, viewer's frame.
+void updateVelocities(glm::vec3 palmBefore, const Viewpoint& view, Hand& hand) {
     hand.velocity = (hand.palm().position - hand.before[hands::kPalmJoint].position) / kDt;
     const glm::vec3 change = (hand.velocity - hand.calmVelocity) * (1.0f / 6);
     hand.calmVelocity += change;
+    const glm::vec3 own =
+        view.worldFromView * ((hand.lastGood.joints[hands::kPalmJoint].position - palmBefore) / kDt);
+    hand.ownVelocity += (own - hand.ownVelocity) * (1.0f / 6);
     hand.calmAcceleration += (change / kDt - hand.calmAcceleration) * (1.0f / 6);
     for (int j = 0; j < hands::kJointCount; ++j) {
         const glm::vec3 now = (hand.joints[j].position - hand.before[j].position) / kDt;
@@ -67,6 +71,7 @@ void updateVelocities(Hand& hand) {
 
 void trackHand(const hands::HandPose& given, const Viewpoint& view, Hand& hand) {
     const bool appears = !hand.visible;
+    const glm::vec3 palmBefore = hand.lastGood.joints[hands::kPalmJoint].position;
     believe(given, hand);
     hand.touching = {};
     hand.fingers.pressCount = 0;
@@ -84,7 +89,7 @@ void trackHand(const hands::HandPose& given, const Viewpoint& view, Hand& hand) 
         hand.before = hand.joints;
         stop(hand);
     } else
-        updateVelocities(hand);
+        updateVelocities(palmBefore, view, hand);
 }
 
 } // namespace

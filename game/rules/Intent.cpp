@@ -20,7 +20,7 @@ struct Help {
 };
 constexpr std::array<Help, 3> kHelp = {{
     {kGraspRadius_m, kGraspRadius_m, 0},
-    {0.11f, 0.19f, 0.05f},
+    {0.10f, 0.18f, 0.05f},
     {0.17f, 0.30f, 0.10f},
 }}; // by Assist
 
@@ -38,7 +38,7 @@ constexpr float kPull_mps2 = 30;       // of a fish into the hand
 constexpr float kShow_Hz = 12;         // easing of what is shown
 
 // Distance of the fish from the hand in units of the range, 0 in the hand to 1 at its edge and beyond, as
-// both will be in kLook_s; very large where the hand cannot mean it.
+// both will be soon; very large where the hand cannot mean it.
 float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpoint& view, const Help& help) {
     constexpr float kNever = std::numeric_limits<float>::max();
     if (!f.free() || f.uncatchable_s > 0 || kind.stings) return kNever;
@@ -59,9 +59,9 @@ float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpo
         return std::sqrt(along * along / (help.along_m * help.along_m) +
                          across * across / (help.across_m * help.across_m));
     };
-    // The better of now and soon: a fish in the hand is not lost because it will swim through.
-    const float reach = std::min(gapAt(hand.graspCentre), gapAt(hand.graspCentre - apart * kLook_s));
-    return reach + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
+    const float now = gapAt(hand.graspCentre), soon = gapAt(hand.graspCentre - apart * kLook_s);
+    // The better of both: a fish in the hand is not lost because it will swim through.
+    return std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
 }
 
 void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,

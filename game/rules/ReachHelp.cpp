@@ -14,7 +14,7 @@ constexpr float kNear_m = 0.3f, kFar_m = 1.5f;
 // The cone around the ray, beyond the fish's own outline: full help up to the first angle, none from the
 // second on. Tangents: 4 and 12 degrees.
 constexpr float kFull = 0.07f, kNone = 0.21f;
-constexpr float kKeep = 0.06f;        // advantage of the fish kept to, in the same units...
+constexpr float kKeptTo = 0.06f;      // advantage of the fish kept to, in the same units...
 constexpr float kNearerPer_m = 0.08f; // ...and of a metre's less distance
 constexpr float kLead_s = 0.15f;      // the hand comes so late behind what it follows
 
@@ -47,7 +47,7 @@ std::optional<float> ReachHelp::update(const Snapshot& now, const SpeciesTable& 
         const auto here = seen(creature, now, species, ray);
         if (!here || here->beside >= kNone) continue;
         const int id = static_cast<int>(creature.id);
-        const float cost = here->beside + kNearerPer_m * here->along_m - (id == target_ ? kKeep : 0);
+        const float cost = here->beside + kNearerPer_m * here->along_m - (id == target_ ? kKeptTo : 0);
         if (best && cost >= bestCost) continue;
         best = here;
         bestCost = cost;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kTires_s = 3;    // of a chase...
 constexpr float kTiredFor_s = 5; // ...and tries that fish no more for so long
+constexpr float kWaits_s = 3;    // for a fish to come
 constexpr float kTurn_radps = 1.2f;
 constexpr float kJudgement_m = 0.05f; // error of depth with a hand in space, at first
 constexpr glm::vec3 kHandRests(0.12f, -0.15f, -0.55f);
@@ -65,6 +66,9 @@ Action Player::frame(const game::Snapshot& shown, double time_s) {
             [[fallthrough]];
         case Doing::Looking:
             look(time_s);
+            break;
+        case Doing::Waiting:
+            wait(time_s);
             break;
         case Doing::Chasing:
             chase(time_s);
@@ -129,9 +133,21 @@ void Player::look(double time_s) {
 
 void Player::giveUp(double time_s) {
     tiredOf_[target_] = time_s + static_cast<double>(kTiredFor_s);
-    doing_ = Doing::Looking;
+    doing_ = Doing::Waiting;
     since_s_ = time_s;
     target_ = -1;
+}
+
+// The hand rests where it is, in the way of whoever comes.
+void Player::wait(double time_s) {
+    for (const SeenFish& fish : eyes_.now().fish)
+        if (fish.marked) {
+            target_ = fish.id;
+            return close(time_s);
+        }
+    if (time_s - since_s_ < static_cast<double>(kWaits_s)) return;
+    doing_ = Doing::Looking;
+    since_s_ = time_s;
 }
 
 // Where to bring the pointer or the hand. ahead_s: since what is seen, in which the practised expect the fish
@@ -194,7 +210,10 @@ void Player::chase(double time_s) {
         judged_s_ = time_s;
     }
     point(*fish, time_s);
-    if (!looksRight(*fish, time_s)) return;
+    if (looksRight(*fish, time_s)) close(time_s);
+}
+
+void Player::close(double time_s) {
     close_ = true;
     doing_ = Doing::Holding;
     since_s_ = time_s;

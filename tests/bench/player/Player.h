@@ -51,9 +51,11 @@ class Player {
     Action frame(const game::Snapshot& shown, double time_s);
 
   private:
-    enum class Doing { Looking, Chasing, Holding, Resting };
+    enum class Doing { Looking, Waiting, Chasing, Holding, Resting };
 
     void look(double time_s);
+    void wait(double time_s);
+    void close(double time_s);
     void chase(double time_s);
     void hold(double time_s);
     void point(const SeenFish&, double time_s);

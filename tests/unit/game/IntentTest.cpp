@@ -68,7 +68,7 @@ TEST(Intent, TheHelpReachesFartherWithEachStrengthAndNotAtAllWithNone) {
                 strong = reachAlong(Assist::Strong);
     // Of the grasp centre from the body's middle: the range along the line of sight plus the body's radius.
     EXPECT_LT(none, 0.11f);
-    EXPECT_GT(normal, 0.17f);
+    EXPECT_GT(normal, 0.15f);
     EXPECT_LT(normal, 0.25f);
     EXPECT_GT(strong, normal + 0.05f);
 }

@@ -46,7 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"PractisedAtTheMouse", {Skill::Practised, Device::Mouse, kNormal}, 10, 18, 90},
         Case{"PractisedAtTheMouseUnassisted", {Skill::Practised, Device::Mouse, kNone}, 4, 100, 90},
         Case{"NoviceWithHands", {Skill::Novice, Device::Hands, kNormal}, 4, 100, 45},
-        Case{"PractisedWithHands", {Skill::Practised, Device::Hands, kNormal}, 10, 18, 90}),
+        Case{"PractisedWithHands", {Skill::Practised, Device::Hands, kNormal}, 10, 18, 90},
+        Case{"PractisedWithHandsUnassisted", {Skill::Practised, Device::Hands, kNone}, 4, 100, 90}),
     [](const auto& parameter) { return std::string(parameter.param.name); });
 
 } // namespace

@@ -1,0 +1,95 @@
+#include "game/rules/Curiosity.h"
+
+#include "game/rules/Steering.h"
+
+#include <limits>
+
+namespace shoal::game {
+
+namespace {
+
+constexpr float kStill_mps = 0.2f; // a hand slower than this rests...
+constexpr float kFast_mps = 0.6f;  // ...until it is faster than this
+constexpr float kRest_s = 1;       // of rest before the first comes
+constexpr float kNext_s = 2;       // between two
+constexpr int kVisitors = 2;       // at a time, to a hand
+constexpr float kInView = 0.82f;   // cosine of the angle from the middle of the view: 35 degrees
+constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // from the hand, of those who may come
+constexpr float kComes_s = 7;                           // on its way for no longer...
+constexpr float kThere_m = 0.12f;                       // ...until it is there
+constexpr float kBefore_m = 0.06f;                      // the grasp centre, out of the palm
+
+bool isStill(const Hand& hand, const Viewpoint& view) {
+    const bool open = hand.visible && hand.solid && hand.grip < kGripOpens && hand.stung_s == 0;
+    const glm::vec3 ahead = view.worldFromView * glm::vec3(0, 0, -1);
+    const glm::vec3 way = normalizedOr(hand.graspCentre - view.headWorld, ahead);
+    return open && glm::dot(way, ahead) > kInView && glm::length(hand.calmVelocity) < kStill_mps;
+}
+
+void noteRest(Hand& hand, const Viewpoint& view) {
+    if (isStill(hand, view))
+        hand.rested_s += kDt;
+    else if (!hand.visible || hand.grip > kGripCloses || glm::length(hand.calmVelocity) > kFast_mps)
+        hand.rested_s = 0;
+    hand.nextVisit_s = std::max(0.0f, hand.nextVisit_s - kDt);
+}
+
+void leave(Fish& f, Random& random) {
+    f.visits = -1;
+    f.visitRest_s = random.between(6, 14);
+}
+
+void advanceVisit(Fish& f, const Hands& hands, Random& random) {
+    f.visitRest_s = std::max(0.0f, f.visitRest_s - kDt);
+    if (f.visits < 0) return;
+    const Hand& hand = hands[f.visits];
+    const bool there = glm::distance(f.position, visitedPlace(hand)) < kThere_m;
+    f.visit_s -= there ? kDt : kDt * (f.linger_s / kComes_s);
+    if (f.state != Fish::State::Cruise || hand.rested_s == 0 || f.visit_s <= 0) leave(f, random);
+}
+
+// The nearest, the more curious from farther away; from before the player, so that it is seen to come.
+int nextVisitor(const Hand& hand, const Viewpoint& view, const SpeciesTable& species,
+                std::span<const Fish> fish) {
+    int best = -1;
+    float bestCost = std::numeric_limits<float>::max();
+    const glm::vec3 ahead = view.worldFromView * glm::vec3(0, 0, -1);
+    for (size_t i = 0; i < fish.size(); ++i) {
+        const Fish& f = fish[i];
+        const float curiosity = species[f.species].curiosity;
+        if (f.state != Fish::State::Cruise || f.visits >= 0 || f.visitRest_s > 0) continue;
+        if (curiosity <= 0 || f.uncatchable_s > 0 || f.frightRest_s > 0) continue;
+        const float distance = glm::distance(f.position, hand.graspCentre);
+        if (distance < kNearest_m || distance > kFarthest_m) continue;
+        if (glm::dot(f.position - view.headWorld, ahead) < 0.3f) continue;
+        const float cost = distance / curiosity;
+        if (cost < bestCost) bestCost = cost, best = static_cast<int>(i);
+    }
+    return best;
+}
+
+} // namespace
+
+glm::vec3 visitedPlace(const Hand& hand) { return hand.graspCentre + hand.outOfPalm() * kBefore_m; }
+
+void chooseVisitors(Hands& hands, const Viewpoint& view, const SpeciesTable& species, std::span<Fish> fish,
+                    Random& random) {
+    for (Hand& hand : hands) noteRest(hand, view);
+    std::array<int, 2> visitors{};
+    for (Fish& f : fish) {
+        advanceVisit(f, hands, random);
+        if (f.visits >= 0) ++visitors[f.visits];
+    }
+    for (int h = 0; h < 2; ++h) {
+        Hand& hand = hands[h];
+        if (hand.rested_s < kRest_s || hand.nextVisit_s > 0 || visitors[h] >= kVisitors) continue;
+        hand.nextVisit_s = kNext_s;
+        const int id = nextVisitor(hand, view, species, fish);
+        if (id < 0) continue;
+        Fish& f = fish[id];
+        f.visits = h;
+        f.visit_s = f.linger_s = random.between(2, 4);
+    }
+}
+
+} // namespace shoal::game

@@ -1,0 +1,23 @@
+// Fish come to look at a hand that rests, open and in the player's view, one or two at a time: they swim to
+// about a hand's width before the palm, linger and leave. So fish that are out of reach come within it, and
+// waiting works. A fast or closing hand ends a visit.
+#pragma once
+
+#include "engine/core/Random.h"
+#include "game/rules/Creatures.h"
+#include "game/rules/DiveFile.h"
+#include "game/rules/Hand.h"
+
+#include <span>
+
+namespace shoal::game {
+
+// Every tick: begins and ends visits.
+void chooseVisitors(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Random&);
+
+// Where a fish that visits a hand goes to.
+glm::vec3 visitedPlace(const Hand&);
+
+constexpr float kVisitSlow_m = 0.25f; // from here on it comes slowly
+
+} // namespace shoal::game
