@@ -9,7 +9,11 @@
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 
+#include <stb_image.h>
+
+#include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <thread>
 
 namespace shoal::app {
@@ -73,19 +77,19 @@ Status Application::open() {
     return Done{};
 }
 
-// The program's sign is a disc; what lies outside is seen through.
+// By stb_image: readPicture() would load OpenCV's codecs at every start (engine/media/Codecs.h), and drops
+// alpha.
 void Application::setIcon() {
-    const auto picture = media::readPicture(dataRoot() / "content/icon.png");
-    if (!picture) return log::warn("{}", picture.error().message());
-    ImageRgba8 icon(picture->width, picture->height);
-    const glm::vec2 middle = glm::vec2(icon.width, icon.height) / 2.0f;
-    const float radius = 0.95f * std::min(middle.x, middle.y);
-    for (int y = 0; y < icon.height; ++y)
-        for (int x = 0; x < icon.width; ++x) {
-            const float outside = glm::distance(glm::vec2(x, y) + 0.5f, middle) - radius;
-            std::copy_n(picture->at(x, y), 3, icon.at(x, y));
-            icon.at(x, y)[3] = static_cast<uint8_t>(255 * std::clamp(0.5f - outside, 0.0f, 1.0f));
-        }
+    const Path file = dataRoot() / "content/icon.png";
+    const auto bytes = readFile(file, 1u << 20);
+    if (!bytes) return log::warn("{}", bytes.error().message());
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(bytes->data(), static_cast<int>(bytes->size()), &width, &height, &channels, 4),
+        stbi_image_free);
+    if (!pixels) return log::warn("{}: is not a picture that can be read", file.string());
+    ImageRgba8 icon(width, height);
+    std::copy_n(pixels.get(), icon.pixels.size(), icon.pixels.begin());
     window_->setIcon(icon);
 }
 
