@@ -116,18 +116,18 @@ class HandSkin:
         """Metres above the smooth solid."""
         x, y, z = p.T
         back = step(0.0, 0.5, n_up)
-        h = -0.00034 * self.creases(p, n_up)
+        h = -0.00050 * self.creases(p, n_up)
         # fine net of skin lines and pores
         a = paint.noise(91, x * 1300, y * 1300, z * 900) + 0.6 * paint.noise(92, x * 2300, y * 2300, z * 2300)
-        h = h + 0.000030 * a + 0.00006 * paint.fbm(93, x * 330, y * 330, z * 330, octaves=2)
+        h = h + 0.000050 * a + 0.00011 * paint.fbm(93, x * 330, y * 330, z * 330, octaves=2)
         # sinews and veins of the back
         hand = self.hand
         for finger in FINGERS[1:]:
             head, base = hand.at(f'{finger}_proximal'), hand.at('wrist') * 0.5 + hand.at(f'{finger}_metacarpal') * 0.5
             t = np.clip((z - base[2]) / (head[2] - base[2]), 0, 1)
             d = x - (base[0] + (head[0] - base[0]) * t)
-            h = h + 0.00045 * back * bump(d, 0.0022) * step(0.1, 0.5, t) * step(1.04, 0.93, (z - base[2]) / (head[2] - base[2]))
-        h = h + 0.00028 * back * self.veins(p)
+            h = h + 0.00060 * back * bump(d, 0.0022) * step(0.1, 0.5, t) * step(1.04, 0.93, (z - base[2]) / (head[2] - base[2]))
+        h = h + 0.00038 * back * self.veins(p)
         for finger in FINGERS:
             inside, across, along = self.nail_inside(finger, p)
             plate = step(-0.0002, 0.0003, inside)
@@ -173,8 +173,8 @@ class HandSkin:
         for name, tone in TONES.items():
             c = mix(rgb(tone.back), rgb(tone.palm), palm) * uneven
             c = mix(c, rgb(tone.flush), 0.60 * np.clip(red, 0, 1))
-            c = mix(c, rgb(tone.vein), 0.10 * back * veins)
-            c = mix(c, rgb(tone.fold), 0.42 * folds)
+            c = mix(c, rgb(tone.vein), 0.17 * back * veins)
+            c = mix(c, rgb(tone.fold), 0.50 * folds)
             c = mix(c, rgb(tone.speck), 0.20 * speck)
             for inside, across, along in nails:
                 c = mix(c, rgb(tone.fold), 0.40 * bump(inside + 0.0001, 0.0006))
