@@ -14,7 +14,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
 
-ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'boxfish', 'idol', 'ray', 'shark', 'jellyfish')
+ANIMALS = ('clownfish', 'angelfish', 'snapper', 'sardine', 'boxfish', 'idol', 'ray', 'shark', 'jellyfish', 'humpback')
 HANDS = ('hand_left', 'hand_right')
 ARMS = ('arm_left', 'arm_right')
 

@@ -23,15 +23,16 @@ def thrash(strength=1.0):
     return lateral
 
 
-def add_clip(glb, rig, nodes, name, duration, keys, lateral, fins=None, roll=None, lift=None):
-    """fins(phase) -> {joint name: quaternions}; roll(phase): radians about Z; lift(phase): metres."""
+def add_clip(glb, rig, nodes, name, duration, keys, lateral, fins=None, roll=None, lift=None, upright=True):
+    """upright: the spine bends sideways, as a fish's does; else up and down, as a whale's. fins(phase) -> {joint name: quaternions}; roll(phase): radians about Z; lift(phase): metres."""
     times, sway, turn = rig.bend(lateral, duration, keys)
     phase = times / duration
     start = rig.positions[0]
     up = lift(phase) if lift else 0 * phase
-    channels = [(nodes[0], 'translation', np.stack([sway, start[1] + up, 0 * sway + start[2]], -1))]
+    places = [sway, start[1] + up, 0 * sway + start[2]] if upright else [0 * sway, start[1] + up + sway, 0 * sway + start[2]]
+    channels = [(nodes[0], 'translation', np.stack(places, -1))]
     for i in range(len(rig.s)):
-        q = quaternion([0, 1, 0], turn[:, i])
+        q = quaternion([0, 1, 0], turn[:, i]) if upright else quaternion([1, 0, 0], -turn[:, i])
         if i == 0 and roll:
             q = quaternion_product(quaternion([0, 0, 1], roll(phase)), q)
         channels.append((nodes[i], 'rotation', q))

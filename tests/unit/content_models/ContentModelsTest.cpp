@@ -270,6 +270,31 @@ TEST_P(Hands, EndInAWrist) {
     EXPECT_LE(end_m, 0.035f);
 }
 
+// What is no fish: it pulses, or bends up and down, and yet can be a species of a dive.
+TEST(OtherAnimals, AreAsLargeAsInLifeAndHoldTheClipsThatTheGamePlays) {
+    struct Case {
+        const char* name;
+        glm::vec3 size_m; // across, high, long
+    };
+    for (const Case& animal : {Case{"jellyfish", {0.2f, 0.42f, 0.2f}}, Case{"humpback", {7.1f, 3.0f, 12}}}) {
+        const Model model = load(animal.name);
+        Pose pose;
+        restPose(model, pose);
+        updateGlobals(model, pose);
+        const Bounds bounds = posedBounds(model, pose);
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR((bounds.high - bounds.low)[axis] / animal.size_m[axis], 1, 0.15f)
+                << animal.name << axis;
+        for (const char* clip : {"swim", "dart", "struggle"}) {
+            const int index = model.findAnimation(clip);
+            ASSERT_GE(index, 0) << animal.name << ' ' << clip;
+            EXPECT_GE(model.animations[static_cast<size_t>(index)].duration_s, 0.4f);
+            EXPECT_LE(model.animations[static_cast<size_t>(index)].duration_s, 1.6f);
+        }
+        EXPECT_LE(triangles(model), 6000u);
+    }
+}
+
 struct HandPoseCase {
     const char* name;
     hands::HandShape shape;
