@@ -39,7 +39,8 @@ Status Application::run(bool measured) {
 Mode Application::firstMode() const {
     const bool person = !config_.script && !config_.replay;
     const bool watched = window_ && !options_.timedemo && !options_.at_s && options_.record.empty();
-    const bool asked = options_.start == Start::Dive || options_.freeSwim || !options_.dive.empty();
+    const bool asked =
+        options_.start == Start::Dive || options_.freeSwim || options_.xr || !options_.dive.empty();
     const bool title = options_.start == Start::Title || (options_.start == Start::Auto && !asked);
     if (person && watched && title) return Mode::Title;
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;

@@ -383,6 +383,7 @@ MenuPage Screens::pausedPage() {
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
+    if (options_.xr) page.note = in("Close a hand: go on");
     if (facts.freeSwim) return page;
     for (size_t i = 0; i < facts.results.goals.size() && i < facts.dive->goals.size(); ++i)
         page.text.push_back((facts.results.goals[i].reached ? "\u2713 " : "\u25a1 ") +
@@ -418,6 +419,7 @@ MenuPage Screens::resultsPage() {
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     page.note = filled(in("Seed {}"), facts.seed);
+    if (options_.xr) page.note = in("Close both hands: dive again") + std::string("   ") + page.note;
     return page;
 }
 

@@ -1,5 +1,7 @@
 #include "game/session/GameSession.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <random>
@@ -38,6 +40,13 @@ HandSource makeSource(const SessionConfig& config) {
     return MouseSource(config.rig, config.species);
 }
 
+sim::RecordingHeader headerOf(const game::Dive& dive,
+                              const std::map<std::string, std::string>& inputSettings) {
+    sim::RecordingHeader header = game::recordingHeader(dive);
+    header.settings.insert(inputSettings.begin(), inputSettings.end());
+    return header;
+}
+
 } // namespace
 
 uint64_t drawnSeed() {
@@ -50,6 +59,8 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     config.hands = options.hands;
     config.live = !options.headless && !options.timedemo;
     config.rules = {options.assist, options.freeSwim, true};
+    config.inputSettings = {{"speed", fmt::format("{}", options.speed)},
+                            {"closing", enumName(options.controls.closing)}};
     config.seed = options.seed ? *options.seed : config.live ? drawnSeed() : 1;
     std::string diveName = options.dive.empty() ? kFirstDive : options.dive;
     if (Status s = handSourceFor(options).moveTo(config.handSource); !s) return s.error();
@@ -86,7 +97,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
 
 GameSession::GameSession(const SessionConfig& config)
     : source(makeSource(config)), dive(config.species, config.dive, config.seed, config.rules),
-      recording(game::recordingHeader(dive), 16384) {
+      recording(headerOf(dive, config.inputSettings), 16384) {
     if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
         tracked.emplace(config.handSource, config.hands, config.rig, config.live);
     events.reserve(256);

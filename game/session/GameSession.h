@@ -8,7 +8,9 @@
 #include "game/session/HandSource.h"
 #include "game/settings/PlayOptions.h"
 
+#include <map>
 #include <optional>
+#include <string>
 
 namespace shoal::app {
 
@@ -17,6 +19,8 @@ struct SessionConfig {
     game::SpeciesTable species;
     game::DiveFile dive;
     game::DiveRules rules;
+    // How the inputs were made, for a recording's header; a replay does not need it.
+    std::map<std::string, std::string> inputSettings;
     hands::HandRig rig;
     uint64_t seed = 1;
     HandSourceChoice handSource;

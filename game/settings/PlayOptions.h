@@ -134,7 +134,7 @@ struct PlayOptions {
         table.add(
             "--start", choice(start),
             "What the game begins with: title or dive; auto: title, where a person plays in a window and "
-            "has named no dive");
+            "has named no dive; in a headset the dive begins at once");
         table
             .addKept("!--no-first-steps", &firstSteps,
                      "A player's first dive begins at once, without the steps that teach how to catch")
