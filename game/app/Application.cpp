@@ -28,9 +28,9 @@ Status Application::run(bool measured) {
         if (Status done = frame(measured); !done) return done;
         if (const auto request = screens_.takeRequest())
             if (Status answered = answer(*request); !answered) return answered;
+        if (isOver()) break; // first: a player who leaves while a film loads has ended the session
         if (play_->stepsDone_s > kStepsStay_s)
             if (Status begun = endFirstSteps(); !begun) return begun;
-        if (isOver()) break;
     }
     return endPlay(measured);
 }
