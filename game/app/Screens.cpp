@@ -371,6 +371,13 @@ MenuPage Screens::guidePage() {
     return page;
 }
 
+void Screens::addGoals(MenuPage& page) const {
+    const auto& reached = facts.results.goals;
+    for (size_t i = 0; i < reached.size() && i < facts.dive->goals.size(); ++i)
+        page.text.push_back((reached[i].reached ? "\u2713 " : "\u25a1 ") +
+                            goalText(facts.dive->goals[i], *facts.species, language()));
+}
+
 MenuPage Screens::pausedPage() {
     button("Resume", [this] { ask(Request::Kind::Resume); });
     if (facts.firstSteps)
@@ -385,9 +392,7 @@ MenuPage Screens::pausedPage() {
     MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
     if (options_.xr) page.note = in("Close a hand: go on");
     if (facts.freeSwim) return page;
-    for (size_t i = 0; i < facts.results.goals.size() && i < facts.dive->goals.size(); ++i)
-        page.text.push_back((facts.results.goals[i].reached ? "\u2713 " : "\u25a1 ") +
-                            goalText(facts.dive->goals[i], *facts.species, language()));
+    addGoals(page);
     return page;
 }
 
@@ -402,9 +407,7 @@ MenuPage Screens::resultsPage() {
                      named((*facts.species)[i].name);
     if (!tally.empty()) page.text.back() += ":  " + tally;
     if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
-    for (size_t i = 0; i < s.goals.size() && i < facts.dive->goals.size(); ++i)
-        page.text.push_back((s.goals[i].reached ? "\u2713 " : "\u25a1 ") +
-                            goalText(facts.dive->goals[i], *facts.species, language()));
+    addGoals(page);
     const DiveScores& before = facts.scores;
     if (s.score > (before.top.empty() ? 0 : before.top.front()))
         page.text.emplace_back(in("Your best dive yet"));

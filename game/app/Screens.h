@@ -129,6 +129,7 @@ class Screens {
     void button(game::Text label, std::function<void()> act);
     void itemButton(std::string label, std::function<void()> act); // named by content, not by a text
     void backButton();
+    void addGoals(MenuPage& page) const; // of the dive, and which are reached
     void settingEntry(size_t row);
     void keepRow(size_t row);
     void changed(size_t row);
