@@ -163,7 +163,7 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
         const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, offset, bytes, bound, scale, number,
+            items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, bytes, scale, number,
                               body ? body->albedo : glm::vec3(0), highlight});
     }
 }
@@ -190,6 +190,16 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
                  GL_STREAM_DRAW);
 }
 
+std::span<const Sphere> ObjectPass::partsOf(const Object& object) const {
+    return std::span(parts_).subspan(object.firstPart, object.parts);
+}
+
+// By its parts: the sphere around an arm reaches into views that the arm does not.
+bool ObjectPass::isSeen(const Object& object, const View& view) const {
+    return sees(view, object.bound) &&
+           std::ranges::any_of(partsOf(object), [&](const Sphere& part) { return sees(view, part); });
+}
+
 bool ObjectPass::shaded(const Item& item) const {
     return occlusion_ && !layers_ &&
            (item.primitive->withSelfOcclusion ||
@@ -209,9 +219,9 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
-        if (!sees(view, item.bound)) continue;
+        if (!isSeen(objects_[item.object], view)) continue;
         const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
-        const float distance = glm::distance(item.bound.centre, view.eyeWorld);
+        const float distance = glm::distance(boundOf(item).centre, view.eyeWorld);
         order_.push_back({blended, blended ? -distance : distance, i});
     }
     std::sort(order_.begin(), order_.end());
@@ -239,7 +249,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
         if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
             features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
-        else if (lean && isSmall(item.bound, view))
+        else if (lean && isSmall(boundOf(item), view))
             features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= VERTEX_DIFFUSE;
@@ -283,7 +293,7 @@ std::span<const Sphere> ObjectPass::visibleSpheres(const View& view) {
     spheres_.clear();
     for (const Object& object : objects_)
         if (sees(view, object.bound))
-            for (const Sphere& part : std::span(parts_).subspan(object.firstPart, object.parts))
+            for (const Sphere& part : partsOf(object))
                 if (sees(view, part)) spheres_.push_back(part);
     return spheres_;
 }
@@ -326,7 +336,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
         glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_OCCLUDERS, matrixBuffer_.name(),
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
     }
-    const DetailGpu& detail = item.primitive->detail(toleranceFor(item.bound, view, detail_) / item.scale);
+    const DetailGpu& detail = item.primitive->detail(toleranceFor(boundOf(item), view, detail_) / item.scale);
     glBindVertexArray(detail.vertexArray.name());
     triangleCount_ += detail.indexCount / 3;
     glDrawElements(GL_TRIANGLES, detail.indexCount, GL_UNSIGNED_INT, nullptr);

@@ -32,7 +32,7 @@ class ObjectPass {
     // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
     // bound: a sphere in the world that holds the posed model; what lies outside the view is not drawn. body:
     // what it takes from others' light, and they from its own; null: nothing. parts: smaller spheres that
-    // hold it as well, all together, for visibleSpheres(); empty: none are known. highlight: 0 to 1, of a rim
+    // hold it as well, all together; empty: none are known. highlight: 0 to 1, of a rim
     // that marks it for the player.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
              const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body = nullptr,
@@ -57,9 +57,9 @@ class ObjectPass {
     struct Item {
         const ModelGpu* gpu;
         const PrimitiveGpu* primitive;
+        size_t object;       // of objects_
         size_t matrixOffset; // bytes into the buffer of matrices
         size_t matrixBytes;
-        Sphere bound;     // world
         float scale;      // world metres for one of the mesh's units
         int body;         // of near_; -1: none
         glm::vec3 albedo; // mean, of the body that self-occlusion
@@ -67,7 +67,7 @@ class ObjectPass {
     };
 
     struct Object {
-        Sphere bound;
+        Sphere bound;            // world
         size_t firstPart, parts; // of parts_
     };
 
@@ -84,6 +84,9 @@ class ObjectPass {
         float ownStrength = 0;  // which count that much
     };
 
+    const Sphere& boundOf(const Item& item) const { return objects_[item.object].bound; }
+    std::span<const Sphere> partsOf(const Object& object) const;
+    bool isSeen(const Object& object, const View& view) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);

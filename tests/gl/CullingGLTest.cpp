@@ -1,0 +1,47 @@
+// What is not in the view is not drawn.
+#include "Spheres.h"
+
+namespace shoal {
+namespace {
+
+class CullingGL : public WithContext {};
+
+// Draws of an object in the sphere `bound`, by these smaller ones.
+int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
+    render::EnvironmentGpu environment;
+    environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
+    const scene::Model model = sphere(0, 0.5f);
+    const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
+    scene::Pose pose;
+    scene::restPose(model, pose);
+    scene::updateGlobals(model, pose);
+    auto pass = render::ObjectPass::make();
+    EXPECT_TRUE(pass) << pass.error().message();
+    const gl::Target target(16, 16, 1);
+    target.bind();
+    render::View view; // from the origin towards -Z
+    view.verticalFov = 1;
+    pass->begin();
+    pass->add(model, gpu, pose, glm::mat4(1), bound, nullptr, parts);
+    pass->upload(glm::mat3(1));
+    EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {}, {}, render::Glossy::Prefiltered));
+    EXPECT_EQ(pass->visibleSpheres(view).empty(), pass->drawCount() == 0);
+    return pass->drawCount();
+}
+
+TEST_F(CullingGL, ByTheSphereAroundIt) {
+    EXPECT_EQ(drawsOf({{0, 0, -3}, 1}, {}), 1);
+    EXPECT_EQ(drawsOf({{0, 0, 3}, 1}, {}), 0);
+}
+
+// As an arm beside the head does: the sphere around it holds the eye, but no part of it is ahead.
+TEST_F(CullingGL, ByThePartsInThatSphere) {
+    const Sphere around{{0, -1, -0.2f}, 1.5f};
+    const Sphere below{{0, -1.5f, -0.3f}, 0.4f}, ahead{{0, -0.2f, -1}, 0.3f};
+    EXPECT_EQ(drawsOf(around, {}), 1);
+    EXPECT_EQ(drawsOf(around, std::array{below}), 0);
+    EXPECT_EQ(drawsOf(around, std::array{below, ahead}), 1);
+}
+
+} // namespace
+} // namespace shoal
