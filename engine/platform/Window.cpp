@@ -53,7 +53,7 @@ struct Window::State {
         input.keysPressed.clear();
         input.droppedFiles.clear();
         input.wheel = 0;
-        input.leftPressed = false;
+        input.leftPressed = input.middlePressed = false;
     }
     ~State() {
         if (window) glfwDestroyWindow(window);
@@ -101,7 +101,9 @@ Result<Window> Window::open(const WindowOptions& options) {
     });
     glfwSetMouseButtonCallback(state->window, [](GLFWwindow* window, int button, int action, int) {
         WindowInput& input = static_cast<State*>(glfwGetWindowUserPointer(window))->input;
-        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS) input.leftPressed = true;
+        if (action != GLFW_PRESS) return;
+        if (button == GLFW_MOUSE_BUTTON_LEFT) input.leftPressed = true;
+        if (button == GLFW_MOUSE_BUTTON_MIDDLE) input.middlePressed = true;
     });
     glfwSetDropCallback(state->window, [](GLFWwindow* window, int count, const char** files) {
         auto& dropped = static_cast<State*>(glfwGetWindowUserPointer(window))->input.droppedFiles;

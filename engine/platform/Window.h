@@ -40,7 +40,7 @@ struct WindowInput {
     glm::dvec2 cursorMoved{0}; // since the last poll, pixels
     double wheel = 0;          // notches since the last poll, away from the player positive
     bool leftButton = false, rightButton = false;
-    bool leftPressed = false; // went down since the last poll
+    bool leftPressed = false, middlePressed = false; // went down since the last poll
     bool focused = true;
     bool minimised = false;
     bool closing = false;

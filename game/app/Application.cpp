@@ -109,6 +109,7 @@ void Application::readInput() {
         play_->input = &window_->poll();
         leaving_ |= play_->input->closing;
         play_->controls = readControls(*window_, *play_->input, bindings_);
+        noteDevice();
         const bool menus = screens_.isOpen();
         globalActions(play_->controls);
         if (photo_) {
@@ -139,6 +140,16 @@ void Application::readInput() {
                  static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1)));
 }
 
+// Which of them the player has in hand: what is said on the screen follows it.
+void Application::noteDevice() {
+    const platform::WindowInput& input = *play_->input;
+    const platform::Gamepad& pad = input.gamepad;
+    if (!input.keysPressed.empty() || input.leftPressed || input.cursorMoved != glm::dvec2(0))
+        byGamepad_ = false;
+    if (!pad.pressed.empty() || pad.leftStick != glm::vec2(0) || pad.rightStick != glm::vec2(0))
+        byGamepad_ = true;
+}
+
 void Application::readMenuInput() {
     const platform::WindowInput& input = *play_->input;
     if (screens_.capturesKey()) {
@@ -146,6 +157,8 @@ void Application::readMenuInput() {
             screens_.keyPressed(input.keysPressed.front());
         else if (!input.gamepad.pressed.empty())
             screens_.buttonPressed(input.gamepad.pressed.front());
+        else if (input.leftPressed)
+            screens_.cancelCapture();
         return;
     }
     std::array<hands::HandPose, 2> hands{};
@@ -216,8 +229,9 @@ Status Application::answer(const Request& request) {
     case Request::Kind::Photo:
         photo_.emplace(session.shown);
         playFov_deg_ = options_.fov_deg;
-        photoNotice_ =
-            game::Text("Space or a click takes a picture; Esc goes back").in(languageIn(options_.text));
+        photoNotice_ = (byGamepad_ ? game::Text("A takes a picture; B goes back")
+                                   : game::Text("Space or a click takes a picture; Esc goes back"))
+                           .in(languageIn(options_.text));
         screens_.close();
         return Done{};
     case Request::Kind::SettingsChanged:
@@ -255,7 +269,9 @@ void Application::photograph() {
     const bool enter =
         std::ranges::find(play_->input->keysPressed, GLFW_KEY_ENTER) != play_->input->keysPressed.end();
     if (enter || play_->input->leftPressed || controls.was(Action::CloseHand)) savePhotos();
-    if (!controls.was(Action::Pause)) return;
+    const bool back = std::ranges::find(play_->input->gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) !=
+                      play_->input->gamepad.pressed.end();
+    if (!controls.was(Action::Pause) && !back) return;
     photo_.reset();
     photoNotice_.clear();
     options_.fov_deg = playFov_deg_;
@@ -424,7 +440,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const auto* mouse = std::get_if<MouseSource>(&session.source);
     hud_->draw(
         {.part = part,
-         .audience = audience,
+         .audience = audience == Audience::WindowPlayer && byGamepad_ ? Audience::GamepadPlayer : audience,
          .snapshot = &session.shown,
          .view = &view,
          .captions = options_.text.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),

@@ -33,7 +33,8 @@ class Application {
     bool hasPicture() const { return !display_->pictures().empty(); }
     Status saveScreenshot() const;
     const Statistics& statistics() const { return statistics_; }
-    bool leaving() const { return leaving_; } // the player has asked for it
+    bool leaving() const { return leaving_; }           // the player has asked for it
+    const Screens& screens() const { return screens_; } // as they stand over the picture
     bool showsLiveVideo() const { return environment_->live(); }
 
   private:
@@ -73,6 +74,7 @@ class Application {
 
     Status frame(bool measured);
     void readInput();
+    void noteDevice();
     void readMenuInput();
     void globalActions(const Controls& controls);
     Status answer(const Request& request);
@@ -116,6 +118,7 @@ class Application {
     Popups popups_;
     Statistics statistics_; // of the present session
     double volumeShown_s_ = -10;
+    bool byGamepad_ = false; // the player's last input
     bool leaving_ = false;
 };
 

@@ -16,6 +16,22 @@ constexpr std::array<game::Text, 3> kHints = {"A fast hand frightens fish",
                                               "Wait in a fish’s way with an open hand",
                                               "Keep what you hold away from the shark"};
 
+// How the player does a step, with what is in the player's hands.
+game::Text howTo(FirstSteps::Step step, Audience audience) {
+    const bool headset = audience == Audience::HeadsetPlayer, pad = audience == Audience::GamepadPlayer;
+    if (step == FirstSteps::Step::Look)
+        return headset ? "Turn your head"
+               : pad   ? game::Text("Left stick")
+                       : "Arrow keys, or hold the right mouse button and move";
+    if (step == FirstSteps::Step::Reach)
+        return headset ? "Move slowly: a fast hand frightens fish"
+               : pad   ? game::Text("Right stick, slowly: a fast hand frightens fish")
+                       : "Move the mouse slowly: a fast hand frightens fish";
+    return headset ? "For one second"
+           : pad   ? game::Text("Hold the right trigger for one second")
+                   : "Hold the left mouse button for one second";
+}
+
 float eased(float t) {
     t = std::clamp(t, 0.0f, 1.0f);
     return t * t * (3 - 2 * t);
@@ -122,20 +138,15 @@ hands::HandPose FirstSteps::ghost(const render::View& view, bool hasTarget) cons
 void FirstSteps::draw(const Pen& pen, const render::View& view) const {
     if (step_ == Step::Done) return;
     drawGhost(pen, view, ghost(view, target_.has_value()));
-    const bool headset = pen.audience == Audience::HeadsetPlayer;
     const std::array<const char*, 3> titles = {pen.in("Look around"),
                                                pen.in("Reach for a fish until it glows"),
                                                pen.in("Close your hand and hold the fish")};
-    const std::array<const char*, 3> hows = {
-        headset ? pen.in("Turn your head") : pen.in("Arrow keys, or hold the right mouse button and move"),
-        headset ? pen.in("Move slowly: a fast hand frightens fish")
-                : pen.in("Move the mouse slowly: a fast hand frightens fish"),
-        headset ? pen.in("For one second") : pen.in("Hold the left mouse button for one second")};
     const auto index = static_cast<size_t>(step_);
     const float x = pen.size.x / 2;
     const Rectangle title = pen.label(x, pen.size.y * 0.1f, 0.5f, TextSize::Heading, colour::kWhite,
                                       std::to_string(index + 1) + " / 3   " + titles[index]);
-    pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold, hows[index]);
+    pen.label(x, title.high.y + 0.4f * pen.line, 0.5f, TextSize::Body, colour::kGold,
+              pen.in(howTo(step_, pen.audience)));
 }
 
 void Hints::say(Kind kind) {

@@ -337,6 +337,12 @@ void Screens::captured(std::optional<Action> loser) {
     refresh();
 }
 
+void Screens::cancelCapture() {
+    captured_.reset();
+    message_.clear();
+    refresh();
+}
+
 void Screens::keyPressed(int key) { captured(bindings_.bindKey(*captured_, key)); }
 
 void Screens::buttonPressed(int button) { captured(bindings_.bindButton(*captured_, button)); }
@@ -352,6 +358,7 @@ MenuPage Screens::howToPlayPage() {
                "button held. Tab swaps hands."),
             in("With a gamepad the left stick looks, the right stick reaches and the right trigger closes "
                "your hand."),
+            in("Esc, the middle mouse button or Start on a gamepad pauses."),
             in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way."),
             in("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
                "away.")}};

@@ -87,6 +87,7 @@ class Screens {
     void input(const MenuInput& input);
     void keyPressed(int key);       // while it captures
     void buttonPressed(int button); // the same
+    void cancelCapture();           // a mouse has no key to give
     std::optional<Request> takeRequest();
     void draw(const Pen& pen);
     // Words or numbers that a page shows have changed.

@@ -222,6 +222,9 @@ Controls readControls(const platform::Window& window, const platform::WindowInpu
             controls.pressed[i] || std::ranges::find(pad.pressed, bound.button) != pad.pressed.end();
         controls.down[i] = controls.down[i] || pad.down[static_cast<size_t>(bound.button)];
     }
+    // Who has no keyboard at hand must come out of a dive too.
+    constexpr auto kPause = static_cast<size_t>(Action::Pause);
+    controls.pressed[kPause] = controls.pressed[kPause] || input.middlePressed;
     controls.cursor = input.cursor;
     controls.mouseMoved = input.cursorMoved != glm::dvec2(0);
     controls.turns = input.rightButton;

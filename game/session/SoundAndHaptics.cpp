@@ -1,6 +1,7 @@
 #include "game/session/SoundAndHaptics.h"
 
 #include "engine/core/Log.h"
+#include "input/haptics/ForceFeedback.h"
 
 namespace shoal::app {
 
@@ -11,7 +12,8 @@ SoundAndHaptics::SoundAndHaptics(const PlayOptions& options, const Path& video, 
             log::info("playing on without sound: {}", opened.error().message());
     if (audio_ && videoSound_ > 0 && !video.empty())
         openVideoSound(video, videoLength_s, options.environment.isOwnVideo());
-    if (hapticStrength_ > 0 && !options.headless) haptics_.emplace(haptics::hidapiBus());
+    if (hapticStrength_ > 0 && !options.headless)
+        haptics_.emplace(haptics::withForceFeedback(haptics::hidapiBus()));
 }
 
 Status SoundAndHaptics::openSound(const PlayOptions& options) {

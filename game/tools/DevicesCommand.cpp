@@ -7,6 +7,7 @@
 #include "engine/xr/Headset.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/HandTracker.h"
+#include "input/haptics/ForceFeedback.h"
 #include "input/haptics/HapticDevices.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void pulseEach(haptics::HapticDevices& hapticDevices, Clock::time_point began) {
 void haptic(bool test) {
     std::printf("Haptics\n");
     const Clock::time_point began = Clock::now();
-    haptics::HapticDevices hapticDevices(haptics::hidapiBus());
+    haptics::HapticDevices hapticDevices(haptics::withForceFeedback(haptics::hidapiBus()));
     hapticDevices.step({}, 0);
     const auto devices = hapticDevices.list();
     for (const haptics::HapticDevices::Listed& device : devices)

@@ -42,6 +42,17 @@ void Menu::moveFocus(int steps) {
         }
 }
 
+// The focus goes along, because what has it is kept in sight.
+void Menu::scrollBy(float pixels) {
+    scroll_ = std::clamp(scroll_ + pixels, 0.0f, maxScroll());
+    for (size_t tries = 0; tries < areas_.size() && !areaOf(focus_); ++tries) moveFocus(pixels > 0 ? 1 : -1);
+}
+
+float Menu::maxScroll() const {
+    const float rows = kRow * line_ * static_cast<float>(areas_.size());
+    return std::max(0.0f, rows - (list_.high.y - list_.low.y));
+}
+
 std::optional<MenuEvent> Menu::point(const MenuInput& input) {
     if (input.pointer) pointer_ = *input.pointer;
     if (sliding_) {
@@ -53,7 +64,7 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
         const float along = (pointer_.x - track.low.x) / std::max(track.high.x - track.low.x, 1.0f);
         return MenuEvent{MenuEvent::Kind::Slide, *sliding_, 0, std::clamp(along, 0.0f, 1.0f)};
     }
-    if (input.wheel != 0) scroll_ -= input.wheel * line_ * kRow;
+    if (input.wheel != 0) scrollBy(-input.wheel * line_ * kRow);
     for (size_t i = 0; i < page_.items.size() && (input.pointer || input.pressed); ++i) {
         const MenuItem& item = page_.items[i];
         const auto area = areaOf(i);
@@ -136,7 +147,7 @@ void Menu::place(const Pen& pen) {
         scroll_ = std::max(scroll_, focused.high.y - list_.high.y);
         scroll_ = std::min(scroll_, focused.low.y - list_.low.y);
     }
-    scroll_ = std::clamp(scroll_, 0.0f, std::max(0.0f, rows - room));
+    scroll_ = std::clamp(scroll_, 0.0f, maxScroll());
 }
 
 void Menu::drawItem(const Pen& pen, size_t index) const {

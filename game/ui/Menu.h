@@ -68,6 +68,8 @@ class Menu {
 
   private:
     void moveFocus(int steps);
+    void scrollBy(float pixels); // down positive
+    float maxScroll() const;
     std::optional<MenuEvent> point(const MenuInput& input);
     void place(const Pen& pen);
     void drawItem(const Pen& pen, size_t index) const;

@@ -75,7 +75,8 @@ MenuInput MenuControls::step(const platform::WindowInput* input, const platform:
         menu.right = steps.x;
         menu.accept = has(input->keysPressed, GLFW_KEY_ENTER) || has(input->keysPressed, GLFW_KEY_KP_ENTER) ||
                       has(input->keysPressed, GLFW_KEY_SPACE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_A);
-        menu.back = has(input->keysPressed, GLFW_KEY_ESCAPE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_B);
+        menu.back = has(input->keysPressed, GLFW_KEY_ESCAPE) || input->middlePressed ||
+                    has(pad.pressed, GLFW_GAMEPAD_BUTTON_B);
         if (input->cursorMoved != glm::dvec2(0) || input->leftPressed || input->leftButton)
             menu.pointer =
                 glm::vec2(std::fmod(static_cast<float>(input->cursor.x) * static_cast<float>(eyes), 1.0f),

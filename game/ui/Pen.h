@@ -16,12 +16,13 @@ namespace shoal::app {
 // Who reads what is drawn.
 enum class Audience {
     WindowPlayer,  // has mouse and keys
+    GamepadPlayer, // the same, and has used the gamepad last
     HeadsetPlayer, // has hands only
     Onlooker       // looks at the window while somebody plays in a headset, and may use its keys
 };
 
 // Display colours, 0xAABBGGRR. Gold and orange are of Okabe and Ito's palette, which the colour-blind tell
-// apart. White and grey text on a panel over a white sky keep a contrast of 4.5 to 1 and more (HudTest).
+// apart. White and grey text on a panel over a white sky keep a contrast of 4.5 to 1 and more (MenuTest).
 namespace colour {
 inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFC8C4BC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
                           kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kShade = 0x60140C02,

@@ -6,6 +6,8 @@ namespace shoal::haptics {
 
 std::optional<Recognised>
 recognise(const HidInfo& info, const std::function<std::vector<uint8_t>(const std::string&)>& descriptor) {
+    if (info.transport == Transport::ForceFeedback)
+        return Recognised{&kForceFeedback, {}, info.name.empty() ? kForceFeedback.name : info.name};
     for (const DeviceRow& row : kDevices)
         if (row.vendor == info.vendor && row.product == info.product &&
             (row.transport == Transport::Any || row.transport == info.transport))

@@ -63,6 +63,7 @@ MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia; // Gamepads.cpp
 MakeDriver makeSwitch;                                          // Switch.cpp
 MakeDriver makeGlove;                                           // Glove.cpp
 MakeDriver makeSimpleHaptic;                                    // SimpleHaptic.cpp
+MakeDriver makeForceFeedback;                                   // ForceFeedback.cpp
 
 struct DeviceRow {
     uint16_t vendor, product;
@@ -116,6 +117,10 @@ inline constexpr auto kDevicesByDescriptor = std::to_array<DescriptorRow>({
      {0, 0, Transport::Any, "fingertip glove", "ten fingertips and two palms", makeGlove, 0.002, 0.040}},
     {hasSimpleHaptic, {0, 0, Transport::Any, "haptic device", "one actuator", makeSimpleHaptic, 0.020, 0.5}},
 });
+
+// Gamepads that the kernel drives; motors with weights follow no faster than this.
+inline constexpr DeviceRow kForceFeedback = {
+    0, 0, Transport::ForceFeedback, "gamepad", "a strong and a quick motor", makeForceFeedback, 0.010, 0.5};
 
 struct Recognised {
     const DeviceRow* row;

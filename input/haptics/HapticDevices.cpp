@@ -26,6 +26,7 @@ std::string describe(const Recognised& recognised, const HidInfo& info) {
 
 // What a person must do to be let in, with the rule for just this device.
 std::string notLetIn(const HidInfo& info) {
+    if (info.transport == Transport::ForceFeedback) return "may not be opened";
     char rule[160];
     std::snprintf(rule, sizeof rule, "KERNEL==\"hidraw*\", KERNELS==\"*:%04X:%04X.*\", TAG+=\"uaccess\"",
                   info.vendor, info.product);
@@ -48,6 +49,7 @@ std::string HapticDevices::add(const HidInfo& info, const Recognised& recognised
         return "names no waveform that can be used";
     }
     Device device{.listed = {describe(recognised, info), info.path, recognised.row->motors, ""},
+                  .physical = info.device,
                   .driver = std::move(*driver),
                   .handle = *handle};
     device.stopped = device.sent = device.driver.encode({});
@@ -68,6 +70,11 @@ void HapticDevices::findDevices(double now_s) {
     for (const HidInfo& info : bus_.list()) {
         if (std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.listed.path == info.path; }))
+            continue;
+        // What moves already through its HID node is not moved twice.
+        if (info.transport == Transport::ForceFeedback && !info.device.empty() &&
+            std::any_of(devices_.begin(), devices_.end(),
+                        [&](const Device& device) { return device.physical == info.device; }))
             continue;
         const auto recognised = recognise(info, bus_.descriptor);
         if (!recognised) continue;

@@ -51,6 +51,7 @@ class HapticDevices {
   private:
     struct Device {
         Listed listed;
+        std::string physical; // HidInfo::device
         Driver driver;
         int handle = -1;
         Report stopped; // unsealed

@@ -1,11 +1,11 @@
 #include "input/haptics/HidBus.h"
 
 #include "input/haptics/CrashStop.h"
+#include "input/haptics/DeviceFolder.h"
 
 #include <hidapi/hidapi.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,10 +29,23 @@ struct Opened {
     }
 };
 
+// hidapi 0.13 has no call for these; the system keeps them as files.
+fs::path folderOf(const std::string& path) {
+    return fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device";
+}
+std::string deviceOf(const std::string& path) {
+    std::error_code none;
+    return fs::canonical(folderOf(path), none).string();
+}
+std::vector<uint8_t> readDescriptor(const std::string& path) {
+    std::ifstream file(folderOf(path) / "report_descriptor", std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
 struct Hidapi {
     std::vector<Opened> devices; // by handle
     std::vector<HidInfo> found;
-    fs::file_time_type listed = fs::file_time_type::min();
+    DeviceFolder folder{"/dev"};
 
     Hidapi() {
         hid_init();
@@ -43,18 +56,6 @@ struct Hidapi {
         hid_exit();
     }
     Opened& at(int handle) { return devices[static_cast<size_t>(handle)]; }
-
-    // The list costs milliseconds, so it is made anew only when a device node came or went since the last;
-    // and for a while after, because a device is not set up in one moment.
-    bool isListStale() {
-        constexpr std::chrono::seconds kSettles{3};
-        std::error_code code;
-        const auto changed = fs::last_write_time("/dev", code);
-        const auto now = fs::file_time_type::clock::now();
-        if (!code && listed > changed + kSettles && listed <= now) return false;
-        listed = now;
-        return true;
-    }
 
     void list() {
         found.clear();
@@ -71,18 +72,11 @@ struct Hidapi {
                              info->bus_type == HID_API_BUS_USB         ? Transport::Usb
                              : info->bus_type == HID_API_BUS_BLUETOOTH ? Transport::Bluetooth
                                                                        : Transport::Any,
-                             std::move(name)});
+                             std::move(name), deviceOf(info->path)});
         }
         hid_free_enumeration(first);
     }
 };
-
-// hidapi 0.13 has no call for it; the system keeps it as a file.
-std::vector<uint8_t> readDescriptor(const std::string& path) {
-    std::ifstream file(fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device/report_descriptor",
-                       std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 } // namespace
 
@@ -90,7 +84,7 @@ HidBus hidapiBus() {
     auto hidapi = std::make_shared<Hidapi>();
     HidBus bus;
     bus.list = [hidapi] {
-        if (hidapi->isListStale()) hidapi->list();
+        if (hidapi->folder.mayHaveChanged()) hidapi->list();
         return hidapi->found;
     };
     bus.descriptor = readDescriptor;

@@ -1,4 +1,4 @@
-// Access to HID devices as a few functions: hidapi's, or a recording fake in tests.
+// Access to haptic devices as a few functions: hidapi's, or a recording fake in tests.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -11,13 +11,15 @@
 
 namespace shoal::haptics {
 
-enum class Transport { Any, Usb, Bluetooth };
+// ForceFeedback: not HID, but the kernel's own driver (ForceFeedback.h).
+enum class Transport { Any, Usb, Bluetooth, ForceFeedback };
 
 struct HidInfo {
     std::string path; // names it to open()
     uint16_t vendor = 0, product = 0;
     Transport transport = Transport::Any;
-    std::string name; // as the device calls itself; may be empty
+    std::string name;   // as the device calls itself; may be empty
+    std::string device; // the system's name of the device behind the path, which may have several; or empty
 };
 
 struct HidBus {

@@ -174,5 +174,27 @@ TEST(HapticDevices, SequenceNumbersRise) {
     for (size_t i = 0; i < 20; ++i) EXPECT_EQ(fake.written["a"][i][1], i % 16 << 4);
 }
 
+// A pad that HID and the kernel's own driver both lead to.
+TEST(HapticDevices, APadIsMovedThroughOneOfItsTwoPaths) {
+    FakeBus fake;
+    fake.plug("hid", kSony, kDualSense);
+    fake.plug("event", kSony, kDualSense, Transport::ForceFeedback);
+    for (FakeBus::Node& node : fake.plugged) node.info.device = "/sys/devices/pad";
+    HapticDevices devices(fake.bus());
+    devices.step({}, 0);
+    EXPECT_EQ(fake.opened(), 1u);
+    EXPECT_EQ(devices.list()[0].path, "hid");
+
+    // HID is not let in: the kernel's driver it is.
+    FakeBus refused = fake;
+    refused.open.clear();
+    refused.plugged[0].permitted = false;
+    HapticDevices others(refused.bus());
+    others.step(frameOf(1, 40), 0);
+    ASSERT_EQ(refused.opened(), 1u);
+    ASSERT_EQ(refused.written["event"].size(), 1u);
+    EXPECT_EQ(refused.written["event"][0], (std::vector<uint8_t>{0xFF, 0xFF, 0, 0})); // all on the strong one
+}
+
 } // namespace
 } // namespace shoal::haptics

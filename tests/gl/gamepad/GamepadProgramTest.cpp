@@ -1,0 +1,212 @@
+// The whole program in a window, played with a gamepad alone: GLFW, its mappings and our rumble find the pad
+// where Linux would have it.
+#include "game/app/Application.h"
+#include "game/rules/TickInput.h"
+#include "game/settings/KeptFiles.h"
+#include "tests/TestPaths.h"
+#include "tests/gl/gamepad/fake/FakeGamepad.h"
+#include "tests/gl/xr/VirtualDisplay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <semaphore>
+#include <thread>
+
+namespace shoal::app {
+namespace {
+
+using test::fakeGamepad, test::FakeGamepad;
+
+// Hands on the pad: runs on a thread of its own, and only while the program waits for it in a frame, so that
+// neither sees the other half done.
+class Player {
+  public:
+    Player(Application& application, std::function<void(Player&)> plays) : application_(application) {
+        fakeGamepad().onPoll = [this](FakeGamepad&) {
+            if (over_) return;
+            toPlayer_.release();
+            toProgram_.acquire();
+        };
+        thread_ = std::thread([this, plays = std::move(plays)] {
+            toPlayer_.acquire();
+            plays(*this);
+            over_ = true;
+            toProgram_.release();
+        });
+    }
+    ~Player() {
+        fakeGamepad().onPoll = {};
+        ended_ = true; // no frame comes any more
+        toPlayer_.release();
+        thread_.join();
+    }
+
+    void wait(int frames) {
+        for (int poll = 0; poll < 2 * frames && !ended_; ++poll) { // GLFW reads the pad twice a frame
+            toProgram_.release();
+            toPlayer_.acquire();
+        }
+    }
+    void tap(int button) {
+        fakeGamepad().press(button);
+        wait(2);
+        fakeGamepad().release(button);
+        wait(2);
+    }
+    void tapHat(int axis, int value) {
+        fakeGamepad().move(axis, value);
+        wait(2);
+        fakeGamepad().move(axis, 0);
+        wait(2);
+    }
+    void choose(std::string_view label) {
+        const Menu& menu = application_.screens().menu();
+        const auto item = std::ranges::find(menu.page().items, label, &MenuItem::label);
+        ASSERT_NE(item, menu.page().items.end()) << label << " is not on the page " << menu.page().title;
+        const auto wanted = static_cast<size_t>(item - menu.page().items.begin());
+        for (int steps = 0; menu.focus() != wanted && steps < 30; ++steps) tapHat(ABS_HAT0Y, 1);
+        tap(BTN_SOUTH);
+    }
+    std::optional<Screen> page() const { return application_.screens().top(); }
+
+  private:
+    Application& application_;
+    std::binary_semaphore toPlayer_{0}, toProgram_{0};
+    std::atomic<bool> over_ = false, ended_ = false;
+    std::thread thread_;
+};
+
+class GamepadProgram : public testing::Test {
+  protected:
+    tests::ScratchFolder folder_;
+    std::optional<test::VirtualDisplay> display_;
+
+    void SetUp() override {
+        display_ = test::VirtualDisplay::open();
+        if (!display_) GTEST_SKIP() << "needs Xvfb";
+        for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "HOME", "XDG_PICTURES_DIR"})
+            ::setenv(name, folder_.path().c_str(), 1);
+        ::setenv("LC_ALL", "C", 1);
+    }
+    static PlayOptions options() {
+        PlayOptions o;
+        o.seed = 1;
+        o.mute = true;
+        o.vsync = false;
+        o.quality = QualityControl::Fixed;
+        o.look.size = {160, 90};
+        o.look.samples = 1;
+        o.fps = 60;
+        return o;
+    }
+    static void play(const PlayOptions& options, const std::function<void(Player&)>& plays) {
+        Application application(options);
+        const Status opened = application.open();
+        ASSERT_TRUE(opened) << opened.error().message();
+        ASSERT_TRUE(fakeGamepad().opened()) << "the window's library reads no pad";
+        Player player(application, plays);
+        const Status played = application.run(true);
+        EXPECT_TRUE(played) << played.error().message();
+    }
+};
+
+TEST_F(GamepadProgram, EveryScreenAndASettingThatStays) {
+    play(options(), [](Player& p) {
+        p.wait(3);
+        EXPECT_EQ(p.page(), Screen::Title);
+        for (const char* label : {"My film or photo", "How to play", "Field guide"}) {
+            p.choose(label);
+            EXPECT_NE(p.page(), Screen::Title) << label;
+            p.tap(BTN_EAST);
+            EXPECT_EQ(p.page(), Screen::Title) << label;
+        }
+        p.choose("Settings");
+        p.choose("Sound");
+        EXPECT_EQ(p.page(), Screen::SettingsGroup);
+        p.tapHat(ABS_HAT0X, -1); // volume, 5 %
+        p.tap(BTN_EAST);
+        p.tap(BTN_EAST);
+        p.choose("Free swim");
+        p.wait(3);
+        EXPECT_EQ(p.page(), std::nullopt);
+        p.tap(BTN_START);
+        EXPECT_EQ(p.page(), Screen::Paused);
+        p.tap(BTN_EAST);
+        EXPECT_EQ(p.page(), std::nullopt);
+        p.tap(BTN_START);
+        p.choose("Photo mode");
+        EXPECT_EQ(p.page(), std::nullopt);
+        p.tap(BTN_EAST);
+        EXPECT_EQ(p.page(), Screen::Paused);
+        p.choose("Title screen");
+        p.wait(3);
+        EXPECT_EQ(p.page(), Screen::Title);
+        p.choose("Quit");
+    });
+    PlayOptions kept;
+    loadSettings(settingsOf(kept));
+    EXPECT_NEAR(kept.volume, PlayOptions().volume - 0.05f, 1e-5f);
+}
+
+// The recording has what the hands did.
+TEST_F(GamepadProgram, TheRightStickReachesAndTheTriggerClosesByDegrees) {
+    PlayOptions o = options();
+    o.start = Start::Dive;
+    o.timedemo = true; // a frame is a 60th of a second
+    o.record = folder_.path() / "a.replay";
+    play(o, [](Player& p) {
+        p.wait(60);
+        fakeGamepad().move(ABS_RX, -32768);
+        p.wait(60);
+        fakeGamepad().move(ABS_RX, 0);
+        fakeGamepad().move(ABS_RZ, 128);
+        p.wait(60);
+        fakeGamepad().move(ABS_RZ, 255);
+        p.wait(60);
+        p.tap(BTN_START);
+        p.choose("Quit");
+    });
+    const auto recording = sim::readRecording(o.record);
+    ASSERT_TRUE(recording) << recording.error().message();
+    float leftmost = 1, rightmost = -1;
+    std::vector<float> grips;
+    for (size_t tick = 0; tick < recording->ticks(); ++tick) {
+        const auto input = game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+        const hands::HandPose& hand = input.hands[1];
+        leftmost = std::min(leftmost, hand.joints[hands::kPalmJoint].position.x);
+        rightmost = std::max(rightmost, hand.joints[hands::kPalmJoint].position.x);
+        grips.push_back(hand.grip);
+    }
+    EXPECT_GT(rightmost - leftmost, 0.1f); // metres
+    const float open = grips[30], closed = *std::ranges::max_element(grips);
+    EXPECT_LT(open, 0.05f);
+    EXPECT_GT(closed, 0.95f);
+    // It rested between: a second is 120 ticks, of which closing takes some 15.
+    size_t rested = 0;
+    for (size_t tick = 1; tick < grips.size(); ++tick)
+        rested += grips[tick] > 0.2f && grips[tick] < 0.8f && std::abs(grips[tick] - grips[tick - 1]) < 1e-3f;
+    EXPECT_GT(rested, 90u);
+}
+
+TEST_F(GamepadProgram, ACatchIsFeltInThePadAndStops) {
+    PlayOptions o = options();
+    o.hands.source = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
+    const size_t before = fakeGamepad().felt().size();
+    play(o, [](Player&) {});
+    const std::vector<test::Rumble> felt = fakeGamepad().felt();
+    ASSERT_GT(felt.size(), before + 5);
+    const auto strongest =
+        std::ranges::max_element(felt, {}, [](const test::Rumble& r) { return std::max(r.strong, r.weak); });
+    EXPECT_GT(std::max(strongest->strong, strongest->weak), 40000); // a catch is a blow: 0.8 of 65535
+    EXPECT_EQ(felt.back().strong, 0);
+    EXPECT_EQ(felt.back().weak, 0);
+}
+
+} // namespace
+} // namespace shoal::app

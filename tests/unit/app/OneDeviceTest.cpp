@@ -1,0 +1,192 @@
+// Every page of the menus is reached, used and left with one device alone, as the window reports it.
+#include "engine/gl/Target.h"
+#include "engine/platform/Headless.h"
+#include "game/app/Screens.h"
+#include "game/ui/Hud.h"
+#include "game/ui/MenuControls.h"
+#include "tests/TestPaths.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace shoal::app {
+namespace {
+
+enum class Device { Keys, Gamepad, Mouse };
+
+class OneDevice : public testing::TestWithParam<Device> {
+  protected:
+    static constexpr glm::ivec2 kSize{640, 360};
+
+    tests::ScratchFolder folder_;
+    PlayOptions options_;
+    Bindings bindings_;
+    Screens screens_{options_, bindings_};
+    game::SpeciesTable species_{{.name = "snapper"}};
+    game::DiveFile dive_;
+    MenuControls controls_;
+    std::optional<platform::Headless> context_;
+    std::optional<Hud> hud_;
+    std::optional<gl::Target> target_;
+
+    void SetUp() override {
+        for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "HOME"})
+            ::setenv(variable, folder_.path().c_str(), 1);
+        ::setenv("LC_ALL", "C", 1);
+        screens_.facts.species = &species_;
+        screens_.facts.dive = &dive_;
+        screens_.facts.dives = {{"reef", "The reef", 0}, {"night", "The reef by night", 90}};
+        screens_.facts.headset = true;
+        ASSERT_TRUE(platform::Headless::open().moveTo(context_));
+        ASSERT_TRUE(Hud::make().moveTo(hud_));
+        target_.emplace(kSize.x, kSize.y, 1);
+        open(Screen::Title);
+    }
+
+    void open(Screen screen) {
+        screens_.open(screen);
+        frame({});
+    }
+    // What the device did since the last frame, and what is drawn then.
+    void frame(const platform::WindowInput& input) {
+        screens_.input(controls_.step(&input, nullptr, {}, {1, 0.5f}, kSize, 1, 1.0f / 60));
+        target_->bind();
+        hud_->draw({.part = HudPart::Panel,
+                    .inDive = false,
+                    .overlay = [this](const Pen& pen) { screens_.draw(pen); },
+                    .notice = {}},
+                   kSize);
+    }
+
+    const MenuPage& page() const { return screens_.menu().page(); }
+    size_t find(std::string_view label) const {
+        const auto item = std::ranges::find(page().items, label, &MenuItem::label);
+        return static_cast<size_t>(item - page().items.begin());
+    }
+
+    void step(int key, int button) {
+        platform::WindowInput input;
+        if (GetParam() == Device::Keys)
+            input.keysPressed = {key};
+        else
+            input.gamepad.pressed = {button};
+        frame(input);
+        frame({});
+    }
+    // share: of the item's width, where the pointer presses.
+    void click(size_t item, float share = 0.5f) {
+        platform::WindowInput input;
+        for (int notches = 0; !screens_.menu().areaOf(item) && notches < 100; ++notches) {
+            input.wheel = notches < 50 ? -1 : 1;
+            frame(input);
+        }
+        const auto area = screens_.menu().areaOf(item);
+        ASSERT_TRUE(area) << page().items[item].label;
+        input = {.cursor = glm::dvec2(glm::mix(area->low.x, area->high.x, share),
+                                      (area->low.y + area->high.y) / 2) /
+                           glm::dvec2(kSize),
+                 .cursorMoved = {1, 1}};
+        frame(input);
+        input.leftPressed = input.leftButton = true;
+        frame(input);
+        frame({.cursor = input.cursor});
+    }
+    void focus(size_t item) {
+        for (size_t steps = 0; screens_.menu().focus() != item && steps < 100; ++steps)
+            step(GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+    }
+    void choose(std::string_view label) {
+        const size_t item = find(label);
+        ASSERT_LT(item, page().items.size()) << label << " is not on the page " << page().title;
+        if (GetParam() == Device::Mouse) return click(item);
+        focus(item);
+        step(GLFW_KEY_ENTER, GLFW_GAMEPAD_BUTTON_A);
+    }
+    void back() {
+        if (GetParam() == Device::Mouse) return choose("Back");
+        step(GLFW_KEY_ESCAPE, GLFW_GAMEPAD_BUTTON_B);
+    }
+    Request::Kind asked() { return screens_.takeRequest().value_or(Request{Request::Kind::Title}).kind; }
+};
+
+TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
+    std::set<Screen> seen;
+    for (const char* label : {"Dive", "My film or photo", "Settings", "How to play", "Field guide"}) {
+        choose(label);
+        seen.insert(*screens_.top());
+        if (*screens_.top() == Screen::Settings)
+            for (const char* group :
+                 {"Hands", "Comfort", "Picture", "Sound", "Text and captions", "Keys and buttons"}) {
+                choose(group);
+                seen.insert(*screens_.top());
+                back();
+                ASSERT_EQ(screens_.top(), Screen::Settings) << group;
+            }
+        back();
+        ASSERT_EQ(screens_.top(), Screen::Title) << label;
+    }
+    EXPECT_EQ(seen, (std::set{Screen::Dives, Screen::Films, Screen::Settings, Screen::SettingsGroup,
+                              Screen::Bindings, Screen::HowToPlay, Screen::Guide}));
+    choose("Free swim");
+    EXPECT_EQ(asked(), Request::Kind::Swim);
+    choose("Headset");
+    EXPECT_EQ(asked(), Request::Kind::Headset);
+    choose("Quit");
+    EXPECT_EQ(asked(), Request::Kind::Quit);
+}
+
+TEST_P(OneDevice, UsesThePagesOfADive) {
+    open(Screen::Paused);
+    choose("Settings");
+    EXPECT_EQ(screens_.top(), Screen::Settings);
+    back();
+    choose("How to play");
+    EXPECT_EQ(screens_.top(), Screen::HowToPlay);
+    back();
+    choose("Photo mode");
+    EXPECT_EQ(asked(), Request::Kind::Photo);
+    choose("Resume");
+    EXPECT_EQ(asked(), Request::Kind::Resume);
+    open(Screen::Results);
+    choose("Dive again");
+    EXPECT_EQ(asked(), Request::Kind::Restart);
+}
+
+TEST_P(OneDevice, ChangesEverySetting) {
+    for (const char* group : {"Hands", "Comfort", "Picture", "Sound", "Text and captions"}) {
+        open(Screen::Title);
+        choose("Settings");
+        choose(group);
+        for (size_t item = 0; item + 1 < page().items.size(); ++item) {
+            const std::string label = page().items[item].label, before = page().items[item].value;
+            // To the right, or to the left from the upper end.
+            for (const bool right : {true, false}) {
+                if (page().items[item].value != before) break;
+                if (GetParam() == Device::Mouse) {
+                    click(item, right ? 0.97f : 0.6f);
+                    continue;
+                }
+                focus(item);
+                step(right ? GLFW_KEY_RIGHT : GLFW_KEY_LEFT,
+                     right ? GLFW_GAMEPAD_BUTTON_DPAD_RIGHT : GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
+            }
+            EXPECT_NE(page().items[item].value, before) << label;
+            options_ = PlayOptions(); // the text would grow, and change its language
+            screens_.refresh();
+            frame({});
+        }
+    }
+}
+
+std::string deviceName(const testing::TestParamInfo<Device>& device) {
+    return device.param == Device::Keys ? "Keys" : device.param == Device::Gamepad ? "Gamepad" : "Mouse";
+}
+INSTANTIATE_TEST_SUITE_P(Alone, OneDevice, testing::Values(Device::Keys, Device::Gamepad, Device::Mouse),
+                         deviceName);
+
+} // namespace
+} // namespace shoal::app
