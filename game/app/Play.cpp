@@ -159,8 +159,8 @@ render::Detail Application::detail() const { return software_ ? render::Detail::
 
 Status Application::loadModels() {
     const auto said = [&](float share) { return drawLoading(share); };
-    return CreatureModels::load(config_.species, enumName(options_.skin), reflectanceIn(options_.environment),
-                                detail(), said)
+    return CreatureModels::load(config_.species, game::speciesShown(config_.species, config_.dive),
+                                enumName(options_.skin), reflectanceIn(options_.environment), detail(), said)
         .moveTo(models_);
 }
 
@@ -208,7 +208,8 @@ Status Application::openScene() {
     if (sceneRenderer_ && !models_) models_ = sceneRenderer_->takeModels();
     sceneRenderer_.reset();
     const bool reload = !models_ || models_->reflectance() != reflectanceIn(options_.environment) ||
-                        models_->handVariant() != enumName(options_.skin);
+                        models_->handVariant() != enumName(options_.skin) ||
+                        models_->shownSpecies() != game::speciesShown(config_.species, config_.dive);
     if (reload) {
         models_.reset();
         if (watched) {

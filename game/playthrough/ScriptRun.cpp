@@ -68,7 +68,7 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     int best = -1;
     float bestCost = std::numeric_limits<float>::max();
     for (const CreatureView& creature : now.creatures) {
-        if (isShark(creature, species_) || creature.heldBy >= 0 || creature.gait.motion == Motion::Struggle)
+        if (!isCatchable(species_[creature.species]) || creature.heldBy >= 0 || creature.gait.motion == Motion::Struggle)
             continue;
         if (step.kind != "any" && species_[creature.species].name != step.kind) continue;
         const int id = static_cast<int>(creature.id);

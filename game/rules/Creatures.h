@@ -1,4 +1,4 @@
-// States of fish and shark. World frame, metres, seconds.
+// States of fish, shark and what passes by. World frame, metres, seconds.
 #pragma once
 
 #include "engine/scene/HandPose.h"
@@ -109,6 +109,15 @@ struct Shark : Swimmer {
         state_s = 0;
     }
     glm::vec3 mouthPosition(float length_m) const { return position + forward * (0.46f * length_m); }
+};
+
+// Of the dive's encounter.
+struct Passer : Swimmer {
+    enum class State { ToCome, Passing, Gone };
+
+    State state = State::ToCome;
+
+    auto fields() const { return std::tie(static_cast<const Swimmer&>(*this), state); }
 };
 
 } // namespace shoal::game

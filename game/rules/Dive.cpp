@@ -1,6 +1,7 @@
 #include "game/rules/Dive.h"
 
 #include "game/rules/Curiosity.h"
+#include "game/rules/Encounter.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/Holding.h"
 #include "game/rules/Intent.h"
@@ -36,6 +37,7 @@ void Dive::begin(uint64_t seed) {
     spawnFish(files_, state_.random, state_.fish);
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
+    state_.passer = {};
 }
 
 void Dive::step(const TickInput& input, Events& events) {
@@ -62,6 +64,8 @@ void Dive::step(const TickInput& input, Events& events) {
     if (rules_.curious) chooseVisitors(s.hands, s.view, files_.species, s.fish, s.random);
     swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark}, neighbours_, s.random);
     advanceShark(events);
+    passBy(s.passer, files_.dive.encounter, files_.species, static_cast<float>(s.tick) * kDt, passerId(),
+           s.score, events);
     countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);
     for (Hand& hand : s.hands)
         if (hand.visible) easeFingers(hand);

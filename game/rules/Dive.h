@@ -31,11 +31,12 @@ struct DiveState {
     Hands hands;
     std::vector<Fish> fish;
     Shark shark;                            // its creature id is fish.size()
+    Passer passer;                          // its creature id comes after the shark's
     std::vector<physics::Contact> contacts; // of this tick; what lasts is next tick's past
 
     auto fields() const {
         return std::tie(seed, random, tick, totalTicks, phase, begun, paused, restartHeld, score, view, hands,
-                        fish, shark, contacts);
+                        fish, shark, passer, contacts);
     }
 };
 
@@ -65,6 +66,7 @@ class Dive {
     void begin(uint64_t seed);
     void touch(Events&);
     void advanceShark(Events&);
+    int passerId() const { return static_cast<int>(state_.fish.size()) + (state_.shark.present ? 1 : 0); }
     void endWhenOver(Events&);
     void reachGoals(Events&);
 

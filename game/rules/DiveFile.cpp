@@ -2,6 +2,8 @@
 
 #include "game/rules/TomlRead.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -19,7 +21,8 @@ Species readOne(TomlTable& table) {
     table.text("name", s.name);
     table.text("model", s.model);
     table.flag("shark", s.shark);
-    table.number("length", s.length_m, 0.03f, 5);
+    table.flag("giant", s.giant);
+    table.number("length", s.length_m, 0.03f, s.giant ? 30.0f : 5.0f);
     table.number("body_radius", s.bodyRadius_m, 0.01f, 0.6f);
     table.number("body_half", s.bodyHalf_m, 0, 2);
     table.number("cruise", s.cruise_mps, 0.05f, 2);
@@ -33,7 +36,7 @@ Species readOne(TomlTable& table) {
     table.number("curiosity", s.curiosity, 0, 1);
     if (const auto company = table.choice("company", kCompanyNames))
         s.company = static_cast<Company>(*company);
-    if (s.shark) s.points = 0;
+    if (s.shark || s.giant) s.points = 0;
     table.whole("points", s.points, 0, 1000);
     if (s.name.empty()) table.complain("name", "must not be empty");
     if (s.model.find("..") != std::string::npos || s.model.starts_with('/'))
@@ -57,9 +60,16 @@ int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     return index;
 }
 
+// Of those that swim about the player.
+int schoolSpecies(TomlTable& table, const SpeciesTable& known) {
+    const int index = speciesNamed(table, known, false);
+    if (index >= 0 && known[index].giant) table.complain("species", "must not be a giant");
+    return index;
+}
+
 School readSchool(TomlTable& table, const SpeciesTable& known) {
     School school;
-    school.species = speciesNamed(table, known, false);
+    school.species = schoolSpecies(table, known);
     table.need("count");
     table.whole("count", school.count, 1, kMaxFish);
     table.range("radius", school.radiusLow_m, school.radiusHigh_m, 0.6f, 6);
@@ -88,6 +98,23 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
     return shark;
 }
 
+EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
+    constexpr float kFar_m = 60, kRoom_m = 2.5f;
+    EncounterPlan plan;
+    plan.species = speciesNamed(table, known, false);
+    if (plan.species >= 0 && !known[plan.species].giant) table.complain("species", "must be a giant");
+    table.need("at", "from", "to");
+    table.number("at", plan.at_s, 0, 3600);
+    table.place("from", plan.from, kFar_m);
+    table.place("to", plan.to, kFar_m);
+    const glm::vec3 way = plan.to - plan.from;
+    const float squared = glm::dot(way, way);
+    const float share = squared > 0 ? std::clamp(-glm::dot(plan.from, way) / squared, 0.0f, 1.0f) : 0.0f;
+    if (glm::length(plan.from + share * way) < kRoom_m)
+        table.complain("to", "must lead past the viewer at no less than 2.5 m");
+    return plan;
+}
+
 void readMarks(TomlTable& root, std::string_view key, std::vector<VideoMark>& marks,
                std::string_view valueKey, float low, float high) {
     root.tables(key, kMaxMarks, [&](TomlTable& table) {
@@ -106,7 +133,7 @@ Goal readGoal(TomlTable& table, const SpeciesTable& known) {
     table.need("kind");
     if (const auto kind = table.choice("kind", kGoalNames)) goal.kind = static_cast<GoalKind>(*kind);
     if (table.has("species")) {
-        goal.species = speciesNamed(table, known, false);
+        goal.species = schoolSpecies(table, known);
         if (goal.kind != GoalKind::Catch) table.complain("species", "belongs to goals of kind \"catch\"");
     }
     if (goal.kind == GoalKind::NoLoss) return goal;
@@ -133,6 +160,17 @@ int findSpecies(const SpeciesTable& table, std::string_view name) {
     for (size_t i = 0; i < table.size(); ++i)
         if (table[i].name == name) return static_cast<int>(i);
     return -1;
+}
+
+std::vector<bool> speciesShown(const SpeciesTable& table, const DiveFile& dive) {
+    std::vector<bool> shown(table.size(), false);
+    const auto show = [&](int species) {
+        if (species >= 0) shown[static_cast<size_t>(species)] = true;
+    };
+    for (const School& school : dive.schools) show(school.species);
+    show(dive.shark.species);
+    show(dive.encounter.species);
+    return shown;
 }
 
 Result<SpeciesTable> loadSpecies(const Path& path) {
@@ -164,6 +202,7 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
             root.complain("video", "must name a file below content/");
         readSchools(root, known, dive);
         root.table("shark", [&](TomlTable& table) { dive.shark = readShark(table, known); });
+        root.table("encounter", [&](TomlTable& table) { dive.encounter = readEncounter(table, known); });
         root.tables("goal", kMaxGoals,
                     [&](TomlTable& table) { dive.goals.push_back(readGoal(table, known)); });
         // Files written for earlier versions say [[shelter]].

@@ -4,6 +4,8 @@
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <string>
 #include <string_view>
@@ -19,6 +21,7 @@ struct Species {
     std::string name;           // "clownfish"
     std::string model;          // file below content/
     bool shark = false;         // hunts instead of being caught
+    bool giant = false;         // passes in an encounter instead of being caught
     float length_m = 0.2f;      // nose to tail
     float bodyRadius_m = 0.03f; // of the capsule along the body's Z
     float bodyHalf_m = 0.05f;   // half its core segment
@@ -34,6 +37,8 @@ struct Species {
     bool stings = false;    // the hand that closes on it; nobody holds it
     float curiosity = 0.5f; // 0 to 1: how readily it comes to look at a hand that rests
 };
+
+inline bool isCatchable(const Species& kind) { return !kind.shark && !kind.giant && !kind.stings; }
 
 constexpr float kMaxSpeed_mps = 3; // of any fish that is not in a hand, however it is pushed
 
@@ -59,6 +64,14 @@ struct SharkPlan {
     std::vector<float> visits_s; // when it comes close, seconds since the dive began, rising
     float visitLength_s = 10;    // how long it prowls around the player then
     float prowlRadius_m = 1.7f;
+};
+
+// What passes once, straight from one place to another (metres against the viewer's eyes, as the world
+// frame).
+struct EncounterPlan {
+    int species = -1; // -1: none in this dive
+    float at_s = 45;  // when it sets out, seconds since the dive began
+    glm::vec3 from{0}, to{0};
 };
 
 // What a dive marks in its video, by stretches in seconds from the video's start: how enclosed the place is,
@@ -97,6 +110,7 @@ struct DiveFile {
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
+    EncounterPlan encounter;
     std::vector<Goal> goals;          // at most kMaxGoals
     std::vector<VideoMark> enclosure; // of the video
     std::vector<VideoMark> ground;    // of the video; none: no shadow falls on it
@@ -110,6 +124,9 @@ struct DiveFiles {
     SpeciesTable species;
     DiveFile dive;
 };
+
+// By index into the species table: whether the dive shows any of it.
+std::vector<bool> speciesShown(const SpeciesTable&, const DiveFile&);
 
 Result<DiveFile> loadDive(const Path& file, const SpeciesTable&);
 

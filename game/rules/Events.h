@@ -24,6 +24,7 @@ enum class EventKind {
     MissBehind,   // the hand was behind the fish
     Sting,        // a hand closed on something that stings, and cannot hold for a while
     Goal,         // a goal of the dive is reached
+    Encounter,    // something large sets out to pass by
     SharkNear,    // the shark turns towards the player
     SharkBump,    // the shark hits a hand
     SharkSteal,   // the shark takes a fish out of a hand

@@ -97,17 +97,18 @@ void Dive::snapshot(Snapshot& out) const {
     out.worldFromView = s.view.worldFromView;
     out.headWorld = s.view.headWorld;
     for (size_t h = 0; h < s.hands.size(); ++h) showHand(s.hands[h], s.fish, out.hands[h]);
-    out.creatures.resize(s.fish.size() + (s.shark.present ? 1 : 0));
-    const auto show = [&](size_t id, const auto& from, int heldBy) {
-        showCreature(from, id, from.species, files_.species[from.species].length_m, heldBy,
-                     out.creatures[id]);
+    const bool passing = s.passer.state == Passer::State::Passing;
+    out.creatures.resize(static_cast<size_t>(passerId()) + (passing ? 1 : 0));
+    const auto show = [&](size_t id, const Swimmer& from, int species, int heldBy) {
+        showCreature(from, id, species, files_.species[species].length_m, heldBy, out.creatures[id]);
     };
     for (size_t i = 0; i < s.fish.size(); ++i) {
-        show(i, s.fish[i], s.fish[i].heldBy);
+        show(i, s.fish[i], s.fish[i].species, s.fish[i].heldBy);
         out.creatures[i].catchable = s.fish[i].catchable;
         out.creatures[i].catchableBy = s.fish[i].catchableBy;
     }
-    if (s.shark.present) show(s.fish.size(), s.shark, -1);
+    if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species, -1);
+    if (passing) show(static_cast<size_t>(passerId()), s.passer, dive.encounter.species, -1);
 }
 
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out) {

@@ -93,6 +93,17 @@ void TomlTable::range(std::string_view key, float& first, float& second, float l
     second = static_cast<float>(*b);
 }
 
+void TomlTable::place(std::string_view key, glm::vec3& value, float limit) {
+    const toml::array* all = list(key);
+    if (!all) return;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto at = all->size() == 3 ? (*all)[k].value<double>() : std::nullopt;
+        if (!at || !(std::abs(*at) <= static_cast<double>(limit)))
+            return complain(key, fmt::format("must be [x, y, z] within -{0} to {0}", limit));
+        value[static_cast<int>(k)] = static_cast<float>(*at);
+    }
+}
+
 const toml::array* TomlTable::list(std::string_view key) {
     const toml::node* node = at(key);
     if (!node) return nullptr;

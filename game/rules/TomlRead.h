@@ -45,6 +45,8 @@ class TomlTable {
     std::optional<size_t> choice(std::string_view key, std::span<const char* const> names);
     // [low, high], low <= high
     void range(std::string_view key, float& first, float& second, float low, float high);
+    // [x, y, z], each from -limit to limit
+    void place(std::string_view key, glm::vec3& value, float limit);
     const toml::array* list(std::string_view key);
     // The table [key], and the list of at most `maximum` tables [[key]].
     void table(std::string_view key, const Read& read);

@@ -265,6 +265,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"closed too early", "zu früh geschlossen", "fermée trop tôt"},
     {"behind it", "dahinter", "derrière lui"},
     {"it stings", "es brennt", "ça pique"},
+    {"a whale sings", "ein Wal singt", "une baleine chante"},
 
     // Field guide
     {"You have met {} of {} animals. Touch the others to get to know them.",

@@ -15,6 +15,8 @@ namespace shoal::app {
 namespace {
 
 constexpr std::array kPectorals = {"pectoral_left", "pectoral_right"}; // joints that models may have
+constexpr std::array kHandModels = {"models/hand_left.glb", "models/hand_right.glb"};
+constexpr std::array kArmModels = {"models/arm_left.glb", "models/arm_right.glb"};
 constexpr float kArmMargin = 1.3f; // of an arm's bounding spheres, whose flesh a bend or stretch moves
 constexpr float kMinSwing =
     0.01f; // of the tail in an animation, body lengths: below, there is no wave to scale
@@ -110,35 +112,35 @@ void CreatureModels::upload(ModelInstance& instance, render::Reflectance reflect
     for (scene::Mesh& mesh : instance.model.meshes) mesh.primitives.clear();
 }
 
-Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, const std::string& handVariant,
-                                            render::Reflectance reflectance, render::Detail detail,
+Result<CreatureModels> CreatureModels::load(const game::SpeciesTable& species, const std::vector<bool>& shown,
+                                            const std::string& handVariant, render::Reflectance reflectance,
+                                            render::Detail detail,
                                             const std::function<bool(float)>& progress) {
     const Path content = dataRoot() / "content";
+    CreatureModels models;
+    models.reflectance_ = reflectance;
+    models.handVariant_ = handVariant;
+    models.shown_ = shown;
+    models.species_.resize(species.size());
     std::vector<ModelRequest> requests;
-    for (const game::Species& kind : species) requests.push_back({content / kind.model, {}, {}, false});
-    for (const char* hand : {"models/hand_left.glb", "models/hand_right.glb"})
-        requests.push_back({content / hand, handVariant, hands::kJointNames, true});
-    for (const char* arm : {"models/arm_left.glb", "models/arm_right.glb"})
-        requests.push_back({content / arm, {}, kArmJointNames, false});
+    for (size_t i = 0; i < species.size(); ++i)
+        if (shown[i]) requests.push_back({content / species[i].model, &models.species_[i], {}, {}, false});
+    for (size_t side = 0; side < 2; ++side)
+        requests.push_back(
+            {content / kHandModels[side], &models.hands_[side], handVariant, hands::kJointNames, true});
+    for (size_t side = 0; side < 2; ++side)
+        requests.push_back({content / kArmModels[side], &models.arms_[side], {}, kArmJointNames, false});
     // Each is read while the one before it is uploaded; not all at once, to save memory.
     const auto read = [&](size_t i) {
         return std::async(std::launch::async, [&, i] { return readInstance(requests[i], reflectance); });
     };
-    CreatureModels models;
-    models.reflectance_ = reflectance;
-    models.handVariant_ = handVariant;
     auto next = read(0);
     for (size_t i = 0; i < requests.size(); ++i) {
         auto instance = next.get();
         if (!instance) return instance.error();
         if (i + 1 < requests.size()) next = read(i + 1);
         models.upload(*instance, reflectance, detail);
-        if (i < species.size())
-            models.species_.push_back(std::move(*instance));
-        else if (const size_t limb = i - species.size(); limb < 2)
-            models.hands_[limb] = std::move(*instance);
-        else
-            models.arms_[limb - 2] = std::move(*instance);
+        *requests[i].into = std::move(*instance);
         const auto done = static_cast<float>(i + 1) / static_cast<float>(requests.size());
         if (progress && !progress(done)) return Error{"", "loading was stopped"};
     }

@@ -23,13 +23,15 @@ namespace shoal::app {
 
 class CreatureModels {
   public:
-    // The species' models in the table's order; handVariant: a variant of both hands' models, such as
-    // "glove". Needs a current GL context.
+    // The models of the species that are shown, by index into the table; of hands and arms. handVariant: a
+    // variant of both hands' models, such as "glove". Needs a current GL context.
     // progress: called between two models with the share that is done; false: stop.
-    static Result<CreatureModels> load(const game::SpeciesTable& species, const std::string& handVariant,
-                                       render::Reflectance reflectance, render::Detail detail,
+    static Result<CreatureModels> load(const game::SpeciesTable& species, const std::vector<bool>& shown,
+                                       const std::string& handVariant, render::Reflectance reflectance,
+                                       render::Detail detail,
                                        const std::function<bool(float)>& progress = {});
     render::Reflectance reflectance() const { return reflectance_; }
+    const std::vector<bool>& shownSpecies() const { return shown_; }
     const std::string& handVariant() const { return handVariant_; }
 
     float minRoughness() const { return minRoughness_; } // of all surfaces
@@ -54,6 +56,7 @@ class CreatureModels {
     static void pose(const game::CreatureView& creature, ModelInstance& instance);
     struct ModelRequest {
         Path file;
+        ModelInstance* into;
         std::string variant;                      // of the materials; empty: as it is
         std::span<const std::string_view> joints; // that it must have, posed in the world: hands and arms
         bool onItself = false;                    // its parts take light from each other
@@ -67,9 +70,10 @@ class CreatureModels {
     float minRoughness_ = 1;
     render::Reflectance reflectance_ = render::Reflectance::Coded;
     std::string handVariant_;
+    std::vector<bool> shown_;
     std::vector<ImageRgba8> lastImages_; // of the model loaded before this, while loading
     std::shared_ptr<const render::TexturesGpu> lastTextures_;
-    std::vector<ModelInstance> species_;
+    std::vector<ModelInstance> species_;        // by index into the species table; empty ones are not shown
     std::array<ModelInstance, 2> hands_, arms_; // left, right
     std::vector<scene::Sphere> spheres_;        // scratch
 };

@@ -32,7 +32,8 @@ class Backends : public testing::Test {
         ASSERT_TRUE(config) << config.error().message();
         config_ = std::move(*config);
         auto creatures =
-            CreatureModels::load(config_->species, "light", reflectanceIn({}), render::Detail::Lean);
+            CreatureModels::load(config_->species, game::speciesShown(config_->species, config_->dive),
+                                 "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(creatures) << creatures.error().message();
         auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / config_->dive.video,
                                               .analysis = {.minRoughness = creatures->minRoughness(),

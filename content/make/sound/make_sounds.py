@@ -176,6 +176,27 @@ def shark_near():
     return fade(x * np.sin(np.pi * (t / seconds) ** 1.4) ** 1.6, 0.3, 0.6)
 
 
+def whale_song():
+    """A phrase of a humpback from far away: a moan that climbs, a cry that breaks downwards, a groan; the sea answers long
+    after. Fundamentals of 90 to 600 Hz, as recorded songs have them (Payne and McVay 1971, "Songs of humpback whales")."""
+    seconds = 8.0
+    x = empty(seconds)
+
+    def unit_of_song(at, length, pitches, overtones, rough, gain):
+        t = time(length)
+        f = np.exp(np.interp(t / length, np.linspace(0, 1, len(pitches)), np.log(pitches)))
+        f *= 1 + 0.012 * np.sin(2 * np.pi * 5.3 * t) * np.clip(t / 0.6, 0, 1)
+        phase = 2 * np.pi * np.cumsum(f) / RATE
+        voice = sum(g * np.sin(k * phase + 0.7 * k) for k, g in enumerate(overtones, 1))
+        voice *= 1 + rough * np.sin(2 * np.pi * 31 * t)
+        add(x, gain * voice * np.sin(np.pi * (t / length) ** 0.8) ** 1.3, at)
+
+    unit_of_song(0.1, 2.3, (110, 128, 190, 255), (1, 0.5, 0.22, 0.1), 0.10, 1.0)
+    unit_of_song(2.3, 1.5, (330, 560, 470, 250), (1, 0.35, 0.15), 0.0, 0.75)
+    unit_of_song(4.0, 2.2, (170, 120, 104, 92), (1, 0.7, 0.45, 0.3, 0.16), 0.30, 0.9)
+    return fade(answer(x, 3.0, 70, 1400, 0.9, 155), 0.05, 1.5)
+
+
 def shark_bite():
     """Jaws: teeth that meet within a twentieth of a second, the blow behind them, torn water."""
     seconds = 1.0
@@ -243,7 +264,7 @@ def dive_over():
 # LUFS: beds over all of it, other sounds their loudest 400 ms. What matters more to the player is louder.
 LEVELS = {
     bed_open: -23, bed_tunnel: -23, struggle: -23,
-    catch: -17, dive_start: -18, dive_over: -18, shark_bite: -18, shark_bump: -20, shark_near: -20, fish_pass_large: -23,
+    catch: -17, dive_start: -18, dive_over: -18, shark_bite: -18, shark_bump: -20, shark_near: -20, whale_song: -18, fish_pass_large: -23,
     escape: -22, release: -22, startle: -24, touch: -25, countdown: -24, bubbles: -24, fish_pass_small: -25, miss: -27,
 }
 LOOPS = {bed_open, bed_tunnel, struggle}

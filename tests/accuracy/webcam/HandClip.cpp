@@ -107,7 +107,7 @@ Result<HandClip> HandClip::make(cv::Size size, float horizontalFov) {
     auto context = platform::Headless::open();
     if (!context) return context.error();
     clip.context_ = std::move(*context);
-    auto cast = app::CreatureModels::load({}, "", render::Reflectance::Coded, render::Detail::Full);
+    auto cast = app::CreatureModels::load({}, {}, "", render::Reflectance::Coded, render::Detail::Full);
     if (!cast) return cast.error();
     clip.creatureModels_ = std::move(*cast);
     auto pass = render::ObjectPass::make();

@@ -24,10 +24,11 @@ void runOn(GameSession& session, double seconds) {
 Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Composition composition) {
     const bool software = gl::rendersInSoftware();
     const auto detail = software ? render::Detail::Lean : render::Detail::Full;
-    auto cast = CreatureModels::load(plan.species, "light", render::Reflectance::Coded, detail);
+    auto cast = CreatureModels::load(plan.species, game::speciesShown(plan.species, plan.dive), "light",
+                                     render::Reflectance::Coded, detail);
     if (!cast) return cast.error();
-    return SceneRenderer::make(std::move(*cast),
-                               {.detail = detail, .particles = false, .compositor = {.composition = composition}});
+    return SceneRenderer::make(
+        std::move(*cast), {.detail = detail, .particles = false, .compositor = {.composition = composition}});
 }
 
 Result<std::unique_ptr<Environment>> openVideo(const Path& file) {

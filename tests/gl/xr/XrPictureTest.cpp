@@ -30,7 +30,8 @@ class XrPicture : public test::WithFakeRuntime {
         auto plan = makeSessionConfig({.xr = true});
         ASSERT_TRUE(plan) << plan.error().message();
         plan_ = std::move(*plan);
-        auto cast = CreatureModels::load(plan_->species, "light", reflectanceIn({}), render::Detail::Lean);
+        auto cast = CreatureModels::load(plan_->species, game::speciesShown(plan_->species, plan_->dive),
+                                         "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(cast) << cast.error().message();
         auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
                                               .bothEyes = true,

@@ -65,6 +65,20 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     EXPECT_THAT(reason(good + "[[school]]\nspecies = \"snapper\"\ncount = 1000\n"),
                 HasSubstr("more than 1000 fish"));
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"snapper\"\n"), HasSubstr("must be a shark"));
+    SpeciesTable withWhale = known;
+    withWhale.push_back({.name = "whale", .giant = true});
+    const auto encounter = [&](const std::string& species, const std::string& rest) {
+        const auto read =
+            loadDive(write(good + "[encounter]\nspecies = \"" + species + "\"\nat = 9\n" + rest), withWhale);
+        return read ? std::string("accepted") : read.error().message();
+    };
+    const std::string way = "from = [-9, 3, 0]\nto = [9, 3, 0]\n";
+    EXPECT_EQ(encounter("whale", way), "accepted");
+    EXPECT_THAT(encounter("snapper", way), HasSubstr("must be a giant"));
+    EXPECT_THAT(encounter("whale", "from = [-9, 3, 0]\n"), HasSubstr("\"to\" is missing"));
+    EXPECT_THAT(encounter("whale", "from = [-9, 3]\nto = [9, 3, 0]\n"), HasSubstr("[x, y, z]"));
+    EXPECT_THAT(encounter("whale", "from = [-9, 1, 0]\nto = [9, 1, 0]\n"), HasSubstr("no less than 2.5 m"));
+    EXPECT_THAT(encounter("whale", "from = [-90, 3, 0]\nto = [9, 3, 0]\n"), HasSubstr("-60 to 60"));
     EXPECT_THAT(reason(good + "[shark]\nspecies = \"shark\"\nvisits = [20, 10]\n"), HasSubstr("rising"));
     EXPECT_THAT(reason("video = \"/etc/passwd\"\n" + good), HasSubstr("line 1"));
     EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 5\nto_s = 4\n"),

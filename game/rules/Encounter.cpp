@@ -1,0 +1,41 @@
+#include "game/rules/Encounter.h"
+
+#include "game/rules/Steering.h"
+#include "game/rules/Swimmer.h"
+
+namespace shoal::game {
+
+namespace {
+
+// Its voice carries far: it is heard from its direction, as loud as something at this distance.
+constexpr float kHeardFrom_m = 1.5f;
+
+void setOut(Passer& passer, const EncounterPlan& plan, const Species& kind, int id, Score& score,
+            Events& events) {
+    passer.state = Passer::State::Passing;
+    passer.position = plan.from;
+    passer.forward = normalizedOr(plan.to - plan.from, {0, 0, 1});
+    passer.speed = kind.cruise_mps;
+    passer.worldFromBody = bodyTurn(passer.forward, 0);
+    passer.shape.amplitude = tailAmplitude(1);
+    score.species[static_cast<size_t>(plan.species)].touched = true;
+    events.push_back({.kind = EventKind::Encounter,
+                      .creature = id,
+                      .position = kHeardFrom_m * normalizedOr(plan.from, kUp)});
+}
+
+} // namespace
+
+void passBy(Passer& passer, const EncounterPlan& plan, const SpeciesTable& species, float time_s, int id,
+            Score& score, Events& events) {
+    if (plan.species < 0 || time_s < plan.at_s || passer.state == Passer::State::Gone) return;
+    const Species& kind = species[static_cast<size_t>(plan.species)];
+    if (passer.state == Passer::State::ToCome) setOut(passer, plan, kind, id, score, events);
+    passer.velocity = passer.forward * passer.speed;
+    passer.position += passer.velocity * kDt;
+    beatTail(passer, kind);
+    passer.gait.advance(1);
+    if (glm::dot(plan.to - passer.position, passer.forward) <= 0) passer.state = Passer::State::Gone;
+}
+
+} // namespace shoal::game
