@@ -9,8 +9,9 @@ namespace shoal::game {
 
 namespace {
 
-// Within reach of an arm. Somewhat nearer than the hand can be put, so that it is not drawn to its limit.
-constexpr float kNear_m = 0.3f, kFar_m = 1.5f;
+// As far as hands reach that are tracked above a desk: a third of a metre ahead of its middle (see Mount in
+// input/hands/HandTracker.h), so that mouse and hands have the same fish within reach. The wheel goes beyond.
+constexpr float kNear_m = 0.3f, kFar_m = 1.3f;
 // The cone around the ray, beyond the fish's own outline: full help up to the first angle, none from the
 // second on. Tangents: 4 and 12 degrees.
 constexpr float kFull = 0.07f, kNone = 0.21f;

@@ -1,11 +1,12 @@
-// Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST]]. Prints a table
-// and writes FOLDER/players.tsv, a row a dive.
+// Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST [PLAYER]]], of that
+// player alone. Prints a table and writes FOLDER/players.tsv, a row a dive.
 #include "engine/core/Files.h"
 #include "tests/bench/player/PlayedDive.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 #include <vector>
 
 using namespace shoal;
@@ -40,6 +41,7 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
     int met = 0, first = 0;
     double closings = 0, escapes = 0, lost = 0, startles = 0;
     std::array<double, 6> misses{};
+    std::array<double, player::kDoings> spent_s{};
     std::vector<float> firsts;
     for (const player::PlayedDive& dive : dives) {
         caught.push_back(dive.caught);
@@ -48,6 +50,7 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
         first += dive.firstCatch_s <= kind.firstBefore_s;
         closings += dive.closings, escapes += dive.escapes, lost += dive.lost, startles += dive.startles;
         for (size_t i = 0; i < misses.size(); ++i) misses[i] += dive.misses[i];
+        for (size_t i = 0; i < spent_s.size(); ++i) spent_s[i] += static_cast<double>(dive.spent_s[i]);
     }
     std::sort(caught.begin(), caught.end());
     std::sort(firsts.begin(), firsts.end());
@@ -59,17 +62,20 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
                 "90 %%), in "
                 "time %3.0f %%\n    a dive: %.1f closings, %.1f escapes, %.1f lost, %.1f startled; missed: "
                 "nothing %.1f, "
-                "far %.1f, fast %.1f, early %.1f, behind %.1f\n",
+                "far %.1f, fast %.1f, early %.1f, behind %.1f\n    seconds: looking %.0f, waiting %.0f, "
+                "chasing %.0f, "
+                "holding %.0f, resting %.0f\n",
                 kind.name, share(caught, 0.1), share(caught, 0.5), share(caught, 0.9), 100 * met / n,
                 share(firsts, 0.5), share(firsts, 0.9), 100 * first / n, closings / n, escapes / n, lost / n,
-                startles / n, misses[1] / n, misses[2] / n, misses[3] / n, misses[4] / n, misses[5] / n);
+                startles / n, misses[1] / n, misses[2] / n, misses[3] / n, misses[4] / n, misses[5] / n,
+                spent_s[0] / n, spent_s[1] / n, spent_s[2] / n, spent_s[3] / n, spent_s[4] / n);
 }
 
 } // namespace
 
 int main(int count, char** arguments) {
     if (count < 2) {
-        std::fputs("bench_player FOLDER [SEEDS [FIRST]]\n", stderr);
+        std::fputs("bench_player FOLDER [SEEDS [FIRST [PLAYER]]]\n", stderr);
         return 2;
     }
     const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 50;
@@ -80,17 +86,22 @@ int main(int count, char** arguments) {
         std::fprintf(stderr, "%s\n", (files ? rig.error() : files.error()).message().c_str());
         return 1;
     }
-    std::string table = "player\tseed\tcaught\tfirst_s\tlost\tpoints\n";
+    std::string table =
+        "player\tseed\tcaught\tfirst_s\tlost\tpoints\tclosings\tescapes\tlooking_s\twaiting_s\tchasing_s\n";
+    const std::string_view wanted = count > 4 ? arguments[4] : "";
     for (const Kind& kind : kinds()) {
+        if (!wanted.empty() && kind.name != wanted) continue;
         std::vector<player::PlayedDive> dives;
         for (int seed = from; seed < from + seeds; ++seed) {
             player::PlayerSetup setup = kind.setup;
             setup.seed = static_cast<uint64_t>(seed);
             const player::PlayedDive& dive = dives.emplace_back(player::play(*files, *rig, setup));
             char row[200];
-            std::snprintf(row, sizeof row, "%s\t%d\t%d\t%.2f\t%d\t%d\n", kind.name, seed, dive.caught,
+            std::snprintf(row, sizeof row, "%s\t%d\t%d\t%.2f\t%d\t%d\t%d\t%d\t%.1f\t%.1f\t%.1f\n", kind.name,
+                          seed, dive.caught,
                           static_cast<double>(std::min(dive.firstCatch_s, files->dive.duration_s)), dive.lost,
-                          dive.points);
+                          dive.points, dive.closings, dive.escapes, static_cast<double>(dive.spent_s[0]),
+                          static_cast<double>(dive.spent_s[1]), static_cast<double>(dive.spent_s[2]));
             table += row;
         }
         report(kind, dives);

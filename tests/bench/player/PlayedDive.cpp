@@ -114,6 +114,7 @@ PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSet
     for (int frame = 0; frame < frames; ++frame) {
         const Action action = player.frame(now, static_cast<double>(frame) / kFrameRate_Hz);
         played.closings += action.close && !closed;
+        played.spent_s[static_cast<size_t>(player.doing())] += kFrame_s;
         closed = action.close;
         yaw += action.turn_radps * kFrame_s;
         source.frame(action, now);

@@ -22,7 +22,8 @@ struct PlayedDive {
     int caught = 0, lost = 0, points = 0;
     float firstCatch_s = 1e9f; // of the dive's clock
     int closings = 0, escapes = 0, startles = 0;
-    std::array<int, 6> misses{}; // by game::Miss
+    std::array<int, 6> misses{};          // by game::Miss
+    std::array<float, kDoings> spent_s{}; // by Doing
 };
 
 PlayedDive play(const game::DiveFiles&, const hands::HandRig&, const PlayerSetup&);

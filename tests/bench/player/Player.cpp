@@ -10,9 +10,10 @@ namespace shoal::player {
 
 namespace {
 
-constexpr float kTires_s = 3;    // of a chase...
-constexpr float kTiredFor_s = 5; // ...and tries that fish no more for so long
-constexpr float kWaits_s = 3;    // for a fish to come
+constexpr float kTires_s = 3;       // of a chase...
+constexpr float kTiredFor_s = 5;    // ...and tries that fish no more for so long
+constexpr float kWaits_s = 3;       // for a fish to come
+constexpr float kPatience_s = 1.2f; // with a fish that looks right and does not light up
 constexpr float kTurn_radps = 1.2f;
 constexpr float kJudgement_m = 0.05f; // error of depth with a hand in space, at first
 constexpr glm::vec3 kHandRests(0.12f, -0.15f, -0.55f);
@@ -138,6 +139,13 @@ void Player::giveUp(double time_s) {
     target_ = -1;
 }
 
+// One that has swum out of the picture is not waited for.
+void Player::lookForAnother(double time_s) {
+    doing_ = Doing::Looking;
+    since_s_ = time_s;
+    target_ = -1;
+}
+
 // The hand rests where it is, in the way of whoever comes.
 void Player::wait(double time_s) {
     for (const SeenFish& fish : eyes_.now().fish)
@@ -195,13 +203,13 @@ bool Player::looksRight(const SeenFish& fish, double time_s) {
                       std::fabs(fish_m - hand_m) < (device_ == Device::Hands ? 0.06f : 0.25f * fish_m);
     if (!over) rightSince_s_ = -1;
     if (over && rightSince_s_ < 0) rightSince_s_ = time_s;
-    const float patience_s = skill_ == Skill::Novice ? 1.2f : 0.6f;
-    return fish.marked || (over && time_s - rightSince_s_ > static_cast<double>(patience_s));
+    return fish.marked || (over && time_s - rightSince_s_ > static_cast<double>(kPatience_s));
 }
 
 void Player::chase(double time_s) {
     const SeenFish* fish = find(eyes_.now(), target_);
-    if (!fish || fish->held || time_s - since_s_ > static_cast<double>(kTires_s)) return giveUp(time_s);
+    if (!fish || fish->held) return lookForAnother(time_s);
+    if (time_s - since_s_ > static_cast<double>(kTires_s)) return giveUp(time_s);
     // Another that lights up beside it is as good.
     for (const SeenFish& other : eyes_.now().fish)
         if (other.marked && !fish->marked) fish = &other, target_ = other.id;

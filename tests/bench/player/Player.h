@@ -44,15 +44,18 @@ class Movement {
     double begin_s_ = 0, end_s_ = 0;
 };
 
+enum class Doing { Looking, Waiting, Chasing, Holding, Resting };
+constexpr size_t kDoings = 5;
+
 class Player {
   public:
     Player(Skill, Device, uint64_t seed, const game::SpeciesTable&);
 
     Action frame(const game::Snapshot& shown, double time_s);
 
-  private:
-    enum class Doing { Looking, Waiting, Chasing, Holding, Resting };
+    Doing doing() const { return doing_; }
 
+  private:
     void look(double time_s);
     void wait(double time_s);
     void close(double time_s);
@@ -62,6 +65,7 @@ class Player {
     bool looksRight(const SeenFish&, double time_s);
     int choose(double time_s) const;
     void giveUp(double time_s);
+    void lookForAnother(double time_s);
     void startMoving(glm::vec3 goal, float width, double time_s);
     glm::vec3 goalFor(const SeenFish&, float ahead_s) const;
     float judgedDistance_m(const SeenFish&) const;
