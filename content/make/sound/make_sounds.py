@@ -157,11 +157,46 @@ def startle():
     return fade(x + 0.7 * swish(0.45, 0.15, ((200, 800, 0.045, 1), (700, 2400, 0.03, 0.5)), 138), 0.004, 0.15)
 
 
-def miss():
+def closing(seconds):
     """A hand closes on water."""
-    t = time(0.42)
-    x = swish(0.42, 0.1, ((90, 320, 0.075, 1), (300, 900, 0.05, 0.35)), 139)
-    return fade(x + 0.5 * np.sin(2 * np.pi * 95 * t) * np.exp(-((t - 0.13) / 0.04) ** 2), 0.01, 0.15)
+    t = time(seconds)
+    x = empty(seconds)
+    add(x, swish(0.42, 0.1, ((90, 320, 0.075, 1), (300, 900, 0.05, 0.35)), 139), 0)
+    return x + 0.5 * np.sin(2 * np.pi * 95 * t) * np.exp(-((t - 0.13) / 0.04) ** 2)
+
+
+def miss():
+    return fade(closing(0.42), 0.01, 0.15)
+
+
+def miss_too_far():
+    """And two notes that rise and go away: farther."""
+    notes = phrase(0.85, ((0.13, 293.7, 1), (0.29, 440.0, 0.7)), 0.5)
+    x = 0.6 * closing(0.85) + 0.55 * answer(band(notes, 60, 2500), 0.8, 150, 2200, 0.6, 155)
+    return fade(x, 0.01, 0.3)
+
+
+def miss_behind():
+    """And two notes that fall and come back: nearer."""
+    notes = phrase(0.7, ((0.13, 440.0, 0.7), (0.29, 293.7, 1)), 0.4)
+    return fade(0.6 * closing(0.7) + 0.55 * band(notes, 60, 2500), 0.01, 0.25)
+
+
+def miss_too_fast():
+    """Three strokes of water in a fifth of a second, each quicker and brighter: a hand that hurries."""
+    x = empty(0.5)
+    for k, (at, high) in enumerate(((0.03, 700), (0.13, 1300), (0.2, 2400))):
+        stroke = swish(0.2, 0.04, ((140, high, 0.028, 1), (high / 3, 1.4 * high, 0.018, 0.5)), 156 + k)
+        add(x, fade(stroke, 0.01, 0.08) * (0.6 + 0.2 * k), at)
+    return fade(x, 0.01, 0.15)
+
+
+def miss_too_early():
+    """The hand shuts with a knock; a rest; then the fish goes by."""
+    seconds = 0.85
+    knock = band(phrase(seconds, ((0.02, 220.0, 1), (0.02, 440.0, 0.3)), 0.3), 60, 1800) * np.exp(-time(seconds) / 0.06)
+    late = swish(seconds, 0.5, ((150, 520, 0.1, 1), (450, 1500, 0.06, 0.5)), 159)
+    return fade(0.9 * knock + 0.5 * late, 0.004, 0.2)
 
 
 def shark_near():
@@ -266,6 +301,7 @@ LEVELS = {
     bed_open: -23, bed_tunnel: -23, struggle: -23,
     catch: -17, dive_start: -18, dive_over: -18, shark_bite: -18, shark_bump: -20, shark_near: -20, whale_song: -18, fish_pass_large: -23,
     escape: -22, release: -22, startle: -24, touch: -25, countdown: -24, bubbles: -24, fish_pass_small: -25, miss: -27,
+    miss_too_far: -25, miss_behind: -25, miss_too_fast: -25, miss_too_early: -25,
 }
 LOOPS = {bed_open, bed_tunnel, struggle}
 

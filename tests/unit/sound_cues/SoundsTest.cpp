@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
+#include <utility>
 
 namespace shoal::game {
 
@@ -101,6 +103,50 @@ TEST_P(Sounds, NeitherStartsNorEndsWithAClick) {
         EXPECT_LE(bend(frames - 2), usual);
         EXPECT_LE(bend(frames - 1), usual);
     }
+}
+
+audio::Clip clipOf(const char* file) {
+    return *audio::readClip(dataRoot() / "content" / "sounds" / (std::string(file) + ".flac"));
+}
+
+// Power of the samples between two times, and, by Goertzel's algorithm, of one frequency in them.
+double powerOf(const audio::Clip& clip, double from_s, double to_s) {
+    double sum = 0;
+    const auto first = static_cast<size_t>(from_s * 48000), last = static_cast<size_t>(to_s * 48000);
+    for (size_t i = first; i < last; ++i) sum += std::pow(clip.samples.at(i) / 32768.0, 2);
+    return sum / static_cast<double>(last - first);
+}
+double powerOf(const audio::Clip& clip, double from_s, double to_s, double frequency_Hz) {
+    const double turn = 2 * std::cos(2 * std::numbers::pi * frequency_Hz / 48000);
+    double s1 = 0, s2 = 0;
+    for (auto i = static_cast<size_t>(from_s * 48000); i < static_cast<size_t>(to_s * 48000); ++i) {
+        const double s = clip.samples.at(i) / 32768.0 + turn * s1 - s2;
+        s2 = std::exchange(s1, s);
+    }
+    return s1 * s1 + s2 * s2 - turn * s1 * s2;
+}
+
+// Each miss is told from the others: by which way two notes go (D4 and A4), or by its rhythm.
+TEST(SoundsOfMisses, TooFarRisesAndBehindFalls) {
+    constexpr double kLow_Hz = 293.7, kHigh_Hz = 440, kSecond_s = 0.3, kEnd_s = 0.5;
+    const audio::Clip far = clipOf("miss_too_far"), behind = clipOf("miss_behind");
+    const auto rises = [&](const audio::Clip& clip) {
+        const auto high = [&](double from_s, double to_s) {
+            return powerOf(clip, from_s, to_s, kHigh_Hz) / powerOf(clip, from_s, to_s, kLow_Hz);
+        };
+        return high(kSecond_s, kEnd_s) / high(0.14, kSecond_s);
+    };
+    EXPECT_GT(rises(far), 4); // 6 dB: nobody hears the wrong note as the louder one
+    EXPECT_LT(rises(behind), 0.25);
+}
+
+TEST(SoundsOfMisses, TooEarlyHasARestAndTooFastHasNone) {
+    const audio::Clip early = clipOf("miss_too_early"), fast = clipOf("miss_too_fast");
+    const double knock = powerOf(early, 0.02, 0.1), rest = powerOf(early, 0.2, 0.28),
+                 late = powerOf(early, 0.45, 0.6);
+    EXPECT_LT(rest, 0.1 * knock); // 10 dB
+    EXPECT_LT(rest, 0.1 * late);
+    EXPECT_LT(powerOf(fast, 0.35, 0.5), 0.01 * powerOf(fast, 0.05, 0.3)); // over in a third of a second
 }
 
 INSTANTIATE_TEST_SUITE_P(Content, Sounds, testing::ValuesIn(kSounds),
