@@ -1,7 +1,11 @@
 #include "engine/xr/Headset.h"
 
+#include "engine/core/Files.h"
 #include "engine/xr/OpenXr.h"
 #include "engine/xr/Tracked.h"
+
+#include <cstdlib>
+#include <filesystem>
 
 namespace shoal::xr {
 
@@ -166,6 +170,14 @@ struct Headset::State {
     void locateEyes();
     Swapchain& picture(Picture p) { return pictures[static_cast<size_t>(p)]; }
 };
+
+bool Headset::hasRuntime() {
+    if (std::getenv("XR_RUNTIME_JSON")) return true;
+    std::error_code code;
+    for (const Path& folder : {configFolder().parent_path(), Path("/etc/xdg"), Path("/etc")})
+        if (std::filesystem::exists(folder / "openxr/1/active_runtime.json", code)) return true;
+    return false;
+}
 
 Result<Headset> Headset::open(glm::ivec2 panelSize) {
     auto state = std::make_unique<State>();

@@ -36,6 +36,9 @@ struct Shown {
 
 class Headset {
   public:
+    // Whether a runtime is set up, by the files that the OpenXR loader looks for: nothing is loaded or
+    // started. Whether it has a headset shows only in open().
+    static bool hasRuntime();
     // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell a player what to do.
     static Result<Headset> open(glm::ivec2 panelSize);
     Headset(Headset&&) noexcept;

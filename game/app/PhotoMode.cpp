@@ -14,7 +14,7 @@ namespace shoal::app {
 
 namespace {
 
-constexpr float kTurn_radps = 1.2f, kMove_mps = 0.8f, kDrag_rad = 0.0032f;
+constexpr float kTurn_radps = 1.2f, kMove_mps = 0.8f;
 
 // Turns of the six faces of a cube, each seen with 90 degrees: ahead, right, back, left, up, down.
 std::array<glm::quat, 6> faceTurns() {
@@ -33,23 +33,18 @@ size_t faceOf(glm::vec3 d) {
 
 } // namespace
 
-PhotoMode::PhotoMode(const game::Snapshot& shown) : shown_(shown), origin_(shown.headWorld) {
+PhotoMode::PhotoMode(const game::Snapshot& shown)
+    : shown_(shown), origin_(shown.headWorld), look_(LookAngles::of(shown.worldFromView)) {
     for (game::HandView& hand : shown_.hands) hand.visible = false;
-    const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
-    yaw_ = std::atan2(ahead.x, -ahead.z);
-    pitch_ = std::asin(std::clamp(ahead.y, -1.0f, 1.0f));
 }
 
 void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
     const auto key = [&](Action plus, Action minus) {
         return static_cast<float>(c.is(plus)) - static_cast<float>(c.is(minus));
     };
-    const glm::vec2 drag = glm::vec2(c.dragged.x, -c.dragged.y) * (kDrag_rad * sensitivity);
-    const glm::vec2 turn = c.look * (kTurn_radps * dt_s) + drag;
-    yaw_ += turn.x;
-    pitch_ = std::clamp(pitch_ + turn.y, -1.5f, 1.5f);
-    shown_.worldFromView =
-        glm::angleAxis(-yaw_, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0));
+    const glm::vec2 drag = glm::vec2(c.dragged.x, -c.dragged.y) * (kDragTurn_rad * sensitivity);
+    look_.turnBy(c.look * (kTurn_radps * dt_s) + drag);
+    shown_.worldFromView = look_.worldFromView();
     const glm::vec3 way(key(Action::LookRight, Action::LookLeft) + c.reach.x,
                         key(Action::Farther, Action::Nearer),
                         -key(Action::LookUp, Action::LookDown) - c.reach.y);

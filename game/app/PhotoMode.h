@@ -5,6 +5,7 @@
 #include "engine/core/Files.h"
 #include "game/rules/Snapshot.h"
 #include "game/session/Controls.h"
+#include "game/session/LookAngles.h"
 #include "game/views/SceneRenderer.h"
 
 namespace shoal::app {
@@ -25,7 +26,7 @@ class PhotoMode {
   private:
     game::Snapshot shown_;
     glm::vec3 origin_;
-    float yaw_ = 0, pitch_ = 0;
+    LookAngles look_;
 };
 
 // The scene in every direction: lat-long, twice as wide as high.

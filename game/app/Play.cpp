@@ -4,6 +4,7 @@
 #include "engine/core/Log.h"
 #include "engine/gl/Renderer.h"
 #include "engine/media/Pictures.h"
+#include "engine/xr/Headset.h"
 #include "game/app/FlatDisplay.h"
 #include "game/app/HeadsetDisplay.h"
 #include "game/settings/KeptFiles.h"
@@ -22,18 +23,6 @@ namespace {
 
 render::Composition compositionIn(const PlayOptions& options) {
     return options.backdropOnly ? render::Composition::BackgroundOnly : options.compose;
-}
-
-// A runtime says so in one of these places (the OpenXR loader's own search); whether a headset is there shows
-// only when it is asked.
-bool hasHeadsetRuntime() {
-    if (std::getenv("XR_RUNTIME_JSON")) return true;
-    const char* home = std::getenv("HOME");
-    std::error_code code;
-    for (const Path& folder :
-         {Path(home ? home : "") / ".config", Path("/etc/xdg"), Path("/etc"), Path("/usr/share")})
-        if (std::filesystem::exists(folder / "openxr/1/active_runtime.json", code)) return true;
-    return false;
 }
 
 // With their titles and best scores; a dive whose file cannot be read is left out.
@@ -69,7 +58,7 @@ Status Application::open() {
     screens_.facts = {.species = &config_.species,
                       .dive = &config_.dive,
                       .dives = divesThereAre(),
-                      .headset = hasHeadsetRuntime(),
+                      .headset = xr::Headset::hasRuntime(),
                       .met = readGuide()};
     if (Status opened = openScene(); !opened) return opened;
     openSound();

@@ -7,19 +7,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 
 namespace shoal::app {
 
 namespace {
 
 constexpr float kKeyTurn_radps = 1.6f;
-constexpr float kDragTurn_rad = 0.0032f; // a pixel
 constexpr float kSnapTurn_rad = 0.5236f; // 30 degrees
-constexpr float kPitchMax = 1.45f;
-constexpr float kStickReach_ps = 1.1f;  // half pictures a second that a full stick moves the hand
-constexpr float kKeyNotches_ps = 12;    // of a key, as the wheel's
-constexpr float kTriggerStarts = 0.06f; // a trigger at rest is not always at 0
+constexpr float kStickReach_ps = 1.1f;   // half pictures a second that a full stick moves the hand
+constexpr float kKeyNotches_ps = 12;     // of a key, as the wheel's
+constexpr float kTriggerStarts = 0.06f;  // a trigger at rest is not always at 0
 
 constexpr double kCaption_s = 4;
 constexpr double kFindDevices_s = 1; // before the mouse is said to be all there is
@@ -66,8 +63,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
     if (controls) {
         const Controls& c = *controls;
         const glm::vec2 turn = turnBy(c, options, dt_s, snapped_);
-        yaw_ = std::remainder(yaw_ + turn.x, 2 * std::numbers::pi_v<float>);
-        pitch_ = std::clamp(pitch_ + turn.y, -kPitchMax, kPitchMax);
+        look_.turnBy(turn);
         const float rate = dt_s > 0 ? glm::length(turn) / dt_s : 0;
         turning_radps_ += (rate - turning_radps_) * std::min(1.0f, 8 * dt_s);
         if (c.was(Action::Recentre)) recentre();
@@ -105,15 +101,14 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
 }
 
 void MouseSource::idle(float dt_s, float yaw_radps) {
-    yaw_ = std::remainder(yaw_ + yaw_radps * dt_s, 2 * std::numbers::pi_v<float>);
+    look_.turnBy({yaw_radps * dt_s, 0});
     poses_ = {};
 }
 
 void MouseSource::next(game::TickInput& out) const {
     out = {};
     out.hands = poses_;
-    out.worldFromView =
-        glm::angleAxis(-yaw_, glm::vec3(0, 1, 0)) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0));
+    out.worldFromView = look_.worldFromView();
 }
 
 TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& options,

@@ -9,6 +9,7 @@
 #include "game/rules/Dive.h"
 #include "game/rules/ReachHelp.h"
 #include "game/session/Controls.h"
+#include "game/session/LookAngles.h"
 #include "game/settings/PlayOptions.h"
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/MouseHands.h"
@@ -36,7 +37,7 @@ class MouseSource {
     // The player is in a menu: hands and view stay, and the press that ends the menu closes no hand.
     void release() { awaitsOpen_ = true; }
     void next(game::TickInput& out) const;
-    void recentre() { yaw_ = pitch_ = 0; }
+    void recentre() { look_ = {}; }
     // The view turns by the player's will, radians a second; smoothed, for the dark edges that help comfort.
     float turning_radps() const { return turning_radps_; }
 
@@ -45,7 +46,7 @@ class MouseSource {
     game::SpeciesTable species_;
     game::ReachHelp reach_;
     std::array<hands::HandPose, 2> poses_{};
-    float yaw_ = 0, pitch_ = 0; // radians; yaw to the right, pitch up
+    LookAngles look_;
     float turning_radps_ = 0;
     glm::vec2 pointer_{0}; // what the hand reaches for: -1 to 1 across the window, +x right, +y up
     Handedness hand_ = Handedness::Right; // as the player has chosen
