@@ -84,6 +84,9 @@ struct HandView {
     Miss lastMiss = Miss::None;                            // None: it took hold since, or has not closed yet
     float sinceMiss_s = 0;
     float stung_s = 0; // left of a sting: it cannot hold
+    // From the wrist, world frame; its length is 1 where a tracker gives it and 0 where none does. The rules
+    // do not know it, the session adds it.
+    glm::vec3 towardsElbow{0};
 };
 
 // One species' part of the dive.

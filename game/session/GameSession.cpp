@@ -168,6 +168,7 @@ void GameSession::advance(double elapsed_s, bool record) {
     }
     headBefore_ = head;
     game::interpolate(before, after, clock.alpha(), shown);
+    if (tracked) tracked->showElbows(shown);
 }
 
 } // namespace shoal::app

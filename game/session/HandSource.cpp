@@ -135,12 +135,23 @@ void TrackedHands::frame(double elapsed_s) {
     hands::HandStream& stream = tracker_->stream();
     hands_.advance(stream, elapsed_s);
     played_s_ += elapsed_s;
+    constexpr double kElbowEase_s = 0.05;
+    const auto share = static_cast<float>(1 - std::exp(-elapsed_s / kElbowEase_s));
+    for (int side = 0; side < 2; ++side) {
+        glm::vec3& shown = towardsElbow_[static_cast<size_t>(side)];
+        shown += ((choice_.fromDevice() ? hands_.towardsElbow(side) : glm::vec3(0)) - shown) * share;
+    }
     state_ = stream.state();
     if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
 }
 
 void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
     choice_.tick(hands_, input.hands, ticksLeft, static_cast<float>(sim::kTick_s));
+}
+
+void TrackedHands::showElbows(game::Snapshot& shown) const {
+    for (size_t side = 0; side < 2; ++side)
+        shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
 }
 
 std::array<hands::HandPose, 2> TrackedHands::seen() const {

@@ -76,6 +76,9 @@ class TrackedHands {
     // Once a tick: replaces the mouse's hands in `input` by those of the device, if one sees hands.
     void tick(game::TickInput& input, int ticksLeft);
 
+    // Arms follow the elbows that the device sees. Not recorded: the picture alone has them.
+    void showElbows(game::Snapshot& shown) const;
+
     // Of the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const;
 
@@ -92,6 +95,7 @@ class TrackedHands {
     hands::HandSourceSelector choice_; // between its hands and the mouse's
     std::optional<bool> announced_;    // that it is there, or that it is not
     std::string announcement_;
+    std::array<glm::vec3, 2> towardsElbow_{}; // viewer's frame, eased to and from 0
     double played_s_ = 0, announcedAt_s_ = 0;
 };
 

@@ -40,6 +40,17 @@ glm::vec3 across(const glm::vec3& v, const glm::vec3& axis, const glm::vec3& oth
     return glm::normalize(part);
 }
 
+// Of the elbow off the unit vector `back`, unit. One that is given counts unless it is as good as on that
+// line, where its direction is noise.
+glm::vec3 elbowPoint(const glm::vec3& hint, const glm::vec3& given, const glm::vec3& back,
+                     const glm::vec3& aside) {
+    constexpr float kNone = 0.05f, kFull = 0.2f; // sines: 3 and 12 degrees
+    const glm::vec3 loose = across(hint, back, aside);
+    const float sine = glm::length(given - back * glm::dot(given, back));
+    const float trust = glm::smoothstep(kNone, kFull, sine);
+    return trust > 0 ? across(glm::mix(loose, across(given, back, loose), trust), back, loose) : loose;
+}
+
 // Z along `axis`, and what points along kElbowAtRest of this side points along `point`, at right angles to
 // it.
 glm::quat frameOf(hands::Side side, const glm::vec3& axis, const glm::vec3& point) {
@@ -67,7 +78,8 @@ glm::vec3 shoulderWorld(hands::Side side, const Head& head) {
     return head.positionWorld + head.worldFromView * inView;
 }
 
-ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& head) {
+ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& head,
+                const glm::vec3& towardsElbow) {
     const glm::vec3 shoulder = shoulderWorld(side, head), wrist = wristWorld.position;
     const glm::quat yaw = yawOf(head.worldFromView);
     const glm::vec3 hint = yaw * ofSide(side, kElbowHint), aside = yaw * ofSide(side, {1, 0, 0});
@@ -76,7 +88,7 @@ ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& he
     // reach.
     const float distance = std::max(glm::length(apart), kUpperArm_m - kForearm_m + 1e-3f);
     const glm::vec3 back = across(apart, glm::vec3(0), yaw * glm::vec3(0, 0, 1));
-    const glm::vec3 point = across(hint, back, aside); // where the elbow stands off the straight line
+    const glm::vec3 point = elbowPoint(hint, towardsElbow, back, aside);
     // Two-bone inverse kinematics: the triangle of both bones and the distance, by the law of cosines.
     const float stretch = std::max(distance / (kForearm_m + kUpperArm_m), 1.0f);
     const float fore = kForearm_m * stretch, upper = kUpperArm_m * stretch;

@@ -32,8 +32,11 @@ struct Head {
 glm::vec3 shoulderWorld(hands::Side side, const Head& head);
 
 // The wrist stays where it is. Where it is farther from the shoulder than the arm is long, both bones are
-// stretched alike.
-ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& head);
+// stretched alike. towardsElbow: from the wrist, world frame, where a tracker gives it; of length 1, shorter
+// where it is trusted less, 0 where none does: then the elbow hangs loosely. Shoulder and lengths of the
+// bones stay, so it decides to which side of the line from wrist to shoulder the elbow stands off.
+ArmPose poseArm(hands::Side side, const hands::Joint& wristWorld, const Head& head,
+                const glm::vec3& towardsElbow = glm::vec3(0));
 
 // Of the bones, from 1.
 float stretchOf(const ArmPose& arm);

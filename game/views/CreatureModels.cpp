@@ -203,7 +203,8 @@ void CreatureModels::show(const game::Snapshot& snapshot, render::ObjectPass& pa
         if (!hand.visible) continue;
         placeJoints(hand.joints, hands_[side].jointNodes, hands_[side].pose);
         showPosed(hands_[side], 1, pass);
-        const ArmPose arm = poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head);
+        const ArmPose arm =
+            poseArm(static_cast<hands::Side>(side), hand.joints[hands::kWristJoint], head, hand.towardsElbow);
         for (size_t k = 0; k < arm.size(); ++k)
             arms_[side].pose.modelFromNode[static_cast<size_t>(arms_[side].jointNodes[k])] = arm[k];
         showPosed(arms_[side], kArmMargin * std::max(stretchOf(arm), 1.0f), pass);

@@ -15,8 +15,9 @@ struct PartialHand {
     int64_t identity = 0;
     std::optional<Side> side;
     glm::vec3 palm{0};
-    glm::vec3 normal{0, -1, 0};    // out of the palm; need not be of unit length, nor at a right angle to...
-    glm::vec3 direction{0, 0, -1}; // ...the way to the fingers, but not parallel to it
+    glm::vec3 normal{0, -1, 0};     // out of the palm; need not be of unit length, nor at a right angle to...
+    glm::vec3 direction{0, 0, -1};  // ...the way to the fingers, but not parallel to it
+    std::optional<glm::vec3> elbow; // as the joints
     std::optional<float> palmWidth_m;
     std::optional<float> grip, pinch, confidence;
     JointPositions joints; // but the palm

@@ -42,7 +42,9 @@ void DeviceHands::advance(HandStream& stream, double elapsed_s) {
     while (due(stream, frame))
         for (size_t side = 0; side < 2; ++side) {
             filters_[side].step(frame.hands[side], frame.identity[side], frame.time_us);
-            if (filters_[side].seen()) notSeen_s_[side] = 0;
+            if (!filters_[side].seen()) continue;
+            notSeen_s_[side] = 0;
+            towardsElbow_[side] = frame.towardsElbow[side];
         }
 }
 

@@ -21,6 +21,8 @@ class DeviceHands {
 
     const HandFilter& hand(int side) const { return filters_[static_cast<size_t>(side)]; }
     float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since it last was
+    // As in HandFrame, of the last time that the hand was seen.
+    glm::vec3 towardsElbow(int side) const { return towardsElbow_[static_cast<size_t>(side)]; }
     bool seesHands(float within_s) const { return notSeen_s_[0] <= within_s || notSeen_s_[1] <= within_s; }
 
   private:
@@ -29,6 +31,7 @@ class DeviceHands {
     DeviceTime time_;
     std::array<HandFilter, 2> filters_;
     std::array<float, 2> notSeen_s_{1e6f, 1e6f};
+    std::array<glm::vec3, 2> towardsElbow_{};
     // For Stamps.
     int64_t game_us_ = 0;
     int64_t gameFromDevice_us_ = 0;

@@ -18,6 +18,8 @@ struct HandFrame {
     int64_t time_us = 0;               // by the device's clock; may start anew when the device does
     std::array<HandPose, 2> hands{};   // left, right; unfiltered, viewer's frame
     std::array<int64_t, 2> identity{}; // changes when the device no longer knows that it is the same hand
+    // From the wrist, unit, viewer's frame; 0 where the device sees no elbow. For the picture only.
+    std::array<glm::vec3, 2> towardsElbow{};
 };
 
 // State of a tracker, for a person to read.

@@ -85,6 +85,7 @@ std::optional<PartialHand> readHand(const json& from) {
     if (type == "left") hand.side = Side::Left;
     if (type == "right") hand.side = Side::Right;
     hand.joints[kWristJoint] = point(from, "wrist");
+    hand.elbow = point(from, "elbow");
     if (const auto width = number(from, "palmWidth"); width && *width > 20 && *width < 200)
         hand.palmWidth_m = static_cast<float>(*width * kMetresFromMillimetres);
     hand.grip = share(from, "grabStrength");
@@ -169,6 +170,19 @@ Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
     return viewerX < 0 ? Side::Left : Side::Right;
 }
 
+namespace {
+
+// Unit, from the wrist to the elbow, device's frame; 0 where no elbow is given, or one that no arm has.
+glm::vec3 towardsElbow(const PartialHand& hand, glm::vec3 wrist) {
+    constexpr float kShortest_m = 0.1f, kLongest_m = 0.5f;
+    if (!hand.elbow) return glm::vec3(0);
+    const glm::vec3 forearm = *hand.elbow - wrist;
+    const float length = glm::length(forearm);
+    return length > kShortest_m && length < kLongest_m ? forearm / length : glm::vec3(0);
+}
+
+} // namespace
+
 HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
     HandFrame frame;
     frame.time_us = time_us;
@@ -183,6 +197,8 @@ HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
             continue;
         frame.hands[i] = completer_.complete(hand, side);
         frame.hands[i].time_us = time_us;
+        frame.towardsElbow[i] =
+            mount_.viewerFromDevice * towardsElbow(hand, frame.hands[i].joints[kWristJoint].position);
         mount_.apply(frame.hands[i]);
         found[i] = hand.identity;
         frame.identity[i] = (connection_ << 40) + hand.identity;

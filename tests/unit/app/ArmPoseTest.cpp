@@ -66,6 +66,31 @@ TEST(ArmPose, StretchesBothBonesAlikeBeyondItsReach) {
     EXPECT_NEAR(bendOf(arm), 0, 0.01f);
 }
 
+// An elbow on the circle where both bones meet is where the arm bends, whatever the head does; nothing
+// changes where none is given, or one that lies in the line from wrist to shoulder.
+TEST(ArmPose, BendsAtTheElbowThatATrackerGives) {
+    const hands::Side side = hands::Side::Right;
+    for (const Head& head : heads()) {
+        const glm::vec3 shoulder = shoulderWorld(side, head);
+        const hands::Joint wrist{.position = shoulder + head.worldFromView * glm::vec3(-0.15f, 0.1f, -0.35f)};
+        const glm::vec3 apart = shoulder - wrist.position;
+        const float distance = glm::length(apart);
+        const glm::vec3 back = apart / distance;
+        const float along =
+            (distance * distance + kForearm_m * kForearm_m - kUpperArm_m * kUpperArm_m) / (2 * distance);
+        const float off = std::sqrt(kForearm_m * kForearm_m - along * along);
+        const glm::vec3 first = glm::normalize(glm::cross(back, head.worldFromView * glm::vec3(0, 1, 0)));
+        for (int turn = 0; turn < 360; turn += 30) {
+            const glm::vec3 point = glm::angleAxis(glm::radians(static_cast<float>(turn)), back) * first;
+            const glm::vec3 elbow = wrist.position + along * back + off * point;
+            const ArmPose arm = poseArm(side, wrist, head, (elbow - wrist.position) / kForearm_m);
+            EXPECT_LT(glm::distance(placeOf(arm, ArmJoint::Elbow), elbow), kNear_m) << turn;
+        }
+        const glm::vec3 loose = placeOf(poseArm(side, wrist, head), ArmJoint::Elbow);
+        EXPECT_EQ(placeOf(poseArm(side, wrist, head, back), ArmJoint::Elbow), loose);
+    }
+}
+
 // For every head and hand: the wrist is the hand's own, joints are rotations, and the shoulder is out of the
 // picture.
 TEST(ArmPose, HoldsForEveryHeadAndHand) {

@@ -108,6 +108,27 @@ TEST(LeapHands, EveryVersionGivesAWholeHandWhereItIs) {
     }
 }
 
+// As a direction, because a desk's mount moves hands farther apart than they are; turned with them.
+TEST(LeapHands, TheElbowIsWhereTheServiceSeesItOrNotKnown) {
+    for (const bool onHeadset : {false, true}) {
+        Server server;
+        const Tracker hands = connectTo(server, onHeadset);
+        auto made = test::closingHand(rig(), 1, 0).front();
+        const glm::vec3 wrist = made.pose.joints[kWristJoint].position, forearm(0.06f, -0.03f, 0.25f);
+        made.elbow = wrist + forearm;
+        server.say(test::madeFrame(6, 1, 1000, {made}));
+        const glm::vec3 expected =
+            (onHeadset ? kHeadMount : kDeskMount).viewerFromDevice * glm::normalize(forearm);
+        EXPECT_LT(glm::distance(next(hands).towardsElbow[1], expected), 1e-4f); // of 0.25 m: 25 um
+        made.elbow = wrist + 4.0f * forearm;                                    // no arm is so long
+        server.say(test::madeFrame(6, 2, 2000, {made}));
+        EXPECT_EQ(next(hands).towardsElbow[1], glm::vec3(0));
+        made.elbow.reset();
+        server.say(test::madeFrame(6, 3, 3000, {made}));
+        EXPECT_EQ(next(hands).towardsElbow[1], glm::vec3(0));
+    }
+}
+
 TEST(LeapHands, DeviceEventsAndTheServicesAbsenceAreSaid) {
     uint16_t port = 0;
     {

@@ -80,6 +80,7 @@ std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vecto
         if (version >= 6) {
             hand["wrist"] = millimetres(joints[1].position);
             hand["palmWidth"] = 85.0;
+            if (made.elbow) hand["elbow"] = millimetres(*made.elbow);
             hand["armBasis"] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         }
         frame["hands"].push_back(hand);

@@ -4,6 +4,7 @@
 #include "engine/core/Files.h"
 #include "input/hands/HandRig.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct MadeHand {
     Side side = Side::Right;
     int64_t id = 1;
     HandPose pose; // device's frame, metres
+    // Likewise; sent at 6.
+    std::optional<glm::vec3> elbow{};
 };
 std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vector<MadeHand>& hands);
 
