@@ -104,8 +104,8 @@ vec3 throughWater(vec3 display) {
 }
 
 // What is marked for the player: lighter, so that it shows to every kind of colour vision, and by display values, so that it
-// shows in a cave as before a white sky. Not light: nothing else sees it.
-vec3 lightened(vec3 display, float share) { return mix(display, vec3(1.0, 0.98, 0.90), share); }
+// shows in a cave as before a white sky; at night less, where white would dazzle. Not light: nothing else sees it.
+vec3 lightened(vec3 display, float share) { return mix(display, min(2.5 * display + 0.25, vec3(1.0, 0.98, 0.90)), share); }
 
 #ifndef VERTEX_LIT
 // With the normal map; on the side that the eye sees. geometric: without it.

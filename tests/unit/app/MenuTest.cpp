@@ -183,6 +183,19 @@ TEST(Texts, CaptionsHaveTranslations) {
     }
 }
 
+TEST(Texts, DivesAndTheirAnimalsHaveTranslations) {
+    const auto names = game::diveNames();
+    EXPECT_GE(names.size(), 3u);
+    for (const std::string& name : names) {
+        const auto files = game::loadDiveFiles(name);
+        ASSERT_TRUE(files) << files.error().message();
+        EXPECT_LT(game::findText(files->dive.title), game::kTexts.size()) << files->dive.title;
+        EXPECT_EQ(files->dive.goals.size(), 3u) << name;
+        for (const game::Species& kind : files->species)
+            EXPECT_LT(game::findText(kind.name), game::kTexts.size()) << kind.name;
+    }
+}
+
 TEST(Texts, TheSystemsLocaleChooses) {
     EXPECT_EQ(game::languageOf("de_AT.UTF-8"), game::Language::German);
     EXPECT_EQ(game::languageOf("fr"), game::Language::French);

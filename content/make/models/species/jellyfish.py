@@ -118,7 +118,7 @@ def pictures():
     c = mix(rgb('#d9b6d6'), rgb('#a85f9c'), step(0.3, 1.0, t))
     c = mix(c, rgb('#7b2f63'), 0.75 * warts)
     c = mix(c, rgb('#f3d7ef'), 0.7 * rim)
-    light = rgb('#3aa7ff') * (0.55 * rim + 0.16 * canal + 0.10 * warts)[:, None]
+    light = rgb('#3aa7ff') * (1.00 * rim + 0.50 * canal + 0.28 * warts)[:, None]
     put(inside, c, np.clip(thick + 0.35 * warts + 0.25 * rim, 0, 0.92), light)
     inside, u, t = within(LOWER)
     g = 2 * np.pi * u
@@ -127,18 +127,18 @@ def pictures():
     organ = bump(np.abs(np.sin(g * 2)) - 0.75, 0.30) * bump(t - 0.36, 0.10)
     c = mix(rgb('#c79cc9'), rgb('#8d3f7c'), np.clip(0.6 * canal + organ, 0, 1))
     put(inside, c, np.clip(0.16 + 0.08 * muscle * step(0.5, 0.8, t) + 0.30 * canal + 0.55 * organ, 0, 0.85),
-        rgb('#47b4ff') * (0.20 * canal + 0.22 * organ)[:, None])
+        rgb('#47b4ff') * (0.60 * canal + 0.70 * organ)[:, None])
     inside, u, t = within(TENTACLE)
     beads = 0.5 + 0.5 * np.sin(t * 150)
     c = mix(rgb('#b4568f'), rgb('#e7b7d8'), beads)
     put(inside, c, np.clip((0.9 - 0.35 * t) * step(0.0, 0.25, u) * step(1.0, 0.75, u), 0, 1),
-        rgb('#49b0ff') * (0.20 * beads * (1 - t))[:, None])
+        rgb('#49b0ff') * (0.60 * beads * (1 - t))[:, None])
     inside, u, t = within(ARM)
     fold = np.abs(2 * u - 1)
     lace = paint.fbm(513, u * 9, t * 26, octaves=4)
     c = mix(rgb('#e9c3de'), rgb('#9b4a85'), np.clip(1 - fold + 0.4 * lace, 0, 1))
     ragged = step(1.0, 0.86, fold + 0.10 * lace) * step(1.0, 0.94, t)
-    put(inside, c, np.clip((0.78 - 0.30 * fold + 0.2 * lace) * ragged, 0, 0.95), rgb('#3f9fff') * (0.10 * (1 - fold))[:, None])
+    put(inside, c, np.clip((0.78 - 0.30 * fold + 0.2 * lace) * ragged, 0, 0.95), rgb('#3f9fff') * (0.32 * (1 - fold))[:, None])
     return np.concatenate([np.clip(colour, 0, 1), alpha[..., None]], -1), np.clip(glow, 0, 1)
 
 
