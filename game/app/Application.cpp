@@ -16,7 +16,6 @@ namespace shoal::app {
 namespace {
 
 constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
-constexpr float kStepsStay_s = 2.5f;      // from the end of the first steps until the dive begins
 constexpr float kResultsRest_s = 0.8f;    // in which the results take no choice
 constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
 
@@ -29,7 +28,7 @@ Status Application::run(bool measured) {
         if (const auto request = screens_.takeRequest())
             if (Status answered = answer(*request); !answered) return answered;
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
-        if (play_->stepsDone_s > kStepsStay_s)
+        if (play_->teaching.stepsAreOver())
             if (Status begun = endFirstSteps(); !begun) return begun;
     }
     return endPlay(measured);
@@ -39,8 +38,7 @@ Status Application::run(bool measured) {
 Mode Application::firstMode() const {
     const bool person = !config_.script && !config_.replay;
     const bool watched = window_ && !options_.timedemo && !options_.at_s && options_.record.empty();
-    const bool asked =
-        options_.start == Start::Dive || options_.freeSwim || options_.xr || !options_.dive.empty();
+    const bool asked = options_.start == Start::Dive || options_.freeSwim || !options_.dive.empty();
     const bool title = options_.start == Start::Title || (options_.start == Start::Auto && !asked);
     if (person && watched && title) return Mode::Title;
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
@@ -55,7 +53,6 @@ Status Application::begin(Mode mode) {
                                    : window_         ? FrameClock::Mode::RealTime
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
-    if (mode == Mode::FirstSteps) play_->steps.emplace(config_.rig);
     return Done{};
 }
 
@@ -161,14 +158,8 @@ void Application::readMenuInput() {
             screens_.cancelCapture();
         return;
     }
-    std::array<hands::HandPose, 2> hands{};
-    if (play_->session.tracked) hands = play_->session.tracked->seen();
-    if (const auto* headset = std::get_if<OpenXrSource>(&play_->session.source)) hands = headset->seen();
-    const glm::vec2 size = glm::vec2(window_->framebufferSize()) / glm::vec2(eyes(), 1);
-    const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
-    MenuInput menu =
-        menuControls_.step(&input, &*window_, hands, {tanY * size.x / std::max(size.y, 1.0f), tanY}, size,
-                           eyes(), static_cast<float>(play_->elapsed_s));
+    MenuInput menu = menuControls_.step(&input, &*window_, display_->pointing(play_->session),
+                                        display_->menuSurface(), static_cast<float>(play_->elapsed_s));
     // The dive ends while the player's button is busy: what was meant for a fish chooses nothing.
     if (play_->states.state() == ProgramStates::State::Results) {
         play_->results_s += static_cast<float>(play_->elapsed_s);
@@ -196,7 +187,6 @@ void Application::globalActions(const Controls& controls) {
     if (options_.volume != applied_.volume || options_.fullscreen != applied_.fullscreen ||
         options_.frameTimes != applied_.frameTimes) {
         for (const char* key : {"volume", "fullscreen", "frame-times"}) screens_.keep(key);
-        applySettings();
     }
 }
 
@@ -227,16 +217,11 @@ Status Application::answer(const Request& request) {
     case Request::Kind::Headset:
         return startHeadset();
     case Request::Kind::Photo:
-        photo_.emplace(session.shown);
-        playFov_deg_ = options_.fov_deg;
-        photoNotice_ = (byGamepad_ ? game::Text("A takes a picture; B goes back")
-                                   : game::Text("Space or a click takes a picture; Esc goes back"))
-                           .in(languageIn(options_.text));
+        photo_.emplace(session.shown, options_.fov_deg, byGamepad_);
         screens_.close();
         return Done{};
     case Request::Kind::SettingsChanged:
-        applySettings();
-        return Done{};
+        return applySettings();
     case Request::Kind::Quit:
         leaving_ = true;
         return Done{};
@@ -246,13 +231,27 @@ Status Application::answer(const Request& request) {
 
 Status Application::startDive(const std::string& name, Mode mode) {
     if (name != config_.dive.name) {
-        options_.dive = name;
-        if (Status ended = endPlay(true); !ended) return ended;
-        if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
-        if (Status opened = openScene(); !opened) return opened;
-    } else if (!options_.seed)
-        config_.seed = drawnSeed();
+        PlayOptions wanted = options_;
+        wanted.dive = name;
+        return reopen(wanted, mode, Screen::Dives);
+    }
+    if (!options_.seed) config_.seed = drawnSeed();
     return begin(mode);
+}
+
+// file: empty: the dive's own film.
+Status Application::openFilm(const std::string& file) {
+    PlayOptions wanted = options_;
+    EnvironmentOptions& shown = wanted.environment;
+    shown.video = shown.photo = shown.env = {};
+    if (!file.empty()) shown = environmentOf(file, shown);
+    return reopen(wanted, Mode::Title, Screen::Films);
+}
+
+Status Application::startHeadset() {
+    PlayOptions wanted = options_;
+    wanted.xr = true;
+    return reopen(wanted, Mode::Title, Screen::Title);
 }
 
 // The dive begins, and every later one begins at once.
@@ -263,75 +262,58 @@ Status Application::endFirstSteps() {
 }
 
 void Application::photograph() {
-    const Controls& controls = play_->controls;
-    photo_->move(controls, options_.controls.sensitivity, static_cast<float>(play_->elapsed_s),
-                 options_.fov_deg);
-    const bool enter =
-        std::ranges::find(play_->input->keysPressed, GLFW_KEY_ENTER) != play_->input->keysPressed.end();
-    if (enter || play_->input->leftPressed || controls.was(Action::CloseHand)) savePhotos();
-    const bool back = std::ranges::find(play_->input->gamepad.pressed, GLFW_GAMEPAD_BUTTON_B) !=
-                      play_->input->gamepad.pressed.end();
-    if (!controls.was(Action::Pause) && !back) return;
-    photo_.reset();
-    photoNotice_.clear();
-    options_.fov_deg = playFov_deg_;
-    screens_.open(Screen::Paused);
-}
-
-// The picture, with nothing written over it, and one of all directions.
-void Application::savePhotos() {
-    constexpr int kAroundWidth = 4096;
-    if (display_->pictures().empty()) return;
-    photoNotice_.clear();
-    if (const Result<bool> drawn = draw(); !drawn || !*drawn) return;
-    const Path file = newPictureFile(""), around = newPictureFile("-360");
-    Status saved = media::writePng(file, pictureShown());
-    if (saved) {
-        const auto drawn = drawAround(*sceneRenderer_, photo_->shown().headWorld, kAroundWidth);
-        saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
+    switch (photo_->step(play_->controls, *play_->input, options_.controls.sensitivity,
+                         static_cast<float>(play_->elapsed_s), options_.fov_deg)) {
+    case PhotoMode::Wish::None:
+        return;
+    case PhotoMode::Wish::Picture: {
+        photo_->clearNotice(); // nothing is written over the picture
+        const Result<bool> drawn = draw();
+        if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), *sceneRenderer_);
+        return;
     }
-    photoNotice_ = saved ? file.string() : saved.error().message();
-    log::info("{}", photoNotice_);
+    case PhotoMode::Wish::Leave:
+        options_.fov_deg = photo_->fovBefore_deg();
+        photo_.reset();
+        screens_.open(Screen::Paused);
+    }
 }
 
-// Where there is none after all, the title screen says why.
-Status Application::startHeadset() {
+// Ends the session, opens what these options ask for, and begins there.
+Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
     if (Status ended = endPlay(true); !ended) return ended;
-    options_.xr = true;
-    Status opened = makeSessionConfig(options_).moveTo(config_);
-    if (opened) opened = openDisplay();
-    if (opened) opened = openScene();
-    if (opened) return begin(Mode::Dive);
-    log::warn("{}", opened.error().message());
-    options_.xr = false;
+    const PlayOptions before = std::exchange(options_, wanted);
+    const Status opened = openContent();
+    return opened ? begin(mode) : goBack(before, opened.error(), asker);
+}
+
+// What is played and where it is seen, by the options as they are now.
+Status Application::openContent() {
     if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
-    if (Status back = openDisplay(); !back) return back;
-    if (Status back = openScene(); !back) return back;
-    if (Status begun = begin(Mode::Title); !begun) return begun;
-    screens_.say(opened.error().message());
+    if (options_.xr != (display_->audience() == Audience::HeadsetPlayer))
+        if (Status s = openDisplay(); !s) return s;
+    if (Status s = openScene(); !s) return s;
+    openSound();
+    applied_ = options_;
     return Done{};
 }
 
-// A file that cannot be opened is said on the page, and what was shown before stays.
-Status Application::openFilm(const std::string& file) {
-    const EnvironmentOptions before = options_.environment;
-    options_.environment.video = options_.environment.photo = options_.environment.env = {};
-    if (!file.empty()) options_.environment = environmentOf(file, options_.environment);
-    if (Status ended = endPlay(true); !ended) return ended;
-    if (Status opened = openScene(); !opened) {
-        if (leaving_) return Done{};
-        log::warn("{}", opened.error().message());
-        options_.environment = before;
-        if (Status back = openScene(); !back) return back;
-        if (Status begun = begin(Mode::Title); !begun) return begun;
-        screens_.showFilms(opened.error().message());
-        return Done{};
+// What cannot be opened is said on the page that has asked for it, and what was there before stays.
+Status Application::goBack(const PlayOptions& before, const Error& why, Screen asker) {
+    if (leaving_) return Done{};
+    log::warn("{}", why.message());
+    options_ = before;
+    if (Status back = openContent(); !back) { // a film on a disk that was taken out: the dive has its own
+        options_.environment = PlayOptions().environment;
+        if (Status own = openContent(); !own) return own;
     }
-    return begin(Mode::Title);
+    if (Status begun = begin(Mode::Title); !begun) return begun;
+    screens_.openWithError(asker, why.message());
+    return Done{};
 }
 
 // Settings that do not take effect by being read in every frame.
-void Application::applySettings() {
+Status Application::applySettings() {
     if (options_.volume != applied_.volume) soundAndHaptics_->setVolume(options_.volume);
     soundAndHaptics_->setMix(options_.effects, options_.videoSound, options_.hapticStrength);
     if (options_.fullscreen != applied_.fullscreen) window_->toggleFullscreen();
@@ -339,11 +321,12 @@ void Application::applySettings() {
     if (options_.compose != applied_.compose || options_.skin != applied_.skin ||
         options_.snow != applied_.snow || options_.reducedMotion != applied_.reducedMotion ||
         options_.stereo != applied_.stereo) {
-        if (Status opened = openScene(); !opened) log::warn("{}", opened.error().message());
+        if (Status opened = openScene(); !opened) return goBack(applied_, opened.error(), Screen::Title);
     }
     if (options_.headphones != applied_.headphones) openSound();
     config_.rules.assist = options_.assist; // from the next dive on
     applied_ = options_;
+    return Done{};
 }
 
 void Application::simulate() {
@@ -360,10 +343,7 @@ void Application::simulate() {
         if (event.kind == game::EventKind::Catch) popups_.add(event, config_.species);
     popups_.advance(static_cast<float>(play_->elapsed_s));
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
-    if (play_->states.mode() == Mode::Dive) play_->hints.follow(session.shown, session.events, dt_s);
-    if (!play_->steps) return;
-    play_->steps->follow(session.shown, dt_s);
-    if (play_->steps->step() == FirstSteps::Step::Done) play_->stepsDone_s += dt_s;
+    play_->teaching.follow(session.shown, session.events, dt_s);
 }
 
 Result<bool> Application::draw() {
@@ -382,7 +362,7 @@ Result<bool> Application::draw() {
          .hud =
              [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
                  if (options_.backdropOnly || options_.look.skip == render::SkippedPass::Overlay) return;
-                 if (photo_ && photoNotice_.empty()) return;
+                 if (photo_ && !photo_->notice()) return;
                  const gl::PassTimers::Scope scope(sceneRenderer_->timers(), "overlay");
                  drawHud(part, audience, view, size);
              }},
@@ -418,25 +398,13 @@ TextOptions Application::textOptions() const {
             .highContrast = text.highContrast};
 }
 
-// What teaches: the first steps, or a hint.
-void Application::drawTeaching(const Pen& pen, const render::View& view) {
-    if (pen.audience == Audience::Onlooker) return;
-    const auto say = [&](const char* text) {
-        pen.label(pen.size.x / 2, pen.size.y * 0.14f, 0.5f, TextSize::Body, colour::kWhite, text);
-    };
-    if (play_->steps) {
-        play_->steps->draw(pen, view);
-        if (play_->stepsDone_s > 0) say(pen.in("Well caught! Now for real: 90 seconds"));
-    } else if (const auto hint = play_->hints.shown())
-        say(pen.in(*hint));
-}
-
 void Application::drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
     const GameSession& session = play_->session;
     const ProgramStates& states = play_->states;
     const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
-    if (photo_) return hud_->drawNotice(photoNotice_, textOptions(), size);
-    const std::string_view notice = environment_->notice();
+    if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
+    const game::Notice* notice = environment_->notice();
+    if (!notice && session.tracked) notice = session.tracked->notice();
     const auto* mouse = std::get_if<MouseSource>(&session.source);
     hud_->draw(
         {.part = part,
@@ -448,7 +416,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .inDive = states.mode() != Mode::Title,
          .overlay =
              [&](const Pen& pen) {
-                 if (!screens_.isOpen()) drawTeaching(pen, view);
+                 if (!screens_.isOpen()) play_->teaching.draw(pen, view);
                  screens_.draw(pen);
              },
          .text = textOptions(),
@@ -459,7 +427,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .quality = quality_ ? quality_->quality() : Quality(),
          .passes = sceneRenderer_->timers().times(),
          .environment = &*environment_,
-         .notice = notice.empty() && session.tracked ? session.tracked->caption() : notice,
+         .notice = notice,
          .volume = options_.volume,
          .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},
         size);
@@ -489,20 +457,8 @@ bool Application::isOver() const {
            play_->states.state() == ProgramStates::State::Results;
 }
 
-ImageRgb8 Application::pictureShown() const {
-    const std::span<const gl::Target> shown = display_->pictures();
-    const ImageRgba8 left = shown[0].read();
-    const int eyes = static_cast<int>(shown.size());
-    ImageRgb8 picture(left.width * eyes, left.height);
-    for (int eye = 0; eye < eyes; ++eye) {
-        const ImageRgba8 image = eye == 0 ? left : shown[static_cast<size_t>(eye)].read();
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                std::copy_n(image.at(x, y), 3, picture.at(eye * left.width + x, y));
-    }
-    return picture;
+Status Application::saveScreenshot() const {
+    return media::writePng(options_.screenshot, pictureOf(display_->pictures()));
 }
-
-Status Application::saveScreenshot() const { return media::writePng(options_.screenshot, pictureShown()); }
 
 } // namespace shoal::app

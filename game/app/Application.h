@@ -42,7 +42,11 @@ class Application {
     struct Play {
         Play(const SessionConfig& config, Screens& screens, Mode mode, bool keepsScores,
              FrameClock::Mode clockMode, double fps)
-            : session(config), states(session, screens, mode, keepsScores), clock(clockMode, fps) {}
+            : session(config), states(session, screens, mode, keepsScores), clock(clockMode, fps),
+              teaching(mode == Mode::FirstSteps ? Teaching::Kind::FirstSteps
+                       : mode == Mode::Dive     ? Teaching::Kind::Hints
+                                                : Teaching::Kind::Nothing,
+                       config.rig) {}
         GameSession session;
         ProgramStates states;
         FrameClock clock;
@@ -50,10 +54,8 @@ class Application {
         const platform::WindowInput* input = nullptr; // of this frame; null: there is no window
         Controls controls;
         bool freshVideo = false; // a new frame of the video is shown
-        std::optional<FirstSteps> steps;
-        float stepsDone_s = 0; // since they were over
-        float results_s = 0;   // for which the results have been shown
-        Hints hints;
+        Teaching teaching;
+        float results_s = 0; // for which the results have been shown
     };
 
     Status openContext();
@@ -66,8 +68,8 @@ class Application {
     render::Detail detail() const;
     void openSound();
     void setIcon();
-    Status openFilm(const std::string& file); // empty: the dive's own
-    bool drawLoading(float progress);         // false: the player wants to leave
+    Status openContent();
+    bool drawLoading(float progress); // false: the player wants to leave
     Mode firstMode() const;
     Status begin(Mode mode);
     Status endPlay(bool measured);
@@ -79,17 +81,17 @@ class Application {
     void globalActions(const Controls& controls);
     Status answer(const Request& request);
     Status startDive(const std::string& name, Mode mode);
+    Status openFilm(const std::string& file);
     Status startHeadset();
+    Status reopen(const PlayOptions& wanted, Mode mode, Screen asker);
+    Status goBack(const PlayOptions& before, const Error& why, Screen asker);
     Status endFirstSteps();
     void photograph();
-    void savePhotos();
-    void applySettings();
+    Status applySettings();
     void simulate();
     Result<bool> draw();
     void drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size);
-    void drawTeaching(const Pen& pen, const render::View& view);
     TextOptions textOptions() const;
-    ImageRgb8 pictureShown() const; // as drawn last; both eyes side by side
     void adjustQuality();
     void measure();
     bool isOver() const;
@@ -113,8 +115,6 @@ class Application {
     std::optional<DynamicQuality> quality_; // while somebody looks on and the quality is not fixed
     std::optional<Play> play_;
     std::optional<PhotoMode> photo_; // while the camera is free
-    float playFov_deg_ = 0;          // before that
-    std::string photoNotice_;
     Popups popups_;
     Statistics statistics_; // of the present session
     double volumeShown_s_ = -10;

@@ -6,9 +6,11 @@
 #include "engine/render/Compositor.h"
 #include "game/session/GameSession.h"
 #include "game/ui/Hud.h"
+#include "game/ui/MenuControls.h"
 #include "game/views/SceneRenderer.h"
 #include "input/haptics/HapticFrame.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -45,9 +47,16 @@ class Display {
     virtual Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) = 0;
     virtual void present() = 0;
 
+    virtual MenuSurface menuSurface() const = 0;
+    // Where the hands of the session point on it.
+    virtual std::array<Pointing, 2> pointing(const GameSession& session) const = 0;
+
     virtual std::span<const gl::Target> pictures() const = 0; // as last drawn: left, right
     virtual Audience audience() const { return Audience::WindowPlayer; }
 };
+
+// Of both eyes side by side.
+ImageRgb8 pictureOf(std::span<const gl::Target> eyes);
 
 // Makes so many of this size, if they are not.
 void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples);

@@ -60,4 +60,24 @@ class Hints {
     int caught_ = 0;
 };
 
+// What a session teaches.
+class Teaching {
+  public:
+    enum class Kind { Nothing, FirstSteps, Hints };
+    // rig: outlives this.
+    Teaching(Kind kind, const hands::HandRig& rig) : kind_(kind), steps_(rig) {}
+
+    void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
+    bool stepsAreOver() const { return done_s_ > kStay_s; } // and what was said at their end was read
+    void draw(const Pen& pen, const render::View& view) const;
+
+    static constexpr float kStay_s = 2.5f;
+
+  private:
+    Kind kind_;
+    FirstSteps steps_;
+    Hints hints_;
+    float done_s_ = 0; // since the steps were done
+};
+
 } // namespace shoal::app

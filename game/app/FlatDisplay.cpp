@@ -1,6 +1,7 @@
 #include "game/app/FlatDisplay.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shoal::app {
 
@@ -10,6 +11,18 @@ void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int sa
         return;
     targets.clear();
     for (int i = 0; i < count; ++i) targets.emplace_back(size.x, size.y, samples);
+}
+
+ImageRgb8 pictureOf(std::span<const gl::Target> eyes) {
+    const int count = static_cast<int>(eyes.size());
+    ImageRgb8 picture(eyes[0].width() * count, eyes[0].height());
+    for (int eye = 0; eye < count; ++eye) {
+        const ImageRgba8 image = eyes[static_cast<size_t>(eye)].read();
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                std::copy_n(image.at(x, y), 3, picture.at(eye * image.width + x, y));
+    }
+    return picture;
 }
 
 double FlatDisplay::period_s() const { return 1 / (window_ ? window_->refreshRate_Hz() : 60.0); }
@@ -52,6 +65,21 @@ Result<bool> FlatDisplay::draw(const Painter& painter, const game::Snapshot& sho
     });
     if (!drawn) return drawn.error();
     return true;
+}
+
+MenuSurface FlatDisplay::menuSurface() const {
+    const int eyes = sideBySide() ? 2 : 1;
+    const glm::vec2 size = window_ ? window_->framebufferSize() : options_.look.size;
+    return {size / glm::vec2(eyes, 1), eyes};
+}
+
+std::array<Pointing, 2> FlatDisplay::pointing(const GameSession& session) const {
+    if (!session.tracked) return {};
+    const std::array<hands::HandPose, 2> hands = session.tracked->seen();
+    const glm::vec2 size = menuSurface().size;
+    const float tanY = std::tan(glm::radians(options_.fov_deg) / 2);
+    const glm::vec2 tanHalf(tanY * size.x / std::max(size.y, 1.0f), tanY);
+    return {pointingInView(hands[0], tanHalf), pointingInView(hands[1], tanHalf)};
 }
 
 void FlatDisplay::present() {

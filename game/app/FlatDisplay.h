@@ -19,6 +19,8 @@ class FlatDisplay : public Display {
     double period_s() const override;
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
     void present() override;
+    MenuSurface menuSurface() const override;
+    std::array<Pointing, 2> pointing(const GameSession& session) const override;
     std::span<const gl::Target> pictures() const override { return targets_; }
 
   private:

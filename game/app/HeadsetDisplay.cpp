@@ -28,6 +28,17 @@ glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
     return {std::max(1, static_cast<int>(std::lround(picture.y * shape))), picture.y};
 }
 
+// The index finger is stretched: its tip is nearly as far from its root as its bones are long.
+bool points(const hands::HandPose& hand) {
+    constexpr float kStretched = 0.93f;
+    const hands::FingerJoints& index = hands::kFingerJoints[1];
+    const auto at = [&](int joint) { return hand.joints[static_cast<size_t>(joint)].position; };
+    float bones_m = 0;
+    for (int joint = index.proximal; joint < index.tip; ++joint)
+        bones_m += glm::distance(at(joint), at(joint + 1));
+    return glm::distance(at(index.proximal), at(index.tip)) > kStretched * bones_m;
+}
+
 } // namespace
 
 Result<HeadsetDisplay> HeadsetDisplay::open(platform::Window& window, const hands::HandRig& rig,
@@ -67,7 +78,9 @@ void HeadsetDisplay::feed(GameSession& session) {
                       .results = session.after.phase == game::Phase::Results};
     for (size_t i = 0; i < poses.size(); ++i) {
         now.menu |= tracking.controllers[i].menu;
-        if (poses[i].tracked) now.grip[i] = poses[i].grip;
+        // A finger that points chooses in a menu, whatever the others do.
+        if (poses[i].tracked) now.grip[i] = points(poses[i]) ? 0 : poses[i].grip;
+        pointing_[i] = pointingOf(i, poses[i]);
     }
     pause_.step(now, static_cast<float>(elapsed_s_), session.paused, session.restart);
     if (session.restart) {
@@ -77,6 +90,28 @@ void HeadsetDisplay::feed(GameSession& session) {
     }
     session.head = tracking.worldFromHead;
     if (auto* source = std::get_if<OpenXrSource>(&session.source)) source->frame(poses);
+}
+
+MenuSurface HeadsetDisplay::menuSurface() const { return {kPanelPixels, 1, false}; }
+
+// Where the line from the head through the fingertip meets the panel. Of a hand that holds a controller it is
+// the palm that points: the trigger moves the finger.
+Pointing HeadsetDisplay::pointingOf(size_t side, const hands::HandPose& hand) const {
+    constexpr float kPulled = 0.6f, kBefore_m = 0.05f;
+    if (!hand.tracked) return {};
+    const bool bare = headset_.tracking().hands[side].tracked;
+    const int joint = bare ? hands::kFingerJoints[1].tip : hands::kPalmJoint;
+    const xr::Pose panelFromHead = xr::inverse(worldFromPanel_) * headset_.tracking().worldFromHead;
+    const glm::vec3 head = panelFromHead.position;
+    const glm::vec3 tip = head + panelFromHead.orientation * hand.joints[static_cast<size_t>(joint)].position;
+    const float forward_m = head.z - tip.z; // the panel's +Z leads to the player
+    if (head.z < kBefore_m || forward_m < kBefore_m) return {};
+    const glm::vec2 onPanel = glm::vec2(head) + glm::vec2(tip - head) * (head.z / forward_m);
+    const glm::vec2 share = onPanel / kPanel_m;
+    return {true,
+            {0.5f + share.x, 0.5f - share.y},
+            forward_m,
+            !bare && headset_.tracking().controllers[side].trigger > kPulled};
 }
 
 Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windowSize) {
@@ -146,20 +181,21 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
         resize(targets_, 2, size, samples_);
         for (int eye = 0; eye < 2; ++eye)
             if (Status done = drawEye(eye, painter, windowSize); !done) return done.error();
+        if (windowSize.x > 0 && windowSize.y > 0) {
+            glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            glViewport(0, 0, windowSize.x, windowSize.y);
+            // The marks are in the picture already.
+            painter.hud(HudPart::Panel, Audience::Onlooker, windowView_, windowSize);
+        }
+        // After the onlookers' text: fingers point at the menu as it was drawn last.
         if (Status done = drawPanel(painter); !done) return done.error();
         shown.eyes = shown.panel = true;
         shown.eyeSize = size;
-        shown.worldFromPanel =
-            panel_.follow(headset_.tracking().worldFromHead, static_cast<float>(elapsed_s_));
+        worldFromPanel_ = panel_.follow(headset_.tracking().worldFromHead, static_cast<float>(elapsed_s_));
+        shown.worldFromPanel = worldFromPanel_;
         shown.panelSize_m = kPanel_m;
     }
     if (Status ended = headset_.end(shown); !ended) return ended.error();
-    if (drawn && windowSize.x > 0 && windowSize.y > 0) {
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, windowSize.x, windowSize.y);
-        // The marks are in the picture already.
-        painter.hud(HudPart::Panel, Audience::Onlooker, windowView_, windowSize);
-    }
     return drawn;
 }
 

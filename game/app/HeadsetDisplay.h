@@ -31,6 +31,8 @@ class HeadsetDisplay : public Display {
     Status vibrate(const haptics::HapticFrame& frame, bool paused) override;
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
     void present() override { window_->present(); }
+    MenuSurface menuSurface() const override;
+    std::array<Pointing, 2> pointing(const GameSession&) const override { return pointing_; }
     std::span<const gl::Target> pictures() const override { return targets_; }
     Audience audience() const override { return Audience::HeadsetPlayer; }
 
@@ -42,6 +44,7 @@ class HeadsetDisplay : public Display {
         : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
           samples_(samples) {}
     Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
+    Pointing pointingOf(size_t side, const hands::HandPose& hand) const;
     Status drawPanel(const Painter& painter);
     void mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,
                 const render::View& view);
@@ -54,6 +57,8 @@ class HeadsetDisplay : public Display {
     std::vector<gl::Target> targets_;
     HeadsetPause pause_;
     PanelPlacement panel_;
+    xr::Pose worldFromPanel_;            // as last shown
+    std::array<Pointing, 2> pointing_{}; // at it
     std::array<haptics::VibrationTimer, 2> vibration_;
     xr::Frame frame_;
     bool waiting_ = false; // a frame was waited for and is not yet handed in

@@ -1,7 +1,10 @@
 #include "game/app/PhotoMode.h"
 
+#include "engine/core/Log.h"
 #include "engine/math/LatLong.h"
+#include "engine/media/Pictures.h"
 
+#include <GLFW/glfw3.h>
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
@@ -31,11 +34,50 @@ size_t faceOf(glm::vec3 d) {
     return d.z < 0 ? 0 : 2;
 }
 
+// A new file's name in the folder for pictures, by date and time: shoal-2026-11-22-213045.png. what: "-360"
+// or nothing.
+Path newPictureFile(std::string_view what) {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    char stamp[32];
+    std::strftime(stamp, sizeof stamp, "%Y-%m-%d-%H%M%S", &local);
+    return userFolder(UserFolder::Pictures) / ("shoal-" + std::string(stamp) + std::string(what) + ".png");
+}
+
+bool isAmong(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
+
 } // namespace
 
-PhotoMode::PhotoMode(const game::Snapshot& shown)
-    : shown_(shown), origin_(shown.headWorld), look_(LookAngles::of(shown.worldFromView)) {
+PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad)
+    : shown_(shown), origin_(shown.headWorld), look_(LookAngles::of(shown.worldFromView)),
+      fovBefore_deg_(fov_deg),
+      notice_(game::Notice{byGamepad ? game::Text("A takes a picture; B goes back")
+                                     : "Space or a click takes a picture; Esc goes back"}) {
     for (game::HandView& hand : shown_.hands) hand.visible = false;
+}
+
+PhotoMode::Wish PhotoMode::step(const Controls& controls, const platform::WindowInput& input,
+                                float sensitivity, float dt_s, float& fov_deg) {
+    move(controls, sensitivity, dt_s, fov_deg);
+    if (controls.was(Action::Pause) || isAmong(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B))
+        return Wish::Leave;
+    const bool takes =
+        input.leftPressed || controls.was(Action::CloseHand) || isAmong(input.keysPressed, GLFW_KEY_ENTER);
+    return takes ? Wish::Picture : Wish::None;
+}
+
+void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
+    constexpr int kAroundWidth = 4096;
+    const Path file = newPictureFile(""), around = newPictureFile("-360");
+    Status saved = media::writePng(file, picture);
+    if (saved) {
+        const auto drawn = drawAround(renderer, shown_.headWorld, kAroundWidth);
+        saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
+    }
+    notice_ = saved ? game::Notice{"Saved: {}", file.string()}
+                    : game::Notice{"Not saved: {}", saved.error().message()};
+    log::info("{}", notice_->in(game::Language::English));
 }
 
 void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
@@ -92,15 +134,6 @@ Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int wi
             }
         }
     return around;
-}
-
-Path newPictureFile(std::string_view what) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    char stamp[32];
-    std::strftime(stamp, sizeof stamp, "%Y-%m-%d-%H%M%S", &local);
-    return userFolder(UserFolder::Pictures) / ("shoal-" + std::string(stamp) + std::string(what) + ".png");
 }
 
 } // namespace shoal::app

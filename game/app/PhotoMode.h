@@ -6,6 +6,7 @@
 #include "game/rules/Snapshot.h"
 #include "game/session/Controls.h"
 #include "game/session/LookAngles.h"
+#include "game/texts/Texts.h"
 #include "game/views/SceneRenderer.h"
 
 namespace shoal::app {
@@ -13,28 +14,37 @@ namespace shoal::app {
 class PhotoMode {
   public:
     // From where the player looks.
-    explicit PhotoMode(const game::Snapshot& shown);
+    PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad);
 
-    // fov_deg: of the picture, which the wheel changes.
-    void move(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
+    enum class Wish { None, Picture, Leave };
+    // Once a frame: moves the camera, and tells what the player wants. fov_deg: of the picture, which the
+    // wheel changes.
+    Wish step(const Controls& controls, const platform::WindowInput& input, float sensitivity, float dt_s,
+              float& fov_deg);
     // The snapshot as the free camera sees it.
     const game::Snapshot& shown() const { return shown_; }
+    float fovBefore_deg() const { return fovBefore_deg_; }
+
+    // Writes the picture, and one of all directions, and says so.
+    void save(const ImageRgb8& picture, SceneRenderer& renderer);
+    // To be shown; null: nothing.
+    const game::Notice* notice() const { return notice_ ? &*notice_ : nullptr; }
+    void clearNotice() { notice_.reset(); }
 
     static constexpr float kReach_m = 1.5f; // the camera goes from where the player is: farther, the film's
                                             // own place would show
 
   private:
+    void move(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
+
     game::Snapshot shown_;
     glm::vec3 origin_;
     LookAngles look_;
+    float fovBefore_deg_;
+    std::optional<game::Notice> notice_;
 };
 
 // The scene in every direction: lat-long, twice as wide as high.
 Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width);
-
-// A new file's name in the folder for pictures, by date and time: shoal-2026-11-22-213045.png; what: "-360"
-// or
-// "".
-Path newPictureFile(std::string_view what);
 
 } // namespace shoal::app

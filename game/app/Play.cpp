@@ -9,8 +9,7 @@
 #include "game/app/HeadsetDisplay.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
-
-#include <stb_image.h>
+#include "game/ui/Pictures.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -66,20 +65,10 @@ Status Application::open() {
     return Done{};
 }
 
-// By stb_image: readPicture() would load OpenCV's codecs at every start (engine/media/Codecs.h), and drops
-// alpha.
 void Application::setIcon() {
-    const Path file = dataRoot() / "content/icon.png";
-    const auto bytes = readFile(file, 1u << 20);
-    if (!bytes) return log::warn("{}", bytes.error().message());
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(bytes->data(), static_cast<int>(bytes->size()), &width, &height, &channels, 4),
-        stbi_image_free);
-    if (!pixels) return log::warn("{}: is not a picture that can be read", file.string());
-    ImageRgba8 icon(width, height);
-    std::copy_n(pixels.get(), icon.pixels.size(), icon.pixels.begin());
-    window_->setIcon(icon);
+    const auto icon = readPng(dataRoot() / "content/icon.png");
+    if (!icon) return log::warn("{}", icon.error().message());
+    window_->setIcon(*icon);
 }
 
 void Application::openSound() {

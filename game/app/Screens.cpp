@@ -44,10 +44,14 @@ template <class... Values> std::string filled(const char* text, const Values&...
     return fmt::format(fmt::runtime(text), values...);
 }
 
-std::string keysText(const Bindings::Keys& keys) {
-    std::string text(keyName(keys.keys[0]));
-    if (keys.keys[1] >= 0) text += ", " + std::string(keyName(keys.keys[1]));
-    if (keys.button >= 0) text += "  (" + std::string(buttonName(keys.button)) + ")";
+std::string keysText(const Bindings::Keys& keys, game::Language language) {
+    std::string text(game::translated(keyName(keys.keys[0]), language));
+    if (keys.keys[1] >= 0) text += ", " + std::string(game::translated(keyName(keys.keys[1]), language));
+    // Most buttons are called what is printed on them.
+    const std::string_view button = buttonName(keys.button);
+    const bool printed = !button.starts_with("Pad");
+    if (keys.button >= 0)
+        text += "  (" + std::string(printed ? button : game::translated(button, language)) + ")";
     return text;
 }
 
@@ -102,20 +106,16 @@ void Screens::open(Screen screen) {
     push(screen);
 }
 
-void Screens::showFilms(std::string error) {
+void Screens::openWithError(Screen screen, std::string error) {
     open(Screen::Title);
-    push(Screen::Films);
-    say(std::move(error));
-}
-
-void Screens::say(std::string error) {
+    if (screen != Screen::Title) push(screen);
     error_ = std::move(error);
     refresh();
 }
 
 void Screens::keep(std::string_view key) {
     for (size_t row = 0; row < table_.rows.size(); ++row)
-        if (table_.rows[row].key() == key) keepRow(row);
+        if (table_.rows[row].key() == key) changed(row);
 }
 
 std::optional<Screen> Screens::top() const {
@@ -124,7 +124,7 @@ std::optional<Screen> Screens::top() const {
 
 void Screens::push(Screen screen, SettingsPage group) {
     if (!stack_.empty()) stack_.back().focus = menu_.focus();
-    stack_.push_back({screen, group, 0});
+    stack_.push_back({.screen = screen, .group = group});
     message_.clear();
     error_.clear();
     show(0);
@@ -175,6 +175,9 @@ MenuPage Screens::page() {
         break;
     case Screen::Guide:
         page = guidePage();
+        break;
+    case Screen::Animal:
+        page = animalPage(stack_.back().species);
         break;
     case Screen::Paused:
         page = pausedPage();
@@ -260,14 +263,15 @@ MenuPage Screens::titlePage() {
     });
     button("Free swim", [this] { ask(Request::Kind::Swim); });
     button("My film or photo", [this] { push(Screen::Films); });
-    if (facts.headset) button("Headset", [this] { ask(Request::Kind::Headset); });
+    if (facts.headset && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
     button("Settings", [this] { push(Screen::Settings); });
     button("How to play", [this] { push(Screen::HowToPlay); });
     button("Field guide", [this] { push(Screen::Guide); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     return {.title = "Shoal",
             .text = {in("Fish in the light of a film")},
-            .note = in("Arrow keys and Enter, mouse or gamepad"),
+            .note = options_.xr ? in("Point with a finger and poke, or pull a controller’s trigger")
+                                : in("Arrow keys and Enter, mouse or gamepad"),
             .layout = PageLayout::Side};
 }
 
@@ -310,13 +314,14 @@ MenuPage Screens::groupPage(SettingsPage group) {
 
 MenuPage Screens::bindingsPage() {
     for (const ActionRow& row : kActionRows)
-        entries_.push_back(
-            {{.label = in(row.label), .value = keysText(bindings_.of(row.action)), .fraction = {}},
-             [this, action = row.action](const MenuEvent&) {
-                 captured_ = action;
-                 message_ = filled(in("Press a key or a button for: {}"),
-                                   in(kActionRows[static_cast<size_t>(action)].label));
-             }});
+        entries_.push_back({{.label = in(row.label),
+                             .value = keysText(bindings_.of(row.action), language()),
+                             .fraction = {}},
+                            [this, action = row.action](const MenuEvent&) {
+                                captured_ = action;
+                                message_ = filled(in("Press a key or a button for: {}"),
+                                                  in(kActionRows[static_cast<size_t>(action)].label));
+                            }});
     button("All as at first", [this] {
         bindings_ = Bindings();
         captured({});
@@ -330,7 +335,8 @@ void Screens::captured(std::optional<Action> loser) {
     message_.clear();
     if (loser)
         message_ = filled(in("{} now has no key or button of its own: {}"),
-                          in(kActionRows[static_cast<size_t>(*loser)].label), keysText(bindings_.of(*loser)));
+                          in(kActionRows[static_cast<size_t>(*loser)].label),
+                          keysText(bindings_.of(*loser), language()));
     options_.controls.bindings = bindings_.toText();
     for (size_t row = 0; row < table_.rows.size(); ++row)
         if (table_.rows[row].key() == "bindings") changed(row);
@@ -349,6 +355,13 @@ void Screens::buttonPressed(int button) { captured(bindings_.bindButton(*capture
 
 MenuPage Screens::howToPlayPage() {
     backButton();
+    if (options_.xr)
+        return {.title = in("How to play"),
+                .text = {in("Reach for a fish and close your hand on it"), in("Hold it for a second"),
+                         in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait "
+                            "in their way."),
+                         in("The shark is drawn to a struggling fish. When it points at your hand, let go or "
+                            "pull away.")}};
     return {
         .title = in("How to play"),
         .text = {
@@ -364,17 +377,33 @@ MenuPage Screens::howToPlayPage() {
                "away.")}};
 }
 
+// Each animal that the player has met leads to a page of its own.
 MenuPage Screens::guidePage() {
-    MenuPage page{.title = in("Field guide")};
-    for (const game::Species& kind : *facts.species) {
-        if (std::ranges::find(facts.met, kind.name) == facts.met.end()) continue;
-        const auto fact = std::ranges::find(kFacts, kind.name, &Fact::species);
-        page.text.push_back(named(kind.name) +
-                            (fact == kFacts.end() ? "" : std::string(":  ") + in(fact->text)));
+    const game::SpeciesTable& all = *facts.species;
+    size_t met = 0;
+    for (size_t species = 0; species < all.size(); ++species) {
+        const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
+        met += known;
+        itemButton(known ? named(all[species].name) : "?", [this, species] {
+            push(Screen::Animal);
+            stack_.back().species = species;
+            show(0);
+        });
+        entries_.back().item.enabled = known;
     }
-    page.text.push_back(filled(in("You have met {} of {} animals. Touch the others to get to know them."),
-                               page.text.size(), facts.species->size()));
     backButton();
+    return {.title = in("Field guide"),
+            .text = {filled(in("You have met {} of {} animals. Touch the others to get to know them."), met,
+                            all.size())},
+            .layout = PageLayout::Side};
+}
+
+MenuPage Screens::animalPage(size_t species) {
+    const std::string& name = (*facts.species)[species].name;
+    backButton();
+    MenuPage page{.title = named(name), .picture = name};
+    const auto fact = std::ranges::find(kFacts, name, &Fact::species);
+    if (fact != kFacts.end()) page.text.emplace_back(in(fact->text));
     return page;
 }
 
@@ -391,7 +420,7 @@ MenuPage Screens::pausedPage() {
         button("Skip the first steps", [this] { ask(Request::Kind::SkipFirstSteps); });
     else
         button("Start again", [this] { ask(Request::Kind::Restart); });
-    button("Photo mode", [this] { ask(Request::Kind::Photo); });
+    if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
     button("Settings", [this] { push(Screen::Settings); });
     button("How to play", [this] { push(Screen::HowToPlay); });
     button("Title screen", [this] { ask(Request::Kind::Title); });

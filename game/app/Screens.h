@@ -26,6 +26,7 @@ enum class Screen {
     Bindings,
     HowToPlay,
     Guide,
+    Animal,
     Paused,
     Results
 };
@@ -76,8 +77,7 @@ class Screens {
 
     void open(Screen screen); // and no other below it
     void close() { stack_.clear(); }
-    void showFilms(std::string error);                                            // above the title screen
-    void say(std::string error);                                                  // on the page that is shown
+    void openWithError(Screen screen, std::string error);                         // above the title screen
     void dropped(const std::string& file) { ask(Request::Kind::OpenFilm, file); } // onto the window
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;
@@ -92,7 +92,7 @@ class Screens {
     void draw(const Pen& pen);
     // Words or numbers that a page shows have changed.
     void refresh();
-    // The player has changed this setting by a key of the game.
+    // The player has changed this setting by a key of the game: it is kept, and asked to take effect.
     void keep(std::string_view key);
 
     ScreenFacts facts;
@@ -107,6 +107,7 @@ class Screens {
     struct Level { // of the stack of pages
         Screen screen;
         SettingsPage group = SettingsPage::None;
+        size_t species = 0; // of the page Animal
         size_t focus = 0;
     };
     void push(Screen screen, SettingsPage group = SettingsPage::None);
@@ -124,6 +125,7 @@ class Screens {
     MenuPage bindingsPage();
     MenuPage howToPlayPage();
     MenuPage guidePage();
+    MenuPage animalPage(size_t species);
     MenuPage pausedPage();
     MenuPage resultsPage();
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "game/rules/Events.h"
+#include "game/texts/Texts.h"
 
 #include <array>
 #include <optional>
@@ -91,35 +92,35 @@ constexpr float kFullSpeed_mps = 1.5f;
 
 struct EventRow {
     EventKind kind;
-    const char* name;     // in playthrough files and the log
-    const char* caption;  // empty: none, it would only distract
-    Sound sound;          // where the event is; everywhere if it has no position
-    float gain = 1;       // at rest
-    float gainPerMps = 0; // and what each m/s of closing speed adds; together at most 1
+    const char* name;            // in playthrough files and the log
+    std::optional<Text> caption; // empty: none, it would only distract
+    Sound sound;                 // where the event is; everywhere if it has no position
+    float gain = 1;              // at rest
+    float gainPerMps = 0;        // and what each m/s of closing speed adds; together at most 1
     HapticPulse pulse = {};
 };
 
 // clang-format off
 constexpr std::array kEventRows = std::to_array<EventRow>({
-    {EventKind::Touch, "touch", "", Sound::Touch, 0.4f, 0.4f, {HapticPulse::Where::Part, 0.15f, 1, 140, 260, 0.08f}},
-    {EventKind::Startle, "startle", "a fish flees", Sound::Startle},
-    {EventKind::Grab, "grab", "", Sound::Touch},
-    {EventKind::Catch, "catch", "caught", Sound::Catch, 1, 0, {HapticPulse::Where::Hand, 0, 0.8f, 0, 180, 0.18f}},
-    {EventKind::Release, "release", "let go", Sound::Release},
-    {EventKind::Escape, "escape", "it slips away", Sound::Escape},
-    {EventKind::Miss, "miss", "", Sound::Miss},
-    {EventKind::MissTooFar, "miss_too_far", "too far", Sound::MissTooFar},
-    {EventKind::MissTooFast, "miss_too_fast", "too fast", Sound::MissTooFast},
-    {EventKind::MissTooEarly, "miss_too_early", "closed too early", Sound::MissTooEarly},
-    {EventKind::MissBehind, "miss_behind", "behind it", Sound::MissBehind},
-    {EventKind::Sting, "sting", "it stings", Sound::Startle, 1, 0, {HapticPulse::Where::Hand, 0, 0.9f, 0, 220, 0.3f}},
-    {EventKind::Goal, "goal", "goal reached", Sound::Catch, 0.7f},
-    {EventKind::Encounter, "encounter", "a whale sings", Sound::WhaleSong, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 24, 1.5f}},
-    {EventKind::SharkNear, "shark_near", "the shark is near", Sound::SharkNear, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 30, 0.6f}},
-    {EventKind::SharkBump, "shark_bump", "the shark bumps you", Sound::SharkBump, 0.5f, 0.4f, {HapticPulse::Where::HandAndBody, 1, 1, 40, 40, 0.25f}},
-    {EventKind::SharkSteal, "shark_steal", "the shark bites", Sound::SharkBite, 1, 0, {HapticPulse::Where::HandAndBody, 1, 1, 40, 40, 0.25f}},
-    {EventKind::DiveStart, "dive_start", "the dive begins", Sound::DiveStart},
-    {EventKind::DiveOver, "dive_over", "the dive is over", Sound::DiveOver},
+    {EventKind::Touch, "touch", {}, Sound::Touch, 0.4f, 0.4f, {HapticPulse::Where::Part, 0.15f, 1, 140, 260, 0.08f}},
+    {EventKind::Startle, "startle", Text("a fish flees"), Sound::Startle},
+    {EventKind::Grab, "grab", {}, Sound::Touch},
+    {EventKind::Catch, "catch", Text("caught"), Sound::Catch, 1, 0, {HapticPulse::Where::Hand, 0, 0.8f, 0, 180, 0.18f}},
+    {EventKind::Release, "release", Text("let go"), Sound::Release},
+    {EventKind::Escape, "escape", Text("it slips away"), Sound::Escape},
+    {EventKind::Miss, "miss", {}, Sound::Miss},
+    {EventKind::MissTooFar, "miss_too_far", Text("too far"), Sound::MissTooFar},
+    {EventKind::MissTooFast, "miss_too_fast", Text("too fast"), Sound::MissTooFast},
+    {EventKind::MissTooEarly, "miss_too_early", Text("closed too early"), Sound::MissTooEarly},
+    {EventKind::MissBehind, "miss_behind", Text("behind it"), Sound::MissBehind},
+    {EventKind::Sting, "sting", Text("it stings"), Sound::Startle, 1, 0, {HapticPulse::Where::Hand, 0, 0.9f, 0, 220, 0.3f}},
+    {EventKind::Goal, "goal", Text("goal reached"), Sound::Catch, 0.7f},
+    {EventKind::Encounter, "encounter", Text("a whale sings"), Sound::WhaleSong, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 24, 1.5f}},
+    {EventKind::SharkNear, "shark_near", Text("the shark is near"), Sound::SharkNear, 1, 0, {HapticPulse::Where::Body, 0, 0.3f, 0, 30, 0.6f}},
+    {EventKind::SharkBump, "shark_bump", Text("the shark bumps you"), Sound::SharkBump, 0.5f, 0.4f, {HapticPulse::Where::HandAndBody, 1, 1, 40, 40, 0.25f}},
+    {EventKind::SharkSteal, "shark_steal", Text("the shark bites"), Sound::SharkBite, 1, 0, {HapticPulse::Where::HandAndBody, 1, 1, 40, 40, 0.25f}},
+    {EventKind::DiveStart, "dive_start", Text("the dive begins"), Sound::DiveStart},
+    {EventKind::DiveOver, "dive_over", Text("the dive is over"), Sound::DiveOver},
 });
 // clang-format on
 static_assert(oneRowEach(kEventRows, &EventRow::kind, EventKind::DiveOver));

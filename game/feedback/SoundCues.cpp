@@ -18,8 +18,8 @@ constexpr float kLarge_m = 1;      // of body: what passes sounds large
 // From the start of the clip to its loudest: it starts that much before the creature is nearest.
 constexpr float kPassPeakSmall_s = 0.3f, kPassPeakLarge_s = 0.75f;
 constexpr size_t kCaptions = 3;
-constexpr std::string_view kStruggleCaption = "it struggles", kPassCaption = "something large passes",
-                           kCountdownCaption = "the last seconds";
+constexpr Text kStruggleCaption = "it struggles", kPassCaption = "something large passes",
+               kCountdownCaption = "the last seconds";
 constexpr float kTouchQuiet_s = 0.12f; // one sound for all bones of a touch
 constexpr int kCountdown_s = 5;
 constexpr float kBreathShortest_s = 6, kBreathLongest_s = 9;
@@ -34,11 +34,10 @@ SoundCues::SoundCues() : breath_s_(kBreathShortest_s) {
     captions_.reserve(kCaptions + 1);
 }
 
-void SoundCues::caption(std::string_view text, const glm::vec3& position) {
-    if (text.empty()) return;
+void SoundCues::caption(Text text, const glm::vec3& position) {
     // The same caption again only becomes new.
     std::erase_if(captions_, [&](const Caption& shown) { return shown.text == text; });
-    captions_.insert(captions_.begin(), {text, position, 0});
+    captions_.insert(captions_.begin(), Caption{text, position, 0});
     if (captions_.size() > kCaptions) captions_.pop_back();
 }
 
@@ -115,7 +114,7 @@ void SoundCues::happened(const Event& event) {
     const float pitch = music ? 1.0f : random_.between(0.94f, 1.06f);
     const glm::vec3 position = event.position.value_or(glm::vec3(0));
     play(row.sound, position, gain, !event.position, pitch);
-    caption(row.caption, position);
+    if (row.caption) caption(*row.caption, position);
 }
 
 void SoundCues::breathe(const Snapshot& shown, float dt_s) {

@@ -9,7 +9,6 @@
 #include "game/rules/Snapshot.h"
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace shoal::game {
@@ -17,7 +16,7 @@ namespace shoal::game {
 constexpr float kCaptionStay_s = 2.2f;
 
 struct Caption {
-    std::string_view text;
+    Text text;
     glm::vec3 position{0}; // world frame; the origin: nowhere in particular
     float age_s = 0;
 };
@@ -40,7 +39,7 @@ class SoundCues {
   private:
     void play(Sound sound, const glm::vec3& position, float gain, bool everywhere = false, float pitch = 1,
               const glm::vec3& velocity = glm::vec3(0));
-    void caption(std::string_view text, const glm::vec3& position);
+    void caption(Text text, const glm::vec3& position);
     void beds(const Snapshot& shown, float dt_s);
     void passing(const CreatureView& creature, float& quiet_s);
     void struggling(const CreatureView& creature);

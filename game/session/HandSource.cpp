@@ -123,12 +123,15 @@ void TrackedHands::announce() {
     announced_ = state_.present;
     announcedAt_s_ = played_s_;
     const std::string name(tracker_->name());
-    announcement_ = "Hands: mouse";
-    if (state_.present)
-        announcement_ = "Hands: " + name + ", " + state_.description;
-    else if (asked_) // why not this one
-        announcement_ += "; " + name + ": " + state_.description;
-    log::info("{}", announcement_);
+    announcement_.reset();
+    if (state_.present) {
+        announcement_ = game::Notice{"Hands: {}", name};
+        log::info("Hands: {}, {}", name, state_.description);
+    } else if (asked_) { // why not this one
+        announcement_ = game::Notice{"{} is not there; the mouse has the hands", name};
+        log::info("Hands: mouse; {}: {}", name, state_.description);
+    } else
+        log::info("Hands: mouse");
 }
 
 void TrackedHands::frame(double elapsed_s) {
@@ -162,9 +165,14 @@ std::array<hands::HandPose, 2> TrackedHands::seen() const {
     return poses;
 }
 
-std::string_view TrackedHands::caption() const {
-    if (!state_.instruction.empty()) return state_.instruction;
-    return played_s_ - announcedAt_s_ < kCaption_s ? std::string_view(announcement_) : std::string_view();
+const game::Notice* TrackedHands::notice() const {
+    static const std::array<game::Notice, 3> kInstructions = {
+        {{"Webcam: keep your hands out of its sight for a moment"},
+         {"Webcam: hold one open hand in the middle of its view, palm to the camera"},
+         {"Webcam: keep it there for two seconds"}}};
+    if (state_.instruction != hands::Instruction::None)
+        return &kInstructions[static_cast<size_t>(state_.instruction) - 1];
+    return announcement_ && played_s_ - announcedAt_s_ < kCaption_s ? &*announcement_ : nullptr;
 }
 
 Status checkHandSource(const HandSourceChoice& source) {

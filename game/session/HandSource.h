@@ -82,8 +82,8 @@ class TrackedHands {
     // Of the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const;
 
-    // To be shown now: which device is used, or what it asks of the player. May be empty.
-    std::string_view caption() const;
+    // To be shown now: which device is used, or what it asks of the player. Null: nothing.
+    const game::Notice* notice() const;
 
   private:
     void announce();
@@ -94,8 +94,8 @@ class TrackedHands {
     hands::DeviceState state_;
     hands::HandSourceSelector choice_; // between its hands and the mouse's
     std::optional<bool> announced_;    // that it is there, or that it is not
-    std::string announcement_;
     std::array<glm::vec3, 2> towardsElbow_{}; // viewer's frame, eased to and from 0
+    std::optional<game::Notice> announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace shoal::game {
@@ -72,7 +73,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Space or a click takes a picture; Esc goes back",
      "Leertaste oder Klick macht ein Bild; Esc führt zurück",
      "Espace ou un clic prend une photo ; Échap pour revenir"},
-    {"A takes a picture; B goes back", "A macht ein Bild; B geht zurück", "A prend une photo ; B pour revenir"},
+    {"A takes a picture; B goes back", "A macht ein Bild; B geht zurück",
+     "A prend une photo ; B pour revenir"},
     {"Left stick", "Linker Stick", "Stick gauche"},
     {"Right stick, slowly: a fast hand frightens fish",
      "Rechter Stick, langsam: Eine schnelle Hand verscheucht Fische",
@@ -105,6 +107,52 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "Fische schwimmen vorbei und sehen dich an. Berühre sie; das Bestimmungsbuch merkt sich, wen du "
      "getroffen hast.",
      "Les poissons passent et te regardent. Touche-les ; le guide retient ceux que tu as rencontrés."},
+
+    // Notices
+    {"Hands: {}", "Hände: {}", "Mains : {}"},
+    {"{} is not there; the mouse has the hands", "{} ist nicht da; die Maus führt die Hände",
+     "{} est absent ; la souris guide les mains"},
+    {"Webcam: keep your hands out of its sight for a moment",
+     "Webcam: Halte deine Hände einen Moment lang aus dem Bild",
+     "Webcam : garde un instant tes mains hors du champ"},
+    {"Webcam: hold one open hand in the middle of its view, palm to the camera",
+     "Webcam: Halte eine offene Hand in die Mitte des Bilds, die Handfläche zur Kamera",
+     "Webcam : tiens une main ouverte au milieu de l’image, paume vers la caméra"},
+    {"Webcam: keep it there for two seconds", "Webcam: Halte sie zwei Sekunden lang dort",
+     "Webcam : garde-la ainsi deux secondes"},
+    {"The film is damaged here; its last good picture stays",
+     "Der Film ist hier beschädigt; sein letztes gutes Bild bleibt stehen",
+     "Le film est abîmé ici ; sa dernière bonne image reste"},
+    {"The live video has stopped; its last picture stays",
+     "Das Live-Video ist stehen geblieben; sein letztes Bild bleibt",
+     "La vidéo en direct s’est arrêtée ; sa dernière image reste"},
+    {"The live video was lost; its last picture stays until it comes back",
+     "Das Live-Video ist abgerissen; sein letztes Bild bleibt, bis es wiederkommt",
+     "La vidéo en direct est perdue ; sa dernière image reste jusqu’à son retour"},
+    {"Saved: {}", "Gespeichert: {}", "Enregistré : {}"},
+    {"Not saved: {}", "Nicht gespeichert: {}", "Pas enregistré : {}"},
+
+    // Performance
+    {"frame {} ms median, {} worst of 120", "Bild {} ms im Mittel, {} am längsten von 120",
+     "image {} ms médiane, {} au pire de 120"},
+    {"light {} ms, decode {} ms (own thread)", "Licht {} ms, Decodieren {} ms (eigener Thread)",
+     "lumière {} ms, décodage {} ms (fil séparé)"},
+    {"upload {} ms, simulation {} ms", "Hochladen {} ms, Simulation {} ms", "envoi {} ms, simulation {} ms"},
+    {"{} {} ms on the graphics side", "{} {} ms auf der Grafikseite", "{} {} ms côté graphique"},
+    {"draws {}, triangles {}", "Zeichenaufrufe {}, Dreiecke {}", "appels {}, triangles {}"},
+    {"drawn at {} % of the size, light every {} of the video’s frames",
+     "mit {} % der Größe gezeichnet, Licht mit jedem {}. Bild des Videos",
+     "dessiné à {} % de la taille, lumière toutes les {} images"},
+    {"light: {}", "Licht: {}", "lumière : {}"},
+    {"as measured, GGX prefiltered", "wie gemessen, GGX-vorgefiltert", "telle que mesurée, préfiltrée GGX"},
+    {"thesis inverse tone mapping, GGX prefiltered",
+     "inverse Tonabbildung der Masterarbeit, GGX-vorgefiltert",
+     "mappage tonal inverse du mémoire, préfiltrée GGX"},
+    {"background", "Hintergrund", "arrière-plan"},
+    {"objects", "Objekte", "objets"},
+    {"particles", "Teilchen", "particules"},
+    {"shadows", "Schatten", "ombres"},
+    {"overlay", "Schrift", "texte"},
 
     // How to play
     {"Reach with the mouse. When a fish glows, hold the left button: your hand closes. Hold the fish for a "
@@ -152,6 +200,10 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     // Keys of the menus
     {"Arrow keys and Enter, mouse or gamepad", "Pfeiltasten und Eingabe, Maus oder Gamepad",
      "Flèches et Entrée, souris ou manette"},
+
+    {"Point with a finger and poke, or pull a controller’s trigger",
+     "Zeig mit einem Finger und stups, oder zieh den Trigger eines Controllers",
+     "Pointe du doigt et appuie, ou presse la gâchette d’une manette"},
 
     // Pages of settings
     {"Hands", "Hände", "Mains"},
@@ -214,6 +266,38 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"{} now has no key or button of its own: {}", "{} hat seine Taste verloren: {}",
      "{} a perdu sa touche : {}"},
     {"All as at first", "Alles wie am Anfang", "Tout comme au début"},
+
+    // Names of keys; those with one letter or a number need none
+    {"Space", "Leertaste", "Espace"},
+    {"Escape", "Esc", "Échap"},
+    {"Enter", "Eingabe", "Entrée"},
+    {"Tab", "Tab", "Tab"},
+    {"Backspace", "Rücktaste", "Retour arrière"},
+    {"Insert", "Einfg", "Inser"},
+    {"Delete", "Entf", "Suppr"},
+    {"Right", "Rechts", "Droite"},
+    {"Left", "Links", "Gauche"},
+    {"Down", "Ab", "Bas"},
+    {"Up", "Auf", "Haut"},
+    {"PageUp", "Bild auf", "Page haut"},
+    {"PageDown", "Bild ab", "Page bas"},
+    {"Home", "Pos1", "Début"},
+    {"End", "Ende", "Fin"},
+    {"Plus", "Plus", "Plus"},
+    {"Minus", "Minus", "Moins"},
+    {"Keypad+", "Ziffernblock +", "Pavé +"},
+    {"Keypad-", "Ziffernblock -", "Pavé -"},
+    {"KeypadEnter", "Ziffernblock Eingabe", "Pavé Entrée"},
+    {"LeftShift", "Umschalt links", "Maj gauche"},
+    {"RightShift", "Umschalt rechts", "Maj droite"},
+    {"LeftControl", "Strg links", "Ctrl gauche"},
+    {"RightControl", "Strg rechts", "Ctrl droite"},
+    {"LeftAlt", "Alt links", "Alt gauche"},
+    {"RightAlt", "Alt rechts", "Alt droite"},
+    {"PadUp", "Kreuz auf", "Croix haut"},
+    {"PadRight", "Kreuz rechts", "Croix droite"},
+    {"PadDown", "Kreuz ab", "Croix bas"},
+    {"PadLeft", "Kreuz links", "Croix gauche"},
 
     // Values of settings
     {"on", "an", "oui"},
@@ -337,9 +421,23 @@ class Text {
     consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
     constexpr const char* in(Language language) const { return textIn(kTexts[row_], language); }
     constexpr const char* english() const { return kTexts[row_].english; }
+    constexpr bool operator==(const Text&) const = default;
 
   private:
     size_t row_;
+};
+
+// One sentence to the player: a text, and what is put into it. There is no other way to write one.
+struct Notice {
+    Text text;
+    std::string value{}; // a name, a number or a file, in place of "{}"
+
+    std::string in(Language language) const {
+        std::string sentence = text.in(language);
+        if (const size_t at = sentence.find("{}"); at != std::string::npos) sentence.replace(at, 2, value);
+        return sentence;
+    }
+    bool operator==(const Notice&) const = default;
 };
 
 // For names that come from files and tables; those without a row stay as they are.

@@ -93,9 +93,8 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
         const bool placed = glm::dot(caption.position, caption.position) > 1e-4f;
         const float bearing = placed ? std::atan2(inView.x, -inView.z) : 0.0f;
         const float seen = std::atan(info.view->halfExtent().x);
-        const std::string line =
-            fmt::format("{}{}{}", bearing < -seen ? "\u2190 " : "",
-                        game::translated(caption.text, pen.language), bearing > seen ? " \u2192" : "");
+        const std::string line = fmt::format("{}{}{}", bearing < -seen ? "\u2190 " : "", pen.in(caption.text),
+                                             bearing > seen ? " \u2192" : "");
         if (info.text.captionPanels)
             pen.label(pen.size.x / 2, y, 0.5f, size, kWhite, line);
         else
@@ -104,7 +103,7 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
     }
 }
 
-void drawTimes(const HudInfo& info) {
+void drawTimes(const Pen& pen, const HudInfo& info) {
     const Statistics& statistics = *info.statistics;
     const Environment& environment = *info.environment;
     // At the right, where no menu stands.
@@ -118,21 +117,22 @@ void drawTimes(const HudInfo& info) {
     std::vector<float> sorted(recent.begin(), recent.end());
     std::sort(sorted.begin(), sorted.end());
     ImGui::TextUnformatted(statistics.renderer.c_str());
-    const auto write = [](fmt::string_view text, const auto&... values) {
-        ImGui::TextUnformatted(fmt::vformat(text, fmt::make_format_args(values...)).c_str());
+    const auto write = [&](game::Text text, const auto&... values) {
+        ImGui::TextUnformatted(fmt::format(fmt::runtime(pen.in(text)), values...).c_str());
     };
+    const auto ms = [](double time_ms, int places = 1) { return fmt::format("{:.{}f}", time_ms, places); };
     if (!sorted.empty())
-        write("frame {:.1f} ms median, {:.1f} worst of 120", sorted[sorted.size() / 2], sorted.back());
+        write("frame {} ms median, {} worst of 120", ms(sorted[sorted.size() / 2]), ms(sorted.back()));
     ImGui::PlotLines("##frames", recent.data(), static_cast<int>(recent.size()), 0, nullptr, 0, 50,
                      ImVec2(260, 50));
-    write("light {:.1f} ms, decode {:.1f} ms (own thread)", environment.light_ms(), environment.decode_ms());
-    write("upload {:.2f} ms, simulation {:.2f} ms", environment.upload_ms(), statistics.sim_ms);
+    write("light {} ms, decode {} ms (own thread)", ms(environment.light_ms()), ms(environment.decode_ms()));
+    write("upload {} ms, simulation {} ms", ms(environment.upload_ms(), 2), ms(statistics.sim_ms, 2));
     for (const gl::PassTimers::Time& time : info.passes)
-        write("{} {:.2f} ms on the graphics side", time.pass, time.gpu_ms);
+        write("{} {} ms on the graphics side", game::translated(time.pass, pen.language), ms(time.gpu_ms, 2));
     write("draws {}, triangles {}", statistics.draws, statistics.triangles);
-    write("drawn at {:.0f} % of the size, light every {} of the video's frames", 100 * info.quality.scale,
-          info.quality.lightEvery);
-    write("light: {}", environment.lightName());
+    write("drawn at {} % of the size, light every {} of the video’s frames",
+          std::lround(100 * info.quality.scale), info.quality.lightEvery);
+    write("light: {}", pen.in(environment.lightName()));
     ImGui::End();
 }
 
@@ -146,10 +146,11 @@ void drawText(const Pen& pen, const HudInfo& info) {
     if (info.showVolume)
         pen.label(x, pen.line, 0.5f, TextSize::Body, kWhite,
                   fmt::format(fmt::runtime(pen.in("Sound {} %")), std::lround(info.volume * 100)));
-    if (!info.notice.empty()) pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice);
+    if (info.notice)
+        pen.label(x, pen.line * 2.6f, 0.5f, TextSize::Small, kGold, info.notice->in(pen.language));
     if (info.finger)
         pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
-    if (info.showTimes) drawTimes(info);
+    if (info.showTimes) drawTimes(pen, info);
 }
 
 } // namespace
@@ -186,7 +187,14 @@ Pen Hud::beginFrame(Audience audience, bool hasText, const TextOptions& text, gl
         fonts_.fit(line);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    return {ImGui::GetBackgroundDrawList(), &fonts_, size, line, audience, text.language, text.highContrast};
+    return {ImGui::GetBackgroundDrawList(),
+            &fonts_,
+            size,
+            line,
+            audience,
+            text.language,
+            text.highContrast,
+            &pictures_};
 }
 
 void Hud::endFrame() {
@@ -205,9 +213,10 @@ void Hud::draw(const HudInfo& info, glm::ivec2 size) {
     endFrame();
 }
 
-void Hud::drawNotice(std::string_view notice, const TextOptions& text, glm::ivec2 size) {
+void Hud::drawNotice(const game::Notice& notice, const TextOptions& text, glm::ivec2 size) {
     const Pen pen = beginFrame(Audience::WindowPlayer, true, text, size);
-    pen.label(pen.size.x / 2, pen.size.y - 2 * pen.line, 0.5f, TextSize::Small, kWhite, notice);
+    pen.label(pen.size.x / 2, pen.size.y - 2 * pen.line, 0.5f, TextSize::Small, kWhite,
+              notice.in(pen.language));
     endFrame();
 }
 

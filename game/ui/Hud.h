@@ -52,7 +52,7 @@ struct HudInfo {
     Quality quality;
     std::span<const gl::PassTimers::Time> passes; // what the graphics side took for each
     const Environment* environment = nullptr;
-    std::string_view notice; // one sentence to the player, such as "the video is damaged"; empty: none
+    const game::Notice* notice = nullptr; // null: none
     float volume = 0;
     bool showVolume = false;
 };
@@ -65,7 +65,7 @@ class Hud {
     // Over the bound framebuffer, which is `size` pixels large.
     void draw(const HudInfo& info, glm::ivec2 size);
     // One line and nothing else.
-    void drawNotice(std::string_view notice, const TextOptions& text, glm::ivec2 size);
+    void drawNotice(const game::Notice& notice, const TextOptions& text, glm::ivec2 size);
     // While things are loaded; progress: 0 to 1.
     void drawLoading(float progress, const TextOptions& text, glm::ivec2 size);
 
@@ -77,6 +77,7 @@ class Hud {
     };
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Fonts fonts_;
+    Pictures pictures_;
 };
 
 } // namespace shoal::app

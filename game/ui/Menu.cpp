@@ -10,7 +10,7 @@ namespace {
 
 // All in lines of text.
 constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
-constexpr float kWidth = 28, kSideWidth = 15;
+constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
 
 } // namespace
@@ -117,11 +117,14 @@ Rectangle Menu::trackOf(size_t item) const {
 void Menu::place(const Pen& pen) {
     line_ = pen.line;
     const float margin = kMargin * line_;
-    const bool side = page_.layout == PageLayout::Side;
+    // A headset's panel is narrow, and stands free in the view.
+    const bool side = page_.layout == PageLayout::Side && pen.audience != Audience::HeadsetPlayer;
     const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
     float above =
         page_.title.empty() ? 0 : pen.extent(page_.title, TextSize::Heading, inner).y + kTitleGap * line_;
+    pictureHeight_ = page_.picture.empty() ? 0 : std::min(kPicture * line_, 0.4f * pen.size.y);
+    above += pictureHeight_;
     for (const std::string& paragraph : page_.text)
         above += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
     float below = 0;
@@ -180,7 +183,10 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
         pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
         pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
     }
-    pen.text((track.low.x + track.high.x) / 2, y, 0.5f, TextSize::Body, ink, item.value);
+    // In the middle of its place; what is longer grows to the left.
+    const float half = pen.extent(item.value, TextSize::Body).x / 2;
+    pen.text(std::min((track.low.x + track.high.x) / 2, area->high.x - 0.5f * line_ - half), y, 0.5f,
+             TextSize::Body, ink, item.value);
 }
 
 void Menu::draw(const Pen& pen) {
@@ -191,6 +197,8 @@ void Menu::draw(const Pen& pen) {
     float y = panel_.low.y + margin;
     if (!page_.title.empty())
         y += pen.paragraph(x, y, inner, TextSize::Heading, colour::kWhite, page_.title) + kTitleGap * line_;
+    if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, page_.picture);
+    y += pictureHeight_;
     for (const std::string& paragraph : page_.text)
         y += pen.paragraph(x, y, inner, TextSize::Body, colour::kWhite, paragraph) + kParagraphGap * line_;
     for (size_t i = 0; i < page_.items.size(); ++i) drawItem(pen, i);

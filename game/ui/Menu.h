@@ -23,6 +23,7 @@ enum class PageLayout { Side, Centre }; // Side: the left part of the picture, t
 
 struct MenuPage {
     std::string title;
+    std::string picture{};         // above the text (Pen::picture); empty: none
     std::vector<std::string> text; // paragraphs above the items
     std::vector<MenuItem> items;
     std::string note;                // a line below the items
@@ -83,6 +84,7 @@ class Menu {
     Rectangle panel_, list_;
     std::vector<Rectangle> areas_;
     float scroll_ = 0, line_ = 0; // scroll: how far the list is moved up
+    float pictureHeight_ = 0;
     glm::vec2 pointer_{-1};
 };
 

@@ -29,28 +29,39 @@ bool has(const std::vector<int>& list, int value) { return std::ranges::find(lis
 
 } // namespace
 
-void FingerPoke::step(const hands::HandPose& hand, glm::vec2 tanHalf, float dt_s) {
+Pointing pointingInView(const hands::HandPose& hand, glm::vec2 tanHalf) {
     const glm::vec3 tip = hand.joints[hands::kFingerJoints[1].tip].position;
     const float depth_m = -tip.z;
+    if (!hand.tracked || depth_m < 0.05f) return {};
+    return {true,
+            {0.5f + 0.5f * tip.x / (depth_m * tanHalf.x), 0.5f - 0.5f * tip.y / (depth_m * tanHalf.y)},
+            depth_m};
+}
+
+void FingerPoke::step(const Pointing& finger, float dt_s) {
     pressed_ = false;
-    if (!hand.tracked || depth_m < 0.05f) {
+    if (!finger.points) {
         pointing_ = held_ = false;
         return;
     }
-    if (!pointing_) mean_m_ = depth_m;
+    if (!pointing_) mean_m_ = finger.forward_m;
     pointing_ = true;
-    const float forward_m = depth_m - mean_m_;
-    // A press goes on where it began: a finger that pokes does not go straight.
-    if (!held_)
-        at_ = {0.5f + 0.5f * tip.x / (depth_m * tanHalf.x), 0.5f - 0.5f * tip.y / (depth_m * tanHalf.y)};
-    if (!held_ && forward_m > kPress_m) pressed_ = held_ = true;
-    if (held_ && forward_m < kRelease_m) held_ = false;
+    const float forward_m = finger.forward_m - mean_m_;
+    // A press is where the finger pointed before it moved, and goes on there: one that pokes does not go
+    // straight.
+    if (forward_m < kRelease_m || finger.pulls) steady_ = finger.at;
+    if (!held_) at_ = finger.at;
+    if (!held_ && (forward_m > kPress_m || (finger.pulls && !pulled_))) {
+        pressed_ = held_ = true;
+        at_ = steady_;
+    }
+    if (held_ && forward_m < kRelease_m && !finger.pulls) held_ = false;
+    pulled_ = finger.pulls;
     mean_m_ += forward_m * std::min(1.0f, dt_s / kMean_s);
 }
 
 MenuInput MenuControls::step(const platform::WindowInput* input, const platform::Window* window,
-                             const std::array<hands::HandPose, 2>& hands, glm::vec2 tanHalf, glm::vec2 size,
-                             int eyes, float dt_s) {
+                             const std::array<Pointing, 2>& fingers, const MenuSurface& surface, float dt_s) {
     MenuInput menu;
     if (input) {
         const platform::Gamepad& pad = input->gamepad;
@@ -77,20 +88,21 @@ MenuInput MenuControls::step(const platform::WindowInput* input, const platform:
                       has(input->keysPressed, GLFW_KEY_SPACE) || has(pad.pressed, GLFW_GAMEPAD_BUTTON_A);
         menu.back = has(input->keysPressed, GLFW_KEY_ESCAPE) || input->middlePressed ||
                     has(pad.pressed, GLFW_GAMEPAD_BUTTON_B);
-        if (input->cursorMoved != glm::dvec2(0) || input->leftPressed || input->leftButton)
-            menu.pointer =
-                glm::vec2(std::fmod(static_cast<float>(input->cursor.x) * static_cast<float>(eyes), 1.0f),
-                          input->cursor.y) *
-                size;
-        menu.pressed = input->leftPressed;
-        menu.held = input->leftButton;
+        if (surface.mouse) {
+            if (input->cursorMoved != glm::dvec2(0) || input->leftPressed || input->leftButton) {
+                const float across = static_cast<float>(input->cursor.x) * static_cast<float>(surface.eyes);
+                menu.pointer = glm::vec2(std::fmod(across, 1.0f), input->cursor.y) * surface.size;
+            }
+            menu.pressed = input->leftPressed;
+            menu.held = input->leftButton;
+        }
         menu.wheel = static_cast<float>(input->wheel);
     }
     finger_.reset();
-    for (size_t i = 0; i < hands.size(); ++i) {
-        pokes_[i].step(hands[i], tanHalf, dt_s);
+    for (size_t i = 0; i < fingers.size(); ++i) {
+        pokes_[i].step(fingers[i], dt_s);
         if (!pokes_[i].pointing()) continue;
-        finger_ = menu.pointer = pokes_[i].at() * size;
+        finger_ = menu.pointer = pokes_[i].at() * surface.size;
         menu.pressed |= pokes_[i].pressed();
         menu.held |= pokes_[i].held();
     }

@@ -9,12 +9,28 @@
 
 namespace shoal::app {
 
+// The picture that menus are drawn on.
+struct MenuSurface {
+    glm::vec2 size{1}; // pixels
+    int eyes = 1;      // how many such pictures stand side by side in the window
+    bool mouse = true; // the window's pointer points at it
+};
+
+// Where a hand's fingertip is before that picture.
+struct Pointing {
+    bool points = false;
+    glm::vec2 at{0.5f};  // 0 to 1 from the picture's upper left
+    float forward_m = 0; // towards the picture, from anywhere that stays
+    bool pulls = false;  // a controller's trigger, which presses too
+};
+// Of a picture that fills the view. tanHalf: tangents of half its angles.
+Pointing pointingInView(const hands::HandPose& hand, glm::vec2 tanHalf);
+
 // A fingertip that moves forward by a few centimetres presses what it points at. A slow mean of its distance
 // is what "forward" is measured from, so that it works wherever the hand is held.
 class FingerPoke {
   public:
-    // tip: of the index finger, viewer's frame, metres. tanHalf: tangents of half the picture's angles.
-    void step(const hands::HandPose& hand, glm::vec2 tanHalf, float dt_s);
+    void step(const Pointing& finger, float dt_s);
 
     bool pointing() const { return pointing_; }
     glm::vec2 at() const { return at_; } // 0 to 1 from the picture's upper left
@@ -25,18 +41,16 @@ class FingerPoke {
     static constexpr float kMean_s = 0.35f;
 
   private:
-    bool pointing_ = false, pressed_ = false, held_ = false;
+    bool pointing_ = false, pressed_ = false, held_ = false, pulled_ = false;
     float mean_m_ = 0;
-    glm::vec2 at_{0};
+    glm::vec2 at_{0}, steady_{0}; // steady: before it moved forward
 };
 
 class MenuControls {
   public:
-    // input: null without a window. size: of the picture that the menu is drawn on; eyes: how many of them
-    // stand side by side in the window.
+    // input: null without a window. fingers: of the left and the right hand.
     MenuInput step(const platform::WindowInput* input, const platform::Window* window,
-                   const std::array<hands::HandPose, 2>& hands, glm::vec2 tanHalf, glm::vec2 size, int eyes,
-                   float dt_s);
+                   const std::array<Pointing, 2>& fingers, const MenuSurface& surface, float dt_s);
 
     // Where a finger points, to be shown; empty: no hand points.
     std::optional<glm::vec2> finger() const { return finger_; }

@@ -3,10 +3,12 @@
 
 #include "game/texts/Texts.h"
 #include "game/ui/Fonts.h"
+#include "game/ui/Pictures.h"
 
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 struct ImDrawList;
@@ -44,6 +46,7 @@ struct Pen {
     Audience audience = Audience::WindowPlayer;
     game::Language language = game::Language::English;
     bool highContrast = false; // panels are black and let nothing through
+    Pictures* pictures = nullptr;
 
     const char* in(game::Text text) const { return text.in(language); }
 
@@ -60,6 +63,8 @@ struct Pen {
                     std::string_view text) const;
     void panel(const Rectangle& area) const;
     void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
+    // As large as fits, in the middle. name: as Pictures has it.
+    void picture(const Rectangle& area, const std::string& name) const;
     void shade() const; // darkens the whole picture
 };
 

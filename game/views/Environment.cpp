@@ -21,6 +21,18 @@ light::FrameView leftEyeOf(const ImageRgb8& frame, media::Layout layout, bool bg
     return {frame.at(part.x, part.y), part.width, part.height, static_cast<ptrdiff_t>(frame.width) * 3, bgr};
 }
 
+std::optional<game::Notice> noticeOf(media::LiveState state) {
+    switch (state) {
+    case media::LiveState::Playing:
+        break;
+    case media::LiveState::Stopped:
+        return game::Notice{"The live video has stopped; its last picture stays"};
+    case media::LiveState::Lost:
+        return game::Notice{"The live video was lost; its last picture stays until it comes back"};
+    }
+    return std::nullopt;
+}
+
 float millisecondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
 }
@@ -147,9 +159,9 @@ bool Environment::update(double time_s, bool exact) {
     if (live_) return updateLive(time_s);
     if (!player_) return false;
     const media::VideoFrame* frame = exact ? player_->waitFor(time_s) : player_->newest(time_s);
-    if (std::string status = player_->status(); !status.empty()) {
+    if (const std::string status = player_->status(); !status.empty()) {
         log::warn("{}", status);
-        notice_ = std::move(status);
+        notice_ = game::Notice{"The film is damaged here; its last good picture stays"};
     }
     videoPosition_s_ = time_s - static_cast<double>(frame->index - frame->number) / player_->info().fps;
     return show(*frame, time_s);
@@ -157,9 +169,10 @@ bool Environment::update(double time_s, bool exact) {
 
 bool Environment::updateLive(double time_s) {
     const media::VideoFrame& frame = *live_->newest();
-    if (notice_ != live_->notice()) {
-        notice_ = live_->notice();
-        notice_.empty() ? log::info("pictures come again") : log::warn("{}", notice_);
+    if (liveNotice_ != live_->notice()) {
+        liveNotice_ = live_->notice();
+        liveNotice_.empty() ? log::info("pictures come again") : log::warn("{}", liveNotice_);
+        notice_ = noticeOf(live_->state());
     }
     return show(frame, time_s);
 }
@@ -224,8 +237,8 @@ render::ToneCurve Environment::toneCurve(Tone chosen) const {
     return chosen == Tone::Linear ? render::ToneCurve::Linear : render::ToneCurve::Aces;
 }
 
-const char* Environment::lightName() const {
-    return hdr_ ? "as measured, GGX prefiltered" : "thesis inverse tone mapping, GGX prefiltered";
+game::Text Environment::lightName() const {
+    return hdr_ ? game::Text("as measured, GGX prefiltered") : "thesis inverse tone mapping, GGX prefiltered";
 }
 
 } // namespace shoal::app

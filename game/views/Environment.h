@@ -10,6 +10,7 @@
 #include "engine/render/ModelGpu.h"
 #include "engine/render/View.h"
 #include "game/settings/SharedOptions.h"
+#include "game/texts/Texts.h"
 #include "game/views/FrameAnalysis.h"
 
 #include <glm/mat3x3.hpp>
@@ -86,9 +87,9 @@ class Environment {
     float light_ms() const { return light_ms_; }
     float decode_ms() const { return decode_ms_; }
     float upload_ms() const { return upload_ms_; }
-    const char* lightName() const;
-    // One sentence when the video broke or has stopped; else empty.
-    std::string_view notice() const { return notice_; }
+    game::Text lightName() const;
+    // When the video broke or has stopped; null: it plays.
+    const game::Notice* notice() const { return notice_ ? &*notice_ : nullptr; }
     const media::LivePlayer* live() const { return live_ ? &*live_ : nullptr; } // null: a file
 
   private:
@@ -132,7 +133,8 @@ class Environment {
     camera::CameraResponseOverTime cameraResponse_;
     double lastUpdate_s_ = 0, videoPosition_s_ = 0;
     float light_ms_ = 0, decode_ms_ = 0, upload_ms_ = 0;
-    std::string notice_;
+    std::optional<game::Notice> notice_;
+    std::string liveNotice_; // for the log, with the reason
 };
 
 } // namespace shoal::app

@@ -22,11 +22,14 @@ struct HandFrame {
     std::array<glm::vec3, 2> towardsElbow{};
 };
 
+// What the player is to do now, so that a webcam learns the hand's colour.
+enum class Instruction { None, KeepHandsAway, ShowOpenHand, KeepHandThere };
+
 // State of a tracker, for a person to read.
 struct DeviceState {
     bool present = false;    // frames come, or would if there were hands
     std::string description; // "protocol 6, peripheral attached", "not there", ...
-    std::string instruction; // an instruction for the player, such as to hold a hand up; empty: none
+    Instruction instruction = Instruction::None;
 };
 
 // A queue of frames with one writer, the tracker's thread, and one reader.

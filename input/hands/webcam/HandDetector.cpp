@@ -61,18 +61,18 @@ void SkinColour::likelihood(const cv::Mat& ycc, cv::Mat& out) const {
     cv::calcBackProject(&ycc, 1, kChannels, likely_, out, ranges, 255);
 }
 
-std::string HandDetector::instruction() const {
+Instruction HandDetector::instruction() const {
     switch (learning_) {
     case Learning::Background:
-        return "Webcam: keep your hands out of its sight for a moment";
+        return Instruction::KeepHandsAway;
     case Learning::Waiting:
-        return "Webcam: hold one open hand in the middle of its view, palm to the camera";
+        return Instruction::ShowOpenHand;
     case Learning::Hand:
-        return "Webcam: keep it there for two seconds";
+        return Instruction::KeepHandThere;
     case Learning::Done:
         break;
     }
-    return {};
+    return Instruction::None;
 }
 
 void HandDetector::learn(double time_s) {

@@ -74,7 +74,7 @@ class HandDetector {
     HandFrame detect(const cv::Mat& bgr, double time_s);
 
     bool calibrated() const { return skin_.learnt(); }
-    std::string instruction() const; // of the player, while it learns; else empty
+    Instruction instruction() const; // for the player, while it learns
     const std::array<std::optional<WebcamHand>, 2>& hands() const { return hands_; } // left, right
 
   private:

@@ -177,7 +177,8 @@ class WebcamClip : public testing::Test {
         std::filesystem::create_directories(clipFile().parent_path());
         auto clip = HandClip::make({480, 270}, kWebcamFov);
         if (!clip) GTEST_SKIP() << clip.error().message();
-        const Status written = tests::writeWhole(clipFile(), [&](const Path& file) { return write(*clip, file); });
+        const Status written =
+            tests::writeWhole(clipFile(), [&](const Path& file) { return write(*clip, file); });
         if (!written) GTEST_SKIP() << written.error().message();
     }
     static Status write(HandClip& clip, const Path& file) {
@@ -200,7 +201,7 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
     const auto hands = makeWebcamTracker({clipFile().string(), 0, false}, rig());
     HandFrame frame;
     size_t frames = 0, rights = 0, lefts = 0, fists = 0, pinches = 0;
-    std::vector<std::string> asked;
+    std::vector<Instruction> asked;
     int64_t last_us = -1;
     while (hands->stream().take(frame, std::chrono::seconds(20))) {
         ++frames;
@@ -211,8 +212,8 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
         fists += frame.hands[1].grip > 0.5f;
         pinches += frame.hands[1].pinch > 0.5f;
         EXPECT_FALSE(frame.hands[1].grip > 0.5f && frame.hands[1].pinch > 0.5f);
-        const std::string asks = hands->stream().state().instruction;
-        if (!asks.empty() && (asked.empty() || asked.back() != asks)) asked.push_back(asks);
+        const Instruction asks = hands->stream().state().instruction;
+        if (asks != Instruction::None && (asked.empty() || asked.back() != asks)) asked.push_back(asks);
     }
     EXPECT_EQ(frames, frames_);
     EXPECT_NEAR(static_cast<double>(last_us) * 1e-6, static_cast<double>(frames_ - 1) / kRate_Hz, 0.01);

@@ -1,5 +1,6 @@
 // The whole program in a window, played with a gamepad alone: GLFW, its mappings and our rumble find the pad
 // where Linux would have it.
+#include "engine/media/Pictures.h"
 #include "game/app/Application.h"
 #include "game/rules/TickInput.h"
 #include "game/settings/KeptFiles.h"
@@ -74,6 +75,7 @@ class Player {
         tap(BTN_SOUTH);
     }
     std::optional<Screen> page() const { return application_.screens().top(); }
+    const std::string& error() const { return application_.screens().menu().page().error; }
 
   private:
     Application& application_;
@@ -152,6 +154,27 @@ TEST_F(GamepadProgram, EveryScreenAndASettingThatStays) {
     PlayOptions kept;
     loadSettings(settingsOf(kept));
     EXPECT_NEAR(kept.volume, PlayOptions().volume - 0.05f, 1e-5f);
+}
+
+// A film that is gone when a setting needs it anew: the title comes, over the dive's own film, and says so.
+TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
+    const Path film = folder_.path() / "film.png";
+    ASSERT_TRUE(media::writePng(film, ImageRgb8(64, 32)));
+    PlayOptions o = options();
+    o.environment.photo = film;
+    o.environment.layout = media::Layout::Mono; // or it would be grown
+    o.start = Start::Title;
+    play(o, [&](Player& p) {
+        p.wait(3);
+        std::filesystem::remove(film);
+        p.choose("Settings");
+        p.choose("Comfort");
+        p.choose("Drifting particles");
+        p.wait(3);
+        EXPECT_EQ(p.page(), Screen::Title);
+        EXPECT_NE(p.error().find("film.png"), std::string::npos) << p.error();
+        p.choose("Quit");
+    });
 }
 
 // The recording has what the hands did.

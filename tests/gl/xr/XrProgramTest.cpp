@@ -1,6 +1,7 @@
 // `shoal --xr` from its start to its exit status, in a headset that does what the test says.
 #include "engine/core/Log.h"
 #include "engine/xr/Headset.h"
+#include "game/app/Application.h"
 #include "game/rules/TickInput.h"
 #include "game/tools/Commands.h"
 #include "input/hands/MouseHands.h"
@@ -42,6 +43,7 @@ class XrProgram : public test::WithFakeRuntime {
     PlayOptions options() const {
         PlayOptions o;
         o.xr = true;
+        o.start = Start::Dive;
         o.seed = 1; // with a window each run would draw another
         o.mute = true;
         o.quality = QualityControl::Fixed;
@@ -270,6 +272,83 @@ TEST_F(XrProgram, TextHangsInTheWorldOneAndAHalfMetresAhead) {
     }
     EXPECT_GT(clear, rgba.size() / 4 * 8 / 10);
     EXPECT_GT(solid, 300u);
+}
+
+// Every page stands on the panel; a poke at an item, as the head sees the fingertip before it, chooses it,
+// and so does a controller's trigger.
+TEST_F(XrProgram, ThePagesStandOnThePanelAndAPokeChooses) {
+    PlayOptions o = options();
+    o.start = Start::Auto;
+    Application application(o);
+    const Status opened = application.open();
+    ASSERT_TRUE(opened) << opened.error().message();
+    const Menu& menu = application.screens().menu();
+    // Where a fingertip is before the item, in LOCAL; forward: towards the panel, metres.
+    const auto before = [&](const std::string& label, float forward_m) {
+        const auto item = std::ranges::find(menu.page().items, label, &MenuItem::label);
+        EXPECT_NE(item, menu.page().items.end()) << label << " is not on the page " << menu.page().title;
+        const auto area = menu.areaOf(static_cast<size_t>(item - menu.page().items.begin()));
+        if (!area || !fake.last.panel) return glm::vec3(0, 0, -0.4f);
+        const glm::vec2 share = (area->low + area->high) / 2.0f / glm::vec2(960, 640);
+        const auto& [q, p] = fake.last.panel->localFromPanel;
+        const auto& [width, height] = fake.last.panel->size;
+        const glm::vec3 at =
+            glm::vec3(p.x, p.y, p.z) +
+            glm::quat(q.w, q.x, q.y, q.z) * glm::vec3((share.x - 0.5f) * width, (0.5f - share.y) * height, 0);
+        const auto eye = [&](size_t i) {
+            const XrVector3f& position = fake.views[i].pose.position;
+            return glm::vec3(position.x, position.y, position.z);
+        };
+        const glm::vec3 head = (eye(0) + eye(1)) / 2.0f;
+        return head + glm::normalize(at - head) * (0.45f + forward_m);
+    };
+    const auto putFinger = [&](glm::vec3 tip) {
+        closeHand(1, 0);
+        const XrVector3f now = fake.hands[1].joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
+        for (auto& joint : fake.hands[1].joints) {
+            joint.pose.position.x += tip.x - now.x;
+            joint.pose.position.y += tip.y - now.y;
+            joint.pose.position.z += tip.z - now.z;
+        }
+    };
+    const std::vector<std::string> pokes = {"Settings",    "Comfort", "Back",        "Back",
+                                            "How to play", "Back",    "Field guide", "Back"};
+    const std::vector<Screen> pages = {Screen::Settings, Screen::SettingsGroup, Screen::Settings,
+                                       Screen::Title,    Screen::HowToPlay,     Screen::Title,
+                                       Screen::Guide,    Screen::Title};
+    constexpr uint64_t kBegin = 60, kEach = 40;
+    fake.onWait = [&](FakeRuntime& f) {
+        if (f.framesWaited < kBegin) return;
+        const size_t poke = (f.framesWaited - kBegin) / kEach;
+        const uint64_t frame = (f.framesWaited - kBegin) % kEach;
+        if (frame == 0 && poke > 0 && poke <= pages.size()) {
+            EXPECT_EQ(application.screens().top(), pages[poke - 1]) << pokes[poke - 1];
+        }
+        if (poke < pokes.size()) {
+            // Comes, rests, pokes by 5 cm in four frames and goes.
+            if (frame < 10)
+                f.hands[1].active = false;
+            else if (frame == 10)
+                putFinger(before(pokes[poke], 0));
+            else if (frame > 20 && frame <= 24)
+                for (auto& joint : f.hands[1].joints) joint.pose.position.z -= 0.0125f;
+            else if (frame == 30)
+                f.hands[1].active = false;
+        } else if (poke == pokes.size()) {
+            if (frame < 10) return;
+            if (frame == 10) {
+                const glm::vec3 palm = before("Quit", 0);
+                f.controllers[1] = {true, {{0, 0, 0, 1}, {palm.x, palm.y, palm.z}}, 0, 0, false};
+            }
+            f.controllers[1].trigger = frame > 20 ? 1.0f : 0.0f;
+        } else if (frame == 0) {
+            ADD_FAILURE() << "the trigger chose nothing";
+            leave(f);
+        }
+    };
+    const Status played = application.run(true);
+    EXPECT_TRUE(played) << played.error().message();
+    EXPECT_TRUE(application.leaving());
 }
 
 TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {

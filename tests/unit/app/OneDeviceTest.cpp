@@ -53,7 +53,7 @@ class OneDevice : public testing::TestWithParam<Device> {
     }
     // What the device did since the last frame, and what is drawn then.
     void frame(const platform::WindowInput& input) {
-        screens_.input(controls_.step(&input, nullptr, {}, {1, 0.5f}, kSize, 1, 1.0f / 60));
+        screens_.input(controls_.step(&input, nullptr, {}, {kSize}, 1.0f / 60));
         target_->bind();
         hud_->draw({.part = HudPart::Panel,
                     .inDive = false,
@@ -115,9 +115,16 @@ class OneDevice : public testing::TestWithParam<Device> {
 
 TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
     std::set<Screen> seen;
+    screens_.facts.met = {"snapper"};
     for (const char* label : {"Dive", "My film or photo", "Settings", "How to play", "Field guide"}) {
         choose(label);
         seen.insert(*screens_.top());
+        if (*screens_.top() == Screen::Guide) {
+            choose("snapper");
+            seen.insert(*screens_.top());
+            back();
+            ASSERT_EQ(screens_.top(), Screen::Guide);
+        }
         if (*screens_.top() == Screen::Settings)
             for (const char* group :
                  {"Hands", "Comfort", "Picture", "Sound", "Text and captions", "Keys and buttons"}) {
@@ -130,7 +137,7 @@ TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
         ASSERT_EQ(screens_.top(), Screen::Title) << label;
     }
     EXPECT_EQ(seen, (std::set{Screen::Dives, Screen::Films, Screen::Settings, Screen::SettingsGroup,
-                              Screen::Bindings, Screen::HowToPlay, Screen::Guide}));
+                              Screen::Bindings, Screen::HowToPlay, Screen::Guide, Screen::Animal}));
     choose("Free swim");
     EXPECT_EQ(asked(), Request::Kind::Swim);
     choose("Headset");

@@ -244,18 +244,18 @@ TEST(SoundCues, WhatMattersHasACaption) {
     for (const EventRow& row :
          {rowOf(EventKind::Catch), rowOf(EventKind::Escape), rowOf(EventKind::SharkNear),
           rowOf(EventKind::SharkSteal), rowOf(EventKind::SharkBump), rowOf(EventKind::DiveOver)})
-        EXPECT_NE(row.caption[0], '\0') << row.name;
+        EXPECT_TRUE(row.caption) << row.name;
     Snapshot shown;
     shown.creatures.resize(1);
     shown.creatures[0].heldBy = 0;
     SoundCues held;
     held.listen(shown, {}, kFrame_s);
     ASSERT_EQ(held.captions().size(), 1u);
-    EXPECT_EQ(held.captions()[0].text, "it struggles");
+    EXPECT_EQ(held.captions()[0].text, Text("it struggles"));
     SoundCues late;
     late.listen({.timeLeft_s = 4.5f}, {}, kFrame_s);
     ASSERT_EQ(late.captions().size(), 1u);
-    EXPECT_EQ(late.captions()[0].text, "the last seconds");
+    EXPECT_EQ(late.captions()[0].text, Text("the last seconds"));
 }
 
 TEST(SoundCues, PauseIsSilentAndKeepsTheCaptions) {

@@ -1,0 +1,41 @@
+#include "game/ui/Pictures.h"
+
+#include "engine/core/Log.h"
+
+#include <stb_image.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace shoal::app {
+
+Result<ImageRgba8> readPng(const Path& file) {
+    const auto bytes = readFile(file, 1u << 20);
+    if (!bytes) return bytes.error();
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(bytes->data(), static_cast<int>(bytes->size()), &width, &height, &channels, 4),
+        stbi_image_free);
+    if (!pixels) return Error{file, "is not a picture that can be read"};
+    ImageRgba8 image(width, height);
+    std::copy_n(pixels.get(), image.pixels.size(), image.pixels.begin());
+    return image;
+}
+
+const Pictures::Picture& Pictures::get(const std::string& name) {
+    const auto [entry, isNew] = read_.try_emplace(name);
+    Picture& picture = entry->second;
+    if (!isNew) return picture;
+    const auto image = readPng(dataRoot() / "content/guide" / (name + ".png"));
+    if (!image) {
+        log::warn("{}", image.error().message());
+        return picture;
+    }
+    picture.texture = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    picture.size = {image->width, image->height};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image->pixels.data());
+    return picture;
+}
+
+} // namespace shoal::app

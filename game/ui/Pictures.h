@@ -1,0 +1,33 @@
+// Pictures that pages show, as textures: animals of the field guide.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Image.h"
+#include "engine/core/Result.h"
+#include "engine/gl/Objects.h"
+
+#include <glm/vec2.hpp>
+
+#include <map>
+#include <string>
+
+namespace shoal::app {
+
+// A PNG with its alpha, not premultiplied. By stb_image: readPicture() would load OpenCV's codecs
+// (engine/media/Codecs.h), and drops alpha.
+Result<ImageRgba8> readPng(const Path& file);
+
+class Pictures {
+  public:
+    struct Picture {
+        gl::Texture texture; // empty: there is no such picture
+        glm::vec2 size{0};   // pixels
+    };
+    // content/guide/NAME.png, read when it is first asked for. Needs the OpenGL context.
+    const Picture& get(const std::string& name);
+
+  private:
+    std::map<std::string, Picture> read_;
+};
+
+} // namespace shoal::app
