@@ -36,6 +36,9 @@ std::vector<DiveName> divesThereAre() {
         const DiveScores scores = readScores(name);
         dives.push_back({name, files->dive.title, scores.top.empty() ? 0 : scores.top.front()});
     }
+    // The one that is played where none is named comes first.
+    const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);
+    if (first != dives.end()) std::rotate(dives.begin(), first, first + 1);
     return dives;
 }
 

@@ -108,7 +108,8 @@ TEST_F(Program, AMistypedWordIsMetWithTheOneThatMayBeMeant) {
     expectOneMessage(run("--no-vsnyc"), "did you mean --no-vsync?", 2);
     expectOneMessage(run("view m.glb --variannt=b"), "--variannt; did you mean --variant?", 2);
     expectOneMessage(run("play --nonsense"), "--nonsense (shoal play --help", 2);
-    expectOneMessage(run("play --headless --dive reeff"), "reeff: there is no such dive; there is reef");
+    expectOneMessage(run("play --headless --dive reeff"),
+                     "reeff: there is no such dive; there is kelp, night, reef");
 }
 
 // A picture of another kind under a PNG's name, or a mistyped folder, is found before anything is played.
