@@ -16,7 +16,7 @@ GameSession runTo(const SessionConfig& plan, double time_s) {
 
 void runOn(GameSession& session, double seconds) {
     if (auto* mouse = std::get_if<MouseSource>(&session.source))
-        mouse->frame(nullptr, nullptr, session.shown, static_cast<float>(seconds), glm::radians(kFov_deg),
+        mouse->frame(nullptr, {}, session.shown, static_cast<float>(seconds), glm::radians(kFov_deg),
                      static_cast<float>(kPicture.x) / static_cast<float>(kPicture.y));
     session.advance(seconds, false);
 }
