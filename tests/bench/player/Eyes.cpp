@@ -22,7 +22,7 @@ const SeenFish* find(const Sight& sight, int id) {
     return nullptr;
 }
 
-void Eyes::look(const game::Snapshot& shown, const std::vector<bool>& isShark, double time_s) {
+void Eyes::look(const game::Snapshot& shown, const std::vector<bool>& isPrey, double time_s) {
     Sight sight;
     sight.time_s = time_s;
     const glm::quat viewFromWorld = glm::conjugate(shown.worldFromView);
@@ -33,7 +33,7 @@ void Eyes::look(const game::Snapshot& shown, const std::vector<bool>& isShark, d
         if (std::fabs(at.x) > kHalfScreen_px.x || std::fabs(at.y) > kHalfScreen_px.y) continue;
         sight.fish.push_back({static_cast<int>(creature.id), creature.species, at,
                               creature.length * kFocal_px / -view.z, creature.catchable > 0.5f,
-                              isShark[static_cast<size_t>(creature.species)], creature.heldBy >= 0,
+                              isPrey[static_cast<size_t>(creature.species)], creature.heldBy >= 0,
                               glm::length(view)});
     }
     const game::HandView& hand = shown.hands[1];

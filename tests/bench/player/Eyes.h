@@ -26,7 +26,7 @@ struct SeenFish {
     glm::vec2 at_px{0};
     float size_px = 0;   // its length's, if it were seen from the side: people allow for the way it turns
     bool marked = false; // highlighted: can be caught now
-    bool shark = false;
+    bool prey = false;   // no shark, whale or jellyfish
     bool held = false;
     float distance_m = 0; // for those who see with two eyes and reach with a hand of their own
 };
@@ -42,8 +42,8 @@ struct Sight {
 
 class Eyes {
   public:
-    // Once a frame: what the screen shows now.
-    void look(const game::Snapshot& shown, const std::vector<bool>& isShark, double time_s);
+    // Once a frame: what the screen shows now. isPrey: by species.
+    void look(const game::Snapshot& shown, const std::vector<bool>& isPrey, double time_s);
 
     // What has been understood by now: the sight of kReaction_s ago.
     const Sight& now() const { return sights_.front(); }

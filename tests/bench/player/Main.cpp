@@ -1,5 +1,6 @@
-// Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST [PLAYER]]], of that
-// player alone. Prints a table and writes FOLDER/players.tsv, a row a dive.
+// Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]],
+// of that player alone unless it is "all", in the reef if no dive is named. Prints a table and writes
+// FOLDER/players.tsv, a row a dive.
 #include "engine/core/Files.h"
 #include "tests/bench/player/PlayedDive.h"
 
@@ -75,12 +76,12 @@ void report(const Kind& kind, const std::vector<player::PlayedDive>& dives) {
 
 int main(int count, char** arguments) {
     if (count < 2) {
-        std::fputs("bench_player FOLDER [SEEDS [FIRST [PLAYER]]]\n", stderr);
+        std::fputs("bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]]\n", stderr);
         return 2;
     }
     const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 50;
     const int from = count > 3 ? std::max(1, std::atoi(arguments[3])) : 1;
-    const auto files = game::loadDiveFiles("reef");
+    const auto files = game::loadDiveFiles(count > 5 ? arguments[5] : "reef");
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
     if (!files || !rig) {
         std::fprintf(stderr, "%s\n", (files ? rig.error() : files.error()).message().c_str());
@@ -88,9 +89,9 @@ int main(int count, char** arguments) {
     }
     std::string table =
         "player\tseed\tcaught\tfirst_s\tlost\tpoints\tclosings\tescapes\tlooking_s\twaiting_s\tchasing_s\n";
-    const std::string_view wanted = count > 4 ? arguments[4] : "";
+    const std::string_view wanted = count > 4 ? arguments[4] : "all";
     for (const Kind& kind : kinds()) {
-        if (!wanted.empty() && kind.name != wanted) continue;
+        if (wanted != "all" && kind.name != wanted) continue;
         std::vector<player::PlayedDive> dives;
         for (int seed = from; seed < from + seeds; ++seed) {
             player::PlayerSetup setup = kind.setup;

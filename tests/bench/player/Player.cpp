@@ -44,7 +44,7 @@ glm::vec3 Movement::at(double time_s) const {
 Player::Player(Skill skill, Device device, uint64_t seed, const game::SpeciesTable& species)
     : skill_(skill), device_(device), random_(seed, 77) {
     for (const game::Species& kind : species) {
-        isShark_.push_back(kind.shark);
+        isPrey_.push_back(game::isCatchable(kind));
         length_m_.push_back(kind.length_m * std::exp((skill == Skill::Novice ? 0.25f : 0.1f) * gauss()));
     }
     const glm::vec3 start = device == Device::Mouse ? glm::vec3(0) : kHandRests;
@@ -58,7 +58,7 @@ float Player::gauss() { // Box & Muller 1958
 }
 
 Action Player::frame(const game::Snapshot& shown, double time_s) {
-    eyes_.look(shown, isShark_, time_s);
+    eyes_.look(shown, isPrey_, time_s);
     if (time_s >= idleUntil_s_) {
         switch (doing_) {
         case Doing::Resting:
@@ -100,7 +100,7 @@ int Player::choose(double time_s) const {
     int best = -1;
     float bestCost = 1e9f;
     for (const SeenFish& fish : sight.fish) {
-        if (fish.shark || fish.held) continue;
+        if (!fish.prey || fish.held) continue;
         if (std::fabs(fish.at_px.x) > 560 || std::fabs(fish.at_px.y) > 320) continue;
         const auto tired = tiredOf_.find(fish.id);
         if (tired != tiredOf_.end() && time_s < tired->second) continue;

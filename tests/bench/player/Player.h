@@ -74,7 +74,7 @@ class Player {
     Skill skill_;
     Device device_;
     Random random_;
-    std::vector<bool> isShark_;
+    std::vector<bool> isPrey_;
     std::vector<float> length_m_; // what the person believes of each species
     Eyes eyes_;
     Movement movement_;
