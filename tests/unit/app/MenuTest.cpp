@@ -1,8 +1,7 @@
 // The menus: every page is reached with keys alone and with the pointer alone; settings hold at once; every
 // word has its translations; text can be read over white and black.
-#include "game/app/Screens.h"
 #include "game/ui/MenuControls.h"
-#include "tests/TestPaths.h"
+#include "tests/unit/app/ScreensFixture.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -16,30 +15,13 @@
 namespace shoal::app {
 namespace {
 
-class MenuTest : public testing::Test {
+class MenuTest : public WithScreens {
   protected:
-    tests::ScratchFolder folder_;
-    PlayOptions options_;
-    Bindings bindings_;
-    Screens screens_{options_, bindings_};
-    game::SpeciesTable species_{{.name = "snapper"}};
-    game::DiveFile dive_;
-
     void SetUp() override {
-        for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "HOME"})
-            ::setenv(variable, folder_.path().c_str(), 1);
-        ::setenv("LC_ALL", "C", 1);
-        screens_.facts.species = &species_;
-        screens_.facts.dive = &dive_;
-        screens_.facts.dives = {{"reef", "The reef", 0}, {"night", "The reef by night", 90}};
+        WithScreens::SetUp();
         screens_.open(Screen::Title);
     }
 
-    const MenuPage& page() const { return screens_.menu().page(); }
-    size_t find(std::string_view label) const {
-        const auto item = std::ranges::find(page().items, label, &MenuItem::label);
-        return static_cast<size_t>(item - page().items.begin());
-    }
     // With the arrow keys and Enter.
     void choose(std::string_view label) {
         ASSERT_LT(find(label), page().items.size()) << label << " is not on the page " << page().title;

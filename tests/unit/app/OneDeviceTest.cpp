@@ -1,10 +1,9 @@
 // Every page of the menus is reached, used and left with one device alone, as the window reports it.
 #include "engine/gl/Target.h"
 #include "engine/platform/Headless.h"
-#include "game/app/Screens.h"
 #include "game/ui/Hud.h"
 #include "game/ui/MenuControls.h"
-#include "tests/TestPaths.h"
+#include "tests/unit/app/ScreensFixture.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -18,28 +17,17 @@ namespace {
 
 enum class Device { Keys, Gamepad, Mouse };
 
-class OneDevice : public testing::TestWithParam<Device> {
+class OneDevice : public WithScreens, public testing::WithParamInterface<Device> {
   protected:
     static constexpr glm::ivec2 kSize{640, 360};
 
-    tests::ScratchFolder folder_;
-    PlayOptions options_;
-    Bindings bindings_;
-    Screens screens_{options_, bindings_};
-    game::SpeciesTable species_{{.name = "snapper"}};
-    game::DiveFile dive_;
     MenuControls controls_;
     std::optional<platform::Headless> context_;
     std::optional<Hud> hud_;
     std::optional<gl::Target> target_;
 
     void SetUp() override {
-        for (const char* variable : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "HOME"})
-            ::setenv(variable, folder_.path().c_str(), 1);
-        ::setenv("LC_ALL", "C", 1);
-        screens_.facts.species = &species_;
-        screens_.facts.dive = &dive_;
-        screens_.facts.dives = {{"reef", "The reef", 0}, {"night", "The reef by night", 90}};
+        WithScreens::SetUp();
         screens_.facts.headset = true;
         ASSERT_TRUE(platform::Headless::open().moveTo(context_));
         ASSERT_TRUE(Hud::make().moveTo(hud_));
@@ -60,12 +48,6 @@ class OneDevice : public testing::TestWithParam<Device> {
                     .overlay = [this](const Pen& pen) { screens_.draw(pen); },
                     .notice = {}},
                    kSize);
-    }
-
-    const MenuPage& page() const { return screens_.menu().page(); }
-    size_t find(std::string_view label) const {
-        const auto item = std::ranges::find(page().items, label, &MenuItem::label);
-        return static_cast<size_t>(item - page().items.begin());
     }
 
     void step(int key, int button) {
