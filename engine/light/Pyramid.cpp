@@ -84,6 +84,17 @@ bool repair(float& value) {
     return true;
 }
 
+// Keeps levels that have their size already.
+void fitLevels(int width, RadiancePyramid& pyramid) {
+    const auto count = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
+    pyramid.levels.resize(count);
+    for (size_t k = 0; k < count; ++k) pyramid.levels[k].fit(width >> k, width >> (k + 1));
+}
+
+void halveAll(RadiancePyramid& pyramid) {
+    for (size_t k = 1; k < pyramid.levels.size(); ++k) halve(pyramid.levels[k - 1], pyramid.levels[k]);
+}
+
 } // namespace
 
 int baseWidthFor(int sourceWidth, int askedWidth) {
@@ -127,9 +138,7 @@ void PyramidMaker::makeShares(int source, int target, Edge&& edge, std::vector<S
 void PyramidMaker::prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out) {
     assert(sourceWidth > 0 && sourceHeight > 0);
     const int width = baseWidthFor(sourceWidth, askedWidth), height = width / 2;
-    const auto levelCount = static_cast<size_t>(std::bit_width(static_cast<unsigned>(width)) - 1);
-    out.levels.resize(levelCount);
-    for (size_t k = 0; k < levelCount; ++k) out.levels[k].fit(width >> k, height >> k);
+    fitLevels(width, out);
     if (sourceWidth == sourceWidth_ && sourceHeight == sourceHeight_ && width == baseWidth_) return;
     sourceWidth_ = sourceWidth, sourceHeight_ = sourceHeight, baseWidth_ = width;
 
@@ -173,11 +182,10 @@ template <class DecodeRow> void PyramidMaker::makeByRows(DecodeRow&& decodeRow, 
     }
 }
 
-// Where the frame is 4, 8, 16 .. times as wide and high as the base.
-bool PyramidMaker::makeByBlocks(const FrameView& frame, ImageRgbF& base) {
-    const int times = frame.width / base.width;
-    if (times < 4 || !std::has_single_bit(static_cast<unsigned>(times)) ||
-        frame.width != times * base.width || frame.height != times * base.height)
+// Blocks of 4 x 4 pixels first, where the base needs no finer ones; what is left to average is a sixteenth.
+bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
+    const int base = baseWidthFor(frame.width, askedWidth);
+    if (frame.width % 4 || frame.height % 4 || frame.width < 4 * base || frame.height < 2 * base)
         return false;
     if (blockRows_.size() != static_cast<size_t>(frame.height)) {
         blockRows_.clear();
@@ -186,26 +194,26 @@ bool PyramidMaker::makeByBlocks(const FrameView& frame, ImageRgbF& base) {
                 static_cast<float>(4 * texelSolidAngle(y, frame.width, frame.height) /
                                    texelSolidAngle(y / 4, frame.width / 4, frame.height / 4)));
     }
-    const auto steps = static_cast<size_t>(std::countr_zero(static_cast<unsigned>(times)) - 2);
-    blocks_.resize(steps);
-    ImageRgbF& first = steps ? blocks_[0] : base;
-    first.fit(frame.width / 4, frame.height / 4);
-    makeBlockMeans(frame, blockRows_, first);
-    for (size_t k = 0; k < steps; ++k) halve(blocks_[k], k + 1 < steps ? blocks_[k + 1] : base);
+    const bool done = frame.width == 4 * base && frame.height == 2 * base;
+    if (done) fitLevels(base, out);
+    ImageRgbF& blocks = done ? out.levels[0] : blocks_;
+    blocks.fit(frame.width / 4, frame.height / 4);
+    makeBlockMeans(frame, blockRows_, blocks);
+    if (done)
+        halveAll(out);
+    else
+        make(blocks_, askedWidth, out);
     return true;
 }
 
-static void halveAll(RadiancePyramid& pyramid) {
-    for (size_t k = 1; k < pyramid.levels.size(); ++k) halve(pyramid.levels[k - 1], pyramid.levels[k]);
-}
-
 void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
+    if (makeByBlocks(frame, askedWidth, out)) return;
     prepare(frame.width, frame.height, askedWidth, out);
     const auto decode = [&](int y) {
         decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
                   green_.data(), blue_.data());
     };
-    if (!makeByBlocks(frame, out.levels[0])) makeByRows(decode, out.levels[0]);
+    makeByRows(decode, out.levels[0]);
     halveAll(out);
 }
 

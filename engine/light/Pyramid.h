@@ -47,7 +47,7 @@ class PyramidMaker {
     template <class Edge>
     static void makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares);
 
-    bool makeByBlocks(const FrameView& frame, ImageRgbF& base);
+    bool makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out);
     void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
     template <class DecodeRow> void makeByRows(DecodeRow&& decodeRow, ImageRgbF& base);
     void narrowRow();
@@ -55,7 +55,7 @@ class PyramidMaker {
     int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;
     std::vector<Share> rows_, columns_;     // ascending by `from` and `to`
     std::vector<float> blockRows_;          // weights for makeBlockMeans()
-    std::vector<ImageRgbF> blocks_;         // its result, and halves of it above the base's width
+    ImageRgbF blocks_;                      // its result, where that is not the base itself
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved
 };
