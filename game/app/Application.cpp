@@ -16,6 +16,8 @@ namespace shoal::app {
 namespace {
 
 constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
+constexpr float kGoalsAtFirst_s = 8;      // for which the goals are shown as a dive begins
+constexpr float kGoalsOnNews_s = 4;       // and after one is reached
 constexpr float kResultsRest_s = 0.8f;    // in which the results take no choice
 constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
 
@@ -207,7 +209,7 @@ Status Application::answer(const Request& request) {
     case Request::Kind::SkipFirstSteps:
         return endFirstSteps();
     case Request::Kind::Swim:
-        return startDive(config_.dive.name, Mode::FreeSwim);
+        return startDive(request.name, Mode::FreeSwim);
     case Request::Kind::Title:
         return begin(Mode::Title);
     case Request::Kind::OpenFilm:
@@ -339,10 +341,13 @@ void Application::simulate() {
         display_->audience() == Audience::HeadsetPlayer || !play_->input || play_->input->focused;
     soundAndHaptics_->frame(session.shown, session.events, static_cast<float>(play_->elapsed_s), attended,
                             environment_->videoPosition_s());
-    for (const game::Event& event : session.events)
-        if (event.kind == game::EventKind::Catch) popups_.add(event, config_.species);
-    popups_.advance(static_cast<float>(play_->elapsed_s));
     const auto dt_s = session.paused ? 0.0f : static_cast<float>(play_->elapsed_s);
+    play_->goalsLeft_s -= dt_s;
+    for (const game::Event& event : session.events) {
+        if (event.kind == game::EventKind::Catch) popups_.add(event, config_.species);
+        if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
+    }
+    popups_.advance(static_cast<float>(play_->elapsed_s));
     play_->teaching.follow(session.shown, session.events, dt_s);
 }
 
@@ -406,6 +411,10 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const game::Notice* notice = environment_->notice();
     if (!notice && session.tracked) notice = session.tracked->notice();
     const auto* mouse = std::get_if<MouseSource>(&session.source);
+    std::vector<std::string> goals;
+    const bool goalsAreNews =
+        session.shown.time_s < static_cast<double>(kGoalsAtFirst_s) || play_->goalsLeft_s > 0;
+    if (goalsAreNews && !screens_.isOpen()) goals = screens_.goalLines(session.shown.goals);
     hud_->draw(
         {.part = part,
          .audience = audience == Audience::WindowPlayer && byGamepad_ ? Audience::GamepadPlayer : audience,
@@ -413,6 +422,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .view = &view,
          .captions = options_.text.captions ? soundAndHaptics_->captions() : std::span<const game::Caption>(),
          .popups = popups_.shown(),
+         .goals = goals,
          .inDive = states.mode() != Mode::Title,
          .overlay =
              [&](const Pen& pen) {

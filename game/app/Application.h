@@ -55,7 +55,8 @@ class Application {
         Controls controls;
         bool freshVideo = false; // a new frame of the video is shown
         Teaching teaching;
-        float results_s = 0; // for which the results have been shown
+        float results_s = 0;   // for which the results have been shown
+        float goalsLeft_s = 0; // for which the goals are still shown
     };
 
     Status openContext();

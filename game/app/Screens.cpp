@@ -55,24 +55,7 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
     return text;
 }
 
-} // namespace
-
-game::Language languageIn(const TextSettings& settings) {
-    switch (settings.language) {
-    case LanguageChoice::English:
-        return game::Language::English;
-    case LanguageChoice::German:
-        return game::Language::German;
-    case LanguageChoice::French:
-        return game::Language::French;
-    case LanguageChoice::Auto:
-        break;
-    }
-    for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
-        if (const char* locale = std::getenv(variable); locale && *locale) return game::languageOf(locale);
-    return game::Language::English;
-}
-
+// What it asks for.
 std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
     const auto text = [&](game::Text words) { return words.in(language); };
     switch (goal.kind) {
@@ -90,6 +73,24 @@ std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, 
         return filled(text("Catch {} different species in a row"), goal.count);
     }
     return "";
+}
+
+} // namespace
+
+game::Language languageIn(const TextSettings& settings) {
+    switch (settings.language) {
+    case LanguageChoice::English:
+        return game::Language::English;
+    case LanguageChoice::German:
+        return game::Language::German;
+    case LanguageChoice::French:
+        return game::Language::French;
+    case LanguageChoice::Auto:
+        break;
+    }
+    for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"})
+        if (const char* locale = std::getenv(variable); locale && *locale) return game::languageOf(locale);
+    return game::Language::English;
 }
 
 Screens::Screens(PlayOptions& options, Bindings& bindings)
@@ -157,6 +158,9 @@ MenuPage Screens::page() {
         break;
     case Screen::Dives:
         page = divesPage();
+        break;
+    case Screen::Swims:
+        page = swimsPage();
         break;
     case Screen::Films:
         page = filmsPage();
@@ -261,7 +265,9 @@ MenuPage Screens::titlePage() {
     button("Dive", [this] {
         facts.dives.size() > 1 ? push(Screen::Dives) : ask(Request::Kind::Dive, options_.dive);
     });
-    button("Free swim", [this] { ask(Request::Kind::Swim); });
+    button("Free swim", [this] {
+        facts.dives.size() > 1 ? push(Screen::Swims) : ask(Request::Kind::Swim, options_.dive);
+    });
     button("My film or photo", [this] { push(Screen::Films); });
     if (facts.headset && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
     button("Settings", [this] { push(Screen::Settings); });
@@ -283,6 +289,15 @@ MenuPage Screens::divesPage() {
     }
     backButton();
     return {.title = in("Choose a dive"), .layout = PageLayout::Side};
+}
+
+MenuPage Screens::swimsPage() {
+    for (const DiveName& dive : facts.dives)
+        itemButton(named(dive.title), [this, name = dive.name] { ask(Request::Kind::Swim, name); });
+    backButton();
+    return {.title = in("Free swim"),
+            .text = {in("No clock, no shark: meet the animals.")},
+            .layout = PageLayout::Side};
 }
 
 MenuPage Screens::filmsPage() {
@@ -407,11 +422,16 @@ MenuPage Screens::animalPage(size_t species) {
     return page;
 }
 
-void Screens::addGoals(MenuPage& page) const {
-    const auto& reached = facts.results.goals;
-    for (size_t i = 0; i < reached.size() && i < facts.dive->goals.size(); ++i)
-        page.text.push_back((reached[i].reached ? "\u2713 " : "\u25a1 ") +
-                            goalText(facts.dive->goals[i], *facts.species, language()));
+std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goals) const {
+    std::vector<std::string> lines;
+    for (size_t i = 0; i < goals.size() && i < facts.dive->goals.size(); ++i) {
+        const game::Goal& goal = facts.dive->goals[i];
+        lines.push_back((goals[i].reached ? "\u2713 " : "\u25a1 ") +
+                        goalText(goal, *facts.species, language()));
+        if (!goals[i].reached && goals[i].progress > 0 && goal.kind != game::GoalKind::NoLoss)
+            lines.back() += fmt::format("   {}/{}", goals[i].progress, goal.count);
+    }
+    return lines;
 }
 
 MenuPage Screens::pausedPage() {
@@ -427,8 +447,7 @@ MenuPage Screens::pausedPage() {
     button("Quit", [this] { ask(Request::Kind::Quit); });
     MenuPage page{.title = in("Paused"), .layout = PageLayout::Side};
     if (options_.xr) page.note = in("Close a hand: go on");
-    if (facts.freeSwim) return page;
-    addGoals(page);
+    if (!facts.freeSwim) page.text = goalLines(facts.results.goals);
     return page;
 }
 
@@ -443,7 +462,7 @@ MenuPage Screens::resultsPage() {
                      named((*facts.species)[i].name);
     if (!tally.empty()) page.text.back() += ":  " + tally;
     if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
-    addGoals(page);
+    std::ranges::move(goalLines(s.goals), std::back_inserter(page.text));
     const DiveScores& before = facts.scores;
     if (s.score > (before.top.empty() ? 0 : before.top.front()))
         page.text.emplace_back(in("Your best dive yet"));

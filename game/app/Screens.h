@@ -20,6 +20,7 @@ namespace shoal::app {
 enum class Screen {
     Title,
     Dives,
+    Swims, // where to swim freely
     Films,
     Settings,
     SettingsGroup,
@@ -48,7 +49,7 @@ struct Request {
         SettingsChanged
     };
     Kind kind;
-    std::string name; // of a dive, or a file
+    std::string name; // of the place of a dive or a free swim, or a file
 };
 
 struct DiveName {
@@ -99,6 +100,9 @@ class Screens {
 
     const Menu& menu() const { return menu_; }
 
+    // The dive's goals, each with how far it has got.
+    std::vector<std::string> goalLines(std::span<const game::GoalView> goals) const;
+
   private:
     struct Entry {
         MenuItem item;
@@ -119,6 +123,7 @@ class Screens {
     // Each fills entries_ and returns the page without its items.
     MenuPage titlePage();
     MenuPage divesPage();
+    MenuPage swimsPage();
     MenuPage filmsPage();
     MenuPage settingsPage();
     MenuPage groupPage(SettingsPage group);
@@ -132,7 +137,6 @@ class Screens {
     void button(game::Text label, std::function<void()> act);
     void itemButton(std::string label, std::function<void()> act); // named by content, not by a text
     void backButton();
-    void addGoals(MenuPage& page) const; // of the dive, and which are reached
     void settingEntry(size_t row);
     void keepRow(size_t row);
     void changed(size_t row);
@@ -154,8 +158,5 @@ class Screens {
 
 // The language of the screen, as chosen or as the system has it.
 game::Language languageIn(const TextSettings& settings);
-
-// What a goal of a dive asks for.
-std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language);
 
 } // namespace shoal::app

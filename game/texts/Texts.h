@@ -34,6 +34,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Photo mode", "Fotomodus", "Mode photo"},
     {"Dive again", "Noch einmal tauchen", "Replonger"},
     {"The dive is over", "Der Tauchgang ist zu Ende", "La plongée est terminée"},
+    {"No clock, no shark: meet the animals.", "Keine Uhr, kein Hai: lerne die Tiere kennen.",
+     "Ni chrono ni requin : va à la rencontre des animaux."},
     {"Choose a dive", "Wähle einen Tauchgang", "Choisis une plongée"},
     {"Loading", "Wird geladen", "Chargement"},
     {"Fish in the light of a film", "Fische im Licht eines Films", "Des poissons dans la lumière d’un film"},

@@ -24,8 +24,12 @@ void drawScore(const Pen& pen, const HudInfo& info) {
         pen.label(margin, margin * 0.7f, 0, TextSize::Heading, kWhite, std::to_string(s.score));
     std::string counts = fmt::format(fmt::runtime(pen.in("{} caught")), s.caught);
     if (s.lost > 0) counts += "   " + fmt::format(fmt::runtime(pen.in("{} taken by the shark")), s.lost);
-    if (s.caught > 0 || s.lost > 0)
-        pen.label(margin, score.high.y + pen.line * 0.3f, 0, TextSize::Small, kGrey, counts);
+    float y = score.high.y + pen.line * 0.3f;
+    const auto below = [&](const std::string& text, uint32_t tint) {
+        y = pen.label(margin, y, 0, TextSize::Small, tint, text).high.y + pen.line * 0.15f;
+    };
+    if (s.caught > 0 || s.lost > 0) below(counts, kGrey);
+    for (const std::string& goal : info.goals) below(goal, kWhite);
     const int left = static_cast<int>(std::ceil(std::max(0.0f, s.timeLeft_s)));
     pen.label(pen.size.x - margin, margin * 0.7f, 1, TextSize::Heading, left <= 10 ? kGold : kWhite,
               fmt::format("{}:{:02}", left / 60, left % 60));

@@ -42,6 +42,7 @@ struct HudInfo {
     const render::View* view = nullptr; // for what stands at a place in the world
     std::span<const game::Caption> captions;
     std::span<const Popup> popups;
+    std::span<const std::string> goals;      // of the dive; empty while they are not shown
     bool inDive = true;                      // score, time and captions are shown
     std::function<void(const Pen&)> overlay; // of the program's state; may be empty
     TextOptions text;

@@ -135,6 +135,7 @@ TEST_F(GamepadProgram, EveryScreenAndASettingThatStays) {
         p.tap(BTN_EAST);
         p.tap(BTN_EAST);
         p.choose("Free swim");
+        p.choose("The reef");
         p.wait(3);
         EXPECT_EQ(p.page(), std::nullopt);
         p.tap(BTN_START);

@@ -98,7 +98,7 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
 TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
     std::set<Screen> seen;
     screens_.facts.met = {"snapper"};
-    for (const char* label : {"Dive", "My film or photo", "Settings", "How to play", "Field guide"}) {
+    for (const char* label : {"Dive", "Free swim", "My film or photo", "Settings", "How to play", "Field guide"}) {
         choose(label);
         seen.insert(*screens_.top());
         if (*screens_.top() == Screen::Guide) {
@@ -118,10 +118,12 @@ TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
         back();
         ASSERT_EQ(screens_.top(), Screen::Title) << label;
     }
-    EXPECT_EQ(seen, (std::set{Screen::Dives, Screen::Films, Screen::Settings, Screen::SettingsGroup,
+    EXPECT_EQ(seen, (std::set{Screen::Dives, Screen::Swims, Screen::Films, Screen::Settings, Screen::SettingsGroup,
                               Screen::Bindings, Screen::HowToPlay, Screen::Guide, Screen::Animal}));
     choose("Free swim");
-    EXPECT_EQ(asked(), Request::Kind::Swim);
+    choose("The reef by night");
+    EXPECT_EQ(screens_.takeRequest()->name, "night");
+    back();
     choose("Headset");
     EXPECT_EQ(asked(), Request::Kind::Headset);
     choose("Quit");
