@@ -46,7 +46,7 @@ class Application {
               teaching(mode == Mode::FirstSteps ? Teaching::Kind::FirstSteps
                        : mode == Mode::Dive     ? Teaching::Kind::Hints
                                                 : Teaching::Kind::Nothing,
-                       config.rig) {}
+                       config.rig, session.dive.species()) {}
         GameSession session;
         ProgramStates states;
         FrameClock clock;

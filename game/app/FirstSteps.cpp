@@ -38,14 +38,15 @@ float eased(float t) {
 }
 
 // The fish nearest to the middle of the view that a hand may reach.
-std::optional<glm::vec3> fishToReach(const game::Snapshot& shown) {
+std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
     std::optional<glm::vec3> best;
     float bestCosine = 0.8f;
     const glm::vec3 ahead = shown.worldFromView * glm::vec3(0, 0, -1);
     for (const game::CreatureView& creature : shown.creatures) {
         const glm::vec3 way = creature.position - shown.headWorld;
         const float distance = glm::length(way);
-        if (creature.length > 1 || distance > kReach_m || distance < 0.3f) continue;
+        if (!isCatchable(species[static_cast<size_t>(creature.species)])) continue;
+        if (distance > kReach_m || distance < 0.3f) continue;
         const float cosine = glm::dot(way / distance, ahead);
         if (cosine > bestCosine) bestCosine = cosine, best = creature.position;
     }
@@ -94,22 +95,19 @@ void FirstSteps::next(Step step) {
 
 void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     inStep_s_ += elapsed_s;
-    // The angle between the last view and this one.
-    if (before_) {
-        const float cosine = std::abs(glm::dot(*before_, shown.worldFromView));
-        turned_rad_ += 2 * std::acos(std::min(cosine, 1.0f));
-    }
-    before_ = shown.worldFromView;
+    if (!firstView_) firstView_ = shown.worldFromView;
+    const glm::quat turn = glm::conjugate(*firstView_) * shown.worldFromView;
+    const float turned_rad = 2 * std::atan2(glm::length(glm::vec3(turn.x, turn.y, turn.z)), std::abs(turn.w));
     const bool catchable =
         std::ranges::any_of(shown.creatures, [](const auto& creature) { return creature.catchable > 0.5f; });
     near_s_ = catchable ? near_s_ + elapsed_s : 0;
     // The target stays for a round, so that the ghost does not jump from fish to fish.
-    if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown);
+    if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, *species_);
 
     if (shown.caught > caughtBefore_) return next(Step::Done); // who can hold can do all of it
     switch (step_) {
     case Step::Look:
-        if (turned_rad_ > kTurned_rad) next(Step::Reach);
+        if (turned_rad > kTurned_rad) next(Step::Reach);
         break;
     case Step::Reach:
         if (near_s_ > kNear_s) next(Step::Hold);

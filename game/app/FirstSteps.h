@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/render/View.h"
+#include "game/rules/DiveFile.h"
 #include "game/rules/Events.h"
 #include "game/rules/Snapshot.h"
 #include "game/ui/Pen.h"
@@ -17,7 +18,9 @@ class FirstSteps {
   public:
     enum class Step { Look, Reach, Hold, Done };
 
-    explicit FirstSteps(const hands::HandRig& rig) : rig_(&rig) {} // which outlives this
+    // Both outlive this.
+    FirstSteps(const hands::HandRig& rig, const game::SpeciesTable& species)
+        : rig_(&rig), species_(&species) {}
 
     // Once a frame. elapsed_s: since the last.
     void follow(const game::Snapshot& shown, float elapsed_s);
@@ -25,8 +28,9 @@ class FirstSteps {
 
     // What is to be done, and a hand that shows it.
     void draw(const Pen& pen, const render::View& view) const;
+    std::optional<glm::vec3> target() const { return target_; } // a fish that the ghost reaches for; world
 
-    static constexpr float kTurned_rad = 0.6f; // of the view, in all: the player has looked around
+    static constexpr float kTurned_rad = 0.6f; // away from the first view: the player has looked around
     static constexpr float kNear_s = 0.25f;    // a fish is within reach of the hand for so long
     static constexpr float kShown_s = 3;       // a round of what the ghost hand does
 
@@ -35,10 +39,11 @@ class FirstSteps {
     hands::HandPose ghost(const render::View& view, bool hasTarget) const;
 
     const hands::HandRig* rig_;
+    const game::SpeciesTable* species_;
     Step step_ = Step::Look;
-    float inStep_s_ = 0, turned_rad_ = 0, near_s_ = 0;
-    std::optional<glm::quat> before_;
-    std::optional<glm::vec3> target_; // a fish that the ghost reaches for; world
+    float inStep_s_ = 0, near_s_ = 0;
+    std::optional<glm::quat> firstView_;
+    std::optional<glm::vec3> target_;
     int caughtBefore_ = 0;
 };
 
@@ -64,8 +69,9 @@ class Hints {
 class Teaching {
   public:
     enum class Kind { Nothing, FirstSteps, Hints };
-    // rig: outlives this.
-    Teaching(Kind kind, const hands::HandRig& rig) : kind_(kind), steps_(rig) {}
+    // Both tables outlive this.
+    Teaching(Kind kind, const hands::HandRig& rig, const game::SpeciesTable& species)
+        : kind_(kind), steps_(rig, species) {}
 
     void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
     bool stepsAreOver() const { return done_s_ > kStay_s; } // and what was said at their end was read
