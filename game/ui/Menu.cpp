@@ -11,14 +11,25 @@ namespace {
 // All in lines of text.
 constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap = 0.5f;
 constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
+constexpr float kTextStep = 2;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
+constexpr int kLeastRows = 3; // in sight beside a long text
+
+// At the right edge of `room`, which shows a part of something `height` high.
+void drawScrollBar(const Pen& pen, const Rectangle& room, float height, float scroll) {
+    const float shown = room.high.y - room.low.y;
+    if (height <= shown + 1) return;
+    const float from = room.low.y + scroll * shown / height, right = room.high.x - 0.15f * pen.line;
+    pen.fill({{right - 0.2f * pen.line, from}, {right, from + shown * shown / height}}, colour::kGrey,
+             0.1f * pen.line);
+}
 
 } // namespace
 
 void Menu::show(MenuPage page, size_t focus) {
     page_ = std::move(page);
     sliding_.reset();
-    scroll_ = 0;
+    scroll_ = textScroll_ = 0;
     areas_.clear();
     focus_ = focus;
     if (focus_ >= page_.items.size() || !page_.items[focus_].enabled) {
@@ -53,6 +64,14 @@ float Menu::maxScroll() const {
     return std::max(0.0f, rows - (list_.high.y - list_.low.y));
 }
 
+float Menu::textBelow() const {
+    return std::max(textHeight_ - (text_.high.y - text_.low.y) - textScroll_, 0.0f);
+}
+
+void Menu::scrollText(float pixels) {
+    textScroll_ = std::max(textScroll_ + std::min(pixels, textBelow()), 0.0f);
+}
+
 std::optional<MenuEvent> Menu::point(const MenuInput& input) {
     if (input.pointer) pointer_ = *input.pointer;
     if (sliding_) {
@@ -64,7 +83,10 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
         const float along = (pointer_.x - track.low.x) / std::max(track.high.x - track.low.x, 1.0f);
         return MenuEvent{MenuEvent::Kind::Slide, *sliding_, 0, std::clamp(along, 0.0f, 1.0f)};
     }
-    if (input.wheel != 0) scrollBy(-input.wheel * line_ * kRow);
+    if (input.wheel != 0) {
+        const bool overList = maxScroll() > 0 && pointer_.y >= list_.low.y;
+        overList ? scrollBy(-input.wheel * line_ * kRow) : scrollText(-input.wheel * line_ * kTextStep);
+    }
     for (size_t i = 0; i < page_.items.size() && (input.pointer || input.pressed); ++i) {
         const MenuItem& item = page_.items[i];
         const auto area = areaOf(i);
@@ -87,7 +109,9 @@ std::optional<MenuEvent> Menu::point(const MenuInput& input) {
 std::optional<MenuEvent> Menu::input(const MenuInput& input) {
     if (input.back) return MenuEvent{MenuEvent::Kind::Back};
     if (page_.items.empty()) return std::nullopt;
-    if (input.down != 0) moveFocus(input.down);
+    if (input.down != 0 && page_.items.size() > 1) moveFocus(input.down);
+    if (input.down != 0 && page_.items.size() == 1)
+        scrollText(static_cast<float>(input.down) * line_ * kTextStep);
     const MenuItem& item = page_.items[focus_];
     if (input.right != 0 && item.adjustable()) return MenuEvent{MenuEvent::Kind::Adjust, focus_, input.right};
     if (input.accept && item.enabled)
@@ -125,17 +149,25 @@ void Menu::place(const Pen& pen) {
         page_.title.empty() ? 0 : pen.extent(page_.title, TextSize::Heading, inner).y + kTitleGap * line_;
     pictureHeight_ = page_.picture.empty() ? 0 : std::min(kPicture * line_, 0.4f * pen.size.y);
     above += pictureHeight_;
+    textHeight_ = 0;
     for (const std::string& paragraph : page_.text)
-        above += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
+        textHeight_ += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
     float below = 0;
     for (const std::string* line : {&page_.note, &page_.error})
         if (!line->empty()) below += pen.extent(*line, TextSize::Small, inner).y + kParagraphGap * line_;
     if (page_.progress) below += line_;
     const float rows = kRow * line_ * static_cast<float>(page_.items.size());
-    const float height = std::min(above + rows + below + 2 * margin, pen.size.y - 0.5f * margin);
+    const float room = pen.size.y - 2.5f * margin, leastRows = std::min(rows, kRow * line_ * kLeastRows);
+    const float textRoom =
+        std::min(textHeight_, std::max(room - above - leastRows - below, kTextStep * line_));
+    const float textTop = above;
+    above += textRoom;
+    const float height = std::min(above + rows + below, room) + 2 * margin;
     const float left = side ? std::min(margin * 2, (pen.size.x - width) / 2) : (pen.size.x - width) / 2;
     const float top = (pen.size.y - height) / 2;
     panel_ = {{left, top}, {left + width, top + height}};
+    text_ = {{left, top + margin + textTop}, {left + width, top + margin + above}};
+    textScroll_ = std::min(textScroll_, textHeight_ - textRoom);
     list_ = {{left, top + margin + above},
              {left + width, std::max(top + height - margin - below, top + margin + above + kRow * line_)}};
     areas_.resize(page_.items.size());
@@ -144,8 +176,7 @@ void Menu::place(const Pen& pen) {
         areas_[i] = {{left + 0.4f * margin, y}, {left + width - 0.4f * margin, y + kRow * line_}};
     }
     // The focused item is in sight.
-    const float room = list_.high.y - list_.low.y;
-    if (!areas_.empty() && rows > room) {
+    if (!areas_.empty() && rows > list_.high.y - list_.low.y) {
         const Rectangle& focused = areas_[focus_];
         scroll_ = std::max(scroll_, focused.high.y - list_.high.y);
         scroll_ = std::min(scroll_, focused.low.y - list_.low.y);
@@ -198,16 +229,14 @@ void Menu::draw(const Pen& pen) {
     if (!page_.title.empty())
         y += pen.paragraph(x, y, inner, TextSize::Heading, colour::kWhite, page_.title) + kTitleGap * line_;
     if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, page_.picture);
-    y += pictureHeight_;
+    y = text_.low.y - textScroll_;
+    pen.list->PushClipRect(ImVec2(text_.low.x, text_.low.y), ImVec2(text_.high.x, text_.high.y), true);
     for (const std::string& paragraph : page_.text)
         y += pen.paragraph(x, y, inner, TextSize::Body, colour::kWhite, paragraph) + kParagraphGap * line_;
+    pen.list->PopClipRect();
+    drawScrollBar(pen, text_, textHeight_, textScroll_);
     for (size_t i = 0; i < page_.items.size(); ++i) drawItem(pen, i);
-    const float rows = kRow * line_ * static_cast<float>(areas_.size()), room = list_.high.y - list_.low.y;
-    if (rows > room + 1) { // a scroll bar
-        const float bar = room * room / rows, from = list_.low.y + scroll_ * room / rows;
-        const float right = panel_.high.x - 0.15f * line_;
-        pen.fill({{right - 0.2f * line_, from}, {right, from + bar}}, colour::kGrey, 0.1f * line_);
-    }
+    drawScrollBar(pen, list_, kRow * line_ * static_cast<float>(areas_.size()), scroll_);
     y = list_.high.y + kParagraphGap * line_;
     if (page_.progress) {
         const float half = 0.15f * line_, middle = y + 0.3f * line_;

@@ -66,11 +66,13 @@ class Menu {
     size_t focus() const { return focus_; }
     // Where an item was drawn last; empty while it is scrolled away.
     std::optional<Rectangle> areaOf(size_t item) const;
+    float textBelow() const; // that is scrolled away, pixels
 
   private:
     void moveFocus(int steps);
     void scrollBy(float pixels); // down positive
     float maxScroll() const;
+    void scrollText(float pixels); // the same
     std::optional<MenuEvent> point(const MenuInput& input);
     void place(const Pen& pen);
     void drawItem(const Pen& pen, size_t index) const;
@@ -81,9 +83,10 @@ class Menu {
     std::optional<size_t> sliding_; // the slider that the pointer's button holds
     bool showsFocus_ = true;
     // As placed last, pixels.
-    Rectangle panel_, list_;
+    Rectangle panel_, text_, list_;
     std::vector<Rectangle> areas_;
-    float scroll_ = 0, line_ = 0; // scroll: how far the list is moved up
+    float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
+    float textHeight_ = 0, textScroll_ = 0; // of what does not fit into text_
     float pictureHeight_ = 0;
     glm::vec2 pointer_{-1};
 };

@@ -25,6 +25,7 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
     std::optional<platform::Headless> context_;
     std::optional<Hud> hud_;
     std::optional<gl::Target> target_;
+    TextOptions text_;
 
     void SetUp() override {
         WithScreens::SetUp();
@@ -46,6 +47,7 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
         hud_->draw({.part = HudPart::Panel,
                     .inDive = false,
                     .overlay = [this](const Pen& pen) { screens_.draw(pen); },
+                    .text = text_,
                     .notice = {}},
                    kSize);
     }
@@ -98,7 +100,8 @@ class OneDevice : public WithScreens, public testing::WithParamInterface<Device>
 TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
     std::set<Screen> seen;
     screens_.facts.met = {"snapper"};
-    for (const char* label : {"Dive", "Free swim", "My film or photo", "Settings", "How to play", "Field guide"}) {
+    for (const char* label :
+         {"Dive", "Free swim", "My film or photo", "Settings", "How to play", "Field guide"}) {
         choose(label);
         seen.insert(*screens_.top());
         if (*screens_.top() == Screen::Guide) {
@@ -118,8 +121,9 @@ TEST_P(OneDevice, ReachesEveryPageFromTheTitleAndComesBack) {
         back();
         ASSERT_EQ(screens_.top(), Screen::Title) << label;
     }
-    EXPECT_EQ(seen, (std::set{Screen::Dives, Screen::Swims, Screen::Films, Screen::Settings, Screen::SettingsGroup,
-                              Screen::Bindings, Screen::HowToPlay, Screen::Guide, Screen::Animal}));
+    EXPECT_EQ(seen,
+              (std::set{Screen::Dives, Screen::Swims, Screen::Films, Screen::Settings, Screen::SettingsGroup,
+                        Screen::Bindings, Screen::HowToPlay, Screen::Guide, Screen::Animal}));
     choose("Free swim");
     choose("The reef by night");
     EXPECT_EQ(screens_.takeRequest()->name, "night");
@@ -145,6 +149,19 @@ TEST_P(OneDevice, UsesThePagesOfADive) {
     open(Screen::Results);
     choose("Dive again");
     EXPECT_EQ(asked(), Request::Kind::Restart);
+}
+
+TEST_P(OneDevice, ReadsAPageThatIsLongerThanThePicture) {
+    text_.scale = 1.6f;
+    options_.text.language = LanguageChoice::German;
+    open(Screen::HowToPlay);
+    EXPECT_TRUE(screens_.menu().areaOf(0)) << "no way back";
+    EXPECT_GT(screens_.menu().textBelow(), 0);
+    for (int i = 0; i < 10; ++i)
+        GetParam() == Device::Mouse ? frame({.wheel = -1})
+                                    : step(GLFW_KEY_DOWN, GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+    EXPECT_EQ(screens_.menu().textBelow(), 0);
+    EXPECT_TRUE(screens_.menu().areaOf(0));
 }
 
 TEST_P(OneDevice, ChangesEverySetting) {
