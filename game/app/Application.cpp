@@ -325,7 +325,11 @@ Status Application::applySettings() {
         options_.stereo != applied_.stereo) {
         if (Status opened = openScene(); !opened) return goBack(applied_, opened.error(), Screen::Title);
     }
-    if (options_.headphones != applied_.headphones) openSound();
+    // What was opened silent is not there to become louder.
+    const auto starts = [](float before, float now) { return before == 0 && now > 0; };
+    if (options_.headphones != applied_.headphones || starts(applied_.videoSound, options_.videoSound) ||
+        starts(applied_.hapticStrength, options_.hapticStrength))
+        openSound();
     config_.rules.assist = options_.assist; // from the next dive on
     applied_ = options_;
     return Done{};
