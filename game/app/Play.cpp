@@ -34,7 +34,12 @@ std::vector<DiveName> divesThereAre() {
             continue;
         }
         const DiveScores scores = readScores(name);
-        dives.push_back({name, files->dive.title, scores.top.empty() ? 0 : scores.top.front()});
+        const std::string picture = "dives/" + name + ".jpg";
+        const bool shown = std::filesystem::exists(dataRoot() / "content" / picture);
+        dives.push_back({.name = name,
+                         .title = files->dive.title,
+                         .picture = shown ? picture : "",
+                         .best = scores.top.empty() ? 0 : scores.top.front()});
     }
     // The one that is played where none is named comes first.
     const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);
@@ -69,7 +74,7 @@ Status Application::open() {
 }
 
 void Application::setIcon() {
-    const auto icon = readPng(dataRoot() / "content/icon.png");
+    const auto icon = readSmallPicture(dataRoot() / "content/icon.png");
     if (!icon) return log::warn("{}", icon.error().message());
     window_->setIcon(*icon);
 }

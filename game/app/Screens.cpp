@@ -278,7 +278,8 @@ MenuPage Screens::titlePage() {
             .text = {in("Fish in the light of a film")},
             .note = options_.xr ? in("Point with a finger and poke, or pull a controller’s trigger")
                                 : in("Arrow keys and Enter, mouse or gamepad"),
-            .layout = PageLayout::Side};
+            .layout = PageLayout::Side,
+            .wordmark = true};
 }
 
 MenuPage Screens::divesPage() {
@@ -286,14 +287,17 @@ MenuPage Screens::divesPage() {
         std::string label = named(dive.title);
         if (dive.best > 0) label += "   \u2605 " + std::to_string(dive.best);
         itemButton(std::move(label), [this, name = dive.name] { ask(Request::Kind::Dive, name); });
+        entries_.back().item.picture = dive.picture;
     }
     backButton();
     return {.title = in("Choose a dive"), .layout = PageLayout::Side};
 }
 
 MenuPage Screens::swimsPage() {
-    for (const DiveName& dive : facts.dives)
+    for (const DiveName& dive : facts.dives) {
         itemButton(named(dive.title), [this, name = dive.name] { ask(Request::Kind::Swim, name); });
+        entries_.back().item.picture = dive.picture;
+    }
     backButton();
     return {.title = in("Free swim"),
             .text = {in("No clock, no shark: meet the animals.")},
@@ -416,7 +420,7 @@ MenuPage Screens::guidePage() {
 MenuPage Screens::animalPage(size_t species) {
     const std::string& name = (*facts.species)[species].name;
     backButton();
-    MenuPage page{.title = named(name), .picture = name};
+    MenuPage page{.title = named(name), .picture = "guide/" + name + ".png"};
     const auto fact = std::ranges::find(kFacts, name, &Fact::species);
     if (fact != kFacts.end()) page.text.emplace_back(in(fact->text));
     return page;

@@ -54,7 +54,8 @@ struct Request {
 
 struct DiveName {
     std::string name, title;
-    int best = 0; // score; 0: none yet
+    std::string picture{}; // in content; empty: none
+    int best = 0;          // score; 0: none yet
 };
 
 // What the pages show besides settings.

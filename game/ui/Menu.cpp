@@ -28,6 +28,7 @@ void drawScrollBar(const Pen& pen, const Rectangle& room, float height, float sc
 
 void Menu::show(MenuPage page, size_t focus) {
     page_ = std::move(page);
+    picture_ = page_.picture;
     sliding_.reset();
     scroll_ = textScroll_ = 0;
     areas_.clear();
@@ -140,15 +141,17 @@ Rectangle Menu::trackOf(size_t item) const {
 
 void Menu::place(const Pen& pen) {
     line_ = pen.line;
+    if (focus_ < page_.items.size() && !page_.items[focus_].picture.empty())
+        picture_ = page_.items[focus_].picture;
     const float margin = kMargin * line_;
     // A headset's panel is narrow, and stands free in the view.
     const bool side = page_.layout == PageLayout::Side && pen.audience != Audience::HeadsetPlayer;
     const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
-    float above =
-        page_.title.empty() ? 0 : pen.extent(page_.title, TextSize::Heading, inner).y + kTitleGap * line_;
-    pictureHeight_ = page_.picture.empty() ? 0 : std::min(kPicture * line_, 0.4f * pen.size.y);
-    above += pictureHeight_;
+    float above = page_.title.empty() ? 0 : pen.extent(page_.title, titleSize(), inner).y + kTitleGap * line_;
+    pictureHeight_ = picture_.empty() ? 0 : std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16});
+    const float pictureGap = pictureHeight_ > 0 ? kParagraphGap * line_ : 0;
+    above += pictureHeight_ + pictureGap;
     textHeight_ = 0;
     for (const std::string& paragraph : page_.text)
         textHeight_ += pen.extent(paragraph, TextSize::Body, inner).y + kParagraphGap * line_;
@@ -227,8 +230,8 @@ void Menu::draw(const Pen& pen) {
     const float inner = panel_.high.x - panel_.low.x - 2 * margin;
     float y = panel_.low.y + margin;
     if (!page_.title.empty())
-        y += pen.paragraph(x, y, inner, TextSize::Heading, colour::kWhite, page_.title) + kTitleGap * line_;
-    if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, page_.picture);
+        y += pen.paragraph(x, y, inner, titleSize(), colour::kWhite, page_.title) + kTitleGap * line_;
+    if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, picture_);
     y = text_.low.y - textScroll_;
     pen.list->PushClipRect(ImVec2(text_.low.x, text_.low.y), ImVec2(text_.high.x, text_.high.y), true);
     for (const std::string& paragraph : page_.text)

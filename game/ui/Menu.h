@@ -15,6 +15,7 @@ struct MenuItem {
     std::string value;             // of a setting, as it is shown; empty: a button
     std::optional<float> fraction; // where the value stands between its ends, 0 to 1: a slider
     bool enabled = true;
+    std::string picture{}; // shown while the item has the focus, as the page's
 
     bool adjustable() const { return !value.empty(); }
 };
@@ -30,6 +31,7 @@ struct MenuPage {
     std::string error;               // what went wrong; empty: nothing
     std::optional<float> progress{}; // of something that takes its time, 0 to 1
     PageLayout layout = PageLayout::Centre;
+    bool wordmark = false; // the title is the game's name
 };
 
 // What the player did since the last frame.
@@ -88,6 +90,8 @@ class Menu {
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
     float textHeight_ = 0, textScroll_ = 0; // of what does not fit into text_
     float pictureHeight_ = 0;
+    std::string picture_; // the page's, or of the item that had one and the focus last
+    TextSize titleSize() const { return page_.wordmark ? TextSize::Display : TextSize::Heading; }
     glm::vec2 pointer_{-1};
 };
 

@@ -9,7 +9,7 @@
 
 namespace shoal::app {
 
-Result<ImageRgba8> readPng(const Path& file) {
+Result<ImageRgba8> readSmallPicture(const Path& file) {
     const auto bytes = readFile(file, 1u << 20);
     if (!bytes) return bytes.error();
     int width = 0, height = 0, channels = 0;
@@ -22,11 +22,11 @@ Result<ImageRgba8> readPng(const Path& file) {
     return image;
 }
 
-const Pictures::Picture& Pictures::get(const std::string& name) {
-    const auto [entry, isNew] = read_.try_emplace(name);
+const Pictures::Picture& Pictures::get(const std::string& file) {
+    const auto [entry, isNew] = read_.try_emplace(file);
     Picture& picture = entry->second;
     if (!isNew) return picture;
-    const auto image = readPng(dataRoot() / "content/guide" / (name + ".png"));
+    const auto image = readSmallPicture(dataRoot() / "content" / file);
     if (!image) {
         log::warn("{}", image.error().message());
         return picture;

@@ -1,4 +1,4 @@
-// Pictures that pages show, as textures: animals of the field guide.
+// Pictures that pages show, as textures: animals of the field guide, dives.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -13,9 +13,9 @@
 
 namespace shoal::app {
 
-// A PNG with its alpha, not premultiplied. By stb_image: readPicture() would load OpenCV's codecs
-// (engine/media/Codecs.h), and drops alpha.
-Result<ImageRgba8> readPng(const Path& file);
+// A PNG with its alpha, not premultiplied, or a JPEG; of the program's own. By stb_image: readPicture() would
+// load OpenCV's codecs (engine/media/Codecs.h), and drops alpha.
+Result<ImageRgba8> readSmallPicture(const Path& file);
 
 class Pictures {
   public:
@@ -23,8 +23,8 @@ class Pictures {
         gl::Texture texture; // empty: there is no such picture
         glm::vec2 size{0};   // pixels
     };
-    // content/guide/NAME.png, read when it is first asked for. Needs the OpenGL context.
-    const Picture& get(const std::string& name);
+    // file: in content; read when it is first asked for. Needs the OpenGL context.
+    const Picture& get(const std::string& file);
 
   private:
     std::map<std::string, Picture> read_;

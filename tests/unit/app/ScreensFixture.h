@@ -27,7 +27,8 @@ class WithScreens : public testing::Test {
         ::setenv("LC_ALL", "C", 1);
         screens_.facts.species = &species_;
         screens_.facts.dive = &dive_;
-        screens_.facts.dives = {{"reef", "The reef", 0}, {"night", "The reef by night", 90}};
+        screens_.facts.dives = {{.name = "reef", .title = "The reef"},
+                                {.name = "night", .title = "The reef by night", .best = 90}};
     }
 
     const MenuPage& page() const { return screens_.menu().page(); }
