@@ -8,6 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -103,8 +104,10 @@ struct EventNodes {
     Result<int> open(const std::string& path) {
         auto node = std::make_unique<EventNode>(path);
         if (!node->isOpen()) return Error{path, "may not be opened"};
-        opened.push_back(std::move(node));
-        return kFirstHandle + static_cast<int>(opened.size()) - 1;
+        auto free = std::find(opened.begin(), opened.end(), nullptr);
+        if (free == opened.end()) free = opened.emplace(free);
+        *free = std::move(node);
+        return kFirstHandle + static_cast<int>(free - opened.begin());
     }
 };
 

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <semaphore>
 #include <thread>
@@ -174,6 +175,30 @@ TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
         p.wait(3);
         EXPECT_EQ(p.page(), Screen::Title);
         EXPECT_NE(p.error().find("film.png"), std::string::npos) << p.error();
+        p.choose("Quit");
+    });
+}
+
+// A dive of five seconds, the shortest that there is, to its end.
+TEST_F(GamepadProgram, TheResultsLeadToAnotherDiveAndToTheTitle) {
+    std::filesystem::copy_file(dataRoot() / "content/species.toml", folder_ / "species.toml");
+    const Path dive = folder_ / "short.toml";
+    std::ofstream(dive) << "title = \"Short\"\nvideo = \"video/night.mp4\"\nduration = 5\n\n[[school]]\n"
+                           "species = \"idol\"\ncount = 1\nradius = [1, 2]\nheight = [0, 0.5]\n";
+    PlayOptions o = options();
+    o.start = Start::Dive;
+    o.dive = dive;
+    play(o, [](Player& p) {
+        constexpr int kMaxFrames = 100000; // more than any machine draws in the time
+        for (int i = 0; i < kMaxFrames && p.page() != Screen::Results; i += 10) p.wait(10);
+        ASSERT_EQ(p.page(), Screen::Results);
+        for (int i = 0; i < kMaxFrames && p.page() == Screen::Results; ++i) p.tap(BTN_SOUTH); // rests first
+        p.wait(3);
+        EXPECT_EQ(p.page(), std::nullopt) << "the focus is on: dive again";
+        p.tap(BTN_START);
+        p.choose("Title screen");
+        p.wait(3);
+        EXPECT_EQ(p.page(), Screen::Title);
         p.choose("Quit");
     });
 }

@@ -1,0 +1,136 @@
+// What the pages of the menus ask the program for.
+#include "game/app/Application.h"
+
+#include "engine/core/Log.h"
+
+#include <utility>
+#include <variant>
+
+namespace shoal::app {
+
+Status Application::answer(const Request& request) {
+    GameSession& session = play_->session;
+    switch (request.kind) {
+    case Request::Kind::Resume:
+        session.paused = false;
+        return Done{};
+    case Request::Kind::Restart:
+        session.restart = true;
+        session.paused = false;
+        play_->results_s = 0;
+        if (auto* mouse = std::get_if<MouseSource>(&session.source)) mouse->recentre();
+        return Done{};
+    case Request::Kind::Dive:
+        return startDive(request.name, options_.firstSteps ? Mode::FirstSteps : Mode::Dive);
+    case Request::Kind::SkipFirstSteps:
+        return endFirstSteps();
+    case Request::Kind::Swim:
+        return startDive(request.name, Mode::FreeSwim);
+    case Request::Kind::Title:
+        return begin(Mode::Title);
+    case Request::Kind::OpenFilm:
+        return openFilm(request.name);
+    case Request::Kind::OwnFilm:
+        return openFilm({});
+    case Request::Kind::Headset:
+        return startHeadset();
+    case Request::Kind::Photo:
+        photo_.emplace(session.shown, options_.fov_deg, byGamepad_);
+        screens_.close();
+        return Done{};
+    case Request::Kind::SettingsChanged:
+        return applySettings();
+    case Request::Kind::Quit:
+        leaving_ = true;
+        return Done{};
+    }
+    return Done{};
+}
+
+Status Application::startDive(const std::string& name, Mode mode) {
+    if (name != config_.dive.name) {
+        PlayOptions wanted = options_;
+        wanted.dive = name;
+        return reopen(wanted, mode, Screen::Dives);
+    }
+    if (!options_.seed) config_.seed = drawnSeed();
+    return begin(mode);
+}
+
+// file: empty: the dive's own film.
+Status Application::openFilm(const std::string& file) {
+    PlayOptions wanted = options_;
+    EnvironmentOptions& shown = wanted.environment;
+    shown.video = shown.photo = shown.env = {};
+    if (!file.empty()) shown = environmentOf(file, shown);
+    return reopen(wanted, Mode::Title, Screen::Films);
+}
+
+Status Application::startHeadset() {
+    PlayOptions wanted = options_;
+    wanted.xr = true;
+    return reopen(wanted, Mode::Title, Screen::Title);
+}
+
+// The dive begins, and every later one begins at once.
+Status Application::endFirstSteps() {
+    options_.firstSteps = false;
+    screens_.keep("first-steps");
+    return begin(Mode::Dive);
+}
+
+// Ends the session, opens what these options ask for, and begins there.
+Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
+    if (Status ended = endPlay(true); !ended) return ended;
+    const PlayOptions before = std::exchange(options_, wanted);
+    const Status opened = openContent();
+    return opened ? begin(mode) : goBack(before, opened.error(), asker);
+}
+
+// What is played and where it is seen, by the options as they are now.
+Status Application::openContent() {
+    if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
+    if (options_.xr != (display_->audience() == Audience::HeadsetPlayer))
+        if (Status s = openDisplay(); !s) return s;
+    if (Status s = openScene(); !s) return s;
+    openSound();
+    applied_ = options_;
+    return Done{};
+}
+
+// What cannot be opened is said on the page that has asked for it, and what was there before stays.
+Status Application::goBack(const PlayOptions& before, const Error& why, Screen asker) {
+    if (leaving_) return Done{};
+    log::warn("{}", why.message());
+    options_ = before;
+    if (Status back = openContent(); !back) { // a film on a disk that was taken out: the dive has its own
+        options_.environment = PlayOptions().environment;
+        if (Status own = openContent(); !own) return own;
+    }
+    if (Status begun = begin(Mode::Title); !begun) return begun;
+    screens_.openWithError(asker, why.message());
+    return Done{};
+}
+
+// Settings that do not take effect by being read in every frame.
+Status Application::applySettings() {
+    if (options_.volume != applied_.volume) soundAndHaptics_->setVolume(options_.volume);
+    soundAndHaptics_->setMix(options_.effects, options_.videoSound, options_.hapticStrength);
+    if (options_.fullscreen != applied_.fullscreen) window_->toggleFullscreen();
+    if (options_.quality == QualityControl::Fixed) quality_.reset();
+    if (options_.compose != applied_.compose || options_.skin != applied_.skin ||
+        options_.snow != applied_.snow || options_.reducedMotion != applied_.reducedMotion ||
+        options_.stereo != applied_.stereo) {
+        if (Status opened = openScene(); !opened) return goBack(applied_, opened.error(), Screen::Title);
+    }
+    // What was opened silent is not there to become louder.
+    const auto starts = [](float before, float now) { return before == 0 && now > 0; };
+    if (options_.headphones != applied_.headphones || starts(applied_.videoSound, options_.videoSound) ||
+        starts(applied_.hapticStrength, options_.hapticStrength))
+        openSound();
+    config_.rules.assist = options_.assist; // from the next dive on
+    applied_ = options_;
+    return Done{};
+}
+
+} // namespace shoal::app
