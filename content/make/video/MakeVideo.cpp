@@ -29,7 +29,7 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
                                  and only of a part of the path
     film [FIRST COUNT]           frames, raw, 3 bytes a pixel, sRGB-coded, to standard output
     size                         width of these frames and frames a second, to standard output
-    truth TO FRAME...            TO/frame_NNNN.hdr: linear radiance before the camera, and TO/frames.toml
+    truth NAME FRAME...          NAME_NNNN.hdr: linear radiance before the camera
     enclosure FILE.toml          when the camera is enclosed, and how much; how high the ground lies
     look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
 )";
@@ -150,18 +150,15 @@ Status film(const Studio& studio, int first, int count) {
     return Done{};
 }
 
-Status truth(const Studio& studio, const Path& to, const std::vector<int>& frames) {
-    std::string list =
-        "# Frames of content/video/reef.mp4 whose linear radiance lies here as it was before the camera.\n";
+Status truth(const Studio& studio, const std::string& name, const std::vector<int>& frames) {
     for (const int frame : frames) {
-        const std::string name = numbered("frame_%04d.hdr", frame);
         Drawn drawn = studio.filming.draw(studio.turn(frame), 2 * kTruthWidth, true);
         studio.filming.addSpecks(drawn, studio.turn(frame));
         const ImageRgbF image = reduced(drawn.radianceLin, kTruthWidth);
-        if (Status written = media::writeHdr(to / name, image); !written) return written;
-        list += "\n[[truth]]\nframe = " + std::to_string(frame) + "\nfile = \"" + name + "\"\n";
+        if (Status written = media::writeHdr(name + numbered("_%04d.hdr", frame), image); !written)
+            return written;
     }
-    return writeFileWhole(to / "frames.toml", list);
+    return Done{};
 }
 
 // Heights against the camera of what lies within 3 m of it, straight below its level: quartiles.

@@ -58,7 +58,7 @@ TEST(FilmSun, LightsAreFoundWhereTheyWereBeforeTheCamera) {
     LightFinder finder;
     FoundLights truth, found;
     for (const int frame : {120, 560, 860, 1060, 1260}) {
-        const Path file = dataRoot() / fmt::format("content/truth/frame_{:04}.hdr", frame);
+        const Path file = dataRoot() / fmt::format("content/truth/reef_{:04}.hdr", frame);
         const auto before = readRadianceFile(file);
         ASSERT_TRUE(before) << file;
         pyramid.make(*before, 512, radiance);

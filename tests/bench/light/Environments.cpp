@@ -93,7 +93,7 @@ EnvironmentSource hdr(const Path& file) {
             }};
 }
 
-Path gameVideo() { return dataRoot() / "content" / "video" / "reef.mp4"; }
+Path gameVideo(const std::string& name) { return dataRoot() / "content/video" / (name + ".mp4"); }
 
 } // namespace
 
@@ -119,7 +119,7 @@ std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick
     }
     auto all = hdrSources(shared);
     for (const EnvironmentSource& each : {
-             video(gameVideo()),
+             video(gameVideo("reef")),
              video(videos / "overpass_360_mono_2048x1024.mp4"),
              video(videos / "congo_360_overunder_1920x1080.mp4"),
              video(videos / "richo_360_mono_426x214.mp4"),
@@ -151,12 +151,14 @@ std::vector<EnvironmentSource> filmedSources() {
     std::error_code gone;
     for (const auto& entry : std::filesystem::directory_iterator(dataRoot() / "content" / "truth", gone)) {
         const Path file = entry.path();
-        const std::string stem = file.stem().string(); // frame_NUMBER
+        const std::string stem = file.stem().string(); // FILM_FRAME
         if (file.extension() != ".hdr") continue;
-        const int number = std::atoi(stem.substr(stem.find('_') + 1).c_str());
+        const size_t end = stem.find('_');
+        const Path video = gameVideo(stem.substr(0, end));
+        const int number = std::atoi(stem.substr(end + 1).c_str());
         all.push_back(
             {"film: " + stem, [=]() -> std::optional<Environment> {
-                 auto frame = frameOf(gameVideo(), number);
+                 auto frame = frameOf(video, number);
                  auto truth = media::readHdr(file);
                  if (!frame || !truth) return std::nullopt;
                  return Environment{"film: " + stem, std::move(*frame), std::move(truth->radianceLin)};
@@ -167,9 +169,10 @@ std::vector<EnvironmentSource> filmedSources() {
 }
 
 ImageRgb8 timedFrame() {
-    auto frame = frameOf(gameVideo());
+    const Path video = gameVideo("reef.small");
+    auto frame = frameOf(video);
     if (frame && frame->width == 2048 && frame->height == 1024) return std::move(*frame);
-    std::fprintf(stderr, "chart: %s is no 2048x1024 video; a made frame is timed\n", gameVideo().c_str());
+    std::fprintf(stderr, "chart: %s is no 2048x1024 video; a made frame is timed\n", video.c_str());
     ImageRgb8 image(2048, 1024);
     uint32_t seed = 1;
     for (uint8_t& value : image.pixels) {
