@@ -228,6 +228,11 @@ void Screens::itemButton(std::string label, std::function<void()> act) {
 
 void Screens::button(game::Text label, std::function<void()> act) { itemButton(in(label), std::move(act)); }
 
+void Screens::diveButton(std::string label, const DiveName& dive, Request::Kind kind) {
+    itemButton(std::move(label), [this, kind, name = dive.name] { ask(kind, name); });
+    entries_.back().item.picture = dive.picture;
+}
+
 void Screens::backButton() {
     button("Back", [this] { back(); });
 }
@@ -286,18 +291,14 @@ MenuPage Screens::divesPage() {
     for (const DiveName& dive : facts.dives) {
         std::string label = named(dive.title);
         if (dive.best > 0) label += "   \u2605 " + std::to_string(dive.best);
-        itemButton(std::move(label), [this, name = dive.name] { ask(Request::Kind::Dive, name); });
-        entries_.back().item.picture = dive.picture;
+        diveButton(std::move(label), dive, Request::Kind::Dive);
     }
     backButton();
     return {.title = in("Choose a dive"), .layout = PageLayout::Side};
 }
 
 MenuPage Screens::swimsPage() {
-    for (const DiveName& dive : facts.dives) {
-        itemButton(named(dive.title), [this, name = dive.name] { ask(Request::Kind::Swim, name); });
-        entries_.back().item.picture = dive.picture;
-    }
+    for (const DiveName& dive : facts.dives) diveButton(named(dive.title), dive, Request::Kind::Swim);
     backButton();
     return {.title = in("Free swim"),
             .text = {in("No clock, no shark: meet the animals.")},

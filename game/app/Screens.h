@@ -137,6 +137,7 @@ class Screens {
 
     void button(game::Text label, std::function<void()> act);
     void itemButton(std::string label, std::function<void()> act); // named by content, not by a text
+    void diveButton(std::string label, const DiveName& dive, Request::Kind kind); // with its picture
     void backButton();
     void settingEntry(size_t row);
     void keepRow(size_t row);

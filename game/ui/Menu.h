@@ -74,7 +74,7 @@ class Menu {
     void moveFocus(int steps);
     void scrollBy(float pixels); // down positive
     float maxScroll() const;
-    void scrollText(float pixels); // the same
+    void scrollText(float pixels); // down positive
     std::optional<MenuEvent> point(const MenuInput& input);
     void place(const Pen& pen);
     void drawItem(const Pen& pen, size_t index) const;
@@ -88,7 +88,7 @@ class Menu {
     Rectangle panel_, text_, list_;
     std::vector<Rectangle> areas_;
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
-    float textHeight_ = 0, textScroll_ = 0; // of what does not fit into text_
+    float textHeight_ = 0, textScroll_ = 0; // of the whole text, and how far it is moved up in text_
     float pictureHeight_ = 0;
     std::string picture_; // the page's, or of the item that had one and the focus last
     TextSize titleSize() const { return page_.wordmark ? TextSize::Display : TextSize::Heading; }
