@@ -102,7 +102,7 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
         std::ranges::any_of(shown.creatures, [](const auto& creature) { return creature.catchable > 0.5f; });
     near_s_ = catchable ? near_s_ + elapsed_s : 0;
     // The target stays for a round, so that the ghost does not jump from fish to fish.
-    if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, *species_);
+    if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
     if (shown.caught > caughtBefore_) return next(Step::Done); // who can hold can do all of it
     switch (step_) {
@@ -118,24 +118,24 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     }
 }
 
-// Viewer's frame. The hand goes to its place within the first half of a round and acts in the second.
-hands::HandPose FirstSteps::ghost(const render::View& view, bool hasTarget) const {
+// The hand goes to its place within the first half of a round and acts in the second.
+hands::HandPose FirstSteps::ghost(const render::View& view) const {
     const float round = std::fmod(inStep_s_, kShown_s) / kShown_s;
     const glm::vec3 rest(0.22f, -0.26f, -0.5f);
     if (step_ == Step::Look) {
         const float swing = std::sin(2 * 3.14159265f * round);
-        return hands::reachingHand(*rig_, hands::Side::Right, {0.3f * swing, -0.05f, -0.6f}, 0);
+        return hands::reachingHand(rig_, hands::Side::Right, {0.3f * swing, -0.05f, -0.6f}, 0);
     }
     glm::vec3 goal(0, 0, -0.7f);
-    if (hasTarget) goal = glm::conjugate(view.worldFromEye) * (*target_ - view.eyeWorld);
+    if (target_) goal = glm::conjugate(view.worldFromEye) * (*target_ - view.eyeWorld);
     const glm::vec3 at = glm::mix(rest, goal, eased(round * 2));
     const float closed = step_ == Step::Hold ? eased((round - 0.5f) * 6) : 0.0f;
-    return hands::reachingHand(*rig_, hands::Side::Right, at, closed);
+    return hands::reachingHand(rig_, hands::Side::Right, at, closed);
 }
 
 void FirstSteps::draw(const Pen& pen, const render::View& view) const {
     if (step_ == Step::Done) return;
-    drawGhost(pen, view, ghost(view, target_.has_value()));
+    drawGhost(pen, view, ghost(view));
     const std::array<const char*, 3> titles = {pen.in("Look around"),
                                                pen.in("Reach for a fish until it glows"),
                                                pen.in("Close your hand and hold the fish")};

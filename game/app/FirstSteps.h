@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace shoal::app {
 
@@ -18,9 +19,8 @@ class FirstSteps {
   public:
     enum class Step { Look, Reach, Hold, Done };
 
-    // Both outlive this.
-    FirstSteps(const hands::HandRig& rig, const game::SpeciesTable& species)
-        : rig_(&rig), species_(&species) {}
+    FirstSteps(hands::HandRig rig, game::SpeciesTable species)
+        : rig_(std::move(rig)), species_(std::move(species)) {}
 
     // Once a frame. elapsed_s: since the last.
     void follow(const game::Snapshot& shown, float elapsed_s);
@@ -28,6 +28,8 @@ class FirstSteps {
 
     // What is to be done, and a hand that shows it.
     void draw(const Pen& pen, const render::View& view) const;
+    // The hand that shows it, viewer's frame.
+    hands::HandPose ghost(const render::View& view) const;
     std::optional<glm::vec3> target() const { return target_; } // a fish that the ghost reaches for; world
 
     static constexpr float kTurned_rad = 0.6f; // away from the first view: the player has looked around
@@ -36,10 +38,9 @@ class FirstSteps {
 
   private:
     void next(Step step);
-    hands::HandPose ghost(const render::View& view, bool hasTarget) const;
 
-    const hands::HandRig* rig_;
-    const game::SpeciesTable* species_;
+    hands::HandRig rig_;
+    game::SpeciesTable species_;
     Step step_ = Step::Look;
     float inStep_s_ = 0, near_s_ = 0;
     std::optional<glm::quat> firstView_;
@@ -69,9 +70,8 @@ class Hints {
 class Teaching {
   public:
     enum class Kind { Nothing, FirstSteps, Hints };
-    // Both tables outlive this.
-    Teaching(Kind kind, const hands::HandRig& rig, const game::SpeciesTable& species)
-        : kind_(kind), steps_(rig, species) {}
+    Teaching(Kind kind, hands::HandRig rig, game::SpeciesTable species)
+        : kind_(kind), steps_(std::move(rig), std::move(species)) {}
 
     void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
     bool stepsAreOver() const { return done_s_ > kStay_s; } // and what was said at their end was read

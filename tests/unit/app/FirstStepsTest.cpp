@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace shoal::app {
 namespace {
 
@@ -68,6 +70,18 @@ TEST(FirstSteps, TheGhostHandReachesForNothingThatStings) {
     p.follow(1.1f * FirstSteps::kShown_s);
     ASSERT_TRUE(p.steps.target());
     EXPECT_EQ(*p.steps.target(), p.shown.creatures[1].position);
+}
+
+// The session that they are made from is a copy that is gone when they are drawn.
+TEST(FirstSteps, TheGhostHandDoesNotDependOnWhatItWasMadeFrom) {
+    auto rig = std::make_unique<hands::HandRig>(tests::rig());
+    const FirstSteps steps(*rig, {});
+    *rig = {};
+    rig.reset();
+    const render::View view;
+    const hands::HandPose ghost = steps.ghost(view), whole = FirstSteps(tests::rig(), {}).ghost(view);
+    for (size_t i = 0; i < ghost.joints.size(); ++i)
+        EXPECT_EQ(ghost.joints[i].position, whole.joints[i].position) << i;
 }
 
 TEST(Hints, StopOnceTheyAreUnderstood) {
