@@ -33,6 +33,7 @@ std::vector<Kind> kinds() {
         {"mouse, novice, assist strong", {Skill::Novice, Device::Mouse, strong}, 4, 1000, 45},
         {"hands, novice", {Skill::Novice, Device::Hands, normal}, 4, 1000, 45},
         {"hands, practised", {Skill::Practised, Device::Hands, normal}, 10, 18, 90},
+        {"hands, practised, arms of 0.7 m", {Skill::Practised, Device::Hands, normal, 1, 0.7f}, 10, 18, 90},
         {"hands, practised, assist none", {Skill::Practised, Device::Hands, none}, 4, 1000, 90},
     };
 }

@@ -103,7 +103,7 @@ void count(const game::Events& events, const game::Snapshot& now, PlayedDive& pl
 template <class Source>
 PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSetup& setup) {
     game::Dive dive(files.species, files.dive, setup.seed, setup.rules);
-    Player player(setup.skill, setup.device, setup.seed + 1000, files.species);
+    Player player(setup.skill, setup.device, setup.arm_m, setup.seed + 1000, files.species);
     PlayedDive played;
     game::Snapshot now;
     game::Events events;

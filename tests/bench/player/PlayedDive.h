@@ -15,7 +15,8 @@ struct PlayerSetup {
     Device device = Device::Mouse;
     game::DiveRules rules{game::Assist::Normal, false, true};
     float reachHelp = 1;
-    uint64_t seed = 1; // of the dive; the person's own follows from it
+    float arm_m = 1.2f; // with hands: leaning forward, before a screen; 0.7 m: seated in a headset
+    uint64_t seed = 1;  // of the dive; the person's own follows from it
 };
 
 struct PlayedDive {

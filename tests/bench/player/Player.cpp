@@ -41,8 +41,8 @@ glm::vec3 Movement::at(double time_s) const {
     return from_ + (to_ - from_) * (t * t * t * (10 - 15 * t + 6 * t * t));
 }
 
-Player::Player(Skill skill, Device device, uint64_t seed, const game::SpeciesTable& species)
-    : skill_(skill), device_(device), random_(seed, 77) {
+Player::Player(Skill skill, Device device, float arm_m, uint64_t seed, const game::SpeciesTable& species)
+    : skill_(skill), device_(device), arm_m_(arm_m), random_(seed, 77) {
     for (const game::Species& kind : species) {
         isPrey_.push_back(game::isCatchable(kind));
         length_m_.push_back(kind.length_m * std::exp((skill == Skill::Novice ? 0.25f : 0.1f) * gauss()));
@@ -164,7 +164,7 @@ glm::vec3 Player::goalFor(const SeenFish& fish, float ahead_s) const {
     const float lead_s = skill_ == Skill::Practised ? ahead_s : 0;
     const glm::vec2 px = fish.at_px + eyes_.velocity_px(fish.id) * lead_s;
     if (device_ == Device::Mouse) return glm::vec3(px, 0);
-    return rayOf(px) * std::clamp(judgedDistance_m(fish), 0.3f, 1.2f);
+    return rayOf(px) * std::clamp(judgedDistance_m(fish), 0.3f, arm_m_);
 }
 
 void Player::startMoving(glm::vec3 goal, float width, double time_s) {

@@ -49,7 +49,9 @@ constexpr size_t kDoings = 5;
 
 class Player {
   public:
-    Player(Skill, Device, uint64_t seed, const game::SpeciesTable&);
+    // arm_m: how far from the eyes hands in space get; a mouse's hand gets as far as the help with reach
+    // takes it.
+    Player(Skill, Device, float arm_m, uint64_t seed, const game::SpeciesTable&);
 
     Action frame(const game::Snapshot& shown, double time_s);
 
@@ -73,6 +75,7 @@ class Player {
 
     Skill skill_;
     Device device_;
+    float arm_m_;
     Random random_;
     std::vector<bool> isPrey_;
     std::vector<float> length_m_; // what the person believes of each species
