@@ -6,7 +6,6 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
-#include <unistd.h>
 
 namespace shoal {
 
@@ -95,28 +94,6 @@ Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes) 
 
 Result<std::string> readText(const Path& file, uint64_t maxBytes) {
     return read<std::string>(file, maxBytes, Extent::Whole);
-}
-
-Status checkFolderOf(const Path& file) {
-    const Path folder = file.has_parent_path() ? file.parent_path() : Path(".");
-    std::error_code code;
-    if (fs::is_directory(folder, code)) return Done{};
-    return Error{file.string(), "there is no folder " + folder.string()};
-}
-
-Status writeFileWhole(const Path& file, std::string_view bytes) {
-    std::error_code code, ignored;
-    if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-    const Path temporary =
-        file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ".part");
-    std::ofstream stream(temporary, std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    stream.close();
-    if (stream) fs::rename(temporary, file, code);
-    if (stream && !code) return Done{};
-    fs::remove(temporary, ignored);
-    return Error{file.string(), stream ? "cannot be put in place: " + code.message()
-                                       : "cannot be written; is the disk full or the folder read-only?"};
 }
 
 } // namespace shoal

@@ -1,4 +1,4 @@
-// Locations of files, and reading and writing them whole. Any thread.
+// Locations of files, and reading them whole; WriteFile.h writes them. Any thread.
 #pragma once
 
 #include "engine/core/Result.h"
@@ -37,13 +37,5 @@ Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes);
 // At most its first maxBytes.
 Result<std::vector<uint8_t>> readFileBegin(const Path& file, uint64_t maxBytes);
 Result<std::string> readText(const Path& file, uint64_t maxBytes = 16u << 20);
-
-// Written beside its place and renamed: a reader sees the old file or the new one, never half of one. Creates
-// the parent folder.
-Status writeFileWhole(const Path& file, std::string_view bytes);
-
-// Error: the folder that this file would be written to is not there. For files that a person names, before
-// work whose result would be lost in a mistyped folder.
-Status checkFolderOf(const Path& file);
 
 } // namespace shoal

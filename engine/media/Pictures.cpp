@@ -1,7 +1,9 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/core/Log.h"
+#include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
+#include "engine/media/EncodeHdr.h"
 #include "engine/media/PictureHeader.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -214,9 +216,9 @@ int64_t repair(ImageRgbF& image) {
     return bad;
 }
 
-// As the file's extension says. toOpenCv: the conversion that brings blue first.
-Status write(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
-             const char* uncodable) {
+// As the extension says. toOpenCv: the conversion that brings blue first.
+Result<std::string> encoded(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
+                            const char* uncodable) {
     assert(!rgb.empty());
     const auto with = codecs();
     if (!with) return with.error();
@@ -229,7 +231,13 @@ Status write(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::stri
     } catch (const std::exception& failure) {
         return Error{file.string(), std::string(uncodable) + ": " + failure.what()};
     }
-    return writeFileWhole(file, asText(bytes));
+    return std::string(asText(bytes));
+}
+
+Status write(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::string& extension,
+             const char* uncodable) {
+    const auto bytes = encoded(file, rgb, toOpenCv, extension, uncodable);
+    return bytes ? writeFileWhole(file, *bytes) : Status(bytes.error());
 }
 
 constexpr const char* kNoPng = "the picture cannot be coded as PNG";
@@ -301,12 +309,27 @@ Status writePicture(const Path& file, const ImageRgb8& image) {
     return write(file, viewOf(image), cv::COLOR_RGB2BGR, ".jpg", "the picture cannot be coded as JPEG");
 }
 
+Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin) {
+    const std::string extension = extensionOf(name);
+    if (extension == ".hdr") return encodeRadiance(radianceLin);
+    if (extension == ".pfm") return encodePfm(radianceLin);
+    if (extension != ".exr")
+        return Error{name.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
+    // OpenCV codes it into a temporary file, which may not fit.
+    auto bytes =
+        encoded(name, viewOf(radianceLin), cv::COLOR_RGB2BGR, extension, "the picture cannot be coded");
+    if (!bytes) return bytes;
+    const auto header =
+        readPictureHeader(std::span(reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()));
+    const bool whole = header && header->width == static_cast<uint32_t>(radianceLin.width) &&
+                       header->height == static_cast<uint32_t>(radianceLin.height);
+    if (!whole) return Error{name.string(), "the picture cannot be coded; is the temporary folder full?"};
+    return bytes;
+}
+
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin) {
-    assert(!radianceLin.empty());
-    if (writtenAs(file) != WrittenAs::Hdr)
-        return Error{file.string(), "has no high dynamic range kind; use .exr, .hdr or .pfm"};
-    return write(file, viewOf(radianceLin), cv::COLOR_RGB2BGR, extensionOf(file),
-                 "the picture cannot be coded");
+    const auto bytes = encodeHdr(file, radianceLin);
+    return bytes ? writeFileWhole(file, *bytes) : Status(bytes.error());
 }
 
 void toBgra(const ImageRgb8& in, bool bgr, ImageRgba8& out) {

@@ -39,7 +39,7 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits = {});
 enum class PictureContent { None, Coded, Hdr };
 PictureContent pictureContent(const Path& file);
 
-// Lossless. Written whole (engine/core/Files.h).
+// Lossless. Written whole (engine/core/WriteFile.h).
 Status writePng(const Path& file, const ImageRgb8& image);
 Status writePng(const Path& file, const ImageRgba8& image);
 
@@ -51,7 +51,8 @@ WrittenAs writtenAs(const Path& file);
 Status writePicture(const Path& file, const ImageRgb8& image);
 
 // By extension: .pfm (exact), .exr (32-bit float, exact), .hdr (RGBE: shared exponent, error up to 1/256 of
-// the pixel's largest component). Written whole.
+// the pixel's largest component). encodeHdr: the file's bytes. Written whole.
+Result<std::string> encodeHdr(const Path& name, const ImageRgbF& radianceLin);
 Status writeHdr(const Path& file, const ImageRgbF& radianceLin);
 
 // The same pixels with a fourth byte of 255, blue first, in the image's own memory where it has the size.

@@ -1,9 +1,14 @@
 // Replays: the inputs of every tick and the hash of the state each led to. A bug report, a determinism test
 // and a benchmark in one file.
 //
-// The file: "SHOALREC", then little-endian uint32 length of the JSON header, uint64 tick count, uint64 length
-// of the packed body, uint32 CRC-32 of header and packed body, the header, the body. The body is one zlib
-// stream of, per tick, the input bytes XOR those of the tick before, then the 8 bytes of the hash.
+// The file, version 2, little-endian: "SHOALRE2", uint32 length and uint32 CRC-32 of the JSON header, the
+// header; then blocks of up to one second: uint32 ticks, uint32 length of the packed body, uint32 CRC-32 of
+// these two and the body, the body. The body is one zlib stream of, per tick, the input bytes XOR those of
+// the tick before in the same block, then the 8 bytes of the hash. A block of no ticks ends the file. Blocks
+// are written as they fill: after a crash the file is read up to its last whole block.
+//
+// Version 1 ("SHOALREC", uint32 length of the header, uint64 ticks, uint64 length of the packed body, uint32
+// CRC-32 of header and body) had all ticks in one block; it is read.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -12,6 +17,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,30 +34,63 @@ struct RecordingHeader {
     bool operator==(const RecordingHeader&) const = default;
 };
 
-class Recording {
+// Writes a recording to its final name as the ticks come. Memory does not depend on its length.
+class RecordingWriter {
   public:
-    explicit Recording(RecordingHeader, size_t reserveTicks = 0);
+    static Result<RecordingWriter> create(const Path& file, const RecordingHeader& header);
+    RecordingWriter(RecordingWriter&&) noexcept;
+    RecordingWriter& operator=(RecordingWriter&&) noexcept;
+    // Without finish() the file ends after its last whole block, as after a crash.
+    ~RecordingWriter();
 
-    const RecordingHeader& header() const { return header_; }
-    size_t ticks() const { return hashes_.size(); }
-    std::span<const uint8_t> input(size_t tick) const;
-    uint64_t hash(size_t tick) const { return hashes_[tick]; }
-
-    // input.size() == header().inputBytes
-    void add(std::span<const uint8_t> input, uint64_t hash);
-
-    // Fails with "tick N: ..." where the hash differs from the recorded one, or the recording has no such
-    // tick.
-    Status compare(size_t tick, uint64_t hash) const;
+    // input.size() == header.inputBytes. After an error, such as a full disk, nothing more is written.
+    Status add(std::span<const uint8_t> input, uint64_t hash);
+    // Marks the end, and waits until the disk has it.
+    Status finish();
 
   private:
-    RecordingHeader header_;
-    std::vector<uint8_t> inputs_; // ticks * inputBytes
-    std::vector<uint64_t> hashes_;
+    struct State;
+    explicit RecordingWriter(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
 };
 
-Status writeRecording(const Path& file, const Recording&);
-// Fails on anything that is not exactly one whole recording of this version and tick rate.
-Result<Recording> readRecording(const Path& file, uint64_t maxUnpackedBytes = 1u << 30);
+struct RecordedTick {
+    std::span<const uint8_t> input; // valid until the next tick is read
+    uint64_t hash;
+};
+
+// Reads one from its first tick to its last. Memory does not depend on its length, but for version 1. Copies
+// share the open file and read on by themselves.
+class RecordingReader {
+  public:
+    // Fails on anything that is not a recording of this tick rate, and on damage before its end.
+    // maxBlockBytes: of the unpacked body of one block, before memory is taken for it.
+    static Result<RecordingReader> open(const Path& file, uint64_t maxBlockBytes = 1u << 30);
+
+    const RecordingHeader& header() const;
+    uint64_t ticks() const;
+    // False: the end mark is missing; the program that wrote it was stopped.
+    bool complete() const;
+    uint64_t position() const { return position_; } // ticks read
+    bool atEnd() const { return position_ == ticks(); }
+
+    // !atEnd()
+    Result<RecordedTick> next();
+
+  private:
+    struct File;
+    explicit RecordingReader(std::shared_ptr<const File> file);
+    Status unpackBlock();
+
+    std::shared_ptr<const File> file_;
+    uint64_t position_ = 0;
+    size_t block_ = 0;           // the next one to unpack
+    std::vector<uint8_t> body_;  // of the present block, unpacked
+    size_t at_ = 0;              // in it
+    std::vector<uint8_t> input_; // of the last tick read
+};
+
+// Fails, naming the tick, where the hash of its state now is not the recorded one.
+Status sameState(uint64_t tick, uint64_t recorded, uint64_t now);
 
 } // namespace shoal::sim

@@ -3,6 +3,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/media/Pictures.h"
+#include "game/app/StopSignals.h"
 
 #include <GLFW/glfw3.h>
 
@@ -24,16 +25,17 @@ constexpr double kMinimisedWait_s = 0.25; // between looks at a window that show
 } // namespace
 
 Status Application::run(bool measured) {
-    if (Status begun = begin(firstMode()); !begun) return begun;
-    while (!leaving_) {
-        if (Status done = frame(measured); !done) return done;
-        if (const auto request = screens_.takeRequest())
-            if (Status answered = answer(*request); !answered) return answered;
+    if (Status begun = begin(firstMode(), measured); !begun) return begun;
+    Status played = Done{};
+    while (!leaving_ && played) {
+        played = frame(measured);
+        if (!played) break;
+        if (const auto request = screens_.takeRequest()) played = answer(*request);
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
-        if (play_->teaching.stepsAreOver())
-            if (Status begun = endFirstSteps(); !begun) return begun;
+        if (played && play_->teaching.stepsAreOver()) played = endFirstSteps();
     }
-    return endPlay(measured);
+    const Status ended = endPlay(); // whatever went wrong
+    return played ? ended : played;
 }
 
 // A person who has not said where to begin begins at the title.
@@ -46,8 +48,9 @@ Mode Application::firstMode() const {
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
-Status Application::begin(Mode mode) {
-    if (Status ended = endPlay(true); !ended) return ended;
+// measured: not only to warm up.
+Status Application::begin(Mode mode, bool measured) {
+    if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
     if (!config.script && !config.replay) config.rules.freeSwim = mode != Mode::Dive;
     statistics_ = {.renderer = std::move(statistics_.renderer)};
@@ -55,19 +58,28 @@ Status Application::begin(Mode mode) {
                                    : window_         ? FrameClock::Mode::RealTime
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
-    return Done{};
+    const bool records = measured && !options_.record.empty() && mode != Mode::Title;
+    return records ? play_->session.record(recordingFile()) : Done{};
+}
+
+// Each session has a recording of its own: FILE, FILE-2, FILE-3.
+Path Application::recordingFile() {
+    Path file = options_.record;
+    if (++recordings_ > 1)
+        file.replace_filename(file.stem().string() + "-" + std::to_string(recordings_) +
+                              file.extension().string());
+    return file;
 }
 
 // Writes what the session was to leave, and returns its verdict.
-Status Application::endPlay(bool measured) {
+Status Application::endPlay() {
     if (!play_) return Done{};
     GameSession& session = play_->session;
     statistics_.caught = session.after.caught;
     statistics_.score = session.after.score;
     statistics_.stateHash = session.dive.stateHash();
     statistics_.ticks = session.ticks;
-    const bool records = measured && !options_.record.empty() && play_->states.mode() != Mode::Title;
-    const Status written = records ? sim::writeRecording(options_.record, session.recording) : Status(Done{});
+    const Status written = session.endRecording();
     const Status verdict = session.verdict;
     play_.reset();
     return written ? verdict : written;
@@ -101,7 +113,7 @@ Status Application::frame(bool measured) {
 void Application::readInput() {
     GameSession& session = play_->session;
     ProgramStates& states = play_->states;
-    leaving_ |= display_->leaving();
+    leaving_ |= display_->leaving() || stopSignal() != 0;
     if (window_) {
         const bool still = states.state() != ProgramStates::State::Diving;
         if (play_->input && play_->input->minimised && still) window_->wait(kMinimisedWait_s);
@@ -213,7 +225,7 @@ void Application::photograph() {
 void Application::simulate() {
     GameSession& session = play_->session;
     const auto began = std::chrono::steady_clock::now();
-    session.advance(play_->elapsed_s, !options_.record.empty());
+    session.advance(play_->elapsed_s);
     statistics_.sim_ms =
         std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - began).count();
     const bool attended =

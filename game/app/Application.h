@@ -72,8 +72,9 @@ class Application {
     Status openContent();
     bool drawLoading(float progress); // false: the player wants to leave
     Mode firstMode() const;
-    Status begin(Mode mode);
-    Status endPlay(bool measured);
+    Status begin(Mode mode, bool measured = true);
+    Path recordingFile();
+    Status endPlay();
 
     Status frame(bool measured);
     void readInput();
@@ -118,6 +119,7 @@ class Application {
     std::optional<PhotoMode> photo_; // while the camera is free
     Popups popups_;
     Statistics statistics_; // of the present session
+    int recordings_ = 0;    // begun
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input
     bool leaving_ = false;

@@ -3,12 +3,14 @@
 // expectation was not met, 2 the command line was wrong.
 #include "engine/core/Log.h"
 #include "game/app/MessageBox.h"
+#include "game/app/StopSignals.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 #include "game/tools/NearestWord.h"
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <sstream>
 
@@ -148,7 +150,7 @@ bool playedByAPerson(const PlayOptions& options) {
 
 int runPlay(const PlayOptions& options) {
     const Status played = play(options);
-    const int status = exitStatus(played);
+    const int status = stopSignal() != 0 ? 128 + stopSignal() : exitStatus(played);
     if (!played && playedByAPerson(options) && startedFromMenu())
         showMessageBox("Shoal had to stop: " + played.error().message());
     return status;
@@ -211,4 +213,9 @@ int run(int argc, char** argv) {
 } // namespace
 } // namespace shoal::app
 
-int main(int argc, char** argv) { return shoal::app::run(argc, argv); }
+int main(int argc, char** argv) {
+    // A reader that has gone, or a file that may not grow, is an error of that write.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    return shoal::app::run(argc, argv);
+}

@@ -1,4 +1,5 @@
 // Opens what a dive needs, and plays it.
+#include "engine/core/WriteFile.h"
 #include "game/app/Application.h"
 
 #include "engine/core/Log.h"
@@ -7,11 +8,13 @@
 #include "engine/xr/Headset.h"
 #include "game/app/FlatDisplay.h"
 #include "game/app/HeadsetDisplay.h"
+#include "game/app/StopSignals.h"
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 #include "game/ui/Pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <thread>
@@ -115,7 +118,7 @@ Status Application::openDisplay() {
 bool Application::drawLoading(float progress) {
     if (!window_) return true;
     const platform::WindowInput& input = window_->poll();
-    leaving_ |= input.closing;
+    leaving_ |= input.closing || stopSignal() != 0;
     const glm::ivec2 size = window_->framebufferSize();
     if (!hud_ || size.x <= 0 || size.y <= 0) return !leaving_;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -217,19 +220,24 @@ Status Application::openScene() {
 }
 
 // Before anything is played: what would be written at the end must have a place.
-static Status checkOutputs(const PlayOptions& options) {
+static Status checkOutputsOf(const PlayOptions& options) {
     if (!options.screenshot.empty() && media::writtenAs(options.screenshot) != media::WrittenAs::Png)
         return Error{options.screenshot, "screenshots are PNG files; let the name end in .png"};
-    for (const std::string& file : {options.screenshot, options.record, options.stats})
-        if (!file.empty())
-            if (Status there = checkFolderOf(file); !there) return there;
-    return Done{};
+    const std::string& hands = options.hands.source; // such as replay:FILE
+    const std::array outputs = {NamedFile{"--screenshot", options.screenshot},
+                                NamedFile{"--record", options.record}, NamedFile{"--stats", options.stats}};
+    const EnvironmentOptions& shown = options.environment;
+    const std::array inputs = {NamedFile{"--hands", hands.substr(hands.find(':') + 1)},
+                               NamedFile{"--video", shown.video}, NamedFile{"--photo", shown.photo},
+                               NamedFile{"--env", shown.env}};
+    return checkOutputs(outputs, inputs);
 }
 
 Status play(const PlayOptions& given) {
     PlayOptions options = given;
     if (!options.file.empty()) options.environment = environmentOf(options.file, options.environment);
-    if (Status possible = checkOutputs(options); !possible) return possible;
+    if (Status possible = checkOutputsOf(options); !possible) return possible;
+    noteStopSignals();
     Application application(options);
     if (Status opened = application.open(); !opened) {
         if (application.leaving()) return Done{};

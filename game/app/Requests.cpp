@@ -81,7 +81,7 @@ Status Application::endFirstSteps() {
 
 // Ends the session, opens what these options ask for, and begins there.
 Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
-    if (Status ended = endPlay(true); !ended) return ended;
+    if (Status ended = endPlay(); !ended) return ended;
     const PlayOptions before = std::exchange(options_, wanted);
     const Status opened = openContent();
     return opened ? begin(mode) : goBack(before, opened.error(), asker);

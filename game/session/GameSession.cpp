@@ -35,16 +35,9 @@ Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
 
 HandSource makeSource(const SessionConfig& config) {
     if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
-    if (config.replay) return ReplaySource{*config.replay};
+    if (config.replay) return ReplaySource(*config.replay);
     if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
     return MouseSource(config.rig, config.species);
-}
-
-sim::RecordingHeader headerOf(const game::Dive& dive,
-                              const std::map<std::string, std::string>& inputSettings) {
-    sim::RecordingHeader header = game::recordingHeader(dive);
-    header.settings.insert(inputSettings.begin(), inputSettings.end());
-    return header;
 }
 
 } // namespace
@@ -73,7 +66,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
         config.rules = script->rules;
         config.script = std::move(*script);
     } else if (config.handSource.kind == HandSourceKind::Replay) {
-        auto recording = sim::readRecording(file);
+        auto recording = sim::RecordingReader::open(file);
         if (!recording) return recording.error();
         if (recording->header().inputBytes != game::kTickInputBytes)
             return Error{file, "holds inputs of another kind than this version of the game takes"};
@@ -97,7 +90,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
 
 GameSession::GameSession(const SessionConfig& config)
     : source(makeSource(config)), dive(config.species, config.dive, config.seed, config.rules),
-      recording(headerOf(dive, config.inputSettings), 16384) {
+      inputSettings_(config.inputSettings) {
     if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
         tracked.emplace(config.handSource, config.hands, config.rig, config.live);
     events.reserve(256);
@@ -106,7 +99,7 @@ GameSession::GameSession(const SessionConfig& config)
     shown = after;
 }
 
-void GameSession::tick(bool record, float share, int ticksLeft) {
+void GameSession::tick(float share, int ticksLeft) {
     game::TickInput input;
     if (playedByAPerson(source)) {
         if (auto* mouse = std::get_if<MouseSource>(&source)) mouse->next(input);
@@ -123,11 +116,11 @@ void GameSession::tick(bool record, float share, int ticksLeft) {
     } else if (auto* script = std::get_if<game::ScriptRun>(&source)) {
         script->next(after, input);
     } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
-        if (replay->tick >= replay->recording.ticks()) {
+        if (!replay->next(input)) {
             ended = true;
+            verdict = replay->verdict;
             return;
         }
-        input = game::fromBytes(replay->recording.input(replay->tick).first<game::kTickInputBytes>());
     }
     tickEvents_.clear();
     dive.step(input, tickEvents_);
@@ -135,11 +128,7 @@ void GameSession::tick(bool record, float share, int ticksLeft) {
     dive.snapshot(after);
     ++ticks;
     events.insert(events.end(), tickEvents_.begin(), tickEvents_.end());
-    if (record) {
-        std::array<uint8_t, game::kTickInputBytes> bytes;
-        game::toBytes(input, bytes);
-        recording.add(bytes, dive.stateHash());
-    }
+    if (recording_) addToRecording(input);
     if (auto* script = std::get_if<game::ScriptRun>(&source)) {
         script->observe(tickEvents_, after);
         if (script->finished()) {
@@ -147,24 +136,41 @@ void GameSession::tick(bool record, float share, int ticksLeft) {
             verdict = script->verdict();
         }
     } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
-        const bool comparable = game::hasComparableStates(replay->recording.header());
-        if (Status same = replay->recording.compare(replay->tick, dive.stateHash()); comparable && !same) {
-            ended = true;
-            verdict = same;
-        }
-        ++replay->tick;
-        ended |= replay->tick >= replay->recording.ticks();
+        replay->compare(dive.stateHash());
+        ended |= replay->atEnd();
+        if (ended) verdict = replay->verdict;
     }
 }
 
-void GameSession::advance(double elapsed_s, bool record) {
+Status GameSession::record(const Path& file) {
+    sim::RecordingHeader header = game::recordingHeader(dive);
+    header.settings.insert(inputSettings_.begin(), inputSettings_.end());
+    return sim::RecordingWriter::create(file, header).moveTo(recording_);
+}
+
+void GameSession::addToRecording(const game::TickInput& input) {
+    std::array<uint8_t, game::kTickInputBytes> bytes;
+    game::toBytes(input, bytes);
+    recorded_ = recording_->add(bytes, dive.stateHash());
+    if (recorded_) return;
+    log::error("{}; the recording ends here", recorded_.error().message());
+    recording_.reset();
+}
+
+Status GameSession::endRecording() {
+    if (!recording_) return recorded_;
+    const Status finished = recording_->finish();
+    recording_.reset();
+    return finished;
+}
+
+void GameSession::advance(double elapsed_s) {
     events.clear();
     if (tracked) tracked->frame(elapsed_s);
     const int count = clock.advance(elapsed_s);
     for (int i = 0; i < count && !ended; ++i) {
         const double ticksAfter = static_cast<double>(clock.alpha()) + count - 1 - i; // to this frame
-        tick(record, static_cast<float>(1 - std::min(1.0, ticksAfter / sim::kTickRate_Hz / elapsed_s)),
-             count - i);
+        tick(static_cast<float>(1 - std::min(1.0, ticksAfter / sim::kTickRate_Hz / elapsed_s)), count - i);
     }
     headBefore_ = head;
     game::interpolate(before, after, clock.alpha(), shown);

@@ -27,7 +27,7 @@ struct SessionConfig {
     HandOptions hands; // of the tracking devices
     bool live = true;  // in real time, for somebody who looks on
     std::optional<game::Script> script;
-    std::optional<sim::Recording> replay;
+    std::optional<sim::RecordingReader> replay;
 };
 
 // For a dive in a window: six digits, so that it can be read out and typed.
@@ -39,14 +39,18 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 struct GameSession {
     explicit GameSession(const SessionConfig& config);
 
-    // Steps the ticks that fall into this much time. record: adds them to the recording.
-    void advance(double elapsed_s, bool record);
+    // From now on, every tick is written to that file, until endRecording().
+    Status record(const Path& file);
+    // What kept the recording from being written whole, if anything did.
+    Status endRecording();
+
+    // Steps the ticks that fall into this much time.
+    void advance(double elapsed_s);
 
     HandSource source;
     std::optional<TrackedHands> tracked; // beside the mouse
     game::Dive dive;
     sim::FixedStep clock;
-    sim::Recording recording;
     game::Snapshot before, after, shown;
     game::Events events; // of this frame's ticks
     uint64_t ticks = 0;
@@ -58,7 +62,11 @@ struct GameSession {
   private:
     // share: the tick's time between the frame before (0) and this one (1). ticksLeft: of this frame, with
     // this one.
-    void tick(bool record, float share, int ticksLeft);
+    void tick(float share, int ticksLeft);
+    void addToRecording(const game::TickInput& input);
+    std::map<std::string, std::string> inputSettings_; // for the recording's header
+    std::optional<sim::RecordingWriter> recording_;
+    Status recorded_ = Done{};           // an error: the recording ended there, the game goes on
     std::optional<xr::Pose> headBefore_; // in the last frame
     game::Events tickEvents_;
 };

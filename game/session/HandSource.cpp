@@ -190,4 +190,25 @@ void OpenXrSource::next(game::TickInput& out, float share) const {
             out.hands[side] = hands::between(before_[side], poses_[side], share);
 }
 
+bool ReplaySource::next(game::TickInput& input) {
+    if (atEnd()) return false;
+    const auto tick = recording.next();
+    if (!tick) {
+        verdict = tick.error();
+        return false;
+    }
+    input = game::fromBytes(tick->input.first<game::kTickInputBytes>());
+    hash = tick->hash;
+    return true;
+}
+
+void ReplaySource::compare(uint64_t stateHash) {
+    if (game::hasComparableStates(recording.header()))
+        verdict = sim::sameState(recording.position() - 1, hash, stateHash);
+    if (verdict && recording.atEnd() && !recording.complete())
+        verdict =
+            Error{"", "the recording is cut short or damaged after " + std::to_string(recording.ticks()) +
+                          " ticks; up to there the states are the same"};
+}
+
 } // namespace shoal::app

@@ -56,9 +56,18 @@ class MouseSource {
     bool snapped_ = false;   // the stick has turned the view by a step, and has not come back yet
 };
 
+// The inputs of a recording, whose states it compares with those that follow from them now.
 struct ReplaySource {
-    sim::Recording recording;
-    size_t tick = 0;
+    explicit ReplaySource(sim::RecordingReader from) : recording(std::move(from)) {}
+
+    // False: there is no further input.
+    bool next(game::TickInput& input);
+    void compare(uint64_t stateHash); // of the state after that input
+    bool atEnd() const { return !verdict || recording.atEnd(); }
+
+    sim::RecordingReader recording;
+    uint64_t hash = 0;       // recorded, of the state after the last input
+    Status verdict = Done{}; // so far
 };
 
 // The hand tracking device of a session, which has threads of its own; where it sees no hands, the mouse has
@@ -92,8 +101,8 @@ class TrackedHands {
     std::unique_ptr<hands::HandTracker> tracker_;
     hands::DeviceHands hands_;
     hands::DeviceState state_;
-    hands::HandSourceSelector choice_; // between its hands and the mouse's
-    std::optional<bool> announced_;    // that it is there, or that it is not
+    hands::HandSourceSelector choice_;        // between its hands and the mouse's
+    std::optional<bool> announced_;           // that it is there, or that it is not
     std::array<glm::vec3, 2> towardsElbow_{}; // viewer's frame, eased to and from 0
     std::optional<game::Notice> announcement_;
     double played_s_ = 0, announcedAt_s_ = 0;

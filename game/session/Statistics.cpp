@@ -1,5 +1,7 @@
 #include "game/session/Statistics.h"
 
+#include "engine/core/WriteFile.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,14 @@
 #include "game/settings/KeptFiles.h"
 
-#include "engine/core/Files.h"
+#include "engine/core/JsonBounds.h"
 #include "engine/core/Log.h"
+#include "engine/core/WriteFile.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace shoal::app {
 
@@ -23,9 +26,20 @@ Result<Json> readObject(const Path& file) {
     std::error_code code;
     if (!std::filesystem::exists(file, code)) return Json::object();
     const auto text = readText(file, 1u << 20);
-    auto json = text ? Json::parse(*text, nullptr, false) : Json();
+    // Deep nesting overflows the stack where it is written again.
+    const bool bounded =
+        text && exceededBound(*text, {.depth = 16, .values = 100'000, .objects = 10'000}).empty();
+    auto json = bounded ? Json::parse(*text, nullptr, false) : Json();
     if (!json.is_object()) return Error{file.string(), "cannot be used; move it away to start anew"};
     return json;
+}
+
+// Nothing where the entry is no score that a dive can have.
+std::optional<int> scoreIn(const Json& entry) {
+    constexpr double kMost = 1e6;
+    if (!entry.is_number_integer()) return std::nullopt;
+    const auto value = entry.get<double>();
+    return std::abs(value) <= kMost ? std::optional(static_cast<int>(value)) : std::nullopt;
 }
 
 // Sets one setting from its entry in the file. False: that does not fit.
@@ -97,16 +111,16 @@ DiveScores readScores(const std::string& dive) {
     const auto entry = all->find(dive);
     if (entry == all->end()) return scores;
     const auto add = [&](const Json& score) {
-        if (score.is_number_integer() && scores.top.size() < DiveScores::kKept)
-            scores.top.push_back(score.get<int>());
+        if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
+            scores.top.push_back(*value);
     };
     add(*entry); // earlier versions kept the best one alone
     if (!entry->is_object()) return scores;
     if (const auto top = entry->find("top"); top != entry->end() && top->is_array())
         for (const Json& score : *top) add(score);
     std::ranges::sort(scores.top, std::greater());
-    if (const auto last = entry->find("last"); last != entry->end() && last->is_number_integer())
-        scores.last = last->get<int>();
+    if (const auto last = entry->find("last"); last != entry->end())
+        scores.last = scoreIn(*last).value_or(scores.last);
     return scores;
 }
 

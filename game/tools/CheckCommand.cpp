@@ -61,12 +61,15 @@ Verdict checkToml(const Path& file) {
 }
 
 Verdict checkReplay(const Path& file) {
-    auto recording = sim::readRecording(file);
+    auto recording = sim::RecordingReader::open(file);
     if (!recording) return recording.error();
     if (recording->header().inputBytes != game::kTickInputBytes)
         return Error{file.string(), "holds inputs of another kind than this version of the game takes"};
-    return "a replay of " + counted(recording->ticks(), "tick", "ticks") + " in the dive " +
-           recording->header().dive;
+    const uint64_t ticks = recording->ticks();
+    while (!recording->atEnd())
+        if (const auto tick = recording->next(); !tick) return tick.error();
+    return "a replay of " + counted(ticks, "tick", "ticks") + " in the dive " + recording->header().dive +
+           (recording->complete() ? "" : "; it is cut short, or damaged after these");
 }
 
 struct FileKind {

@@ -1,4 +1,5 @@
 // shoal light: writes what lights the objects in an environment, for other engines and for measuring.
+#include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
 #include "engine/core/Log.h"
@@ -98,9 +99,13 @@ std::string harmonics(const light::EnvironmentLight& made) {
 }
 
 Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
-    const Path folder = options.out;
-    const auto put = [&](const std::string& name, const ImageRgbF& image) {
-        return media::writeHdr(folder / (name + "." + enumName(options.format)), image);
+    std::vector<NamedBytes> files;
+    const auto put = [&](const std::string& stem, const ImageRgbF& image) -> Status {
+        const std::string name = stem + "." + enumName(options.format);
+        auto bytes = media::encodeHdr(name, image);
+        if (!bytes) return bytes.error();
+        files.push_back({name, std::move(*bytes)});
+        return Done{};
     };
     ImageRgbF small(64, 32); // as the thesis has it: what engines take
     fill(small, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
@@ -109,7 +114,8 @@ Status writeAll(const LightOptions& options, const light::EnvironmentLight& made
         const std::string name = fmt::format("glossy_{:.2f}", made.glossy[k].roughness);
         if (Status s = put(name, light::glossyImage(made, k)); !s) return s;
     }
-    return writeFileWhole(folder / "sh.json", harmonics(made));
+    files.push_back({"sh.json", harmonics(made)});
+    return writeFolderWhole(options.out, files);
 }
 
 } // namespace

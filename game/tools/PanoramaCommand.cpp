@@ -1,4 +1,5 @@
 // shoal panorama: grows an ordinary photo to a full environment.
+#include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
 #include "engine/media/Pictures.h"
@@ -27,7 +28,10 @@ Result<std::string> makePanorama(const PanoramaOptions& options) {
     if (media::writtenAs(options.out) == media::WrittenAs::Nothing)
         return Error{options.out, "is of no kind that can be written; use .png or .jpg, or .hdr, .exr or "
                                   ".pfm for a high dynamic range photo"};
-    if (Status there = checkFolderOf(options.out); !there) return there.error();
+    if (Status possible = checkOutputs(std::array{NamedFile{"--out", options.out}},
+                                       std::array{NamedFile{"PHOTO", options.photo}});
+        !possible)
+        return possible.error();
     if (isHdrName(options.photo) && !isHdrName(options.out))
         return Error{options.out, "would lose the photo's high dynamic range; use .hdr, .exr or .pfm"};
     if (!isHdrName(options.photo) && isHdrName(options.out))

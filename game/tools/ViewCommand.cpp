@@ -1,4 +1,5 @@
 // shoal view: any glTF model in any surroundings, as a picture or in a window to turn it in.
+#include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
 #include "engine/gl/Renderer.h"
@@ -355,7 +356,8 @@ Status view(const ViewOptions& options) {
     if (!options.out.empty()) { // before the work
         if (media::writtenAs(options.out) != media::WrittenAs::Png)
             return Error{options.out, "pictures are PNG files; let the name end in .png"};
-        if (Status there = checkFolderOf(options.out); !there) return there;
+        if (Status possible = checkOutputs(std::array{NamedFile{"--out", options.out}}); !possible)
+            return possible;
     }
     Viewer viewer(options);
     if (Status opened = viewer.open(); !opened) return opened;

@@ -1,4 +1,5 @@
 // Whole dives, drawn with the background and its texels by OpenGL and by the processor.
+#include "engine/core/WriteFile.h"
 #include "engine/platform/Headless.h"
 #include "engine/render/software/FrameSampler.h"
 #include "game/session/GameSession.h"
@@ -85,7 +86,7 @@ class Backends : public testing::Test {
 TEST_F(Backends, DrawTheSameDives) {
     GameSession session(*config_);
     for (const double moment_s : {4.0, 11.0, 19.0}) {
-        while (session.shown.time_s < moment_s) session.advance(1.0 / 60, false);
+        while (session.shown.time_s < moment_s) session.advance(1.0 / 60);
         environment_->update(session.shown.time_s, true);
         for (const int eyes : {1, 2})
             for (const Composition composition :
@@ -138,7 +139,7 @@ class ShaderReload : public Backends {
 
 TEST_F(ShaderReload, KeepsTheLastThatWorked) {
     GameSession session(*config_);
-    session.advance(4, false);
+    session.advance(4);
     environment_->update(session.shown.time_s, true);
     const Path file = data_ / "shaders/render/Object.vert";
     const std::string good = readText(file).value();

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "game/playthrough/Script.h"
+#include "tests/Recorded.h"
 
 #include <functional>
 
 namespace shoal::game {
 
 struct Played {
-    sim::Recording recording;
+    tests::Recorded recording;
     Status verdict;
     Snapshot end;
 };
@@ -19,7 +20,7 @@ inline Played playScript(const Script& script, const hands::HandRig& rig, const 
                          const Watch& watch = {}) {
     Dive dive(files.species, files.dive, script.seed, script.rules);
     ScriptRun run(script, rig, files.species);
-    Played played{sim::Recording(recordingHeader(dive)), Done{}, {}};
+    Played played{tests::Recorded(recordingHeader(dive)), Done{}, {}};
     std::array<uint8_t, kTickInputBytes> bytes;
     Events events;
     TickInput input;
@@ -40,7 +41,7 @@ inline Played playScript(const Script& script, const hands::HandRig& rig, const 
 }
 
 // Steps a new dive through the recording; fails at the first tick whose state differs.
-inline Status replay(const sim::Recording& recording, const DiveFiles& files, const Watch& watch = {}) {
+inline Status replay(const tests::Recorded& recording, const DiveFiles& files, const Watch& watch = {}) {
     if (recording.header().inputBytes != kTickInputBytes || recording.header().dive != files.dive.name)
         return Error{"", "the recording is of another dive or version of the game"};
     const auto rules = rulesOf(recording.header());
@@ -51,7 +52,7 @@ inline Status replay(const sim::Recording& recording, const DiveFiles& files, co
     for (size_t tick = 0; tick < recording.ticks(); ++tick) {
         events.clear();
         dive.step(fromBytes(recording.input(tick).first<kTickInputBytes>()), events);
-        if (auto same = recording.compare(tick, dive.stateHash()); !same) return same;
+        if (auto same = sim::sameState(tick, recording.hash(tick), dive.stateHash()); !same) return same;
         if (!watch) continue;
         dive.snapshot(snapshot);
         watch(snapshot, events);

@@ -80,9 +80,9 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     // Through the file, twice: the same state after every tick.
     const tests::ScratchFolder folder;
     const Path file = folder / "played.rec";
-    const Status written = sim::writeRecording(file, played.recording);
+    const Status written = tests::write(file, played.recording);
     ASSERT_TRUE(written) << written.error().message();
-    const auto read = sim::readRecording(file);
+    const auto read = tests::readRecorded(file);
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->ticks(), played.recording.ticks());
     for (int round = 0; round < 2; ++round) {

@@ -4,6 +4,7 @@
 #include "content/make/video/Kept.h"
 #include "content/make/video/Resize.h"
 #include "content/make/video/Scene.h"
+#include "engine/core/WriteFile.h"
 
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/Pictures.h"

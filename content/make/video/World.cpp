@@ -3,6 +3,7 @@
 #include "content/make/video/Ground.h"
 #include "content/make/video/Growth.h"
 #include "content/make/video/Light.h"
+#include "engine/core/WriteFile.h"
 
 #include <glm/gtc/packing.hpp>
 

@@ -1,10 +1,12 @@
 // Hands before a webcam, drawn by ourselves, so that the truth is known: where the palm is, and which
 // gesture. Prints a table.
 #include "HandClip.h"
+#include "engine/core/WriteFile.h"
 #include "engine/sim/Recording.h"
 #include "game/rules/TickInput.h"
 #include "input/hands/HandTracker.h"
 #include "input/hands/webcam/HandDetector.h"
+#include "tests/Recorded.h"
 #include "tests/TestPaths.h"
 #include "tests/TestRig.h"
 
@@ -235,7 +237,7 @@ TEST_F(WebcamClip, PlaysTheGame) {
         at + " --record " + replay.string() + " 2>" + (folder_ / "err.txt").string();
     ASSERT_EQ(std::system(command.c_str()), 0);
     EXPECT_NE(readText(folder_ / "err.txt").value().find("Hands: Webcam"), std::string::npos);
-    const auto recording = sim::readRecording(replay);
+    const auto recording = tests::readRecorded(replay);
     ASSERT_TRUE(recording) << recording.error().message();
     size_t fromWebcam = 0, closed = 0;
     for (size_t tick = 0; tick < recording->ticks(); ++tick) {

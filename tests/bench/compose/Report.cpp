@@ -1,5 +1,6 @@
 #include "tests/bench/compose/Report.h"
 
+#include "engine/core/WriteFile.h"
 #include "engine/media/Pictures.h"
 
 #include <glm/common.hpp>

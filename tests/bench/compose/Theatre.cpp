@@ -18,7 +18,7 @@ void runOn(GameSession& session, double seconds) {
     if (auto* mouse = std::get_if<MouseSource>(&session.source))
         mouse->frame(nullptr, {}, session.shown, static_cast<float>(seconds), glm::radians(kFov_deg),
                      static_cast<float>(kPicture.x) / static_cast<float>(kPicture.y));
-    session.advance(seconds, false);
+    session.advance(seconds);
 }
 
 Result<SceneRenderer> makeSceneRenderer(const SessionConfig& plan, render::Composition composition) {

@@ -1,3 +1,4 @@
+#include "engine/core/WriteFile.h"
 #include "tests/bench/light/Pooled.h"
 #include "tests/bench/light/Tables.h"
 #include "tests/bench/light/Text.h"

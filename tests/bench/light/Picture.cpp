@@ -1,5 +1,6 @@
 #include "tests/bench/light/Picture.h"
 
+#include "engine/core/WriteFile.h"
 #include "tests/bench/light/Pooled.h"
 #include "tests/bench/light/Text.h"
 

@@ -1,6 +1,7 @@
 #include "tests/bench/light/Truth.h"
 
 #include "engine/core/Hash.h"
+#include "engine/core/WriteFile.h"
 #include "tests/baselines/light/Reference.h"
 
 #include <atomic>

@@ -1,5 +1,6 @@
 #include "tests/bench/occlusion/Report.h"
 
+#include "engine/core/WriteFile.h"
 #include "tests/bench/light/Text.h"
 
 #include <algorithm>
@@ -88,10 +89,11 @@ square, the truth being followed for as many bounces.
 }
 
 std::string glossyTable(const OcclusionChart& chart) {
-    std::string out = text("\n## Glossy light, roughness %.2f\n\nEnvironments without point suns; error in %% "
-                           "and ns a receiver, for "
-                           "each scene. Noise of the truth:",
-                           static_cast<double>(kGlossyRoughness));
+    std::string out =
+        text("\n## Glossy light, roughness %.2f\n\nEnvironments without point suns; error in %% "
+             "and ns a receiver, for "
+             "each scene. Noise of the truth:",
+             static_cast<double>(kGlossyRoughness));
     for (const double noise : chart.glossy.noise) out += " " + percent(noise);
     out += " %.\n\n| method |";
     std::string rule = "|---|";

@@ -1,7 +1,7 @@
 // Dives that a modelled person plays, over many seeds: bench_player FOLDER [SEEDS [FIRST [PLAYER [DIVE]]]],
 // of that player alone unless it is "all", in the reef if no dive is named. Prints a table and writes
 // FOLDER/players.tsv, a row a dive.
-#include "engine/core/Files.h"
+#include "engine/core/WriteFile.h"
 #include "tests/bench/player/PlayedDive.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "game/app/Application.h"
 #include "game/rules/TickInput.h"
 #include "game/settings/KeptFiles.h"
+#include "tests/Recorded.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/gamepad/fake/FakeGamepad.h"
 #include "tests/gl/xr/VirtualDisplay.h"
@@ -221,7 +222,7 @@ TEST_F(GamepadProgram, TheRightStickReachesAndTheTriggerClosesByDegrees) {
         p.tap(BTN_START);
         p.choose("Quit");
     });
-    const auto recording = sim::readRecording(o.record);
+    const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording) << recording.error().message();
     float leftmost = 1, rightmost = -1;
     std::vector<float> grips;

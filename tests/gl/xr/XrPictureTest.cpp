@@ -69,7 +69,7 @@ class XrPicture : public test::WithFakeRuntime {
             const Status waited = headset.begin();
             ASSERT_TRUE(waited) << waited.error().message();
             headset.feed(*run_);
-            run_->advance(*headset.elapsed_s(), false);
+            run_->advance(*headset.elapsed_s());
             sceneRenderer_->set(run_->shown, *environment_,
                                 {environment_->toneCurve(Tone::Auto), plan_->dive.exposure_ev});
             const Result<bool> drawn = headset.draw(painter, run_->shown, scale);

@@ -104,7 +104,7 @@ class XrProgram : public test::WithFakeRuntime {
     }
 
     // Lengths of the stretches in which `pause` was held or not, in ticks, beginning with held.
-    static std::vector<int> pauses(const sim::Recording& recording) {
+    static std::vector<int> pauses(const tests::Recorded& recording) {
         std::vector<int> lengths{0};
         bool paused = true;
         for (size_t tick = 0; tick < recording.ticks(); ++tick) {
@@ -128,7 +128,7 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     EXPECT_EQ(outcome.said, "");
     EXPECT_GT(fake.framesWithEyes, 170u);
     EXPECT_EQ(fake.framesEnded, fake.framesWaited);
-    const auto recording = sim::readRecording(o.record);
+    const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording) << recording.error().message();
     // From the first frame's time to the last one's, when it was told to leave.
     EXPECT_EQ(recording->ticks(), 180u * 120 / 72);
@@ -147,7 +147,7 @@ TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
     o.record = folder_ / "a.replay";
     const Outcome outcome = run(o, 270);
     EXPECT_EQ(outcome.status, 0) << outcome.said;
-    const auto recording = sim::readRecording(o.record);
+    const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording);
     const std::vector<int> lengths = pauses(*recording);
     ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
@@ -179,7 +179,7 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     o.record = folder_ / "a.replay";
     const Outcome outcome = run(o, 150);
     EXPECT_EQ(outcome.status, 0) << outcome.said;
-    const auto recording = sim::readRecording(o.record);
+    const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording);
     const auto input = [&](size_t tick) {
         return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
@@ -212,7 +212,7 @@ TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
     PlayOptions o = options();
     o.record = folder_ / "a.replay";
     EXPECT_EQ(run(o, 120).status, 0);
-    const auto recording = sim::readRecording(o.record);
+    const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording);
     const auto input = [&](size_t tick) {
         return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());

@@ -134,7 +134,7 @@ class TrackedHands : public testing::Test {
     };
     Story story() const {
         Story out;
-        const auto recording = sim::readRecording(replayFile());
+        const auto recording = tests::readRecorded(replayFile());
         EXPECT_TRUE(recording) << recording.error().message();
         const auto files = game::loadDiveFiles("ring", folder_ / "content");
         EXPECT_TRUE(files) << files.error().message();
@@ -195,7 +195,7 @@ TEST_F(TrackedHands, TheSameServiceGivesTheSameGame) {
         Server server;
         server.say(messages);
         ASSERT_EQ(run(play(server, 1.4, seed)), 0) << said();
-        const auto recording = sim::readRecording(replayFile());
+        const auto recording = tests::readRecorded(replayFile());
         ASSERT_TRUE(recording);
         for (size_t i = 0; i < recording->ticks(); ++i) run_.push_back(recording->hash(i));
     }

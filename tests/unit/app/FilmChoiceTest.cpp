@@ -1,4 +1,5 @@
 // Slow machines play the small version of a film where there is one.
+#include "engine/core/WriteFile.h"
 #include "game/views/Environment.h"
 
 #include "tests/TestPaths.h"

@@ -1,6 +1,6 @@
 // Settings and scores survive between games, and a damaged file is neither believed nor overwritten.
 #include "game/settings/KeptFiles.h"
-#include "engine/core/Files.h"
+#include "engine/core/WriteFile.h"
 #include "game/session/Statistics.h"
 #include "game/settings/PlayOptions.h"
 #include "tests/TestPaths.h"

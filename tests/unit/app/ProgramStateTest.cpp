@@ -1,6 +1,7 @@
 // What keys and the dive itself do in each state of the program, and which pages stand over the picture then.
 #include "game/app/FrameClock.h"
 #include "game/app/ProgramStates.h"
+#include "tests/Recorded.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
@@ -99,7 +100,9 @@ TEST_F(ProgramStatesTest, ResultsKeepTheScoreAndLeadToTheTitle) {
 }
 
 TEST_F(ProgramStatesTest, AReplayCannotBePausedOnlyLeft) {
-    session_.source = ReplaySource{sim::Recording(session_.recording.header(), 0)};
+    tests::ScratchFolder folder;
+    ASSERT_TRUE(tests::write(folder / "a.replay", tests::Recorded(game::recordingHeader(session_.dive))));
+    session_.source = ReplaySource(sim::RecordingReader::open(folder / "a.replay").value());
     states_->input({}, true, leaving_);
     EXPECT_FALSE(session_.paused);
     press(Action::Pause);

@@ -1,4 +1,5 @@
 // The videos that come with the game are what the game, and other players, take them for.
+#include "engine/core/WriteFile.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/VideoPlayer.h"

@@ -1,7 +1,7 @@
-#include "engine/core/Files.h"
 #include "engine/core/Hash.h"
 #include "engine/core/Random.h"
 #include "engine/core/ThreadPool.h"
+#include "engine/core/WriteFile.h"
 #include "tests/TestPaths.h"
 
 #include <gtest/gtest.h>
@@ -88,36 +88,6 @@ class Files : public testing::Test {
   protected:
     tests::ScratchFolder folder_;
 };
-
-TEST_F(Files, WritesWholeAndReadsBack) {
-    const Path file = folder_ / "below" / "a.txt";
-    ASSERT_TRUE(writeFileWhole(file, "one"));
-    ASSERT_TRUE(writeFileWhole(file, "two"));
-    EXPECT_EQ(readText(file).value(), "two");
-    // Nothing half written stays beside it.
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1);
-}
-
-TEST_F(Files, AFailedWriteLeavesWhatIsThere) {
-    const Path folder = folder_ / "a.txt"; // a file cannot replace it
-    ASSERT_TRUE(writeFileWhole(folder / "b.txt", "old"));
-    const Status status = writeFileWhole(folder, "new");
-    ASSERT_FALSE(status);
-    EXPECT_EQ(status.error().path, folder.string());
-    EXPECT_EQ(readText(folder / "b.txt").value(), "old");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
-}
-
-TEST_F(Files, TheFolderOfAFileToBeWrittenMustBeThere) {
-    EXPECT_TRUE(checkFolderOf("a.txt")); // here
-    EXPECT_TRUE(checkFolderOf(folder_ / "a.txt"));
-    const Status missing = checkFolderOf(folder_ / "none" / "a.txt");
-    ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().message(),
-              (folder_ / "none/a.txt").string() + ": there is no folder " + (folder_ / "none").string());
-    ASSERT_TRUE(writeFileWhole(folder_ / "file", ""));
-    EXPECT_FALSE(checkFolderOf(folder_ / "file" / "a.txt"));
-}
 
 TEST_F(Files, SaysWhyItCannotRead) {
     EXPECT_NE(readText(folder_ / "none").error().reason.find("no such file"), std::string::npos);

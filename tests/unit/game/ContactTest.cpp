@@ -535,7 +535,7 @@ TEST(Contact, IsDeterministicRunTwiceRecordedAndReplayed) {
         return input;
     };
     Dive first(cove().species, cove().dive, 6), second(cove().species, cove().dive, 6);
-    sim::Recording recording(recordingHeader(first));
+    tests::Recorded recording(recordingHeader(first));
     Snapshot now;
     Events events;
     std::array<uint8_t, kTickInputBytes> bytes;

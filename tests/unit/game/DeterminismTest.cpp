@@ -1,6 +1,7 @@
 // Equal inputs, equal states: over runs and over recordings.
 #include "Fixture.h"
 #include "game/rules/ReachHelp.h"
+#include "tests/Recorded.h"
 
 #include <gtest/gtest.h>
 
@@ -37,9 +38,9 @@ TEST(Determinism, TwoDivesWithTheSameSeedAgreeAtEveryTickAndOthersDoNot) {
 
 TEST(Determinism, AReplayedInputOfOtherBitsIsFoundAtItsTick) {
     const Played played = playScript(busyScript(), rig(), cove());
-    const sim::Recording& good = played.recording;
+    const tests::Recorded& good = played.recording;
     ASSERT_TRUE(replay(good, cove()));
-    sim::Recording bad(good.header());
+    tests::Recorded bad(good.header());
     for (size_t tick = 0; tick < good.ticks(); ++tick) {
         std::vector<uint8_t> input(good.input(tick).begin(), good.input(tick).end());
         if (tick == 321) {

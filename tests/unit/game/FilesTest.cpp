@@ -1,5 +1,6 @@
 // Species, dives and scripts as files: what is wrong is named with its line.
 #include "Fixture.h"
+#include "engine/core/WriteFile.h"
 #include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // Parts of the simulation one by one, each given its inputs by hand.
 #include "Fixture.h"
+#include "engine/core/WriteFile.h"
 
 #include "game/rules/Catching.h"
 #include "game/rules/FishBehaviour.h"

@@ -1,3 +1,4 @@
+#include "engine/core/WriteFile.h"
 #include "input/hands/HandRig.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"

@@ -1,93 +1,211 @@
 #include "engine/sim/Recording.h"
 
 #include "engine/core/Random.h"
+#include "tests/Recorded.h"
 #include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace shoal::sim {
 namespace {
 
 using testing::HasSubstr;
+using tests::Recorded;
 
-Recording sample(size_t ticks) {
+constexpr size_t kBlockTicks = 120, kInputBytes = 37;
+
+Recorded sample(size_t ticks) {
     RecordingHeader header;
     header.seed = 0xffffffffffffffffull;
     header.dive = "reef";
-    header.inputBytes = 37;
-    Recording recording(header, ticks);
+    header.inputBytes = kInputBytes;
+    Recorded recorded(header);
     Random random(3);
-    std::vector<uint8_t> input(37);
+    std::vector<uint8_t> input(kInputBytes);
     for (size_t i = 0; i < ticks; ++i) {
-        input[random.below(37)] = static_cast<uint8_t>(random.next());
-        recording.add(input, (uint64_t{random.next()} << 32) | random.next());
+        input[random.below(kInputBytes)] = static_cast<uint8_t>(random.next());
+        recorded.add(input, (uint64_t{random.next()} << 32) | random.next());
     }
-    return recording;
+    return recorded;
+}
+
+// The first ticks are those of `whole`.
+void expectBeginOf(const Recorded& whole, const Recorded& read) {
+    ASSERT_LE(read.ticks(), whole.ticks());
+    for (size_t i = 0; i < read.ticks(); ++i) {
+        EXPECT_TRUE(std::ranges::equal(read.input(i), whole.input(i))) << i;
+        EXPECT_EQ(read.hash(i), whole.hash(i)) << i;
+    }
 }
 
 class RecordingFile : public testing::Test {
   protected:
     tests::ScratchFolder folder_;
     std::string bytes() { return readText(file_).value(); }
-    void write(const std::string& text) { ASSERT_TRUE(writeFileWhole(file_, text)); }
-    Path file_ = folder_ / "a.rec";
+    void write(const std::string& text) { std::ofstream(file_, std::ios::binary) << text; }
+    Path file_ = folder_ / "a.replay";
 };
 
 TEST_F(RecordingFile, ComesBackEqual) {
-    for (size_t ticks : {0u, 1u, 500u}) {
-        const Recording out = sample(ticks);
-        ASSERT_TRUE(writeRecording(file_, out));
-        const auto in = readRecording(file_);
+    for (size_t ticks : {size_t{0}, size_t{1}, kBlockTicks - 1, kBlockTicks, kBlockTicks + 1, size_t{500}}) {
+        const Recorded out = sample(ticks);
+        ASSERT_TRUE(tests::write(file_, out));
+        const auto reader = RecordingReader::open(file_);
+        ASSERT_TRUE(reader) << reader.error().message();
+        EXPECT_TRUE(reader->complete());
+        EXPECT_EQ(reader->header(), out.header());
+        EXPECT_EQ(reader->ticks(), ticks);
+        const auto in = tests::readAll(*reader);
         ASSERT_TRUE(in) << in.error().message();
-        EXPECT_EQ(in->header(), out.header());
-        ASSERT_EQ(in->ticks(), ticks);
-        for (size_t i = 0; i < ticks; ++i) {
-            EXPECT_TRUE(std::ranges::equal(in->input(i), out.input(i))) << i;
-            EXPECT_EQ(in->hash(i), out.hash(i));
-        }
+        EXPECT_EQ(in->ticks(), ticks);
+        expectBeginOf(out, *in);
     }
 }
 
-TEST_F(RecordingFile, EveryTruncationIsAnError) {
-    ASSERT_TRUE(writeRecording(file_, sample(20)));
-    const std::string whole = bytes();
-    for (size_t length = 0; length < whole.size(); ++length) {
+// Written by the version of the game before this format: 130 ticks of sample(), in one block.
+TEST_F(RecordingFile, Version1IsRead) {
+    const auto in = tests::readRecorded(tests::sourceFolder() / "tests/unit/sim/version1.replay");
+    ASSERT_TRUE(in) << in.error().message();
+    const Recorded out = sample(130);
+    EXPECT_EQ(in->header(), out.header());
+    EXPECT_EQ(in->ticks(), 130u);
+    expectBeginOf(out, *in);
+}
+
+TEST_F(RecordingFile, Version1OfAnyOtherLengthIsAnError) {
+    const std::string whole = readText(tests::sourceFolder() / "tests/unit/sim/version1.replay").value();
+    for (size_t length = 0; length < whole.size(); length += 7) {
         write(whole.substr(0, length));
-        EXPECT_FALSE(readRecording(file_)) << length << " of " << whole.size() << " bytes";
+        EXPECT_FALSE(RecordingReader::open(file_)) << length;
     }
     write(whole + "x");
-    EXPECT_FALSE(readRecording(file_));
+    EXPECT_FALSE(RecordingReader::open(file_));
 }
 
-TEST_F(RecordingFile, EveryFlippedBitIsAnError) {
-    ASSERT_TRUE(writeRecording(file_, sample(10)));
+TEST_F(RecordingFile, OneThatIsCutIsReadUpToItsLastWholeBlock) {
+    const Recorded out = sample(3 * kBlockTicks + 5);
+    ASSERT_TRUE(tests::write(file_, out));
+    const std::string whole = bytes();
+    uint64_t before = 0;
+    for (size_t length = 0; length < whole.size();
+         length += length < 200 || length + 40 > whole.size() ? 1 : 11) {
+        write(whole.substr(0, length));
+        const auto reader = RecordingReader::open(file_);
+        if (!reader) {
+            EXPECT_EQ(before, 0u) << length;
+            continue;
+        }
+        EXPECT_FALSE(reader->complete()) << length;
+        EXPECT_TRUE(reader->ticks() % kBlockTicks == 0 || reader->ticks() == out.ticks()) << length;
+        EXPECT_GE(reader->ticks(), before);
+        before = reader->ticks();
+        const auto in = tests::readAll(*reader);
+        ASSERT_TRUE(in) << in.error().message();
+        expectBeginOf(out, *in);
+    }
+    EXPECT_EQ(before, out.ticks()); // the mark of its end alone was missing
+    write(whole + "x");
+    EXPECT_FALSE(RecordingReader::open(file_)->complete());
+}
+
+// Ticks before the damage are right, and it is never taken for whole.
+TEST_F(RecordingFile, NoFlippedBitGoesUnseen) {
+    const Recorded out = sample(kBlockTicks + 10);
+    ASSERT_TRUE(tests::write(file_, out));
     const std::string whole = bytes();
     for (size_t at = 0; at < whole.size(); ++at) {
         std::string bad = whole;
         bad[at] = static_cast<char>(bad[at] ^ (1 << (at % 8)));
         write(bad);
-        const auto read = readRecording(file_);
-        // The tick count alone lies outside the checksum; it is checked against the unpacked length.
-        EXPECT_FALSE(read) << "byte " << at;
+        const auto reader = RecordingReader::open(file_);
+        if (!reader) continue;
+        EXPECT_FALSE(reader->complete()) << "byte " << at;
+        const auto in = tests::readAll(*reader);
+        ASSERT_TRUE(in) << in.error().message();
+        expectBeginOf(out, *in);
     }
 }
 
 TEST_F(RecordingFile, LimitsHoldBeforeMemoryIsTaken) {
-    ASSERT_TRUE(writeRecording(file_, sample(100)));
-    const auto read = readRecording(file_, 100 * 45 - 1);
+    ASSERT_TRUE(tests::write(file_, sample(100)));
+    const auto read = RecordingReader::open(file_, kBlockTicks * (kInputBytes + 8) - 1);
     ASSERT_FALSE(read);
-    EXPECT_THAT(read.error().message(), HasSubstr("more ticks than are allowed"));
-    EXPECT_FALSE(readRecording(file_.string() + ".absent"));
+    EXPECT_THAT(read.error().message(), HasSubstr("more input than is allowed"));
+    const auto old = RecordingReader::open(tests::sourceFolder() / "tests/unit/sim/version1.replay",
+                                           130 * (kInputBytes + 8) - 1);
+    ASSERT_FALSE(old);
+    EXPECT_THAT(old.error().message(), HasSubstr("more ticks than are allowed"));
+    EXPECT_FALSE(RecordingReader::open(file_.string() + ".absent"));
+    EXPECT_FALSE(RecordingReader::open(folder_.path()));
 }
 
-TEST(Recording, NamesTheFirstTickThatDiffers) {
-    const Recording recording = sample(10);
-    for (size_t i = 0; i < 10; ++i) EXPECT_TRUE(recording.compare(i, recording.hash(i)));
-    const Status differs = recording.compare(7, recording.hash(7) + 1);
+TEST_F(RecordingFile, CopiesReadOnByThemselves) {
+    ASSERT_TRUE(tests::write(file_, sample(300)));
+    auto first = RecordingReader::open(file_).value();
+    for (int i = 0; i < 130; ++i) ASSERT_TRUE(first.next());
+    auto second = first;
+    const auto a = tests::readAll(first), b = tests::readAll(second);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->ticks(), 170u);
+    expectBeginOf(*a, *b);
+}
+
+// A process that is killed has recorded all but its last second.
+TEST_F(RecordingFile, SurvivesItsWriter) {
+    const Recorded out = sample(5 * kBlockTicks + 60);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        auto writer = RecordingWriter::create(file_, out.header());
+        for (size_t i = 0; writer && i < out.ticks(); ++i)
+            if (!writer->add(out.input(i), out.hash(i))) break;
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    const auto reader = RecordingReader::open(file_);
+    ASSERT_TRUE(reader) << reader.error().message();
+    EXPECT_FALSE(reader->complete());
+    EXPECT_EQ(reader->ticks(), 5 * kBlockTicks);
+    expectBeginOf(out, tests::readAll(*reader).value());
+}
+
+// The disk is full after so many bytes: each byte of the file once.
+TEST_F(RecordingFile, AFullDiskIsSaidAndWhatIsWholeIsRead) {
+    const Recorded out = sample(2 * kBlockTicks + 30);
+    ASSERT_TRUE(tests::write(file_, out));
+    const auto size = std::filesystem::file_size(file_);
+    for (uint64_t room = 0; room < size; room += 61) {
+        std::filesystem::remove(file_);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const rlimit limit{room, room};
+            ::signal(SIGXFSZ, SIG_IGN);
+            ::setrlimit(RLIMIT_FSIZE, &limit);
+            ::_exit(tests::write(file_, out) ? 1 : 0);
+        }
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0)
+            << "said to be written into " << room << " bytes";
+        const auto reader = RecordingReader::open(file_);
+        if (!reader) continue;
+        EXPECT_FALSE(reader->complete());
+        expectBeginOf(out, tests::readAll(*reader).value());
+    }
+}
+
+TEST(Recording, NamesTheTickThatDiffers) {
+    EXPECT_TRUE(sameState(7, 3, 3));
+    const Status differs = sameState(7, 3, 4);
     ASSERT_FALSE(differs);
     EXPECT_THAT(differs.error().reason, HasSubstr("tick 7"));
-    EXPECT_FALSE(recording.compare(10, 0));
 }
 
 } // namespace

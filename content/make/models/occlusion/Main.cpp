@@ -1,5 +1,6 @@
 // Makes content/models/*.occlusion.json: make_occlusion MODELS. Same program, same bytes.
 #include "content/make/models/occlusion/HandOcclusion.h"
+#include "engine/core/WriteFile.h"
 
 #include <algorithm>
 #include <cstdio>

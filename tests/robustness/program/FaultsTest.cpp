@@ -1,0 +1,202 @@
+// The program on a full disk, stopped or killed, and with outputs that are no ordinary files: nothing is lost
+// but what was not done yet, and it is said.
+#include "engine/core/Files.h"
+#include "tests/Recorded.h"
+#include "tests/TestPaths.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <functional>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace shoal {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Faults : public testing::Test {
+  protected:
+    // Its standard error goes to err.txt. before: in the child.
+    pid_t start(
+        std::vector<std::string> words, const std::function<void()>& before = [] {}) const {
+        words.insert(words.begin(), tests::program());
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        const pid_t child = ::fork();
+        if (child != 0) return child;
+        ::setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
+        ::setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+        ::unsetenv("DISPLAY");
+        ::unsetenv("WAYLAND_DISPLAY");
+        const int err = ::open((folder_ / "err.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        ::dup2(err, STDERR_FILENO);
+        ::dup2(::open("/dev/null", O_RDWR), STDOUT_FILENO);
+        ::alarm(120);
+        before();
+        ::execv(arguments[0], arguments.data());
+        ::_exit(127);
+    }
+    // Its exit status, or minus the signal that ended it.
+    static int end(pid_t child) {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
+    int run(
+        std::vector<std::string> words, const std::function<void()>& before = [] {}) const {
+        return end(start(std::move(words), before));
+    }
+    std::string said() const { return readText(folder_ / "err.txt").value(); }
+    std::vector<std::string> play(std::vector<std::string> more) const {
+        std::vector<std::string> words = {"play", "--headless", "--backdrop-only", "--size", "32x18"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    std::string script() const {
+        return "script:" + (tests::sourceFolder() / "tests/bench/looking_around.toml").string();
+    }
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    void put(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+
+    // Has recorded for so many seconds of play.
+    void awaitRecording(pid_t child, uint64_t seconds) const {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        while (std::chrono::steady_clock::now() < until && ::waitpid(child, nullptr, WNOHANG) == 0) {
+            const auto reader = sim::RecordingReader::open(folder_ / "a.replay");
+            if (reader && reader->ticks() >= seconds * sim::kTickRate_Hz) return;
+            std::this_thread::yield();
+        }
+        ADD_FAILURE() << "it does not record: " << said();
+    }
+
+    tests::ScratchFolder folder_;
+};
+
+void limitFiles(uint64_t bytes) {
+    const rlimit limit{bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+// A session that is asked to stop writes what it was to leave, and the recording is whole.
+TEST_F(Faults, SignalsEndADiveInOrder) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const pid_t child = start(play(
+            {"--hands", script(), "--fps", "30", "--record", file("a.replay"), "--stats", file("s.json")}));
+        awaitRecording(child, 2);
+        ::kill(child, signal);
+        EXPECT_EQ(end(child), 128 + signal) << said();
+        const auto recorded = tests::readRecorded(folder_ / "a.replay");
+        ASSERT_TRUE(recorded) << recorded.error().message();
+        EXPECT_THAT(readText(folder_ / "s.json").value(),
+                    HasSubstr("\"ticks\": " + std::to_string(recorded->ticks()) + ","));
+        EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay")})), 0) << said();
+        fs::remove(folder_ / "a.replay");
+    }
+}
+
+// What was recorded before a crash shows the way to it.
+TEST_F(Faults, AKilledDiveLeavesItsRecording) {
+    const pid_t child = start(play({"--hands", script(), "--fps", "30", "--record", file("a.replay")}));
+    awaitRecording(child, 3);
+    ::kill(child, SIGKILL);
+    EXPECT_EQ(end(child), -SIGKILL);
+    EXPECT_EQ(run({"check", file("a.replay")}), 0) << said();
+    EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay")})), 1);
+    EXPECT_THAT(said(), HasSubstr("cut short"));
+    EXPECT_THAT(said(), HasSubstr("up to there the states are the same"));
+}
+
+TEST_F(Faults, ADiveGoesOnWhenItsRecordingNoLongerFits) {
+    const std::vector<std::string> words =
+        play({"--hands", script(), "--at", "4", "--screenshot", file("a.png"), "--record", file("a.replay")});
+    EXPECT_EQ(run(words, [] { limitFiles(8192); }), 1);
+    EXPECT_THAT(said(), HasSubstr("a.replay: cannot be written: File too large; the recording ends here"));
+    EXPECT_TRUE(fs::exists(folder_ / "a.png")) << "it was played to its end";
+    const auto reader = sim::RecordingReader::open(folder_ / "a.replay");
+    ASSERT_TRUE(reader) << reader.error().message();
+    EXPECT_FALSE(reader->complete());
+}
+
+TEST_F(Faults, AFullDiskLeavesOldLightAndPicturesAlone) {
+    const std::string film = (tests::sourceFolder() / "content/truth/reef_0120.hdr").string();
+    for (const std::string format : {"hdr", "exr"}) {
+        EXPECT_EQ(run({"light", film, "--out", file("new"), "--format", format}, [] { limitFiles(4096); }),
+                  1);
+        EXPECT_THAT(said(), HasSubstr("cannot be"));
+        EXPECT_FALSE(fs::exists(folder_ / "new"));
+        fs::create_directory(folder_ / "old");
+        put("old/diffuse." + format, "old");
+        EXPECT_EQ(run({"light", film, "--out", file("old"), "--format", format}, [] { limitFiles(4096); }),
+                  1);
+        EXPECT_EQ(readText(folder_ / ("old/diffuse." + format)).value(), "old");
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "old"), {}), 1);
+        fs::remove_all(folder_ / "old");
+    }
+    put("out.hdr", "old");
+    EXPECT_EQ(run({"panorama", film, "--out", file("out.hdr")}, [] { limitFiles(65536); }), 1);
+    EXPECT_EQ(readText(folder_ / "out.hdr").value(), "old");
+}
+
+TEST_F(Faults, OutputsAreNeitherOneFileNorAnInput) {
+    EXPECT_EQ(run(play({"--stats", file("a"), "--record", file("a")})), 1);
+    EXPECT_THAT(said(), HasSubstr("--record and --stats name the same file"));
+    put("a.replay", "precious");
+    EXPECT_EQ(run(play({"--hands", "replay:" + file("a.replay"), "--record", file("a.replay")})), 1);
+    EXPECT_THAT(said(), HasSubstr("--record would overwrite what --hands reads"));
+    EXPECT_EQ(readText(folder_ / "a.replay").value(), "precious");
+    EXPECT_EQ(run({"panorama", file("a.png"), "--out", file("a.png")}), 1);
+    EXPECT_THAT(said(), HasSubstr("would overwrite"));
+}
+
+TEST_F(Faults, StatisticsGoThroughDevicesPipesAndLinks) {
+    ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+    std::string read;
+    std::thread reader([&] {
+        std::ifstream stream(folder_ / "pipe");
+        std::getline(stream, read, '\0');
+    });
+    EXPECT_EQ(run(play({"--at", "0.1", "--stats", file("pipe"), "--record", "/dev/null"})), 0) << said();
+    reader.join();
+    EXPECT_THAT(read, HasSubstr("state_hash"));
+    EXPECT_TRUE(fs::is_fifo(folder_ / "pipe"));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    fs::create_symlink("target", folder_ / "link");
+    EXPECT_EQ(run(play({"--at", "0.1", "--stats", file("link")})), 0) << said();
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_THAT(readText(folder_ / "target").value(), HasSubstr("state_hash"));
+    EXPECT_EQ(run(play({"--at", "0.1", "--stats", "/dev/full"})), 1);
+    EXPECT_THAT(said(), HasSubstr("/dev/full: cannot be written"));
+}
+
+// Twenty files may be open at once: it plays, or says what is missing.
+TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
+    for (const rlim_t files : {8, 12, 16, 20, 40}) {
+        const int status = run(play({"--at", "0.5", "--stats", file("s.json")}), [&] {
+            const rlimit limit{files, files};
+            ::setrlimit(RLIMIT_NOFILE, &limit);
+        });
+        EXPECT_TRUE(status == 0 || (status == 1 && !said().empty()) || status == 127)
+            << status << ": " << said();
+        if (files >= 40) {
+            EXPECT_EQ(status, 0) << said();
+        }
+    }
+}
+
+} // namespace
+} // namespace shoal
