@@ -11,7 +11,7 @@
 // 2. Lasting touch (ContactWorld.h). A contact keeps the side on which it began while the bone sinks in, as
 //    the god-object of Zilles and Salisbury 1995, "A constraint-based god-object method for haptic display":
 //    the depth grows on past the body's axis, and no push ever flips. A pair found inside one another without
-//    a past is pushed apart along the line of nearest points, or across both axes where these cross (by Bullet).
+//    a past is pushed apart along the line of nearest points, or across both axes where these cross.
 // 3. Pushing (ContactWorld.h). A bone is infinitely heavy and gives no bounce: a body leaves a contact as
 //    fast as the bone comes. Contacts that contradict one another (a fish between two hands) share by
 //    regularised projected Gauss-Seidel (Catto 2005, "Iterative Dynamics with Temporal Coherence"). What

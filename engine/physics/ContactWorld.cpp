@@ -1,7 +1,5 @@
 #include "engine/physics/ContactWorld.h"
 
-#include <btBulletCollisionCommon.h>
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -56,45 +54,15 @@ struct Pair {
           at(nearest(m.after, b.after)), apart(at.onSecond - at.onFirst) {}
 };
 
-// A capsule for Bullet: along Y about its middle.
-struct BulletCapsule {
-    btCapsuleShape shape;
-    btCollisionObject object;
-
-    explicit BulletCapsule(const Capsule& c) : shape(c.radius, glm::distance(c.a, c.b)) {
-        const glm::vec3 along = c.b - c.a, centre = middle(c);
-        btTransform& place = object.getWorldTransform();
-        place.setIdentity();
-        place.setOrigin({centre.x, centre.y, centre.z});
-        if (const float length = glm::length(along); length > 1e-6f)
-            place.setRotation(shortestArcQuat({0, 1, 0}, btVector3(along.x, along.y, along.z) / length));
-        object.setCollisionShape(&shape);
-    }
-};
-
-struct DeepestPoint : btCollisionWorld::ContactResultCallback {
-    btScalar distance = 0;
-    btVector3 normal{0, 1, 0};
-
-    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
-                             const btCollisionObjectWrapper*, int, int) override {
-        if (point.getDistance() < distance) normal = point.m_normalWorldOnB;
-        distance = std::min(distance, point.getDistance());
-        return 0;
-    }
-};
-
-// The shortest way out of two capsules whose axes cross. Either sense is as short. So rare that Bullet's
-// world is made for it alone.
+// The shortest way out of two capsules whose axes cross: across both, or, where they lie along one line,
+// across the longer. Either sense is as short.
 glm::vec3 wayOut(const Capsule& first, const Capsule& second) {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btCollisionWorld world(&dispatcher, &broadphase, &configuration);
-    BulletCapsule a(first), b(second);
-    DeepestPoint deepest;
-    world.contactPairTest(&a.object, &b.object, deepest);
-    return glm::normalize(glm::vec3(deepest.normal.x(), deepest.normal.y(), deepest.normal.z()));
+    const glm::vec3 d1 = first.b - first.a, d2 = second.b - second.a;
+    const glm::vec3 longer = glm::dot(d1, d1) > glm::dot(d2, d2) ? d1 : d2, across = glm::cross(d1, d2);
+    if (glm::length(across) > 1e-4f * glm::dot(longer, longer)) return glm::normalize(across);
+    const glm::vec3 level =
+        glm::cross(longer, std::abs(longer.y) < std::abs(longer.x) ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+    return glm::dot(level, level) > 0 ? glm::normalize(level) : glm::vec3(0, 1, 0);
 }
 
 // A lasting contact keeps its side; its normal turns towards the line of nearest points where that is

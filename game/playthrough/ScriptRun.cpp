@@ -1,6 +1,7 @@
 // How a script's player moves.
 #include "game/playthrough/Script.h"
 
+#include "engine/math/Trigonometry.h"
 #include "game/rules/Steering.h"
 #include "input/hands/MouseHands.h"
 
@@ -56,8 +57,8 @@ void ScriptRun::moveHand(int h, glm::vec3 goalWorld, float speed) {
 }
 
 void ScriptRun::lookTowards(glm::vec3 direction) {
-    const float goalYaw = std::atan2(direction.x, -direction.z);
-    const float goalPitch = std::atan2(direction.y, std::hypot(direction.x, direction.z));
+    const float goalYaw = math::arcTangent(direction.x, -direction.z);
+    const float goalPitch = math::arcTangent(direction.y, glm::length(glm::vec2(direction.x, direction.z)));
     const float turn = std::remainder(goalYaw - yaw_, 2 * kPi);
     yaw_ += std::clamp(turn, -kHeadSpeed_radps * kDt, kHeadSpeed_radps * kDt);
     pitch_ = towards(pitch_, std::clamp(goalPitch, -1.2f, 1.2f), kHeadSpeed_radps * kDt);
@@ -68,7 +69,8 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     int best = -1;
     float bestCost = std::numeric_limits<float>::max();
     for (const CreatureView& creature : now.creatures) {
-        if (!isCatchable(species_[creature.species]) || creature.heldBy >= 0 || creature.gait.motion == Motion::Struggle)
+        if (!isCatchable(species_[creature.species]) || creature.heldBy >= 0 ||
+            creature.gait.motion == Motion::Struggle)
             continue;
         if (step.kind != "any" && species_[creature.species].name != step.kind) continue;
         const int id = static_cast<int>(creature.id);
@@ -116,8 +118,8 @@ bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
 }
 
 bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s) {
-    glm::vec3 direction(std::sin(step.yaw) * std::cos(step.pitch), std::sin(step.pitch),
-                        -std::cos(step.yaw) * std::cos(step.pitch));
+    glm::vec3 direction(math::sine(step.yaw) * math::cosine(step.pitch), math::sine(step.pitch),
+                        -math::cosine(step.yaw) * math::cosine(step.pitch));
     if (step.at == ScriptStep::At::Shark) {
         if (const CreatureView* shark = sharkOf(now, species_)) direction = shark->position;
     } else if (step.at == ScriptStep::At::Fish) {
@@ -249,7 +251,7 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     if (!finished_) performStep(now, out);
 
     const glm::quat worldFromView =
-        glm::normalize(glm::angleAxis(-yaw_, kUp) * glm::angleAxis(pitch_, glm::vec3(1, 0, 0)));
+        glm::normalize(math::rotationAbout(kUp, -yaw_) * math::rotationAbout(glm::vec3(1, 0, 0), pitch_));
     out.worldFromView = worldFromView;
     for (int h = 0; h < 2; ++h) {
         ScriptHand& hand = hands_[h];

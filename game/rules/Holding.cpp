@@ -1,6 +1,6 @@
 #include "game/rules/Holding.h"
 
-#include "engine/math/Sine.h"
+#include "engine/math/Trigonometry.h"
 #include "engine/physics/ContactModel.h"
 #include "engine/physics/Grip.h"
 #include "game/rules/Hand.h"

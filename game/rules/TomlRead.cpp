@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace shoal::game {
 
 void TomlMistake::complain(const toml::node* where, std::string reason) {

@@ -6,6 +6,7 @@
 #include "engine/core/Files.h"
 #include "engine/core/Result.h"
 
+#include <glm/vec3.hpp>
 #include <toml++/toml.h>
 
 #include <functional>

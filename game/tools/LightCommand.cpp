@@ -98,6 +98,16 @@ std::string harmonics(const light::EnvironmentLight& made) {
     return json.dump(2) + "\n";
 }
 
+// By its roughness, with two digits, or as many as tell it from its smoother neighbour.
+std::string glossyName(const std::vector<light::GlossyLevel>& levels, size_t k) {
+    const auto name = [&](size_t level, int digits) {
+        return fmt::format("glossy_{:.{}f}", levels[level].roughness, digits);
+    };
+    int digits = 2;
+    while (k > 0 && digits < 9 && name(k, digits) == name(k - 1, digits)) ++digits;
+    return name(k, digits);
+}
+
 Status writeAll(const LightOptions& options, const light::EnvironmentLight& made) {
     std::vector<NamedBytes> files;
     const auto put = [&](const std::string& stem, const ImageRgbF& image) -> Status {
@@ -110,10 +120,8 @@ Status writeAll(const LightOptions& options, const light::EnvironmentLight& made
     ImageRgbF small(64, 32); // as the thesis has it: what engines take
     fill(small, [&](const glm::dvec3& direction) { return light::lookUp(made.diffuse, direction); });
     if (Status s = put("diffuse", small); !s) return s;
-    for (size_t k = 0; k < made.glossy.size(); ++k) {
-        const std::string name = fmt::format("glossy_{:.2f}", made.glossy[k].roughness);
-        if (Status s = put(name, light::glossyImage(made, k)); !s) return s;
-    }
+    for (size_t k = 0; k < made.glossy.size(); ++k)
+        if (Status s = put(glossyName(made.glossy, k), light::glossyImage(made, k)); !s) return s;
     files.push_back({"sh.json", harmonics(made)});
     return writeFolderWhole(options.out, files);
 }

@@ -1,5 +1,7 @@
 #include "input/hands/HandRig.h"
 
+#include "engine/math/Trigonometry.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
@@ -128,8 +130,9 @@ HandPose HandRig::pose(Side side, const HandShape& shape, const WristPose& wrist
         if (finger < 0) return;
         const float bend = -kFullBend[i] * std::clamp(shape.curl[finger], 0.0f, 1.0f);
         const float spread = kFullSpread[i] * std::clamp(shape.spread, -1.0f, 1.0f);
-        if (spread != 0) joint.orientation = joint.orientation * glm::angleAxis(spread, glm::vec3(0, 1, 0));
-        if (bend != 0) joint.orientation = joint.orientation * glm::angleAxis(bend, glm::vec3(1, 0, 0));
+        if (spread != 0)
+            joint.orientation = joint.orientation * math::rotationAbout(glm::vec3(0, 1, 0), spread);
+        if (bend != 0) joint.orientation = joint.orientation * math::rotationAbout(glm::vec3(1, 0, 0), bend);
         joint.orientation = glm::normalize(joint.orientation);
     };
     place(kWristJoint);
@@ -162,7 +165,7 @@ float gripOf(const std::array<Joint, kJointCount>& joints) {
             const glm::vec3 here = joints[i + 1].position - joints[i].position;
             const glm::vec3 next = joints[i + 2].position - joints[i + 1].position;
             const float scale = glm::length(here) * glm::length(next);
-            if (scale > 1e-9f) sum += std::acos(std::clamp(glm::dot(here, next) / scale, -1.0f, 1.0f));
+            if (scale > 1e-9f) sum += math::arcCosine(glm::dot(here, next) / scale);
         }
     return std::clamp((sum / 4 - kOpen) / (kFist - kOpen), 0.0f, 1.0f);
 }

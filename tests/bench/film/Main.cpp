@@ -1,6 +1,7 @@
 // bench_film FOLDER CLIP.. : measures every FOLDER/CLIP_CODEC_WIDTH_QUALITY.mp4 against FOLDER/CLIP.rgb (raw,
 // kTruthWidth wide, 3 bytes a pixel) and writes FOLDER/film.tsv, a row for each codec, width and quality over
 // all clips.
+#include "engine/core/WriteFile.h"
 #include "tests/bench/film/Measure.h"
 
 #include "engine/media/PictureDecoder.h"
@@ -104,19 +105,21 @@ int main(int argc, char** argv) {
                 return 1;
             }
         }
-    std::FILE* out = std::fopen((folder / "film.tsv").c_str(), "w");
-    if (!out) return 1;
-    std::fprintf(out, "codec\twidth\tquality\tMB_a_minute\tdecode_ms\tconvert_ms\terror_percent\tpsnr_"
-                      "dB\tdetail\tblocks\n");
+    std::string table =
+        "codec\twidth\tquality\tMB_a_minute\tdecode_ms\tconvert_ms\terror_percent\tpsnr_dB\tdetail\tblocks\n";
     for (const auto& [name, f] : all) {
         char codec[16];
         int width = 0, quality = 0;
         if (std::sscanf(name.c_str(), "%15[^_]_%d_%d", codec, &width, &quality) != 3) continue;
         const double film_MB = 1e-6 * (f.frameBytes * kFilmFrames + f.keyBytes * kFilmKeys) / f.clips;
-        std::fprintf(out, "%s\t%d\t%d\t%.1f\t%.2f\t%.2f\t%.2f\t%.2f\t%.0f\t%.2f\n", codec, width, quality,
-                     film_MB, f.decode_ms / f.clips, f.convert_ms / f.clips, 100 * f.distance.errorLinear(),
-                     f.distance.psnrLuma_dB(), f.distance.detail(), f.blocks);
+        char row[200];
+        std::snprintf(row, sizeof row, "%s\t%d\t%d\t%.1f\t%.2f\t%.2f\t%.2f\t%.2f\t%.0f\t%.2f\n", codec, width,
+                      quality, film_MB, f.decode_ms / f.clips, f.convert_ms / f.clips,
+                      100 * f.distance.errorLinear(), f.distance.psnrLuma_dB(), f.distance.detail(),
+                      f.blocks);
+        table += row;
     }
-    std::fclose(out);
-    return 0;
+    const Status written = writeFileWhole(folder / "film.tsv", table);
+    if (!written) std::fprintf(stderr, "bench_film: %s\n", written.error().message().c_str());
+    return written ? 0 : 1;
 }

@@ -162,7 +162,8 @@ TEST_F(Program, LightByTheThesisHasTheSameFiles) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
     const auto make = [&](const std::string& method) {
         const Path out = folder_ / method;
-        EXPECT_EQ(run("light " + photo.string() + " -o " + out.string() + " --method " + method).status, 0);
+        const Outcome made = run("light " + photo.string() + " -o " + out.string() + " --method " + method);
+        if (made.status != 0) throw std::runtime_error(made.err);
         std::map<std::string, std::string> files;
         for (const auto& each : fs::directory_iterator(out))
             files[each.path().filename().string()] = readText(each.path()).value();

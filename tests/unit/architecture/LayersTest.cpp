@@ -91,4 +91,34 @@ TEST(Layers, RulesKnowNeitherPicturesNorSoundNorDevices) {
         EXPECT_TRUE(allowed.count(to)) << "game/rules includes " << to;
 }
 
+// Nothing is lost on a full disk or in a crash only as long as nobody opens files for writing by other means.
+TEST(Sources, WriteFilesThroughOneFunction) {
+    static const std::regex kWrites(
+        "ofstream|fopen\\(|imwrite|O_CREAT|avio_open|(std::filesystem|fs)::rename");
+    for (const char* top : {"engine", "game", "input"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(tests::sourceFolder() / top)) {
+            const auto extension = entry.path().extension();
+            if ((extension != ".cpp" && extension != ".h") || entry.path().stem() == "WriteFile") continue;
+            std::ifstream file(entry.path());
+            for (std::string line; std::getline(file, line);)
+                EXPECT_FALSE(std::regex_search(line, kWrites)) << entry.path() << ": " << line;
+        }
+}
+
+// Equal input gives equal states on every compiler and library: nothing whose result they may choose.
+TEST(Sources, OfTheRulesUseNothingThatDiffersBetweenMachines) {
+    static const std::regex kDiffers(
+        "std::(sin|cos|tan|asin|acos|atan2?|exp2?|log2?|pow|hypot|cbrt)\\b|unordered_|_distribution|std::"
+        "shuffle|"
+        "random_device|system_clock|steady_clock|\\brand\\(|long "
+        "double|glm::(sin|cos|tan|asin|acos|atan|exp|log|pow|angleAxis|slerp)\\b");
+    for (const char* folder : {"game/rules", "engine/physics", "engine/sim"})
+        for (const auto& entry : std::filesystem::directory_iterator(tests::sourceFolder() / folder)) {
+            std::ifstream file(entry.path());
+            for (std::string line; std::getline(file, line);)
+                EXPECT_FALSE(std::regex_search(line.substr(0, line.find("//")), kDiffers))
+                    << entry.path() << ": " << line;
+        }
+}
+
 } // namespace shoal

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <set>
 #include <sys/stat.h>
 #include <thread>
@@ -188,6 +189,34 @@ TEST(VideoPlayer, ATruncatedFileKeepsItsLastGoodFrameAndSaysSoOnce) {
     EXPECT_EQ(player.newest(3e6)->index, index);
     EXPECT_EQ(numberOf(player.waitFor(2 / kFps)->pixelsBgr), 2) << "what is good can be shown again";
     EXPECT_EQ(player.waitFor(2e6)->index, index);
+}
+
+// While it plays: cut, overwritten with nothing that is video, replaced by another, removed.
+TEST(VideoPlayer, AFileThatChangesWhilePlayingNeverEndsThePlaying) {
+    const TempFolder folder;
+    const Path whole = folder / "whole.avi", file = folder / "film.avi", other = folder / "other.avi";
+    writeGreyVideo(whole, 400);
+    writeGreyVideo(other, 100);
+    const std::string bytes = readBytes(whole);
+    const std::array<std::function<void()>, 5> faults = {
+        [&] { std::filesystem::resize_file(file, bytes.size() / 8); },
+        [&] { std::filesystem::resize_file(file, 0); },
+        [&] { writeBytes(file, std::string(bytes.size(), '\x5a')); },
+        [&] { std::filesystem::rename(other, file); },
+        [&] { std::filesystem::remove(file); },
+    };
+    for (size_t i = 0; i < faults.size(); ++i) {
+        writeBytes(file, bytes);
+        auto player = opened(file);
+        EXPECT_EQ(numberOf(player.waitFor(10 / kFps)->pixelsBgr), 10);
+        faults[i]();
+        for (const double time_s : {20 / kFps, 390 / kFps, 30 / kFps, 1e3, 0.0}) {
+            const VideoFrame* frame = player.waitFor(time_s);
+            ASSERT_NE(frame, nullptr) << "fault " << i << " at " << time_s;
+            EXPECT_EQ(frame->pixelsBgr.width, player.info().width) << "fault " << i;
+        }
+        EXPECT_NE(player.newest(1e4), nullptr);
+    }
 }
 
 // FFmpeg's own converters write beyond rows of such widths, or stop short of their end.

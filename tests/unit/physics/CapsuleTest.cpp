@@ -3,6 +3,7 @@
 #include "engine/core/Random.h"
 #include "engine/physics/ContactModel.h"
 
+#include <btBulletCollisionCommon.h>
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -26,9 +27,54 @@ TEST(Separation, MatchesClosedForms) {
     EXPECT_NEAR(separation(bar, {{0, -1, 0}, {0, 1, 0}, 0.1f}), -0.2f, kCapsuleTol);
 }
 
+struct BulletCapsule {
+    btCapsuleShape shape;
+    btCollisionObject object;
+
+    explicit BulletCapsule(const Capsule& c) : shape(c.radius, glm::distance(c.a, c.b)) {
+        const glm::vec3 along = c.b - c.a, centre = 0.5f * (c.a + c.b);
+        btTransform& place = object.getWorldTransform();
+        place.setIdentity();
+        place.setOrigin({centre.x, centre.y, centre.z});
+        place.setRotation(shortestArcQuat({0, 1, 0}, btVector3(along.x, along.y, along.z).normalized()));
+        object.setCollisionShape(&shape);
+    }
+};
+
+struct LeastDistance : btCollisionWorld::ContactResultCallback {
+    btScalar distance = 1;
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+        distance = std::min(distance, point.getDistance());
+        return 0;
+    }
+};
+
 glm::vec3 anywhere(Random& random, float maximum) {
     return {random.between(-maximum, maximum), random.between(-maximum, maximum),
             random.between(-maximum, maximum)};
+}
+
+// Bullet 3, which people trust, measures the same distances.
+TEST(Separation, IsThatOfBullet) {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+    Random random(6, 1);
+    int overlapping = 0;
+    for (int round = 0; round < 2000; ++round) {
+        const glm::vec3 a = anywhere(random, 0.3f), b = anywhere(random, 0.3f);
+        const Capsule first{a, a + anywhere(random, 0.3f), 0.1f},
+            second{b, b + anywhere(random, 0.3f), 0.06f};
+        BulletCapsule one(first), other(second);
+        LeastDistance least;
+        least.m_closestDistanceThreshold = 1;
+        world.contactPairTest(&one.object, &other.object, least);
+        EXPECT_NEAR(least.distance, separation(first, second), 2e-5f) << round;
+        overlapping += separation(first, second) < 0;
+    }
+    EXPECT_GT(overlapping, 200);
 }
 
 // Against the same way cut into a thousand pieces: what these see, firstTouch sees, and where it says.

@@ -1,5 +1,7 @@
 #include "engine/physics/ContactWorld.h"
 
+#include "engine/core/Random.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -190,6 +192,32 @@ TEST(ContactWorld, WhatAppearsInsideGetsAWayOut) {
         EXPECT_NEAR(glm::dot(contacts[0].normal, glm::normalize(across)), 0, 0.05f);
         EXPECT_EQ(contacts[0].closingSpeed, 0);
         EXPECT_NEAR(contacts[0].depth, 0.038f, 1e-4f);
+    }
+}
+
+// The way out leads out, and no shorter way does: also of axes along one line and of spheres in one place.
+TEST(ContactWorld, TheWayOutOfCrossedAxesIsTheShortest) {
+    const Body fish = fishAt({0, 0, 0}, 0.03f, 0.05f);
+    const glm::vec3 along = fish.after.b - fish.after.a;
+    Random random(9, 1);
+    std::vector<Contact> contacts;
+    for (int round = 0; round < 100; ++round) {
+        glm::vec3 reach(random.between(-0.05f, 0.05f), random.between(-0.05f, 0.05f),
+                        random.between(-0.05f, 0.05f));
+        if (round % 10 == 0) reach = along * random.between(-0.6f, 0.6f);
+        if (round % 10 == 1) reach = glm::vec3(0);
+        const Mover bone = still({-reach, reach, 0.008f});
+        collide({&fish, 1}, {&bone, 1}, kDt, {}, contacts);
+        ASSERT_EQ(contacts.size(), 1u);
+        ASSERT_NEAR(glm::length(contacts[0].normal), 1, kTol) << round;
+        const auto movedBy = [&](glm::vec3 way) {
+            return separation(bone.after, {fish.after.a + way, fish.after.b + way, fish.after.radius});
+        };
+        EXPECT_NEAR(movedBy(contacts[0].normal * contacts[0].depth), 0, 1e-4f) << round;
+        for (int other = 0; other < 100; ++other) {
+            const glm::vec3 way(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+            EXPECT_LT(movedBy(glm::normalize(way) * (contacts[0].depth - 1e-4f)), 0) << round;
+        }
     }
 }
 
