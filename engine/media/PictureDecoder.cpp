@@ -1,6 +1,5 @@
 #include "engine/media/PictureDecoder.h"
 
-#include "engine/media/VideoFrame.h"
 #include "engine/media/YuvToBgr.h"
 
 extern "C" {
@@ -27,7 +26,7 @@ ColourMatrix matrixOf(AVCodecID codec, AVColorSpace stated, int width, int heigh
 }
 
 Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational timeBase,
-                            FrameThreading threading, int threads) {
+                            FrameThreading threading, int threads, int64_t maxPixels) {
     const AVCodec* kind = avcodec_find_decoder(parameters.codec_id);
     codec_.reset(kind ? avcodec_alloc_context3(kind) : nullptr);
     if (!codec_ || avcodec_parameters_to_context(codec_.get(), &parameters) < 0)
@@ -38,7 +37,7 @@ Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational time
         codec_->thread_type = FF_THREAD_SLICE; // threads that share a picture
         codec_->flags |= AV_CODEC_FLAG_LOW_DELAY;
     }
-    codec_->max_pixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
+    codec_->max_pixels = maxPixels;
     if (avcodec_open2(codec_.get(), kind, nullptr) < 0) return Error{"", "cannot be decoded"};
     return Done{};
 }

@@ -4,6 +4,7 @@
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
 #include "engine/media/Ffmpeg.h"
+#include "engine/media/VideoFrame.h"
 #include "engine/media/YuvToBgr.h"
 
 extern "C" {
@@ -15,6 +16,8 @@ extern "C" {
 #include <vector>
 
 namespace shoal::media {
+
+constexpr int64_t kMaxPixels = int64_t{kMaxVideoSide} * kMaxVideoSide;
 
 // Error: pictures of that size are not played.
 Status checkPictureSize(int width, int height);
@@ -31,9 +34,10 @@ enum class FrameThreading { None, ByThreads };
 
 class PictureDecoder {
   public:
-    // threads: at least 1. Error: no such codec is installed, or it does not start.
+    // threads: at least 1. maxPixels: larger pictures are skipped as damaged ones are. Error: no such codec is
+    // installed, or it does not start.
     Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
-                int threads);
+                int threads, int64_t maxPixels = kMaxPixels);
 
     // packet: null drains the decoder. Damaged packets are skipped. hurry: non-reference pictures too.
     void send(const AVPacket* packet, double arrived_s = 0, bool hurry = false);

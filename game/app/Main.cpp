@@ -12,6 +12,9 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
 #include <sstream>
 
 namespace shoal::app {
@@ -210,6 +213,21 @@ int run(int argc, char** argv) {
     return parseAndRun(app, words, commands);
 }
 
+// What no one catches, in any thread: lack of memory most of all. One sentence, and what is on the disk stays.
+[[noreturn]] void endBecauseOfException() {
+    try {
+        if (std::current_exception()) std::rethrow_exception(std::current_exception());
+        std::fputs("shoal: had to stop: the program contradicts itself\n", stderr);
+    } catch (const std::bad_alloc&) {
+        std::fputs("shoal: had to stop: there is not enough memory\n", stderr);
+    } catch (const std::exception& exception) {
+        std::fprintf(stderr, "shoal: had to stop: %s\n", exception.what());
+    } catch (...) {
+        std::fputs("shoal: had to stop: for a reason that is not known\n", stderr);
+    }
+    std::_Exit(1);
+}
+
 } // namespace
 } // namespace shoal::app
 
@@ -217,5 +235,6 @@ int main(int argc, char** argv) {
     // A reader that has gone, or a file that may not grow, is an error of that write.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    std::set_terminate(shoal::app::endBecauseOfException);
     return shoal::app::run(argc, argv);
 }

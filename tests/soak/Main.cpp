@@ -112,6 +112,7 @@ Status playAll(int hours, uint64_t first) {
     const auto files = readFiles();
     if (!files) return files.error();
     const tests::ScratchFolder folder;
+    std::filesystem::copy(tests::sourceFolder() / "tests/playthrough/dive", folder / "dive"); // the script's
     const Path script = folder / "dive.toml";
     Used second, used;
     std::printf("hour  dives  memory, MB  open files  threads  OpenGL errors\n");

@@ -7,10 +7,10 @@ namespace shoal::media {
 
 namespace {
 
-// Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. HTTP may be
-// redirected to HTTPS, but not the reverse.
-constexpr std::pair<const char*, const char*> kStreams[] = {{"rtsp", "rtp,udp,tcp"},
-                                                            {"http", "http,https,tls,tcp"},
+// Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. RTSP sends pictures
+// over its own connection: by UDP its server could have us talk to others.
+constexpr std::pair<const char*, const char*> kStreams[] = {{"rtsp", "tcp"},
+                                                            {"http", "http,tcp"},
                                                             {"https", "https,tls,tcp"},
                                                             {"tcp", "tcp"},
                                                             {"udp", "udp"}};

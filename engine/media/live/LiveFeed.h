@@ -22,6 +22,9 @@ struct CameraAddress {
 struct PipeAddress {
     Path file;
 };
+// Live pictures have at most so many pixels: some 250 MB for those that are decoded and shown at once.
+constexpr int64_t kMaxLivePixels = int64_t{4096} * 4096;
+
 struct StreamAddress {
     std::string url;
     // Protocols that FFmpeg may use for it, comma separated: a server cannot redirect it to files.

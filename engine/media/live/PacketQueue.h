@@ -47,7 +47,7 @@ class PacketQueue {
 
     void interrupt(); // for good
 
-    static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{64} << 20, kWaitingPackets = 4;
+    static constexpr size_t kMaxPackets = 512, kMaxBytes = size_t{32} << 20, kWaitingPackets = 4;
 
   private:
     void drop(size_t count);

@@ -4,6 +4,7 @@
 #include "engine/media/live/PacketQueue.h"
 
 extern "C" {
+#include <libavutil/opt.h>
 #include <libavutil/time.h>
 }
 
@@ -17,6 +18,7 @@ extern "C" {
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace shoal::media {
 
@@ -24,7 +26,7 @@ namespace {
 
 // Containers of video; no play lists, which name further addresses.
 constexpr const char* kFormats =
-    "mpegts,mov,mp4,matroska,webm,avi,flv,live_flv,ogg,mpeg,mpjpeg,mjpeg,h264,hevc,ivf,nut,rtsp,sdp,rtp";
+    "mpegts,mov,mp4,matroska,webm,avi,flv,live_flv,ogg,mpeg,mpjpeg,mjpeg,h264,hevc,ivf,nut,rtsp";
 
 std::string textOf(int error) {
     char text[AV_ERROR_MAX_STRING_SIZE]{};
@@ -40,6 +42,15 @@ constexpr double kLiveBurst_s = 3, kStoredBurst_s = 0.05;
 constexpr double kMaxHidden_s = 0.25;
 // So many waiting packets mean that the decoder is behind; fewer are network jitter.
 constexpr size_t kBehind = 3;
+// More bytes than this without a picture are no video: a sender may claim any size.
+constexpr int64_t kMaxBytesBetween = int64_t{32} << 20;
+
+Status checkLiveSize(int width, int height) {
+    if (int64_t{width} * height > kMaxLivePixels)
+        return Error{"",
+                     fmt::format("its picture of {}x{} pixels is larger than is played live", width, height)};
+    return checkPictureSize(width, height);
+}
 
 // A stream or pipe. One thread reads packets as they come, so that none wait in the network; another decodes.
 class Stream {
@@ -64,10 +75,17 @@ class Stream {
     }
 
   private:
-    bool givesUp() const { return interrupted_ || stopped_ || liveNow_s() > deadline_s_; }
+    bool givesUp() const { return interrupted_ || stopped_ || tooMuch_ || liveNow_s() > deadline_s_; }
+    static int watch(void* self); // as FFmpeg's interrupt callback
+    int64_t bytesRead() const { return watched_ && watched_->pb ? watched_->pb->bytes_read : 0; }
+    bool isRtsp() const {
+        const auto* url = std::get_if<StreamAddress>(&address_);
+        return url && url->url.starts_with("rtsp");
+    }
     const AVStream& video() const { return *format_->streams[stream_]; }
     Status openPipe(const Path& file);
     Status openFormat();
+    int findStreams();
     void passPacketsUnparsed();
     void markKeyFrame(AVPacket& packet);
     Status connect();
@@ -81,7 +99,11 @@ class Stream {
     int pipe_ = -1; // descriptor, of a pipe
     Input format_;
     int stream_ = -1;
-    bool unparsed_ = false; // each packet is one picture
+    AVFormatContext* watched_ = nullptr; // open, or being opened
+    bool closed_ = false;                // to further connections
+    int64_t packetBegan_ = 0;            // so many bytes had come before it
+    bool tooMuch_ = false;               // kMaxBytesBetween has come
+    bool unparsed_ = false;              // each packet is one picture
     std::unique_ptr<AVCodecParserContext, CloseParser> parser_;
     Codec parsed_;
     double deadline_s_ = 0;
@@ -118,12 +140,27 @@ Status Stream::openPipe(const Path& file) {
     return Done{};
 }
 
+// Called by FFmpeg while it waits: whether to give up.
+int Stream::watch(void* self) {
+    auto& stream = *static_cast<Stream*>(self);
+    if (AVFormatContext* format = stream.watched_) {
+        stream.tooMuch_ |= stream.bytesRead() - stream.packetBegan_ > kMaxBytesBetween;
+        // The connection that is being waited for is the only one: a server of RTSP cannot send us to
+        // another.
+        if (stream.isRtsp() && !std::exchange(stream.closed_, true))
+            av_opt_set(format, "protocol_whitelist", "none", 0);
+    }
+    return stream.givesUp();
+}
+
 // Leaves format_ with its streams known.
 Status Stream::openFormat() {
     AVFormatContext* format = avformat_alloc_context();
     if (!format) return Error{"", "cannot be opened: there is no memory"};
-    format->interrupt_callback = {[](void* self) -> int { return static_cast<Stream*>(self)->givesUp(); },
-                                  this};
+    format->interrupt_callback = {watch, this};
+    watched_ = format;
+    packetBegan_ = 0;
+    tooMuch_ = closed_ = false;
     const auto* url = std::get_if<StreamAddress>(&address_);
     std::string name;
     AVDictionary* options = nullptr;
@@ -132,7 +169,8 @@ Status Stream::openFormat() {
         name = url->url;
         av_dict_set(&options, "protocol_whitelist", url->protocols, 0);
         av_dict_set(&options, "user_agent", "Shoal", 0);
-        av_dict_set(&options, "rtsp_flags", "prefer_tcp", 0);
+        av_dict_set(&options, "rtsp_transport", "tcp", 0);
+        av_dict_set(&options, "max_redirects", "0", 0);
     } else {
         name = "pipe:" + std::to_string(pipe_);
         av_dict_set(&options, "protocol_whitelist", "pipe", 0);
@@ -143,20 +181,34 @@ Status Stream::openFormat() {
         avformat_open_input(&format, name.c_str(), nullptr, &options); // frees the context if it fails
     av_dict_free(&options);
     format_.reset(format);
+    watched_ = format;
     if (error >= 0) {
         passPacketsUnparsed();
-        error = avformat_find_stream_info(format, nullptr);
+        error = findStreams();
     }
     if (error >= 0) return Done{};
+    watched_ = nullptr;
     format_.reset();
+    if (tooMuch_) return Error{"", "sends too much for one picture"};
     if (!interrupted_ && liveNow_s() > deadline_s_)
         return Error{"", "did not answer within " + seconds(timeouts_.open_s)};
     if (error == AVERROR_INVALIDDATA || error == AVERROR(EIO) || error == AVERROR_EOF)
-        return Error{"", "is no video of a known kind, or breaks off before its first picture"};
+        return Error{"",
+                     "is no video of a known kind, breaks off before its first picture, or leads elsewhere"};
     return Error{"", "cannot be opened: " + textOf(error)};
 }
 
+// Decodes what it needs to.
+int Stream::findStreams() {
+    std::vector<AVDictionary*> options(format_->nb_streams);
+    for (AVDictionary*& each : options) av_dict_set_int(&each, "max_pixels", kMaxLivePixels, 0);
+    const int error = avformat_find_stream_info(format_.get(), options.data());
+    for (AVDictionary*& each : options) av_dict_free(&each);
+    return error;
+}
+
 Status Stream::connect() {
+    watched_ = nullptr;
     format_.reset();
     stream_ = -1;
     stopped_ = false;
@@ -169,7 +221,7 @@ Status Stream::connect() {
     keepOnly(*format_, stream_);
     const AVCodecParameters& coded = *video().codecpar;
     if (coded.width > 0)
-        if (Status playable = checkPictureSize(coded.width, coded.height); !playable) return playable;
+        if (Status playable = checkLiveSize(coded.width, coded.height); !playable) return playable;
     parser_.reset(unparsed_ ? av_parser_init(coded.codec_id) : nullptr);
     parsed_.reset(avcodec_alloc_context3(nullptr));
     if (parser_ && parsed_ && avcodec_parameters_to_context(parsed_.get(), &coded) >= 0)
@@ -204,11 +256,13 @@ Status Stream::readPacket(AVPacket& packet) {
     deadline_s_ = liveNow_s() + timeouts_.silence_s;
     for (;;) {
         av_packet_unref(&packet);
+        packetBegan_ = bytesRead();
         const int error = av_read_frame(format_.get(), &packet);
         if (error >= 0 && packet.stream_index == stream_) {
             if (parser_) markKeyFrame(packet);
             return Done{};
         }
+        if (tooMuch_) return Error{"", "sends too much for one picture"};
         if (givesUp() || error == AVERROR_EXIT)
             return Error{"", "has sent no picture for " + seconds(timeouts_.silence_s)};
         if (error == AVERROR_EOF) return Error{"", stored_ ? "is over" : "was ended by its sender"};
@@ -225,7 +279,8 @@ Status Stream::open() {
     decoder_.emplace();
     const AVStream& picture = video();
     const auto threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
-    if (Status opened = decoder_->open(*picture.codecpar, picture.time_base, FrameThreading::None, threads);
+    if (Status opened = decoder_->open(*picture.codecpar, picture.time_base, FrameThreading::None, threads,
+                                       kMaxLivePixels);
         !opened)
         return opened;
     queue_.reset(stored_);

@@ -82,6 +82,7 @@ void LeapTracker::connect() {
     info.ietf_version_or_minus_one = -1;
     info.local_protocol_name = "leap";
     info.retry_and_idle_policy = &kLiveness;
+    info.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT; // a program on its port names no other
     info.pwsi = &socket_;
     greeted_ = framed_ = tooLong_ = false;
     closeCode_ = 0;

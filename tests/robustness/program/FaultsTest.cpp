@@ -198,5 +198,37 @@ TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     }
 }
 
+// 64 MB less address space than a dive needs: an error in a sentence. (LLVM, below the driver, says its own.)
+TEST_F(Faults, LackOfMemoryIsSaid) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the sanitizer maps terabytes";
+#endif
+    const auto playWithin = [&](rlim_t memory_MB) {
+        return run(play({"--at", "0.2"}), [=] {
+            const rlimit limit{memory_MB << 20, memory_MB << 20};
+            ::setrlimit(RLIMIT_AS, &limit);
+        });
+    };
+    rlim_t tooLittle_MB = 448, enough_MB = 4096;
+    ASSERT_EQ(playWithin(enough_MB), 0) << said();
+    while (enough_MB - tooLittle_MB > 64) {
+        const rlim_t middle_MB = (tooLittle_MB + enough_MB) / 2;
+        (playWithin(middle_MB) == 0 ? enough_MB : tooLittle_MB) = middle_MB;
+    }
+    const int status = playWithin(enough_MB - 64);
+    EXPECT_TRUE(status == 1 || (status == -SIGABRT && said().find("LLVM ERROR") != std::string::npos))
+        << status;
+    EXPECT_NE(said(), "");
+}
+
+// Drivers and sound do without.
+TEST_F(Faults, SharedMemoryIsNotNeeded) {
+    if (std::system("unshare -rm umount /dev/shm 2>/dev/null") != 0)
+        GTEST_SKIP() << "this user may not unmount";
+    const std::string command =
+        tests::program() + " play --headless --backdrop-only --size 32x18 --at 0.5 --stats " + file("s.json");
+    EXPECT_EQ(std::system(("unshare -rm sh -c 'umount /dev/shm && " + command + "'").c_str()), 0);
+}
+
 } // namespace
 } // namespace shoal

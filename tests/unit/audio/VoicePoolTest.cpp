@@ -167,6 +167,18 @@ TEST(VoicePool, AReopenedDeviceGoesOnWithWhatIsListed) {
     EXPECT_GT(scene.level(), 0.1);
 }
 
+TEST(VoicePool, ItsDeviceIsLostAndReopenedAThousandTimes) {
+    LoopbackScene scene;
+    scene.frame({&kAhead, 1});
+    for (int round = 0; round < 1000; ++round) {
+        ASSERT_TRUE(scene.audio.reopen()) << round;
+        scene.frame({&kAhead, 1});
+        ASSERT_EQ(scene.audio.sounding(), 1) << round;
+    }
+    for (int i = 0; i < 5; ++i) scene.frame({&kAhead, 1});
+    EXPECT_GT(scene.level(), 0.1);
+}
+
 TEST(VoicePool, MoreThanFitAreLeftOut) {
     LoopbackScene scene;
     std::vector<Sound> emitters;

@@ -4,6 +4,7 @@
 #include "tests/TestRig.h"
 #include "tests/unit/leap_service/Recordings.h"
 #include "tests/unit/leap_service/Server.h"
+#include "tests/unit/live_server/HttpServer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +61,22 @@ TEST(LeapHands, GoesThroughNoProxy) {
     server.say(frameAt(5));
     EXPECT_EQ(next(hands).time_us, 5);
     unsetenv("http_proxy");
+}
+
+// Whoever has the service's port decides nothing about whom else is asked.
+TEST(LeapHands, FollowsNoRedirect) {
+    media::test::HttpServer other, port;
+    const std::string url = port.url("");
+    const auto hands = makeLeapTracker(
+        {"127.0.0.1", static_cast<uint16_t>(std::stoi(url.substr(url.rfind(':') + 1))), LeapMount::Desk},
+        rig());
+    for (const char* code : {"301", "302", "307", "308"}) {
+        ASSERT_TRUE(port.accept()) << "it asks the same port again";
+        port.send("HTTP/1.1 " + std::string(code) + " There\r\nLocation: " + other.url("/secret") +
+                  "\r\nContent-Length: 0\r\n\r\n");
+        EXPECT_TRUE(port.waitForLeave());
+        EXPECT_FALSE(other.wasTried()) << code;
+    }
 }
 
 TEST(LeapHands, OnAHeadsetItSaysSo) {
@@ -174,9 +191,9 @@ TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
 TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
     Server server;
     const Tracker hands = connectTo(server);
-    for (int round = 0; round < 4; ++round) {
+    for (int round = 0; round < 1000; ++round) {
         server.say(frameAt(round));
-        EXPECT_EQ(next(hands).time_us, round);
+        ASSERT_EQ(next(hands).time_us, round);
         if (round % 2)
             server.close(1000);
         else

@@ -119,6 +119,20 @@ TEST(LivePlayer, LostItSaysWhyAndOpensAnewUntilItIsBack) {
     EXPECT_EQ(p.player->counts().stops, 1);
 }
 
+TEST(LivePlayer, LostAndBackAThousandTimes) {
+    Played p;
+    p.begin(p.options());
+    for (int round = 1; round <= 1000; ++round) {
+        p.fake.breakOff("was cut");
+        p.fake.send(round % 50);
+        p.untilMade(round + 1);
+        ASSERT_EQ(p.shown(), round % 50);
+        ASSERT_EQ(p.player->state(), LiveState::Playing);
+    }
+    EXPECT_EQ(p.fake.opened(), 1001);
+    EXPECT_EQ(p.player->counts().losses, 1000);
+}
+
 TEST(LivePlayer, TellsInHowManyOfTheDisplaysPicturesAFrameWasShown) {
     Played p;
     p.begin(p.options());

@@ -49,6 +49,11 @@ bool HttpServer::accept() {
     return !nextRequest().empty();
 }
 
+bool HttpServer::wasTried() const {
+    pollfd waiting{listening_, POLLIN, 0};
+    return poll(&waiting, 1, 0) != 0;
+}
+
 const std::string& HttpServer::nextRequest() {
     request_.clear();
     while (!request_.ends_with("\r\n\r\n")) {

@@ -20,6 +20,7 @@ class HttpServer {
     // Blocks until a client has connected and asked; drops the one before. False after 20 seconds.
     bool accept();
     int accepted() const { return accepted_; }
+    bool wasTried() const; // somebody is connecting, whom accept() would take
     const std::string& request() const { return request_; } // the last
     const std::string& nextRequest();                       // of the same client; empty if none comes
 
