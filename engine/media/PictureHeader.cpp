@@ -1,5 +1,6 @@
 #include "engine/media/PictureHeader.h"
 
+#include <fmt/core.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -89,24 +90,63 @@ std::optional<Size> radianceSize(ByteSpan b) {
     return Size{*width, *height};
 }
 
-// OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name.
+// The library reads a value as its type has it, whatever size is stated, and takes what follows for the next
+// attribute: the two must agree.
+bool exrSizeFits(std::string_view type, ByteSpan value) {
+    static constexpr std::pair<size_t, std::string_view> kTypesBySize[] = {
+        {1, " compression deepImageState envmap lineOrder "},
+        {4, " float int "},
+        {8, " double rational timecode v2f v2i "},
+        {9, " tiledesc "},
+        {12, " v3f v3i "},
+        {16, " box2f box2i v2d "},
+        {24, " v3d "},
+        {28, " keycode "},
+        {32, " chromaticities "},
+        {36, " m33f "},
+        {64, " m44f "},
+        {72, " m33d "},
+        {128, " m44d "}};
+    const std::string word = fmt::format(" {} ", type);
+    for (const auto& [size, types] : kTypesBySize)
+        if (types.find(word) != types.npos) return value.size() == size;
+    if (type == "chlist") { // "name\0" and 16 bytes each, up to an empty name
+        size_t at = 0;
+        while (at < value.size() && value[at] != 0) {
+            at = asText(value).find('\0', at);
+            if (at == std::string_view::npos || value.size() - at < 18) return false;
+            at += 17;
+        }
+        return at + 1 == value.size();
+    }
+    if (type == "preview")
+        return value.size() >= 8 && value.size() - 8 == uint64_t{4} * little32(value, 0) * little32(value, 4);
+    return type != "stringvector" && type != "idmanifest"; // sizes within sizes; no picture needs them
+}
+
+// OpenEXR file layout: attributes "name\0 type\0 size value" up to an empty name. All of them are walked: the
+// library takes memory for any size that one states.
 std::optional<Size> exrSize(ByteSpan b) {
     if (b.size() < 8 || (little32(b, 4) & 0x1800) != 0) return std::nullopt; // deep or of several parts
     const std::string_view text = asText(b);
     size_t at = 8;
+    std::optional<Size> window;
     for (int attribute = 0; attribute < 256; ++attribute) {
         const size_t nameEnd = text.find('\0', at);
-        if (nameEnd == text.npos || nameEnd == at) break;
+        if (nameEnd == text.npos) break;
+        if (nameEnd == at) return window;
         const size_t typeEnd = text.find('\0', nameEnd + 1);
         if (typeEnd == text.npos || b.size() - typeEnd < 5) break;
         const size_t value = typeEnd + 5;
         const size_t size = little32(b, typeEnd + 1);
         if (size > b.size() - value) break;
+        if (!exrSizeFits(text.substr(nameEnd + 1, typeEnd - nameEnd - 1), b.subspan(value, size))) break;
         if (text.substr(at, nameEnd - at) == "dataWindow" && size == 16) {
             const auto side = [&](size_t offset) {
                 return int64_t{static_cast<int32_t>(little32(b, value + offset))};
             };
-            return Size{side(8) - side(0) + 1, side(12) - side(4) + 1};
+            if (window) break; // which one would hold?
+            window = Size{side(8) - side(0) + 1, side(12) - side(4) + 1};
         }
         at = value + size;
     }

@@ -54,8 +54,8 @@ struct Reader {
             return false;
         const bool named = !(flags & kConstant) && (flags & kVariable) && !locals.usages.empty() &&
                            globals.size_bits >= 1 && globals.size_bits <= 32;
+        if (named && globals.count > kMaxFields - layout.fields.size()) return false;
         for (uint32_t i = 0; i < globals.count && named; ++i) {
-            if (layout.fields.size() == kMaxFields) return false;
             // The last usage is that of all further fields.
             layout.fields.push_back({kind, globals.report,
                                      locals.usages[std::min<size_t>(i, locals.usages.size() - 1)],
@@ -125,7 +125,7 @@ struct Reader {
         case 0x28: {
             const uint32_t last = usageOf(data);
             if (last < locals.first || last - locals.first >= kMaxFields) return false;
-            for (uint32_t each = locals.first; each <= last; ++each) locals.usages.push_back(each);
+            for (uint32_t i = 0; i <= last - locals.first; ++i) locals.usages.push_back(locals.first + i);
             break;
         }
         default: // units and physical extents

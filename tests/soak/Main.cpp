@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <malloc.h>
 
 using namespace shoal;
 
@@ -29,6 +30,7 @@ struct Used {
 
 Used usedNow() {
     Used used;
+    ::malloc_trim(0); // counts what is held, and not what the allocator keeps for next time
     long pages = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> pages >> resident;
     used.memory_MB = static_cast<double>(resident) * 4096 / 1e6;

@@ -85,6 +85,15 @@ TEST_P(DamagedPicture, GivesAValueOrAReason) {
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPicture,
                          testing::Values(".png", ".jpg", ".bmp", ".webp", ".ppm", ".hdr", ".exr", ".pfm"));
 
+// Found by tests/fuzz: OpenEXR took gigabytes for a size that was stated where we had not looked.
+TEST(DamagedExr, SizesAreCheckedBeforeTheLibraryBelievesThem) {
+    for (const char* name : {"exr_attribute_size", "exr_list_shorter_than_stated"}) {
+        const auto read = readHdr(tests::sourceFolder() / "tests/fuzz/regressions/Pictures" / name, kLimits);
+        ASSERT_FALSE(read.ok()) << name;
+        EXPECT_NE(read.error().reason.find("header is damaged"), std::string::npos) << read.error().reason;
+    }
+}
+
 class DamagedVideo : public testing::TestWithParam<const char*> {};
 
 TEST_P(DamagedVideo, PlaysOrGivesAReason) {

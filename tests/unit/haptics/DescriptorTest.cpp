@@ -83,6 +83,16 @@ TEST(ReportDescriptor, PushedStateComesBack) {
 }
 
 // Whatever a device says: no crash, no hang, no memory beyond the bounds (the sanitizers watch).
+// Up to the last usage that there can be: counting on would begin at 0 again.
+TEST(ReportDescriptor, ARangeThatEndsWithTheNumbersEnds) {
+    const std::array<uint8_t, 22> bytes = {0x1b, 0xf0, 0xff, 0xff, 0xff, 0x2b, 0xff, 0xff, 0xff, 0xff, 0x75,
+                                           0x01, 0x95, 0x10, 0x81, 0x02, 0x75, 0x01, 0x95, 0x01, 0x81, 0x03};
+    const ReportLayout layout = readReportDescriptor(bytes);
+    ASSERT_EQ(layout.fields.size(), 16u);
+    EXPECT_EQ(layout.fields.back().usage, 0xffffffffu);
+    EXPECT_EQ(layout.bytes(ReportKind::Input, 0), 3u);
+}
+
 TEST(ReportDescriptor, AnyBytesWillDo) {
     Random random(7);
     const auto byte = [&](size_t limit) {

@@ -1,0 +1,180 @@
+// make_fuzz_seeds FOLDER: one or more valid inputs for each fuzz target, in FOLDER/TARGET.
+#include "engine/core/WriteFile.h"
+#include "engine/media/Pictures.h"
+#include "game/rules/Dive.h"
+
+#include <cstdio>
+#include <span>
+#include <string>
+
+using namespace shoal;
+
+namespace {
+
+Path folder;
+
+void put(const std::string& target, const std::string& name, std::string_view bytes) {
+    if (const Status written = writeFileWhole(folder / target / name, bytes); !written) {
+        std::fprintf(stderr, "%s\n", written.error().message().c_str());
+        std::exit(1);
+    }
+}
+
+std::string contentFile(const std::string& name, size_t most = 1 << 20) {
+    const auto bytes = readFileBegin(dataRoot() / name, most);
+    return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
+}
+
+std::string big32(uint32_t value) {
+    return {static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+            static_cast<char>(value)};
+}
+
+std::string box(const std::string& name, const std::string& body) {
+    return big32(static_cast<uint32_t>(8 + body.size())) + name + body;
+}
+
+void models() {
+    put("Gltf", "angelfish.glb", contentFile("content/models/angelfish.glb"));
+    // A triangle that turns, wears a skin and has a target to morph to.
+    put("Gltf", "triangle.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"mesh":0,"skin":0,"children":[1]},{"name":"joint","rotation":[0,0,0,1]}],
+"skins":[{"joints":[1]}],"materials":[{"name":"m","alphaMode":"MASK","pbrMetallicRoughness":{"roughnessFactor":0.5}}],
+"meshes":[{"weights":[0.5],"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1,"material":0,
+"targets":[{"POSITION":0}]}]}],
+"animations":[{"channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}}],"samplers":[{"input":4,"output":3,
+"interpolation":"LINEAR"}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"},{"bufferView":2,"componentType":5121,"count":3,"type":"VEC4"},
+{"bufferView":3,"componentType":5126,"count":3,"type":"VEC4"},{"bufferView":0,"componentType":5126,"count":3,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3},
+{"buffer":0,"byteOffset":40,"byteLength":12},{"buffer":0,"byteOffset":52,"byteLength":48}],
+"buffers":[{"byteLength":100,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAECAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAA=="}]})");
+}
+
+void replays() {
+    const Path file = folder / "seed.replay";
+    const auto files = game::loadDiveFiles("reef");
+    game::Dive dive(files->species, files->dive, 7);
+    {
+        auto writer = sim::RecordingWriter::create(file, game::recordingHeader(dive));
+        game::Events events;
+        std::array<uint8_t, game::kTickInputBytes> bytes;
+        for (int tick = 0; tick < 180; ++tick) {
+            game::TickInput input;
+            input.hands[1].tracked = tick > 60;
+            input.hands[1].grip = 0.005f * static_cast<float>(tick);
+            game::toBytes(input, bytes);
+            dive.step(input, events);
+            if (!writer->add(bytes, dive.stateHash())) std::exit(1);
+        }
+        if (!writer->finish()) std::exit(1);
+    }
+    const auto bytes = readFile(file, 1 << 24);
+    const std::string whole(bytes->begin(), bytes->end());
+    put("Replay", "two_blocks.replay", whole);
+    put("Replay", "stopped.replay", whole.substr(0, whole.size() - 12));
+    put("Replay", "version1.replay", contentFile("tests/unit/sim/version1.replay"));
+    std::filesystem::remove(file);
+}
+
+void texts() {
+    const std::string species = contentFile("content/species.toml");
+    for (const char* name : {"reef", "night", "kelp"})
+        put("DiveFiles", name,
+            species + "\n---\n" + contentFile("content/dives/" + std::string(name) + ".toml"));
+    for (const char* name : {"whole_dive", "first_catch", "shark_steals", "waving", "two_hands"})
+        put("Playthrough", name, contentFile("tests/playthrough/" + std::string(name) + ".toml"));
+    put("KeptFiles", "settings",
+        "0{\"assist\":\"none\",\"volume\":0.5,\"language\":\"de\",\"unknown\":[1,{\"a\":null}]}");
+    put("KeptFiles", "scores",
+        "1{\"reef\":{\"top\":[120,40],\"last\":40},\"night\":{\"top\":[],\"last\":0}}");
+    put("KeptFiles", "guide", "2[\"clownfish\",\"shark\"]");
+    put("BakedOcclusion", "boxfish", contentFile("content/models/boxfish.occlusion.json"));
+}
+
+void metadata() {
+    put("Metadata", "reef.mp4", contentFile("content/video/reef.small.mp4", 96 << 10));
+    const std::string projection =
+        box("sv3d", box("svhd", std::string(4, '\0') + "maker" + '\0') +
+                        box("proj", box("prhd", std::string(16, '\0')) + box("equi", std::string(20, '\0'))));
+    const std::string stereo = box("st3d", std::string(4, '\0') + '\1');
+    const std::string xmp = "<rdf:SphericalVideo><GSpherical:Spherical>true</GSpherical:Spherical>"
+                            "<GSpherical:ProjectionType>equirectangular</GSpherical:ProjectionType>"
+                            "<GSpherical:StereoMode>top-bottom</GSpherical:StereoMode></rdf:SphericalVideo>";
+    const std::string uuid = "\xff\xcc\x82\x63\xf8\x55\x4a\x93\x88\x14\x58\x7a\x02\x52\x1f\xdd" + xmp;
+    put("Metadata", "boxes.mp4",
+        box("ftyp", "isom" + std::string(4, '\0')) +
+            box("moov", box("trak", stereo + projection + box("uuid", uuid))));
+    const std::string gpano = std::string("http://ns.adobe.com/xap/1.0/") + '\0' +
+                              "<x GPano:FullPanoWidthPixels=\"400\" GPano:FullPanoHeightPixels=\"200\" "
+                              "GPano:CroppedAreaLeftPixels=\"10\" "
+                              "GPano:CroppedAreaTopPixels=\"20\" GPano:CroppedAreaImageWidthPixels=\"300\" "
+                              "GPano:CroppedAreaImageHeightPixels=\"150\"/>";
+    const auto length = static_cast<uint32_t>(gpano.size() + 2);
+    put("Metadata", "sphere.jpg", "\xff\xd8\xff\xe1" + big32(length).substr(2) + gpano + "\xff\xd9");
+}
+
+void pictures() {
+    ImageRgbF light(8, 4);
+    for (size_t i = 0; i < light.pixels.size(); ++i) light.pixels[i] = 0.1f * static_cast<float>(i);
+    for (const char* name : {"seed.hdr", "seed.exr", "seed.pfm"})
+        put("Pictures", name, *media::encodeHdr(name, light));
+    ImageRgb8 coded(9, 5);
+    for (size_t i = 0; i < coded.pixels.size(); ++i) coded.pixels[i] = static_cast<uint8_t>(3 * i);
+    for (const char* name : {"seed.png", "seed.jpg"}) {
+        if (!media::writePicture(folder / "Pictures" / name, coded)) std::exit(1);
+    }
+    put("Pictures", "seed.ppm", "P6\n2 2\n255\n" + std::string(12, 'x'));
+    put("Pictures", "seed.pgm", "P2 2 1 # grey\n255\n1 2\n");
+}
+
+void devices() {
+    put("LeapMessages", "device",
+        R"({"event":{"type":"deviceEvent","state":{"attached":true,"streaming":true,"type":"peripheral"}}})");
+    std::string frame =
+        R"({"id":1,"timestamp":5,"hands":[{"id":1,"type":"right","confidence":1,"palmPosition":[10,200,5],
+"palmNormal":[0,-1,0],"direction":[0,0,-1],"palmVelocity":[0,0,0],"grabStrength":0.2,"pinchStrength":0,"wrist":[10,200,60],
+"elbow":[20,180,260],"armBasis":[[1,0,0],[0,1,0],[0,0,1]],"armWidth":50}],"pointables":[)";
+    for (int finger = 0; finger < 5; ++finger)
+        frame += (finger ? "," : "") + std::string(R"({"handId":1,"type":)") + std::to_string(finger) +
+                 R"(,"width":16,"carpPosition":[0,200,50],"mcpPosition":[0,200,0],"pipPosition":[0,200,-30],
+"dipPosition":[0,200,-50],"btipPosition":[0,200,-60],"tipPosition":[0,200,-62],"extended":true})";
+    frame += "]}";
+    std::erase(frame, '\n');
+    put("LeapMessages", "frame", frame + "\n" + frame);
+    // A pad with buttons, two axes and rumble.
+    const uint8_t descriptor[] = {0x05, 0x01, 0x09, 0x05, 0xa1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19,
+                                  0x01, 0x29, 0x08, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08,
+                                  0x81, 0x02, 0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81, 0x25,
+                                  0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0x06, 0x48, 0xff, 0x09,
+                                  0x01, 0x85, 0x02, 0x95, 0x19, 0x91, 0x02, 0xc0};
+    std::string bytes = {static_cast<char>(sizeof descriptor), 0};
+    bytes.append(reinterpret_cast<const char*>(descriptor), sizeof descriptor);
+    put("HidReports", "pad", bytes + std::string(32, '\x55'));
+}
+
+void ticks() {
+    // Both hands tracked and closing, looking about, for some seconds.
+    std::string bytes(1, 3);
+    for (int i = 0; i < 40; ++i) {
+        bytes += static_cast<char>(3);
+        for (int hand = 0; hand < 2; ++hand) {
+            bytes += static_cast<char>(1 | 8 | 16);
+            for (int axis = 0; axis < 3; ++axis)
+                bytes += static_cast<char>((i * 7 + axis * 5 + hand) % 5 - 2);
+            bytes += static_cast<char>(i % 8);
+        }
+        bytes += static_cast<char>(9);
+    }
+    put("Tick", "reaching", bytes);
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) return 2;
+    folder = arguments[1];
+    for (const auto make : {models, replays, texts, metadata, pictures, devices, ticks}) make();
+    return 0;
+}
