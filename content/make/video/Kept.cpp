@@ -1,10 +1,13 @@
 #include "content/make/video/Kept.h"
 
+#include "engine/core/WriteFile.h"
 #include "engine/media/Ffmpeg.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace shoal::reef {
 
@@ -17,7 +20,9 @@ using media::Codec, media::Frame, media::Input, media::Packet;
 
 struct CloseOutput {
     void operator()(AVFormatContext* output) const {
-        avio_closep(&output->pb);
+        uint8_t* bytes = nullptr;
+        if (output->pb) avio_close_dyn_buf(output->pb, &bytes);
+        av_free(bytes);
         avformat_free_context(output);
     }
 };
@@ -103,29 +108,26 @@ float distanceOfCode(uint16_t code) {
 
 Status keep(const Drawn& drawn, const Path& file) {
     const Error failed{file.string(), "could not be written"};
-    const Path part = file.string() + ".part";
     const Codec codec = encoder(drawn.radianceLin.width, drawn.radianceLin.height);
     const Frame frame = frameOf(drawn);
     const Packet packet = media::makePacket();
     if (!codec || !frame || avcodec_send_frame(codec.get(), frame.get()) < 0 ||
         avcodec_receive_packet(codec.get(), packet.get()) < 0)
         return failed;
-    {
-        AVFormatContext* made = nullptr;
-        if (avformat_alloc_output_context2(&made, nullptr, "nut", nullptr) < 0) return failed;
-        const Output output(made);
-        AVStream* stream = avformat_new_stream(made, nullptr);
-        stream->time_base = codec->time_base;
-        made->flags |= AVFMT_FLAG_BITEXACT;
-        if (avcodec_parameters_from_context(stream->codecpar, codec.get()) < 0 ||
-            avio_open(&made->pb, part.c_str(), AVIO_FLAG_WRITE) < 0 ||
-            avformat_write_header(made, nullptr) < 0 || av_write_frame(made, packet.get()) < 0 ||
-            av_write_trailer(made) < 0 || (avio_flush(made->pb), made->pb->error) < 0)
-            return failed;
-    }
-    std::error_code problem;
-    std::filesystem::rename(part, file, problem);
-    return problem ? Status(Error{file.string(), problem.message()}) : Done{};
+    AVFormatContext* made = nullptr;
+    if (avformat_alloc_output_context2(&made, nullptr, "nut", nullptr) < 0) return failed;
+    const Output output(made);
+    AVStream* stream = avformat_new_stream(made, nullptr);
+    stream->time_base = codec->time_base;
+    made->flags |= AVFMT_FLAG_BITEXACT;
+    if (avcodec_parameters_from_context(stream->codecpar, codec.get()) < 0 ||
+        avio_open_dyn_buf(&made->pb) < 0 || avformat_write_header(made, nullptr) < 0 ||
+        av_write_frame(made, packet.get()) < 0 || av_write_trailer(made) < 0)
+        return failed;
+    uint8_t* bytes = nullptr;
+    const int size = avio_close_dyn_buf(std::exchange(made->pb, nullptr), &bytes);
+    const std::unique_ptr<uint8_t, decltype(&av_free)> held(bytes, av_free);
+    return writeFileWhole(file, {reinterpret_cast<const char*>(bytes), static_cast<size_t>(size)});
 }
 
 Result<Drawn> recall(const Path& file, int width) {

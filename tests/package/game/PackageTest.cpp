@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -169,6 +170,37 @@ TEST_F(Package, DebianFindsNoErrorInIt) {
     const Outcome looked =
         run("lintian --allow-root --fail-on error,warning " + quoted(kScratch / "shoal.deb"));
     EXPECT_EQ(looked.status, 0) << looked.said;
+}
+
+// packages_play of game/setup.
+std::vector<std::string> packagesOfTheGame() {
+    const std::string setup = readText(tests::sourceFolder() / "game/setup").value();
+    const size_t from = setup.find("packages_play=(") + 15;
+    std::istringstream words(setup.substr(from, setup.find(')', from) - from));
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+TEST(Dependencies, EachIsExplained) {
+    const std::string readme = readText(tests::sourceFolder() / "engine/README.md").value();
+    const std::string table = readme.substr(readme.find("## Dependencies"));
+    for (const std::string& package : packagesOfTheGame()) EXPECT_THAT(table, HasSubstr("`" + package + "`"));
+}
+
+TEST(Dependencies, AreInTheBillOfMaterials) {
+    if (!installed("dpkg-query")) GTEST_SKIP() << "needs Debian's dpkg";
+    const Path bill = kScratch / "bill.json";
+    fs::create_directories(kScratch);
+    const Outcome outcome = run(std::string(SHOAL_CMAKE) + " -D PROGRAM=" + quoted(Path(tests::program())) +
+                                " -D CODECS=" + quoted(Path(SHOAL_BUILD) / "game/libshoal_codecs.so") +
+                                " -D VERSION=1 -D OUT=" + quoted(bill) +
+                                " -D SETUP=" + quoted(tests::sourceFolder() / "game/setup") + " -P " +
+                                quoted(tests::sourceFolder() / "content/package/Sbom.cmake"));
+    ASSERT_EQ(outcome.status, 0) << outcome.said;
+    const std::string text = readText(bill).value();
+    std::vector<std::string> expected = packagesOfTheGame();
+    expected.insert(expected.end(), {"libavcodec59", "libopencv-core406", "libopenal1", "libc6"}); // loaded
+    for (const std::string& package : expected)
+        EXPECT_THAT(text, HasSubstr("\"" + package + "\"")) << package;
 }
 
 } // namespace
