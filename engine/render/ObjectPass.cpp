@@ -162,8 +162,9 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
             skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
         const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
+        const bool mirrored = glm::determinant(glm::mat3(skinned ? joints_[0] : worldFromNode)) < 0;
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, bytes, scale, number,
+            items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, bytes, scale, mirrored, number,
                               body ? body->albedo : glm::vec3(0), highlight});
     }
 }
@@ -228,7 +229,6 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
 
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    glFrontFace(GL_CCW);
     glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
     const glm::mat4 clipFromWorld = view.clipFromWorld();
@@ -283,6 +283,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         drawItem(*current, item, view);
         ++drawCount_;
     }
+    glFrontFace(GL_CCW);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
@@ -319,6 +320,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     bindMap(program, material.normal, data, UNIT_NORMAL, "normalMap", "normalUv");
     bindMap(program, material.occlusion, data, UNIT_OCCLUSION, "occlusionMap", "occlusionUv");
     bindMap(program, material.emissive, colour, UNIT_EMISSIVE, "emissiveMap", "emissiveUv");
+    glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     if (material.doubleSided) {
         glDisable(GL_CULL_FACE);
     } else {

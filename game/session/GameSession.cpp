@@ -1,5 +1,7 @@
 #include "game/session/GameSession.h"
 
+#include "engine/core/Log.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>

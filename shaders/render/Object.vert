@@ -95,7 +95,8 @@ void main() {
     mat3 m = mat3(worldFromMesh);
     // The cofactor matrix turns normals rightly under any scale, without a division.
     mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
-    vec3 n = normalize(cofactor * normal) * (dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0);
+    float handedness = dot(cross(m[0], m[1]), m[2]) < 0.0 ? -1.0 : 1.0;
+    vec3 n = normalize(cofactor * normal) * handedness;
 #ifdef SECOND_UV
     vertexUv = vec4(uv0, uv1);
 #else
@@ -125,7 +126,7 @@ void main() {
 #else
     worldPosition = world.xyz;
     worldNormal = n;
-    worldTangent = vec4(m * tangent.xyz, tangent.w);
+    worldTangent = vec4(m * tangent.xyz, tangent.w * handedness);
 #ifdef OCCLUDED
     envSelfOcclusion = selfOcclusion;
 #endif

@@ -175,6 +175,30 @@ TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
         }
 }
 
+// A sphere whose node is mirrored shows its outside, lit as any other. Its triangles face one way alone.
+TEST_F(RenderGL, MirroredNodesShowTheirFronts) {
+    const ImageRgb8 frame = smoothSurround(128);
+    render::EnvironmentGpu environment;
+    const ImageRgba8 shown = upload(environment, frame);
+    environment.uploadLight(lightOf(frame));
+    scene::Model model = sphere(0, 0.5f);
+    model.materials[0].doubleSided = false;
+    const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1};
+    const ImageRgba8 plain = drawSphere(model, environment, view, 0, 64);
+    for (const glm::vec3 scale : {glm::vec3(-1, 1, 1), glm::vec3(1, -1, 1), glm::vec3(-1, -1, -1)}) {
+        model.nodes[0].parentFromNode.scale = scale;
+        const ImageRgba8 mirrored = drawSphere(model, environment, view, 0, 64);
+        int covered = 0;
+        for (size_t i = 0; i < plain.pixels.size(); i += 4) {
+            if (plain.pixels[i + 3] != 255 || mirrored.pixels[i + 3] != 255) continue;
+            ++covered;
+            for (size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(mirrored.pixels[i + c], plain.pixels[i + c], 2) << "texel " << i / 4;
+        }
+        EXPECT_GT(covered, 1000);
+    }
+}
+
 // Where detail is lean and the sphere is small, all light comes by the vertex: a uniform video stays uniform,
 // and in a smooth one nobody can tell.
 TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
