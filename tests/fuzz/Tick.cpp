@@ -54,7 +54,7 @@ void change(hands::HandPose& hand, Bytes& bytes) {
 }
 
 std::vector<game::TickInput> inputsFrom(Bytes bytes) {
-    constexpr size_t kMostTicks = 400;
+    constexpr size_t kMostTicks = 150;
     std::vector<game::TickInput> inputs;
     game::TickInput input;
     for (int h = 0; h < 2; ++h)

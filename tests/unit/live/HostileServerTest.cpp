@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <arpa/inet.h>
 #include <atomic>
 #include <fstream>
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 
 namespace shoal::media {
 namespace {
@@ -28,7 +31,7 @@ template <class Serve> std::string refusalOf(HttpServer& server, const std::stri
     const auto address = liveAddress(scheme + server.url().substr(4));
     if (!address || !*address) return "no address";
     std::thread serving([&] {
-        if (server.accept()) serve();
+        if (server.accept(scheme != "tcp")) serve();
         server.hangUp();
     });
     LiveOptions options;
@@ -104,6 +107,47 @@ TEST(HostileServer, WhatNeverEndsIsLeftAndTakesNoMemory) {
             EXPECT_LT(sent_MB, 100) << "of " << head.substr(40);
         }
     }
+    EXPECT_LT(peakMemory_MB() - before_MB, 256);
+}
+
+TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
+    const double before_MB = peakMemory_MB();
+    {
+        HttpServer server;
+        int sent_MB = 0;
+        const std::string more(1 << 20, 'G'); // each byte may begin a packet of a transport stream
+        const std::string said = refusalOf(server, "tcp", [&] {
+            while (sent_MB < 512 && server.send(more)) ++sent_MB;
+        });
+        EXPECT_NE(said, "");
+        EXPECT_LT(sent_MB, 100);
+    }
+    std::atomic<bool> over{false};
+    uint16_t port = 0;
+    const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+    sockaddr_in to{
+        .sin_family = AF_INET, .sin_port = 0, .sin_addr = {htonl(INADDR_LOOPBACK)}, .sin_zero = {}};
+    socklen_t size = sizeof to;
+    { // a port that is free now
+        const int finder = ::socket(AF_INET, SOCK_DGRAM, 0);
+        ASSERT_EQ(::bind(finder, reinterpret_cast<sockaddr*>(&to), size), 0);
+        ASSERT_EQ(::getsockname(finder, reinterpret_cast<sockaddr*>(&to), &size), 0);
+        port = ntohs(to.sin_port);
+        ::close(finder);
+    }
+    std::thread sending([&] {
+        const std::string packet(1400, 'G');
+        while (!over)
+            ::sendto(socket, packet.data(), packet.size(), 0, reinterpret_cast<sockaddr*>(&to), size);
+    });
+    LiveOptions options;
+    options.firstPicture_s = 60;
+    const auto address = liveAddress("udp://127.0.0.1:" + std::to_string(port));
+    const auto player = LivePlayer::open(feedFrom(**address, {20, 20}), options);
+    over = true;
+    sending.join();
+    ::close(socket);
+    EXPECT_FALSE(player);
     EXPECT_LT(peakMemory_MB() - before_MB, 256);
 }
 

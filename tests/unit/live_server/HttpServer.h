@@ -18,7 +18,8 @@ class HttpServer {
     std::string url(const std::string& path = "/live") const;
 
     // Blocks until a client has connected and asked; drops the one before. False after 20 seconds.
-    bool accept();
+    // asks: false for a protocol in which clients say nothing.
+    bool accept(bool asks = true);
     int accepted() const { return accepted_; }
     bool wasTried() const; // somebody is connecting, whom accept() would take
     const std::string& request() const { return request_; } // the last
