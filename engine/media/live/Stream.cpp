@@ -159,8 +159,6 @@ Status Stream::openFormat() {
     if (!format) return Error{"", "cannot be opened: there is no memory"};
     format->interrupt_callback = {watch, this};
     watched_ = format;
-    packetBegan_ = 0;
-    tooMuch_ = closed_ = false;
     const auto* url = std::get_if<StreamAddress>(&address_);
     std::string name;
     AVDictionary* options = nullptr;
@@ -212,6 +210,8 @@ Status Stream::connect() {
     format_.reset();
     stream_ = -1;
     stopped_ = false;
+    packetBegan_ = 0;
+    tooMuch_ = closed_ = false;
     deadline_s_ = liveNow_s() + timeouts_.open_s;
     if (const auto* pipe = std::get_if<PipeAddress>(&address_))
         if (Status opened = openPipe(pipe->file); !opened) return opened;
