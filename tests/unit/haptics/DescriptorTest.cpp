@@ -82,7 +82,6 @@ TEST(ReportDescriptor, PushedStateComesBack) {
     EXPECT_EQ(layout.fields[0].usage, usage(0x0E, 0x21));
 }
 
-// Whatever a device says: no crash, no hang, no memory beyond the bounds (the sanitizers watch).
 // Up to the last usage that there can be: counting on would begin at 0 again.
 TEST(ReportDescriptor, ARangeThatEndsWithTheNumbersEnds) {
     const std::array<uint8_t, 22> bytes = {0x1b, 0xf0, 0xff, 0xff, 0xff, 0x2b, 0xff, 0xff, 0xff, 0xff, 0x75,
@@ -93,6 +92,7 @@ TEST(ReportDescriptor, ARangeThatEndsWithTheNumbersEnds) {
     EXPECT_EQ(layout.bytes(ReportKind::Input, 0), 3u);
 }
 
+// Whatever a device says: no crash, no hang, no memory beyond the bounds (the sanitizers watch).
 TEST(ReportDescriptor, AnyBytesWillDo) {
     Random random(7);
     const auto byte = [&](size_t limit) {
