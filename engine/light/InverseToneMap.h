@@ -9,6 +9,13 @@
 
 namespace shoal::light {
 
+// How radiance is had from a frame's coded values.
+enum class FrameRadiance {
+    Auto,   // decoded sRGB, with what was clipped estimated: ClippedLight.h
+    Thesis, // radianceFromDisplay()
+    Linear, // decoded sRGB: what was clipped stays white
+};
+
 // Eq. 4.3. Of coded values: the curve was made for them as they come. It is linear, so it serves for light
 // too.
 inline float thesisLuminance(const glm::vec3& c) { return 0.30f * c.x + 0.59f * c.y + 0.11f * c.z; }

@@ -13,14 +13,14 @@ void cutToHalf(ImageRgbF& image) {
 } // namespace
 
 void LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
-    pyramid_.make(frame, options_.baseWidth, out.radiance);
+    pyramid_.make(frame, options_.baseWidth, out.radiance, options_.frames);
     filter(out);
 }
 
 size_t LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
     const size_t repaired = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
     filter(out);
-    // Display-coded frames end at 11.8.
+    // Display-coded frames end at 11.8, or at ClippedLight::mostGain().
     for (ImageRgbF& level : out.radiance.levels) cutToHalf(level);
     for (GlossyLevel& level : out.glossy) cutToHalf(level.radianceLin);
     cutToHalf(out.diffuse);

@@ -19,6 +19,7 @@ struct LightOptions {
     // Of all surfaces that will be lit: levels below it are not made, see glossyPlans().
     float minRoughness = 0.1f;
     LightQuality quality = LightQuality::Video;
+    FrameRadiance frames = FrameRadiance::Thesis;
 };
 
 // Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that

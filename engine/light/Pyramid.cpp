@@ -1,6 +1,7 @@
 #include "engine/light/Pyramid.h"
 
 #include "engine/light/BlockMeans.h"
+#include "engine/light/ClippedLight.h"
 #include "engine/light/Vectorise.h"
 #include "engine/math/LatLong.h"
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <optional>
 
 namespace shoal::light {
 
@@ -33,6 +35,20 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
         red[x] = scale * r;
         green[x] = scale * g;
         blue[x] = scale * b;
+    }
+}
+
+// The same by decoding sRGB. rowGain: ClippedLight's.
+void decodeLinearRow(const uint8_t* bytes, int width, int redAt, float rowGain, float* red, float* green,
+                     float* blue) {
+    const std::array<float, 256>& linear = linearOfCoded();
+    const int blueAt = 2 - redAt;
+    for (int x = 0; x < width; ++x, bytes += 3) {
+        red[x] = linear[bytes[redAt]], green[x] = linear[bytes[1]], blue[x] = linear[bytes[blueAt]];
+        if (rowGain <= 0) continue;
+        const float share = ClippedLight::clippedShare(std::min({bytes[0], bytes[1], bytes[2]}));
+        const float scale = 1 + rowGain * share;
+        red[x] *= scale, green[x] *= scale, blue[x] *= scale;
     }
 }
 
@@ -206,12 +222,19 @@ bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, Radiance
     return true;
 }
 
-void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
-    if (makeByBlocks(frame, askedWidth, out)) return;
+void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out, FrameRadiance from) {
+    if (from == FrameRadiance::Thesis && makeByBlocks(frame, askedWidth, out)) return;
     prepare(frame.width, frame.height, askedWidth, out);
+    std::optional<ClippedLight> clipped;
+    if (from == FrameRadiance::Auto) clipped.emplace(frame);
     const auto decode = [&](int y) {
-        decodeRow(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
-                  green_.data(), blue_.data());
+        const uint8_t* bytes = frame.pixels + y * frame.rowStride;
+        const int redAt = frame.bgr ? 2 : 0;
+        if (from == FrameRadiance::Thesis)
+            decodeRow(bytes, frame.width, redAt, red_.data(), green_.data(), blue_.data());
+        else
+            decodeLinearRow(bytes, frame.width, redAt, clipped ? clipped->rowGain(y) : 0.0f, red_.data(),
+                            green_.data(), blue_.data());
     };
     makeByRows(decode, out.levels[0]);
     halveAll(out);

@@ -4,6 +4,7 @@
 
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"
+#include "engine/light/InverseToneMap.h"
 
 #include <vector>
 
@@ -33,7 +34,8 @@ class PyramidMaker {
   public:
     // Inverse tone mapping (InverseToneMap.h) happens before any averaging. Any width and height: the source
     // is taken as the whole sphere.
-    void make(const FrameView& frame, int askedWidth, RadiancePyramid& out);
+    void make(const FrameView& frame, int askedWidth, RadiancePyramid& out,
+              FrameRadiance from = FrameRadiance::Thesis);
 
     // Linear radiance in. Returns how many texels had to be repaired.
     size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);

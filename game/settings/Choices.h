@@ -3,6 +3,7 @@
 
 #include "engine/core/EnumNames.h"
 #include "engine/light/EnvironmentLight.h"
+#include "engine/light/InverseToneMap.h"
 #include "engine/render/View.h"
 #include "game/rules/DiveRules.h"
 #include "input/hands/HandTracker.h"
@@ -45,6 +46,9 @@ template <> struct EnumNames<app::Tone> { static constexpr std::array kNames = {
 template <> struct EnumNames<render::Glossy> { static constexpr std::array kNames = {"ggx", "phong36"}; };
 template <> struct EnumNames<light::DiffuseMethod> {
     static constexpr std::array kNames = {"default", "thesis"};
+};
+template <> struct EnumNames<light::FrameRadiance> {
+    static constexpr std::array kNames = {"auto", "thesis", "linear"};
 };
 template <> struct EnumNames<app::Occlusion> {
     static constexpr std::array kNames = {"off", "ellipsoids", "ollfb", "ollfb-thesis"};

@@ -56,7 +56,7 @@ struct LightOptions {
     std::string file, out;
     LightFormat format = LightFormat::Pfm;
     light::DiffuseMethod method = light::DiffuseMethod::Default; // Thesis: its glossy maps too
-    bool ldrAsIs = false;
+    light::FrameRadiance frames = light::FrameRadiance::Auto;
     float at_s = 0;
 
     void addTo(SettingsTable& table) {
@@ -69,8 +69,11 @@ struct LightOptions {
             "default: exact lobes; thesis: diffuse light by brute force from 64x32 texels, glossy light "
             "by 36 samples of a Phong lobe");
         table.add("--format", choice(format), "Of the pictures: 32-bit pfm, exr, or Radiance hdr");
-        table.add("--ldr-as-is", &ldrAsIs,
-                  "Take a photo's or video's values as linear light: no inverse tone mapping");
+        table.add(
+            "--light", choice(frames),
+            "What a photo's or video's values stand for. auto: decoded sRGB, and what the camera clipped "
+            "by the light that the ground sends back; linear: decoded sRGB; thesis: its inverse tone "
+            "mapping, which the game itself uses");
         table.add("--at", &at_s, "Second of the video").between(0, 36000);
     }
 };

@@ -21,15 +21,6 @@ namespace {
 
 constexpr int kWidestLight = 4096;
 
-// The coded values, 0 to 1, taken as radiance.
-ImageRgbF asIs(const ImageRgb8& picture, bool bgr) {
-    ImageRgbF out(picture.width, picture.height);
-    for (size_t i = 0; i < picture.pixels.size(); i += 3)
-        for (size_t c = 0; c < 3; ++c)
-            out.pixels[i + c] = static_cast<float>(picture.pixels[i + (bgr ? 2 - c : c)]) / 255.0f;
-    return out;
-}
-
 // A photo's pixels, or the video's frame at that time.
 Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
     auto picture = media::readPicture(file);
@@ -42,7 +33,8 @@ Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
-    light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still});
+    light::LightMaker maker(
+        {kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, options.frames});
     light::EnvironmentLight made;
     if (media::writtenAs(options.file) == media::WrittenAs::Hdr) {
         auto picture = media::readHdr(options.file);
@@ -57,12 +49,9 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     bool bgr = false;
     auto coded = readCoded(options.file, options.at_s, bgr);
     if (!coded) return coded.error();
-    if (options.ldrAsIs)
-        maker.makeFromHdr(asIs(*coded, bgr), made);
-    else
-        maker.make({coded->pixels.data(), coded->width, coded->height,
-                    static_cast<ptrdiff_t>(coded->width) * 3, bgr},
-                   made);
+    maker.make(
+        {coded->pixels.data(), coded->width, coded->height, static_cast<ptrdiff_t>(coded->width) * 3, bgr},
+        made);
     return made;
 }
 

@@ -73,6 +73,9 @@ InverseToneMapMethod thesisInverse(bool linearised);
 // Decoded sRGB and nothing more.
 InverseToneMapMethod plainLinear();
 
+// Shoal's: clipped light by what the ground sends back (engine/light/ClippedLight.h).
+InverseToneMapMethod clippedLight();
+
 // Luminance by thesis eq. 2.3, ((L - least) / (most - least))^gamma, of decoded values. Akyuz, Fleming,
 // Riecke, Reinhard and Buelthoff 2007, "Do HDR Displays Support LDR Content?", found gamma 1 to serve.
 InverseToneMapMethod akyuz(float gamma);
@@ -80,6 +83,22 @@ InverseToneMapMethod akyuz(float gamma);
 // Decoded values stay below 0.5 of luminance; above they are blended towards ten times themselves with the
 // square of how far above. Landis 2002, "Production-Ready Global Illumination".
 InverseToneMapMethod landis();
+
+// Luminance to a power by the picture's key k, the place of its logarithmic mean between least and most.
+// Masia, Agustin, Fleming, Sorkine and Gutierrez 2009, "Evaluation of Reverse Tone Mapping Through Varying
+// Exposure Conditions".
+InverseToneMapMethod masia2009();
+// By key, logarithmic mean and share of clipped pixels. Masia, Serrano and Gutierrez 2017, "Dynamic Range
+// Expansion Based on Image Statistics".
+InverseToneMapMethod masia2017();
+
+// Decoded values times 1 to 4 by how near clipped pixels are. Their blur is made on 128 x 64 texels; the
+// first one's stop at strong edges is left out.
+// Rempel et al. 2007, "Ldr2Hdr: On-the-Fly Reverse Tone Mapping of Legacy Video and Photographs".
+InverseToneMapMethod rempel();
+// The blur weighed by likeness of luminance. Kovaleski and Oliveira 2014, "High-Quality Reverse Tone Mapping
+// for a Wide Range of Exposures".
+InverseToneMapMethod kovaleski();
 
 // --- All of them, in the order of the chart --------------------------------------------------------------
 

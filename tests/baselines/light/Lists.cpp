@@ -30,7 +30,17 @@ std::vector<PyramidMethod> pyramidMethods() {
 }
 
 std::vector<InverseToneMapMethod> inverseToneMapMethods() {
-    return {thesisInverse(false), thesisInverse(true), plainLinear(), akyuz(1), akyuz(2.2f), landis()};
+    return {thesisInverse(false),
+            thesisInverse(true),
+            plainLinear(),
+            clippedLight(),
+            akyuz(1),
+            akyuz(2.2f),
+            landis(),
+            masia2009(),
+            masia2017(),
+            rempel(),
+            kovaleski()};
 }
 
 } // namespace shoal::light::baselines

@@ -57,6 +57,17 @@ std::string plainCsv(const std::vector<Measured>& methods, const std::vector<std
     return out;
 }
 
+// For tonemaps.gp: milliseconds, medians of the diffuse error over HDRs and film in percent, name. Bounds
+// have no time.
+std::string toneMapPoints(const Chart& chart) {
+    std::string out;
+    for (const Measured& each : chart.toneMaps)
+        out += text("%.3f %.2f %.2f \"%s\"\n", each.cost.update_us / 1e3,
+                    100 * medianOfToneMap(chart, each, false, 0), 100 * medianOfToneMap(chart, each, true, 0),
+                    each.label.name.c_str());
+    return out;
+}
+
 } // namespace
 
 Status writeCsv(const Chart& chart, const Path& folder) {
@@ -67,6 +78,7 @@ Status writeCsv(const Chart& chart, const Path& folder) {
         {"glossy.csv", methodsCsv(chart, chart.glossy, kGlossyLobes, kGlossyPixels)},
         {"pyramids.csv", plainCsv(chart.pyramids, names)},
         {"tonemaps.csv", plainCsv(chart.toneMaps, chart.toneMapEnvironments)},
+        {"tonemaps.dat", toneMapPoints(chart)},
         {"surrounds.csv", environmentCsv(chart)},
     };
     for (const auto& [name, content] : files)

@@ -105,6 +105,13 @@ std::vector<EnvironmentSource> hdrSources(const Path& shared) {
     return sources;
 }
 
+std::vector<EnvironmentSource> clippedSources(const Path& shared) {
+    auto sources = hdrSources(shared);
+    for (const char* name : {"aircraft_workshop_01", "lightroom_14b"})
+        sources.push_back(hdr(shared / "data" / "fidelity" / (std::string(name) + "_1k.hdr")));
+    return sources;
+}
+
 std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick) {
     const Path photos = shared / "data" / "photo", videos = shared / "data" / "video";
     const auto step = painted("made: half black, half white", [](const glm::dvec3& d) { return d.x > 0; });

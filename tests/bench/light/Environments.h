@@ -39,6 +39,9 @@ std::vector<EnvironmentSource> environmentSources(const Path& shared, bool quick
 // The six pictures of high dynamic range alone.
 std::vector<EnvironmentSource> hdrSources(const Path& shared);
 
+// These and the two under data/fidelity: for what clipping takes away.
+std::vector<EnvironmentSource> clippedSources(const Path& shared);
+
 // Frames of the game's own video, and in radianceLin the light that they were filmed in, from before the
 // camera (content/truth): nowhere else are both known.
 std::vector<EnvironmentSource> filmedSources();

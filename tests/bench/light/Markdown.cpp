@@ -91,22 +91,20 @@ std::string pyramidTable(const Chart& chart) {
 }
 
 std::string toneMapTable(const Chart& chart) {
-    std::string out =
-                    "| operator | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
-                rule = "|---|--:|--:|--:|--:|";
+    std::string
+        out = "| operator | ms | HDRs: diffuse, % | glossy 0.5, % | our film: diffuse, % | glossy 0.5, % |",
+        rule = "|---|--:|--:|--:|--:|--:|";
     for (const std::string& name : chart.toneMapEnvironments) {
         out += " " + name.substr(name.find(' ') + 1) + " |";
         rule += "--:|";
     }
     out += " source |\n" + rule + "---|\n";
     for (const Measured& each : chart.toneMaps) {
-        Pool pools[2][2]; // clipped HDRs, film; diffuse, glossy
-        for (size_t i = 0; i < each.errors.size(); ++i)
-            for (size_t lobe = 0; lobe < 2; ++lobe)
-                pools[i >= chart.toneMapsClipped][lobe].add(each.errors[i][lobe]);
-        out += "| " + nameOf(each) + " |";
-        for (const auto& kind : pools)
-            for (const Pool& pool : kind) out += " " + percent(pool.rms()) + " |";
+        out += "| " + nameOf(each) +
+               (each.cost.update_us > 0 ? text(" | %.1f |", each.cost.update_us / 1e3) : " | |");
+        for (const bool film : {false, true})
+            for (const size_t lobe : {0, 1})
+                out += " " + percent(medianOfToneMap(chart, each, film, lobe)) + " |";
         for (const auto& errors : each.errors)
             out += " " + percent(errors[0].rms) + " and " + percent(errors[1].rms) + " |";
         out += " " + each.label.source + " |\n";

@@ -39,8 +39,8 @@ struct Chart {
     std::vector<EnvironmentFact> environments;
     std::vector<Measured> diffuse, glossy; // glossy lobes: kRoughnesses
     std::vector<Measured> pyramids;        // one lobe: the diffuse one; only coded environments count
-    // Two lobes: diffuse, roughness 0.5; over toneMapEnvironments: hdrSources(), the first toneMapsClipped of
-    // them, then filmedSources().
+    // Two lobes: diffuse, roughness 0.5; over toneMapEnvironments: clippedSources(), the first
+    // toneMapsClipped of them, then filmedSources().
     std::vector<Measured> toneMaps;
     size_t toneMapsClipped = 0;
     std::vector<std::string> toneMapEnvironments;

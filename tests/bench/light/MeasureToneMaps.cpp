@@ -1,8 +1,12 @@
 #include "tests/bench/light/Measure.h"
 
+#include "engine/light/ClippedLight.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
+#include "engine/math/LatLong.h"
+#include "tests/bench/light/Timing.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace shoal::bench {
@@ -44,6 +48,69 @@ ImageRgbF quartered(const ImageRgbF& image) {
     return quarter;
 }
 
+bool isClipped(const uint8_t* coded) { return std::max({coded[0], coded[1], coded[2]}) == 255; }
+
+// The two parts of a frame's decoded radiance.
+struct Parts {
+    ImageRgbF unclipped, clipped;
+};
+
+Parts partsOf(const ImageRgb8& frame) {
+    Parts parts{ImageRgbF(frame.width, frame.height), ImageRgbF(frame.width, frame.height)};
+    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
+        ImageRgbF& part = isClipped(&frame.pixels[i]) ? parts.clipped : parts.unclipped;
+        for (size_t c = i; c < i + 3; ++c) part.pixels[c] = light::linearOfCoded()[frame.pixels[c]];
+    }
+    return parts;
+}
+
+// Each connected region of clipped pixels (over the seam too) gets its mean of the true radiance, in the
+// frame's exposure. lit: coarser than the frame.
+ImageRgbF withTrueRegions(const ImageRgb8& frame, const ImageRgbF& lit) {
+    const Parts parts = partsOf(frame);
+    ImageRgbF out = parts.unclipped;
+    const auto litAt = [&](int x, int y) {
+        return lit.at(x * lit.width / frame.width, y * lit.height / frame.height);
+    };
+    double both = 0, own = 0; // exposure: the unclipped part's factor
+    std::vector<uint8_t> left(out.pixels.size() / 3);
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            const bool clipped = isClipped(frame.at(x, y));
+            left[static_cast<size_t>(y) * frame.width + x] = clipped;
+            for (int c = 0; !clipped && c < 3; ++c) {
+                const auto light = static_cast<double>(litAt(x, y)[c]);
+                both += light * static_cast<double>(out.at(x, y)[c]), own += light * light;
+            }
+        }
+    std::vector<std::pair<int, int>> region;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            region.clear();
+            const auto take = [&](int column, int row) {
+                if (row < 0 || row == frame.height) return;
+                column = (column + frame.width) % frame.width;
+                uint8_t& waits = left[static_cast<size_t>(row) * frame.width + column];
+                if (waits) region.emplace_back(column, row);
+                waits = 0;
+            };
+            take(x, y);
+            glm::dvec3 sum(0);
+            double weights = 0;
+            for (size_t i = 0; i < region.size(); ++i) {
+                const auto [column, row] = region[i];
+                const double weight = texelSolidAngle(row, frame.width, frame.height);
+                const float* light = litAt(column, row);
+                sum += weight * glm::dvec3(light[0], light[1], light[2]), weights += weight;
+                take(column - 1, row), take(column + 1, row), take(column, row - 1), take(column, row + 1);
+            }
+            for (const auto& [column, row] : region)
+                for (int c = 0; c < 3; ++c)
+                    out.at(column, row)[c] = static_cast<float>(sum[c] / weights * both / own);
+        }
+    return out;
+}
+
 // After the one factor that brings it nearest: how bright the frame was exposed is not the operator's to
 // know.
 EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vector<glm::dvec3>& want) {
@@ -59,6 +126,10 @@ EnvironmentError errorAfterScaling(std::vector<glm::dvec3> got, const std::vecto
 void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const glm::dvec3> dirs) {
     const auto methods = inverseToneMapMethods();
     for (const auto& each : methods) chart.toneMaps.push_back({each.label, {}, {}});
+    // What no method can know; a time is no matter.
+    const size_t oneGain = methods.size(), trueRegions = methods.size() + 1;
+    chart.toneMaps.push_back({{"bound: clipped pixels times the one best gain", "", "", ""}, {}, {}});
+    chart.toneMaps.push_back({{"bound: clipped regions at their true means", "", "", ""}, {}, {}});
     const light::Lobe lobes[] = {light::diffuseLobe(), light::glossyLobe(0.5)};
     // lit: the light that the frame was filmed in, of 256 or 512 texels around.
     const auto measure = [&](const std::string& name, const ImageRgb8& frame, const ImageRgbF& lit) {
@@ -73,8 +144,26 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
             for (size_t lobe = 0; lobe < std::size(lobes); ++lobe)
                 errors.push_back(errorAfterScaling(column(got, lobe), column(truth, lobe)));
         }
+        const Parts parts = partsOf(frame);
+        const Truth unclipped = integrals(quartered(parts.unclipped), dirs, lobes);
+        const Truth clipped = integrals(quartered(parts.clipped), dirs, lobes);
+        const Truth regions = integrals(quartered(withTrueRegions(frame, lit)), dirs, lobes);
+        auto& best = chart.toneMaps[oneGain].errors.emplace_back();
+        auto& known = chart.toneMaps[trueRegions].errors.emplace_back();
+        for (size_t lobe = 0; lobe < std::size(lobes); ++lobe) {
+            const auto want = column(truth, lobe);
+            known.push_back(errorAfterScaling(column(regions, lobe), want));
+            best.push_back({1e30, 0});
+            for (double gain = 1; gain < 2000; gain *= 1.1) {
+                auto got = column(unclipped, lobe);
+                const auto more = column(clipped, lobe);
+                for (size_t i = 0; i < got.size(); ++i) got[i] += gain * more[i];
+                const EnvironmentError error = errorAfterScaling(std::move(got), want);
+                if (error.rms < best.back().rms) best.back() = error;
+            }
+        }
     };
-    for (const EnvironmentSource& source : hdrSources(plan.shared)) {
+    for (const EnvironmentSource& source : clippedSources(plan.shared)) {
         if (plan.quick && chart.toneMapEnvironments.size() == 2) break;
         const auto environment = source.load();
         if (!environment) continue;
@@ -87,6 +176,12 @@ void measureToneMaps(Chart& chart, const SessionConfig& plan, std::span<const gl
             measure(source.name, filmed->frame, filmed->radianceLin);
             if (plan.quick) break;
         }
+
+    const ImageRgb8 frame = timedFrame();
+    ImageRgbF expanded;
+    for (size_t i = 0; i < methods.size(); ++i)
+        chart.toneMaps[i].cost.update_us =
+            shortest_us(plan.quick ? 0 : 200, [&] { methods[i].expand(frame, expanded); });
 }
 
 } // namespace shoal::bench

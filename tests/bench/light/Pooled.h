@@ -12,6 +12,10 @@ constexpr double kGlossyPixels = 100000; // shaded in a frame, for one figure of
 enum class Suns { With, Without, Only };
 Pool pooled(const Chart& chart, const Measured& method, Suns suns, size_t firstLobe, size_t lobes);
 
+// Of one lobe of a method of inverse tone mapping, over the clipped HDR pictures or over our film: the middle
+// of the root mean squares. Not a number where nothing was measured.
+double medianOfToneMap(const Chart& chart, const Measured& method, bool film, size_t lobe);
+
 // Microseconds a frame with so many pixels shaded.
 double frame_us(const Cost& cost, double pixels);
 

@@ -56,6 +56,17 @@ class Program : public testing::Test {
         EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
         EXPECT_NE(outcome.err.find(about), std::string::npos) << outcome.err;
     }
+
+    // What `light` writes, by name.
+    std::map<std::string, std::string> lightFiles(const Path& picture, const Path& out,
+                                                  const std::string& how) const {
+        const Outcome made = run("light " + picture.string() + " -o " + out.string() + " " + how);
+        if (made.status != 0) throw std::runtime_error(made.err);
+        std::map<std::string, std::string> files;
+        for (const auto& each : fs::directory_iterator(out))
+            files[each.path().filename().string()] = readText(each.path()).value();
+        return files;
+    }
 };
 
 // A grey ramp without end, in the plainest of formats.
@@ -160,16 +171,8 @@ TEST_F(Program, LayersNeedANewerOpenGl) {
 
 TEST_F(Program, LightByTheThesisHasTheSameFiles) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
-    const auto make = [&](const std::string& method) {
-        const Path out = folder_ / method;
-        const Outcome made = run("light " + photo.string() + " -o " + out.string() + " --method " + method);
-        if (made.status != 0) throw std::runtime_error(made.err);
-        std::map<std::string, std::string> files;
-        for (const auto& each : fs::directory_iterator(out))
-            files[each.path().filename().string()] = readText(each.path()).value();
-        return files;
-    };
-    const auto ours = make("default"), thesis = make("thesis");
+    const auto ours = lightFiles(photo, folder_ / "default", "--method default"),
+               thesis = lightFiles(photo, folder_ / "thesis", "--method thesis");
     ASSERT_GT(ours.size(), 3u);
     ASSERT_EQ(ours.size(), thesis.size());
     for (const auto& [name, bytes] : ours) {
@@ -179,6 +182,24 @@ TEST_F(Program, LightByTheThesisHasTheSameFiles) {
     EXPECT_EQ(ours.at("sh.json"), thesis.at("sh.json"));
     EXPECT_NE(ours.at("diffuse.pfm"), thesis.at("diffuse.pfm"));
     EXPECT_NE(ours.at("glossy_1.00.pfm"), thesis.at("glossy_1.00.pfm"));
+}
+
+// White above, dark grey below: clipped light is estimated by auto alone, and the thesis' operator scales
+// all.
+TEST_F(Program, LightOfCodedValuesAsAsked) {
+    std::string picture =
+        "P6 256 128 255\n" + std::string(256 * 64 * 3, '\xff') + std::string(256 * 64 * 3, '\x40');
+    const Path photo = write("photo.ppm", picture);
+    const auto of = [&](const std::string& how) {
+        return lightFiles(photo, folder_ / how, "--light " + how).at("diffuse.pfm");
+    };
+    const std::string automatic = of("auto"), thesis = of("thesis"), linear = of("linear");
+    EXPECT_EQ(lightFiles(photo, folder_ / "unsaid", "").at("diffuse.pfm"), automatic);
+    EXPECT_NE(automatic, linear);
+    EXPECT_NE(automatic, thesis);
+    EXPECT_NE(thesis, linear);
+    EXPECT_EQ(run("light " + photo.string() + " -o " + (folder_ / "none").string() + " --light ours").status,
+              2);
 }
 
 TEST_F(Program, HeadlessIsAcceptedByEveryCommand) {

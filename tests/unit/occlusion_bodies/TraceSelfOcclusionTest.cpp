@@ -164,13 +164,13 @@ TEST(TraceSelfOcclusion, OfNothingAreNone) {
         EXPECT_EQ(selfOcclusion, glm::vec4(0));
 }
 
-Occluder sphereAt(const glm::vec3& centre, float radius) {
+Occluder roundOccluder(const glm::vec3& centre, float radius) {
     return {{centre, glm::mat3(1), glm::vec3(radius)}, 1, {}};
 }
 
 TEST(Joining, OfThoseSideBySideIsNearlyTheirSum) {
     const glm::vec3 up(0, 1, 0);
-    const Occluder left = sphereAt({-1.2f, 1, 0}, 1), right = sphereAt({1.2f, 1, 0}, 1);
+    const Occluder left = roundOccluder({-1.2f, 1, 0}, 1), right = roundOccluder({1.2f, 1, 0}, 1);
     const float one = occlusionMoments(axisOcclusion({}, up, {&left, 1}), up).w;
     const Occluder both[] = {left, right};
     const glm::vec4 hidden = occlusionMoments(axisOcclusion({}, up, both), up);
@@ -186,7 +186,7 @@ TEST(Joining, OfManyNeverTakesMoreThanAll) {
     for (int k = 0; k < 24; ++k) {
         const float angle = 0.8f * static_cast<float>(k);
         many.push_back(
-            sphereAt({std::cos(angle), 0.6f + 0.05f * static_cast<float>(k % 5), std::sin(angle)}, 0.7f));
+            roundOccluder({std::cos(angle), 0.6f + 0.05f * static_cast<float>(k % 5), std::sin(angle)}, 0.7f));
         const glm::vec4 hidden = occlusionMoments(axisOcclusion({}, {0, 1, 0}, many), {0, 1, 0});
         EXPECT_LE(hidden.w, 1.0001f);
         EXPECT_LE(glm::length(glm::vec3(hidden)), hidden.w);

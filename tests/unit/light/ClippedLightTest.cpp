@@ -1,0 +1,181 @@
+// What the camera clipped, estimated: known scenes, and every way in which a cue can be missing.
+#include "engine/light/ClippedLight.h"
+#include "engine/light/MakeLight.h"
+#include "engine/math/Colour.h"
+#include "engine/math/LatLong.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace shoal::light {
+namespace {
+
+constexpr int kWidth = 512, kHeight = 256;
+
+uint8_t coded(float linear) {
+    return static_cast<uint8_t>(std::lround(255 * math::srgbFromLinear(std::clamp(linear, 0.0f, 1.0f))));
+}
+
+// radianceIn(direction): grey, linear; above 1 it is clipped.
+ImageRgb8 filmed(const std::function<float(const glm::vec3&)>& radianceIn) {
+    ImageRgb8 frame(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const glm::vec3 towards = directionFromLatLong(
+                glm::vec2((static_cast<float>(x) + 0.5f) / kWidth, (static_cast<float>(y) + 0.5f) / kHeight));
+            std::fill_n(frame.at(x, y), 3, coded(radianceIn(towards)));
+        }
+    return frame;
+}
+
+FrameView viewOf(const ImageRgb8& frame) {
+    return {frame.pixels.data(), frame.width, frame.height, ptrdiff_t{3} * frame.width, false};
+}
+
+float gainOf(const std::function<float(const glm::vec3&)>& radianceIn) {
+    const ImageRgb8 frame = filmed(radianceIn);
+    return ClippedLight(viewOf(frame)).gain();
+}
+
+float withTrust(float times) {
+    return std::pow(ClippedLight::kUsualGain, 1 - ClippedLight::kTrust) *
+           std::pow(times, ClippedLight::kTrust);
+}
+
+constexpr float kSky = 0.1f;
+const float kSunCosine = std::cos(0.2f); // about the zenith
+
+// A sun of this radiance in an even sky, over ground of the assumed albedo in their light.
+float openAir(const glm::vec3& towards, float sun) {
+    const float sunShare = 1 - kSunCosine * kSunCosine; // of the cosine-weighed half sphere
+    const float fromAbove = sun * sunShare + kSky * (1 - sunShare);
+    if (towards.y < 0) return ClippedLight::kGroundAlbedo * fromAbove;
+    return towards.y > kSunCosine ? sun : kSky;
+}
+
+// The estimate is the sun's radiance; the assumed share of the usual gain is mixed in by its formula. 4 %:
+// 8 bits, and sums over every fourth pixel of a disc of 33 rows.
+TEST(ClippedLight, KnowsTheSunByTheGround) {
+    for (const float sun : {2.0f, 10.0f, 40.0f, 80.0f})
+        EXPECT_NEAR(gainOf([&](const glm::vec3& d) { return openAir(d, sun); }) / withTrust(sun), 1, 0.04f)
+            << sun;
+}
+
+// Nothing goes beyond what is stated, in any of the cases in which a cue is missing.
+TEST(ClippedLight, FallsBackWhereACueIsMissing) {
+    const float usual = ClippedLight::kUsualGain, most = ClippedLight::mostGain();
+    const auto sunlit = [](const glm::vec3& d) { return openAir(d, 40); };
+    const auto covered = [&](float below) {
+        return gainOf([&](const glm::vec3& d) { return d.y < below ? 0.0f : sunlit(d); });
+    };
+    const float known = gainOf(sunlit);
+    EXPECT_FLOAT_EQ(covered(0), usual) << "no ground is seen";
+    EXPECT_NEAR(covered(-0.9f), known, 0.01f * known) << "a covered nadir, a tripod";
+    EXPECT_FLOAT_EQ(gainOf([](const glm::vec3&) { return 2.0f; }), usual) << "everything is clipped";
+    EXPECT_FLOAT_EQ(gainOf([](const glm::vec3& d) { return d.y < 0 ? 2.0f : 0.1f; }), usual)
+        << "the ground is clipped";
+    EXPECT_FLOAT_EQ(gainOf([](const glm::vec3&) { return 0.0f; }), usual) << "black";
+    // Bright ground under a dark sky, as by lamps: clipped pixels may have been anything, but have a limit.
+    EXPECT_NEAR(gainOf([](const glm::vec3& d) { return d.y < 0        ? 0.9f
+                                                       : d.y > 0.999f ? 2.0f
+                                                                      : 0.0f; }), most,
+                0.01f * most);
+    // A dark ground says that nothing is missing.
+    EXPECT_NEAR(gainOf([](const glm::vec3& d) { return d.y < 0      ? 0.01f
+                                                       : d.y > 0.9f ? 2.0f
+                                                                    : 0.4f; }),
+                withTrust(1), 0.01f);
+    // Bars above and below, as of a film in letterbox.
+    const float boxed = gainOf([&](const glm::vec3& d) { return std::abs(d.y) > 0.95f ? 0.0f : sunlit(d); });
+    EXPECT_GE(boxed, 1);
+    EXPECT_LE(boxed, most);
+}
+
+// It takes the ground for less the less of it is seen. Sums see every fourth row: of 256, ten from where the
+// share begins to count to the horizon, over which the gain falls to a third, so by a seventh at most a row.
+TEST(ClippedLight, GroundThatDisappearsIsForgottenSmoothly) {
+    float before = 0;
+    for (float below = -1; below <= 0; below += 0.01f) {
+        const float now = gainOf([&](const glm::vec3& d) { return d.y < below ? 0.0f : openAir(d, 40); });
+        if (below > -1) {
+            EXPECT_NEAR(now / before, 1, 0.15f) << below;
+        }
+        before = now;
+    }
+}
+
+EnvironmentLight lightOf(const ImageRgb8& frame, FrameRadiance from) {
+    LightMaker maker({256, 0.5f, LightQuality::Video, from});
+    EnvironmentLight light;
+    maker.make(viewOf(frame), light);
+    return light;
+}
+
+// An even frame that is not clipped is its own light: matte white in it is drawn as the frame.
+TEST(ClippedLight, UnclippedLightIsTheFrames) {
+    for (const float value : {0.02f, 0.2f, 0.8f}) {
+        const ImageRgb8 frame = filmed([&](const glm::vec3&) { return value; });
+        for (const FrameRadiance from : {FrameRadiance::Auto, FrameRadiance::Linear}) {
+            const EnvironmentLight light = lightOf(frame, from);
+            const float want = math::linearFromSrgb(static_cast<float>(frame.pixels[0]) / 255.0f);
+            for (const float each : light.diffuse.pixels) ASSERT_NEAR(each, want, 1e-4f * want);
+        }
+    }
+}
+
+// A white patch below the horizon, as sand in the sun, is left as it is; one above is scaled.
+TEST(ClippedLight, ScalesWhatIsAboveTheHorizon) {
+    const auto patchAt = [](float height) {
+        return filmed([=](const glm::vec3& d) { return std::abs(d.y - height) < 0.1f ? 2.0f : 0.1f; });
+    };
+    EXPECT_EQ(lightOf(patchAt(-0.5f), FrameRadiance::Auto).diffuse.pixels,
+              lightOf(patchAt(-0.5f), FrameRadiance::Linear).diffuse.pixels);
+    const auto up = [](const EnvironmentLight& light) { return light.diffuse.pixels[0]; };
+    EXPECT_GT(up(lightOf(patchAt(0.5f), FrameRadiance::Auto)),
+              1.5f * up(lightOf(patchAt(0.5f), FrameRadiance::Linear)));
+}
+
+// A region that comes to be clipped a step of 8 bits at a time: the light grows by no more at once than over
+// the ramp's twelve steps, and never falls.
+TEST(ClippedLight, NothingFlickersAtTheEdgeOfClipping) {
+    ImageRgb8 frame = filmed([](const glm::vec3& d) { return openAir(d, 0.5f); });
+    std::vector<float> light;
+    for (int value = 235; value <= 255; ++value) {
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x)
+                if (openAir(directionFromLatLong(glm::vec2((static_cast<float>(x) + 0.5f) / kWidth,
+                                                           (static_cast<float>(y) + 0.5f) / kHeight)),
+                            0.5f) > 0.4f)
+                    std::fill_n(frame.at(x, y), 3, static_cast<uint8_t>(value));
+        light.push_back(lightOf(frame, FrameRadiance::Auto).diffuse.pixels[0]);
+    }
+    const float whole = light.back() - light.front();
+    for (size_t i = 1; i < light.size(); ++i) {
+        EXPECT_GE(light[i], light[i - 1]);
+        EXPECT_LT(light[i] - light[i - 1], 0.3f * whole) << i;
+    }
+}
+
+// The order of a frame's bytes and the padding of its rows do not matter.
+TEST(ClippedLight, ReadsAnyFrame) {
+    const ImageRgb8 frame =
+        filmed([](const glm::vec3& d) { return openAir(d, 20) * (d.x > 0 ? 1.0f : 0.5f); });
+    std::vector<uint8_t> padded;
+    for (int y = 0; y < kHeight; ++y) {
+        padded.insert(padded.end(), frame.at(0, y), frame.at(0, y) + ptrdiff_t{3} * kWidth);
+        padded.insert(padded.end(), 7, uint8_t{255});
+    }
+    const ClippedLight plain(viewOf(frame)), other({padded.data(), kWidth, kHeight, 3 * kWidth + 7, true});
+    EXPECT_EQ(plain.gain(), other.gain());
+    EXPECT_EQ(plain.rowGain(kHeight - 1), 0);
+    EXPECT_GT(plain.rowGain(0), 0);
+    for (const auto& [width, height] : {std::pair(2, 1), {3, 2}, {5, 7}})
+        EXPECT_TRUE(
+            std::isfinite(ClippedLight({frame.pixels.data(), width, height, 3 * kWidth, false}).gain()));
+}
+
+} // namespace
+} // namespace shoal::light
