@@ -25,29 +25,43 @@ constexpr float kSeen = 0.1f;     // share of the hemisphere that must be free f
 constexpr float kBuried = 0.03f;  // its weight where nothing is free: such places are never seen
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
 
+// What hides a point from so near varies over about that distance. Corners further apart cannot carry it:
+// between them it would be a gradient that no light makes. So what is nearer than a triangle is long does not
+// count, but for this much of the body's extent, below which it is fine detail of a model that has its
+// vertices where they are wanted.
+constexpr float kFine = 0.05f;
+
 struct Sample {
     std::array<uint32_t, 3> corners{};
     glm::vec3 shares{0}; // of the corners
     float weight = 0;    // area, as far as it is seen
+    float nearest = 0;   // that a ray sees, from its start
     glm::vec4 hidden{0}; // occlusionMoments()
 };
 
 class SelfOcclusionOf {
   public:
-    SelfOcclusionOf(const SelfOccludingMesh& body, int rays, float gap)
-        : body_(body), gap_(gap), pattern_(cosineDirections(rays)), bvh_(body.positions, body.indices) {
+    SelfOcclusionOf(const SelfOccludingMesh& body, int rays, float extent)
+        : body_(body), gap_(kGap * extent), pattern_(cosineDirections(rays)),
+          bvh_(body.positions, body.indices) {
         std::vector<Sample> corners(body.positions.size());
         for (size_t i = 0; i < body.indices.size() / 3 * 3; i += 3) {
             const uint32_t* corner = &body.indices[i];
-            const glm::vec3& a = body.positions[corner[0]];
-            const float area =
-                glm::length(glm::cross(body.positions[corner[1]] - a, body.positions[corner[2]] - a));
+            const glm::vec3 &a = body.positions[corner[0]], &b = body.positions[corner[1]],
+                            &c = body.positions[corner[2]];
+            const float area = glm::length(glm::cross(b - a, c - a));
+            const float longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+            const float nearest = std::max(0.0f, longest - kFine * extent);
             for (int near = 0; near < static_cast<int>(kInTriangle); ++near) {
-                Sample sample{{corner[0], corner[1], corner[2]}, glm::vec3(1 / 6.0f), area, {}};
+                Sample sample{{corner[0], corner[1], corner[2]}, glm::vec3(1 / 6.0f), area, nearest, {}};
                 sample.shares[near] = 4 / 6.0f;
                 samples_.push_back(sample);
                 Sample& there = corners[corner[near]];
-                there = {sample.corners, glm::vec3(0), there.weight + area / kInTriangle, {}};
+                there = {sample.corners,
+                         glm::vec3(0),
+                         there.weight + area / kInTriangle,
+                         std::max(there.nearest, nearest),
+                         {}};
                 there.shares[near] = 1;
             }
         }
@@ -136,7 +150,7 @@ class SelfOcclusionOf {
         glm::vec4 sum(0);
         for (const glm::vec3& each : pattern_) {
             const glm::vec3 direction = frame * each;
-            if (bvh_.blocked(origin, direction, 0, INFINITY)) sum += glm::vec4(direction, 1);
+            if (bvh_.blocked(origin, direction, sample.nearest, INFINITY)) sum += glm::vec4(direction, 1);
         }
         const glm::vec4 hidden = sum / static_cast<float>(pattern_.size());
         sample.weight *= std::clamp((1 - hidden.w) / kSeen, kBuried, 1.0f);
@@ -192,10 +206,10 @@ glm::vec4 fitSelfOcclusion(const AxisOcclusion& hidden, const glm::vec3& normal,
 std::vector<glm::vec4> traceSelfOcclusion(const SelfOccludingMesh& body, int rays) {
     glm::vec3 low(INFINITY), high(-INFINITY);
     for (const glm::vec3& p : body.positions) low = glm::min(low, p), high = glm::max(high, p);
-    const float gap = kGap * glm::distance(low, high);
-    if (!(gap > 0) || !std::isfinite(gap) || rays < 1)
+    const float extent = glm::distance(low, high);
+    if (!(extent > 0) || !std::isfinite(extent) || rays < 1)
         return std::vector<glm::vec4>(body.positions.size(), glm::vec4(0));
-    SelfOcclusionOf folding(body, rays, gap);
+    SelfOcclusionOf folding(body, rays, extent);
     const size_t samples = folding.samples();
     const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
     ThreadPool(threads - 1).parallelFor(threads, [&](int t) {

@@ -164,6 +164,30 @@ TEST(TraceSelfOcclusion, OfNothingAreNone) {
         EXPECT_EQ(selfOcclusion, glm::vec4(0));
 }
 
+// A tile hangs before a board: the board's shade ends an edge of the tile away. Two triangles cannot carry it
+// and would be darkened from corner to corner; small ones are dark behind the tile alone.
+TEST(TraceSelfOcclusion, WhatCornersCannotCarryIsLeftOut) {
+    const auto boardOf = [](int cells) {
+        Sheets sheets;
+        sheets.add({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, cells);              // the board, facing +z
+        sheets.add({0.55f, 0.55f, 0.05f}, {0.3f, 0, 0}, {0, 0.3f, 0}, 1);  // the tile
+        sheets.add({0.85f, 0.55f, 0.05f}, {-0.3f, 0, 0}, {0, 0.3f, 0}, 1); // and its back
+        return traceSelfOcclusion(sheets.body(), 256);
+    };
+    const auto coarse = boardOf(1);
+    for (size_t corner = 0; corner < 4; ++corner) EXPECT_EQ(coarse[corner], glm::vec4(0));
+    constexpr int kCells = 40;
+    const auto board = boardOf(kCells);
+    const auto hiddenAt = [&](float x, float y) {
+        const auto column = static_cast<size_t>(std::lround((x + 1) * kCells / 2)),
+                   row = static_cast<size_t>(std::lround((y + 1) * kCells / 2));
+        return withSelfOcclusion(board[row * (kCells + 1) + column], {0, 0, 1}).w;
+    };
+    EXPECT_GT(hiddenAt(0.7f, 0.7f), 0.8f);
+    EXPECT_LT(hiddenAt(-0.5f, -0.5f), 0.01f);
+    EXPECT_LT(hiddenAt(0, 0), 0.05f);
+}
+
 Occluder roundOccluder(const glm::vec3& centre, float radius) {
     return {{centre, glm::mat3(1), glm::vec3(radius)}, 1, {}};
 }
@@ -185,8 +209,8 @@ TEST(Joining, OfManyNeverTakesMoreThanAll) {
     std::vector<Occluder> many;
     for (int k = 0; k < 24; ++k) {
         const float angle = 0.8f * static_cast<float>(k);
-        many.push_back(
-            roundOccluder({std::cos(angle), 0.6f + 0.05f * static_cast<float>(k % 5), std::sin(angle)}, 0.7f));
+        many.push_back(roundOccluder(
+            {std::cos(angle), 0.6f + 0.05f * static_cast<float>(k % 5), std::sin(angle)}, 0.7f));
         const glm::vec4 hidden = occlusionMoments(axisOcclusion({}, {0, 1, 0}, many), {0, 1, 0});
         EXPECT_LE(hidden.w, 1.0001f);
         EXPECT_LE(glm::length(glm::vec3(hidden)), hidden.w);
