@@ -2,6 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -9,27 +10,70 @@ namespace shoal::media {
 
 namespace {
 
-// The brightness of a part of the frame, averaged over 32 x 32 cells. Each cell takes 8 x 8 samples, enough
-// for telling halves apart and independent of the frame's size.
-cv::Mat averageOf(const cv::Mat& frame, const cv::Rect& part) {
-    constexpr int kCells = 32, kSamples = 8;
+constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // of a half, in which blocks are compared
+constexpr int kMostShift = 6;    // either way: 17 degrees of a sphere, twice what an arm's length away has
+constexpr double kStructure = 3; // of a block: standard deviation along its rows, in levels of 255
+constexpr double kAlike = 0.8;   // the correlation from which a block is found in the other half
+constexpr double kOfStructured = 0.75; // so many of those with structure are to be found
+constexpr int kFewest = 12;            // blocks with structure, of 128: fewer tell nothing
+
+// The brightness of a part of the frame.
+cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
+    constexpr int kSamples = 4; // a cell each way, whatever the frame's size
     cv::Mat samples, cells, brightness;
-    cv::resize(frame(part), samples, {kCells * kSamples, kCells * kSamples}, 0, 0, cv::INTER_NEAREST);
+    cv::resize(frame(part), samples, {kWidth * kSamples, kHeight * kSamples}, 0, 0, cv::INTER_NEAREST);
     samples.convertTo(samples, CV_32F);
-    cv::resize(samples, cells, {kCells, kCells}, 0, 0, cv::INTER_AREA);
+    cv::resize(samples, cells, {kWidth, kHeight}, 0, 0, cv::INTER_AREA);
     cv::transform(cells, brightness, cv::Matx13f(1 / 3.0f, 1 / 3.0f, 1 / 3.0f));
     return brightness;
 }
 
-// Mean absolute difference over the standard deviation of both together.
-double difference(const cv::Mat& a, const cv::Mat& b) {
-    cv::Mat both;
-    cv::hconcat(a, b, both);
-    cv::Scalar mean, deviation;
-    cv::meanStdDev(both, mean, deviation);
-    // Below one level of brightness there is nothing to compare.
-    if (deviation[0] < 1) return 1e9;
-    return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(a.total()) / deviation[0];
+// One row after the other without its mean: the gradient of a sky or of water is no structure. Cells beyond
+// the right end go on at the left.
+std::array<float, kBlock * kBlock> blockAt(const cv::Mat& half, int x, int y) {
+    std::array<float, kBlock * kBlock> block;
+    for (int row = 0; row < kBlock; ++row) {
+        float* out = &block[static_cast<size_t>(row) * kBlock];
+        float mean = 0;
+        for (int i = 0; i < kBlock; ++i) {
+            out[i] = half.at<float>(y + row, (x + i + kWidth) % kWidth);
+            mean += out[i] / kBlock;
+        }
+        for (int i = 0; i < kBlock; ++i) out[i] -= mean;
+    }
+    return block;
+}
+
+double product(const std::array<float, kBlock * kBlock>& a, const std::array<float, kBlock * kBlock>& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    return sum;
+}
+
+enum class Halves { Unlike, Alike, Unstructured };
+
+// Whether blocks of one half are found in the other, each with a shift of its own: near things are shifted
+// more than far ones.
+Halves compare(const cv::Mat& a, const cv::Mat& b) {
+    constexpr double kLeast = kStructure * kStructure * kBlock * kBlock;
+    int structured = 0, found = 0;
+    for (int y = 0; y < kHeight; y += kBlock)
+        for (int x = 0; x < kWidth; x += kBlock) {
+            const auto block = blockAt(a, x, y);
+            const double own = product(block, block);
+            if (own < kLeast) continue;
+            ++structured;
+            double best = 0;
+            for (int shift = -kMostShift; shift <= kMostShift; ++shift) {
+                const auto other = blockAt(b, x + shift, y);
+                const double others = product(other, other);
+                if (others >= kLeast / 4)
+                    best = std::max(best, product(block, other) / std::sqrt(own * others));
+            }
+            found += best >= kAlike;
+        }
+    if (structured < kFewest) return Halves::Unstructured;
+    return found >= kOfStructured * structured ? Halves::Alike : Halves::Unlike;
 }
 
 } // namespace
@@ -52,16 +96,29 @@ Layout layoutFromShape(int width, int height) {
 
 Layout layoutFromContent(const ImageRgb8& frame) {
     const int w = frame.width, h = frame.height;
-    if (w < 2 || h < 2) return Layout::Mono;
+    if (w < 2 || h < 2) return Layout::Auto;
     const cv::Mat view(h, w, CV_8UC3, const_cast<uint8_t*>(frame.pixels.data()));
-    const auto apart = [&](const cv::Size& half) {
-        return difference(averageOf(view, {{0, 0}, half}),
-                          averageOf(view, {{w - half.width, h - half.height}, half}));
+    const auto halves = [&](const cv::Size& half) {
+        return compare(brightnessOf(view, {{0, 0}, half}),
+                       brightnessOf(view, {{w - half.width, h - half.height}, half}));
     };
-    const double apartV = apart({w, h / 2}), apartH = apart({w / 2, h});
-    if (apartV < kSameHalves && apartV <= apartH) return Layout::TopBottom;
-    if (apartH < kSameHalves) return Layout::LeftRight;
-    return Layout::Mono;
+    const Halves vertical = halves({w, h / 2}), horizontal = halves({w / 2, h});
+    if (vertical == Halves::Alike && horizontal != Halves::Alike) return Layout::TopBottom;
+    if (horizontal == Halves::Alike && vertical != Halves::Alike) return Layout::LeftRight;
+    const bool nothing = vertical == Halves::Unstructured && horizontal == Halves::Unstructured;
+    return nothing ? Layout::Auto : Layout::Mono;
+}
+
+Layout bothFrames(Layout a, Layout b) {
+    if (a == Layout::Auto) return b;
+    return b == Layout::Auto || a == b ? a : Layout::Mono;
+}
+
+Layout layoutOf(const ImageRgb8& picture) {
+    const Layout shape = layoutFromShape(picture.width, picture.height);
+    if (shape == Layout::TopBottom || shape == Layout::LeftRight) return shape;
+    const Layout content = layoutFromContent(picture);
+    return content == Layout::Auto ? Layout::Mono : content;
 }
 
 } // namespace shoal::media

@@ -23,12 +23,17 @@ EyePart eyePart(Layout layout, int eye, int width, int height);
 // left-right. Auto if the shape is ambiguous (16:9 is used for all three).
 Layout layoutFromShape(int width, int height);
 
-// From a frame: two eyes see almost the same picture, while the halves of one panorama (sky and ground)
-// differ. Halves count as equal if they differ, after averaging to 32x32, by less than kSameHalves of the
-// picture's standard deviation. frame: either channel order. Never Auto; Mono when in doubt, also for a blank
-// frame.
+// From a frame: two eyes see the same but for small shifts along the rows, the halves of one panorama do not.
+// Halves are compared in blocks that have structure. Mono where neither pair of halves is alike, or both are;
+// Auto where there is nothing to tell by: blank, a fade, plain water. frame: either channel order.
 Layout layoutFromContent(const ImageRgb8& frame);
-constexpr double kSameHalves = 0.4;
+
+// What two frames of a video say together: Mono where they disagree.
+Layout bothFrames(Layout a, Layout b);
+
+// Of a still picture: by shape, but 2:1 may be two eyes' pictures squeezed, so it and what is ambiguous go by
+// content. Never Auto; Mono when in doubt.
+Layout layoutOf(const ImageRgb8& picture);
 
 } // namespace shoal::media
 

@@ -224,11 +224,24 @@ bool VideoSource::findLayout(Layout request) {
         info_.layoutSource = source;
         return layout != Layout::Auto;
     };
-    if (found(request, "asked for") || found(info_.metadata.layout, "metadata") ||
-        found(layoutFromShape(info_.width, info_.height), "shape"))
-        return true;
-    ImageRgb8 first(info_.width, info_.height);
-    return grab() && retrieve(first) && seek(0) && found(layoutFromContent(first), "content");
+    if (found(request, "asked for") || found(info_.metadata.layout, "metadata")) return true;
+    const Layout shape = layoutFromShape(info_.width, info_.height);
+    if (shape == Layout::TopBottom || shape == Layout::LeftRight) return found(shape, "shape");
+    // Two eyes' pictures may be squeezed to 2:1. The first frame that tells anything decides, and two more
+    // have to agree if it tells of two eyes. A film may begin with a fade.
+    constexpr int64_t kFrames = 6;
+    Layout content = Layout::Auto;
+    ImageRgb8 frame(info_.width, info_.height);
+    for (int64_t i = 0, told = 0; i < kFrames && told < 3 && content != Layout::Mono; ++i) {
+        const bool read = seek(info_.frameCount * i / kFrames) && grab() && retrieve(frame);
+        if (!read && i == 0 && shape == Layout::Auto) return false;
+        if (!read) break; // where the file ends before it says it does, what came before decides
+        const Layout one = layoutFromContent(frame);
+        told += one != Layout::Auto;
+        content = bothFrames(content, one);
+    }
+    if (content == Layout::Auto) content = Layout::Mono;
+    return seek(0) && found(content, content == shape ? "shape" : "content");
 }
 
 } // namespace shoal::media

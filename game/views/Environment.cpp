@@ -87,7 +87,13 @@ Status Environment::openVideo(const std::string& name) {
                                        [this] { return !setup_.wait || setup_.wait(-1); })
             .moveTo(live_);
     file_ = name;
-    return media::VideoPlayer::open(name, options).moveTo(player_);
+    if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
+    const media::VideoInfo& info = player_->info();
+    if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")
+        log::info(
+            "{}: taken for two eyes' pictures, {}, because its halves are alike; --layout says otherwise",
+            name, enumName(info.layout));
+    return Done{};
 }
 
 // Read, and grown where it is no environment yet, on a thread of its own while the screen says how far it is.
@@ -111,8 +117,7 @@ Status Environment::openPhoto(const Path& file) {
     const bool grow = layout == media::Layout::Auto; // with a layout, somebody says that it is an environment
     auto picture = readPhoto(file, grow);
     if (!picture) return picture.error();
-    if (grow) layout = media::layoutFromShape(picture->width, picture->height);
-    if (layout == media::Layout::Auto) layout = media::layoutFromContent(*picture);
+    if (layout == media::Layout::Auto) layout = media::layoutOf(*picture);
     setLayout(layout);
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();

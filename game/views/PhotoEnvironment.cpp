@@ -43,7 +43,8 @@ class ProgressLine {
 bool isLatLong(const ImageRgb8& picture) {
     const media::Layout shape = media::layoutFromShape(picture.width, picture.height);
     if (shape == media::Layout::Mono || shape == media::Layout::Auto) return shape == media::Layout::Mono;
-    return media::layoutFromContent(picture) != media::Layout::Mono;
+    const media::Layout content = media::layoutFromContent(picture);
+    return content == media::Layout::TopBottom || content == media::Layout::LeftRight;
 }
 bool isLatLong(const ImageRgbF& picture) {
     return media::layoutFromShape(picture.width, picture.height) == media::Layout::Mono;

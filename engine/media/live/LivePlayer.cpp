@@ -67,8 +67,9 @@ struct LivePlayer::Impl {
         width = picture.width;
         height = picture.height;
         layout = options.layout;
+        // One picture is not enough to take 2:1 for two eyes'.
         if (layout == Layout::Auto) layout = layoutFromShape(width, height);
-        if (layout == Layout::Auto) layout = layoutFromContent(picture);
+        if (layout == Layout::Auto) layout = layoutOf(picture);
     }
 
     void publish(Slot& slot, const LivePicture& picture) {

@@ -85,6 +85,14 @@ INSTANTIATE_TEST_SUITE_P(
                           Layout::TopBottom},
                     Facts{"richo_360_mono_426x214.mp4", 426, 214, 30, 1202, Layout::Mono}));
 
+// To 2:1, by leaving rows out.
+ImageRgb8 squeezed(const ImageRgb8& picture) {
+    ImageRgb8 out(picture.width, picture.width / 2);
+    for (int y = 0; y < out.height; ++y)
+        std::copy_n(picture.at(0, y * picture.height / out.height), 3 * out.width, out.at(0, y));
+    return out;
+}
+
 TEST(SharedPhotos, HaveTheirFactsAndLayout) {
     const struct {
         const char* name;
@@ -102,6 +110,7 @@ TEST(SharedPhotos, HaveTheirFactsAndLayout) {
         EXPECT_EQ(picture->height, facts.height);
         EXPECT_EQ(layoutFromShape(picture->width, picture->height), facts.layout);
         EXPECT_EQ(layoutFromContent(*picture), facts.layout) << facts.name;
+        EXPECT_EQ(layoutOf(squeezed(*picture)), facts.layout) << facts.name;
     }
 }
 

@@ -1,10 +1,15 @@
 #include "engine/media/StereoView.h"
 
 #include "engine/core/Random.h"
+#include "engine/media/VideoPlayer.h"
+#include "tests/unit/media/TestFiles.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 
 namespace shoal::media {
 namespace {
@@ -30,39 +35,134 @@ TEST(StereoView, ShapeTellsWhereItCan) {
     EXPECT_EQ(layoutFromShape(5470, 3646), Layout::Auto);
 }
 
-// Blocks of noise, the second eye shifted by a block and a half of disparity against the first.
-ImageRgb8 stereoPair(bool topBottom) {
-    ImageRgb8 frame(320, 180);
-    Random random(3);
-    std::array<uint8_t, 64 * 64> blocks{};
-    for (auto& block : blocks) block = static_cast<uint8_t>(random.below(256));
-    for (int y = 0; y < 180; ++y)
-        for (int x = 0; x < 320; ++x) {
-            const bool second = topBottom ? y >= 90 : x >= 160;
-            const int eyeX = topBottom ? x : x % 160, eyeY = topBottom ? y % 90 : y;
-            const int shifted = eyeX + (second ? 3 : 0);
-            frame.at(x, y)[0] = frame.at(x, y)[1] = frame.at(x, y)[2] =
-                blocks[static_cast<size_t>(eyeY / 30 * 64 + shifted / 40)];
-        }
+using Brightness = std::function<double(double u, double v)>; // of one eye's picture, 0 to 1 each way
+
+// Noise of cells, smooth between them and around: `across` cells around, half as many down.
+Brightness noise(int across, uint64_t seed) {
+    Random random(seed);
+    std::vector<double> cells(static_cast<size_t>(across * (across / 2 + 1)));
+    for (double& cell : cells) cell = random.below(256);
+    return [=](double u, double v) {
+        const double x = (u - std::floor(u)) * across, y = std::clamp(v, 0.0, 0.999) * (across / 2);
+        const int column = static_cast<int>(x), row = static_cast<int>(y);
+        const auto cell = [&](int i, int j) {
+            return cells[static_cast<size_t>((row + j) * across + (column + i) % across)];
+        };
+        return std::lerp(std::lerp(cell(0, 0), cell(1, 0), x - column),
+                         std::lerp(cell(0, 1), cell(1, 1), x - column), y - row);
+    };
+}
+
+ImageRgb8 drawn(int width, int height, const Brightness& at) {
+    ImageRgb8 frame(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            std::fill_n(
+                frame.at(x, y), 3,
+                static_cast<uint8_t>(std::clamp(at((x + 0.5) / width, (y + 0.5) / height), 0.0, 255.0)));
     return frame;
 }
 
-TEST(StereoView, ContentTellsTwoEyesFromOne) {
-    EXPECT_EQ(layoutFromContent(stereoPair(true)), Layout::TopBottom);
-    EXPECT_EQ(layoutFromContent(stereoPair(false)), Layout::LeftRight);
+// Two eyes' pictures of this. What is low is near, and shifted by up to `disparity` of the width.
+ImageRgb8 stereoPair(bool topBottom, const Brightness& seen, int width = 512, int height = 256,
+                     double disparity = 0.02) {
+    return drawn(width, height, [&](double u, double v) {
+        double& across = topBottom ? v : u;
+        const bool second = across >= 0.5;
+        across = 2 * across - (second ? 1 : 0);
+        return seen(u + (second ? disparity * v : 0), v);
+    });
 }
 
-// Water in a panorama: bright above, dark below, the same all around. Its halves have equal gradients, and
-// left and right are alike; neither makes it stereo.
-TEST(StereoView, AGradientIsMono) {
-    ImageRgb8 frame(320, 180);
+TEST(StereoView, ContentTellsTwoEyesFromOne) {
+    for (const auto& [width, height] : {std::pair(512, 256), {320, 180}, {256, 256}, {4096, 2048}})
+        for (const uint64_t seed : {1, 2, 3}) {
+            const Brightness seen = noise(32, seed);
+            EXPECT_EQ(layoutFromContent(stereoPair(true, seen, width, height)), Layout::TopBottom) << width;
+            EXPECT_EQ(layoutFromContent(stereoPair(false, seen, width, height)), Layout::LeftRight) << width;
+            EXPECT_EQ(layoutFromContent(drawn(width, height, seen)), Layout::Mono) << width;
+        }
+    // The same picture twice is two eyes' as well.
+    EXPECT_EQ(layoutFromContent(stereoPair(false, noise(32, 4), 512, 256, 0)), Layout::LeftRight);
+    // Shifted further than anything at an arm's length: another picture.
+    EXPECT_EQ(layoutFromContent(drawn(512, 256,
+                                      [seen = noise(32, 5)](double u, double v) {
+                                          return seen(u < 0.5 ? 2 * u : 2 * u + 0.4, v);
+                                      })),
+              Layout::Mono);
+}
+
+// Of 2:1, too, content decides; elsewhere shape does.
+TEST(StereoView, SqueezedPairsAreFoundByContent) {
+    const Brightness seen = noise(32, 6);
+    EXPECT_EQ(layoutOf(stereoPair(true, seen)), Layout::TopBottom);
+    EXPECT_EQ(layoutOf(stereoPair(false, seen)), Layout::LeftRight);
+    EXPECT_EQ(layoutOf(drawn(512, 256, seen)), Layout::Mono);
+    EXPECT_EQ(layoutOf(drawn(256, 256, seen)), Layout::TopBottom) << "by shape";
+    EXPECT_EQ(layoutOf(ImageRgb8(512, 256)), Layout::Mono) << "blank";
+}
+
+TEST(StereoView, FramesHaveToAgree) {
+    EXPECT_EQ(bothFrames(Layout::Auto, Layout::TopBottom), Layout::TopBottom);
+    EXPECT_EQ(bothFrames(Layout::LeftRight, Layout::Auto), Layout::LeftRight);
+    EXPECT_EQ(bothFrames(Layout::LeftRight, Layout::LeftRight), Layout::LeftRight);
+    EXPECT_EQ(bothFrames(Layout::LeftRight, Layout::TopBottom), Layout::Mono);
+    EXPECT_EQ(bothFrames(Layout::Mono, Layout::LeftRight), Layout::Mono);
+    EXPECT_EQ(bothFrames(Layout::Auto, Layout::Auto), Layout::Auto);
+}
+
+// No structure, no verdict: blank frames, fades, plain water with its gradient and a camera's noise.
+TEST(StereoView, WithoutStructureNothingIsSaid) {
+    EXPECT_EQ(layoutFromContent(ImageRgb8(64, 32)), Layout::Auto);
+    EXPECT_EQ(layoutFromContent(ImageRgb8(1, 1)), Layout::Auto);
+    const Brightness seen = noise(32, 7);
+    EXPECT_EQ(layoutFromContent(stereoPair(false, [&](double u, double v) { return seen(u, v) / 40; })),
+              Layout::Auto);
     Random random(4);
-    for (int y = 0; y < 180; ++y)
-        for (int x = 0; x < 320; ++x)
-            for (int c = 0; c < 3; ++c) frame.at(x, y)[c] = static_cast<uint8_t>(240 - y + random.below(5));
-    EXPECT_NE(layoutFromContent(frame), Layout::TopBottom);
-    EXPECT_EQ(layoutFromContent(ImageRgb8(64, 36)), Layout::Mono) << "blank";
-    EXPECT_EQ(layoutFromContent(ImageRgb8(1, 1)), Layout::Mono);
+    EXPECT_EQ(
+        layoutFromContent(drawn(512, 256, [&](double, double v) { return 240 - 200 * v + random.below(5); })),
+        Layout::Auto);
+}
+
+// Rooms that are the same to the left and to the right: mirrored about the middle, or about each half's.
+TEST(StereoView, MirrorSymmetricRoomsAreMono) {
+    for (const uint64_t seed : {8, 9, 10}) {
+        const Brightness seen = noise(32, seed);
+        EXPECT_EQ(layoutFromContent(
+                      drawn(512, 256, [&](double u, double v) { return seen(std::abs(u - 0.5), v); })),
+                  Layout::Mono);
+        EXPECT_EQ(layoutFromContent(
+                      drawn(512, 256, [&](double u, double v) { return seen(u, std::abs(v - 0.5)); })),
+                  Layout::Mono);
+    }
+}
+
+// Films of 24 frames. frame(i): brightness of frame i.
+Layout layoutOfFilm(const std::function<ImageRgb8(int)>& frame) {
+    const TempFolder folder;
+    const Path file = folder.path() / "film.avi";
+    {
+        cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
+                               {512, 256});
+        for (int i = 0; i < 24; ++i) {
+            const ImageRgb8 picture = frame(i);
+            writer.write(cv::Mat(256, 512, CV_8UC3, const_cast<uint8_t*>(picture.pixels.data())));
+        }
+    }
+    auto player = VideoPlayer::open(file);
+    if (!player) throw std::runtime_error(player.error().message());
+    EXPECT_EQ((*player).waitFor(0)->number, 0) << "it begins with its first frame";
+    return (*player).info().layout;
+}
+
+TEST(StereoView, AFilmGoesByFramesThatHaveStructure) {
+    const Brightness seen = noise(32, 11);
+    const ImageRgb8 pair = stereoPair(false, seen), one = drawn(512, 256, seen), black(512, 256);
+    EXPECT_EQ(layoutOfFilm([&](int) { return pair; }), Layout::LeftRight);
+    EXPECT_EQ(layoutOfFilm([&](int i) { return i < 6 ? black : pair; }), Layout::LeftRight) << "fades in";
+    EXPECT_EQ(layoutOfFilm([&](int i) { return i < 6 ? black : one; }), Layout::Mono);
+    EXPECT_EQ(layoutOfFilm([&](int i) { return i < 2 ? pair : one; }), Layout::Mono) << "frames disagree";
+    EXPECT_EQ(layoutOfFilm([&](int) { return black; }), Layout::Mono);
 }
 
 } // namespace
