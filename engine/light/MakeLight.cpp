@@ -6,8 +6,9 @@ namespace shoal::light {
 
 namespace {
 
-void cutToHalf(ImageRgbF& image) {
-    for (float& value : image.pixels) value = std::min(value, kMaxHalf);
+// Rounding beside a sun of 10^9 goes below what a dark sky holds.
+void cutBelowZero(ImageRgbF& image) {
+    for (float& value : image.pixels) value = std::max(value, 0.0f);
 }
 
 } // namespace
@@ -20,10 +21,8 @@ void LightMaker::make(const FrameView& frame, EnvironmentLight& out) {
 size_t LightMaker::makeFromHdr(const ImageRgbF& radianceLin, EnvironmentLight& out) {
     const size_t repaired = pyramid_.make(radianceLin, options_.baseWidth, out.radiance);
     filter(out);
-    // Display-coded frames end at 11.8, or at ClippedLight::mostGain().
-    for (ImageRgbF& level : out.radiance.levels) cutToHalf(level);
-    for (GlossyLevel& level : out.glossy) cutToHalf(level.radianceLin);
-    cutToHalf(out.diffuse);
+    for (GlossyLevel& level : out.glossy) cutBelowZero(level.radianceLin);
+    cutBelowZero(out.diffuse);
     return repaired;
 }
 

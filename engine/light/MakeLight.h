@@ -25,9 +25,8 @@ struct LightOptions {
 // Keeps kernels and scratch. The first frame of a new size makes tables (up to a second); after that
 // nothing is allocated while out keeps its buffers. One thread at a time; a maker for each thread.
 //
-// The light is finite and lies in 0 .. kMaxHalf whatever comes in, so half floats hold it; the rough levels
-// and the diffuse map are summed before that cut, so a sun above it loses nothing of its strength on rough
-// things.
+// The light is finite and not negative whatever comes in, and absolute: a sun keeps its strength up to
+// kMaxRadianceIn. Textures of half floats cannot hold all of it: packLight() cuts it at kMaxHalf.
 class LightMaker {
   public:
     explicit LightMaker(LightOptions options = {}) : options_(options) {}

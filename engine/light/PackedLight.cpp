@@ -1,5 +1,6 @@
 #include "engine/light/PackedLight.h"
 
+#include "engine/light/Pyramid.h"
 #include "engine/light/Vectorise.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ inline uint16_t halfFromFloat(float value) {
 SHOAL_VECTORISE
 void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) {
     for (int x = 0; x < width; ++x) {
-        for (int c = 0; c < 3; ++c) rgba[4 * x + c] = halfFromFloat(rgb[3 * x + c]);
+        for (int c = 0; c < 3; ++c) rgba[4 * x + c] = halfFromFloat(std::min(rgb[3 * x + c], kMaxHalf));
         rgba[4 * x + 3] = kOne;
     }
 }

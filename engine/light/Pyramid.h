@@ -10,9 +10,9 @@
 
 namespace shoal::light {
 
-// Input above this is cut to it; NaN and negative values become 0. Large enough for any sun as a texel of a
-// map holds it, small enough that no sum of products overflows.
-constexpr float kMaxRadianceIn = 1048576.0f; // 2^20
+// Input above this is cut to it; NaN and negative values become 0. Thirty times the sun's disc in a picture
+// in which a white wall in its light has radiance 1; no sum of products overflows.
+constexpr float kMaxRadianceIn = 1e9f;
 
 // The largest half float. Infinities come from pictures whose sun was stored as half floats: they become
 // this.

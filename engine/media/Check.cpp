@@ -75,10 +75,8 @@ Result<std::string> checkPicture(const Path& file) {
         fmt::format("{}x{} {} picture, largest component {:.4g}, ", picture->radianceLin.width,
                     picture->radianceLin.height, nameOf(header->kind), largest) +
         shapeNote(picture->radianceLin.width, picture->radianceLin.height);
-    if (picture->repaired > 0)
-        message += fmt::format("; {} components were NaN, infinite or negative and count as replaced",
-                               picture->repaired);
-    return message;
+    const std::string repairs = picture->repairs();
+    return repairs.empty() ? message : message + "; " + repairs;
 }
 
 } // namespace shoal::media

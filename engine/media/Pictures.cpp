@@ -6,6 +6,7 @@
 #include "engine/media/EncodeHdr.h"
 #include "engine/media/PictureHeader.h"
 
+#include <fmt/core.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -199,21 +200,17 @@ Result<ImageRgbF> decodePfm(ByteSpan bytes, int width, int height) {
     return image;
 }
 
-// See HdrPicture::repaired.
-int64_t repair(ImageRgbF& image) {
+// See HdrPicture::repaired and clamped.
+void repair(HdrPicture& picture) {
     float largest = 0;
-    int64_t bad = 0;
-    for (const float value : image.pixels) {
-        const bool sound = value >= 0 && value <= kMaxRadiance; // false for NaN
-        if (sound)
-            largest = std::max(largest, value);
-        else
-            ++bad;
+    for (const float value : picture.radianceLin.pixels)
+        if (std::isfinite(value)) largest = std::max(largest, std::min(value, kMaxRadiance));
+    for (float& value : picture.radianceLin.pixels) {
+        if (value >= 0 && value <= kMaxRadiance) continue; // false for NaN
+        const bool light = value > kMaxRadiance && std::isfinite(value);
+        ++(light ? picture.clamped : picture.repaired);
+        value = light ? kMaxRadiance : value > 0 ? largest : 0;
     }
-    if (bad > 0)
-        for (float& value : image.pixels)
-            if (!(value >= 0 && value <= kMaxRadiance)) value = value > kMaxRadiance ? largest : 0;
-    return bad;
 }
 
 // As the extension says. toOpenCv: the conversion that brings blue first.
@@ -274,9 +271,19 @@ Result<HdrPicture> readHdr(const Path& file, PictureLimits limits) {
                      ? decodeRadiance(bytes, width, height)
                      : decoded<ImageRgbF>(file, header.kind, CV_32FC3, decodeExr);
     if (!image) return Error{file.string(), image.error().reason};
-    HdrPicture picture{std::move(*image), 0};
-    picture.repaired = repair(picture.radianceLin);
+    HdrPicture picture{std::move(*image)};
+    repair(picture);
     return picture;
+}
+
+std::string HdrPicture::repairs() const {
+    std::string said;
+    if (repaired > 0)
+        said = fmt::format("{} components were NaN, infinite or negative and count as replaced", repaired);
+    if (clamped > 0)
+        said += fmt::format("{}{} components were above 10^9 and count as 10^9", said.empty() ? "" : "; ",
+                            clamped);
+    return said;
 }
 
 Status writePng(const Path& file, const ImageRgb8& image) {

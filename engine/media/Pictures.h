@@ -7,6 +7,7 @@
 #include "engine/core/Result.h"
 
 #include <cstdint>
+#include <string>
 
 namespace shoal::media {
 
@@ -22,14 +23,16 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits = {});
 
 struct HdrPicture {
     ImageRgbF radianceLin; // linear, Rec. 709 primaries assumed, as the file says (no exposure applied)
-    // Number of invalid components that were replaced: NaN and negative by 0, infinite and above kMaxRadiance
-    // by the largest valid component. Worth a warning if above 0.
-    int64_t repaired = 0;
+    // Components that were replaced: NaN and negative by 0, infinite by the largest finite one. And those
+    // above kMaxRadiance, which became that. Worth a warning if above 0.
+    int64_t repaired = 0, clamped = 0;
+
+    // A sentence about those, or nothing.
+    std::string repairs() const;
 };
 
-// Larger values count as damage: the sun's disc is about 1e9 cd/m^2, and sums of squares of this stay
-// finite in 32 bits.
-constexpr float kMaxRadiance = 1e12f;
+// The sun's disc is about 1e9 cd/m^2, and sums of squares of this stay finite in 32 bits.
+constexpr float kMaxRadiance = 1e9f;
 
 // Radiance RGBE (-Y +X orientation), OpenEXR (one part, flat), PFM (colour or grey). Values above the
 // half-float limit 65504 are kept.

@@ -39,11 +39,9 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
     if (media::writtenAs(options.file) == media::WrittenAs::Hdr) {
         auto picture = media::readHdr(options.file);
         if (!picture) return picture.error();
-        const size_t mended =
-            static_cast<size_t>(picture->repaired) + maker.makeFromHdr(picture->radianceLin, made);
-        if (mended)
-            log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
-                      options.file, mended);
+        maker.makeFromHdr(picture->radianceLin, made);
+        if (const std::string repairs = picture->repairs(); !repairs.empty())
+            log::warn("{}: {}", options.file, repairs);
         return made;
     }
     bool bgr = false;

@@ -135,12 +135,10 @@ Status Environment::openEnv(const Path& file) {
     hdr_ = true;
     prepareFor(light::LightQuality::Still, 1);
     const auto began = std::chrono::steady_clock::now();
-    const size_t mended =
-        static_cast<size_t>(picture->repaired) + analysis_->analyse(picture->radianceLin, found_[0]);
+    analysis_->analyse(picture->radianceLin, found_[0]);
     light_ms_ = millisecondsSince(began);
-    if (mended)
-        log::warn("{}: {} values were no light (negative, infinite or too large) and were mended",
-                  file.string(), mended);
+    if (const std::string repairs = picture->repairs(); !repairs.empty())
+        log::warn("{}: {}", file.string(), repairs);
     gpu_[0].setFrame(picture->radianceLin);
     uploadLight(found_[0]);
     return Done{};

@@ -63,10 +63,9 @@ void FrameAnalysis::analyse(const light::FrameView& frame, FrameFindings& out) {
     glare_.make(frame, out.glare);
 }
 
-size_t FrameAnalysis::analyse(const ImageRgbF& radianceLin, FrameFindings& out) {
-    const size_t repaired = maker_.makeFromHdr(radianceLin, made_);
+void FrameAnalysis::analyse(const ImageRgbF& radianceLin, FrameFindings& out) {
+    maker_.makeFromHdr(radianceLin, made_);
     pack(out);
-    return repaired;
 }
 
 } // namespace shoal::app

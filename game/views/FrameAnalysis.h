@@ -44,8 +44,8 @@ class FrameAnalysis {
     // Frames in the order of the video. Allocates nothing once the findings have grown.
     void analyse(const light::FrameView& frame, FrameFindings& out);
 
-    // The light alone. Returns how many of its values were no light and were repaired.
-    size_t analyse(const ImageRgbF& radianceLin, FrameFindings& out);
+    // The light alone.
+    void analyse(const ImageRgbF& radianceLin, FrameFindings& out);
 
     // Light for every frame (1), every second ...; the frames between keep the last. From any thread.
     void setLightEvery(int frames) { lightEvery_.store(frames, std::memory_order_relaxed); }

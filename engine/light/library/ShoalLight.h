@@ -54,7 +54,7 @@ typedef enum ShoalLightFormat {
     SHOAL_LIGHT_BGRA8 = 2,
     SHOAL_LIGHT_RGBA8 = 3,
     /* 32-bit floats: linear radiance, of an HDR picture. NaN and negative values become 0, infinite ones
-       65504. */
+       65504, those above 10^9 that. */
     SHOAL_LIGHT_RGB32F = 4,
     SHOAL_LIGHT_RGBA32F = 5
 } ShoalLightFormat;

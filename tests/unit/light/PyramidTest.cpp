@@ -149,7 +149,7 @@ TEST(Pyramid, RepairsWhatIsNotLight) {
     broken.at(5, 50)[2] = std::numeric_limits<float>::infinity();
     broken.at(6, 50)[0] = 1e30f;
     broken.at(6, 50)[1] = -std::numeric_limits<float>::infinity();
-    broken.at(7, 50)[0] = 1e5f; // a real sun may be so bright
+    broken.at(7, 50)[0] = 1e9f; // a real sun may be so bright
     RadiancePyramid pyramid;
     PyramidMaker maker;
     EXPECT_EQ(maker.make(broken, 256, pyramid), 4u);
@@ -157,7 +157,7 @@ TEST(Pyramid, RepairsWhatIsNotLight) {
     EXPECT_EQ(pyramid.levels[0].at(4, 50)[1], 0.0f);
     EXPECT_EQ(pyramid.levels[0].at(5, 50)[2], kMaxHalf);
     EXPECT_EQ(pyramid.levels[0].at(6, 50)[0], kMaxRadianceIn);
-    EXPECT_EQ(pyramid.levels[0].at(7, 50)[0], 1e5f);
+    EXPECT_EQ(pyramid.levels[0].at(7, 50)[0], 1e9f);
 }
 
 } // namespace

@@ -238,10 +238,23 @@ TEST(HdrPictures, WhatIsNoLightIsReplacedAndCounted) {
         ASSERT_TRUE(writeHdr(folder / name, image));
         const auto read = readHdr(folder / name);
         ASSERT_TRUE(read) << read.error().message();
-        EXPECT_EQ(read->repaired, 5) << name;
+        EXPECT_EQ(read->repaired, 4) << name;
+        EXPECT_EQ(read->clamped, 1) << name;
         EXPECT_EQ(read->radianceLin.pixels,
-                  (std::vector<float>{1, 0, 0, 78944, 0, 78944, 78944, 0, 1, 2, 3, 4}))
+                  (std::vector<float>{1, 0, 0, kMaxRadiance, 0, 78944, kMaxRadiance, 0, 1, 2, 3, 4}))
             << name;
+        EXPECT_EQ(read->repairs(),
+                  "4 components were NaN, infinite or negative and count as replaced; 1 components "
+                  "were above 10^9 and count as 10^9");
+    }
+    // A sun is light.
+    image.pixels.assign(12, kMaxRadiance);
+    for (const char* name : {"a.pfm", "a.exr"}) {
+        ASSERT_TRUE(writeHdr(folder / name, image));
+        const auto read = readHdr(folder / name);
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(read->radianceLin.pixels, image.pixels) << name;
+        EXPECT_EQ(read->repairs(), "") << name;
     }
 }
 
@@ -296,7 +309,8 @@ TEST(Check, PicturesAreDescribed) {
     ASSERT_TRUE(writePng(folder / "pano.png", noise8(64, 32)));
     EXPECT_EQ(*checkPicture(folder / "pano.png"), "64x32 PNG picture, lat-long mono by its shape");
     ASSERT_TRUE(writePng(folder / "photo.png", noise8(48, 32)));
-    EXPECT_NE(checkPicture(folder / "photo.png")->find("an ordinary picture by its shape"), std::string::npos);
+    EXPECT_NE(checkPicture(folder / "photo.png")->find("an ordinary picture by its shape"),
+              std::string::npos);
     ImageRgbF bad(4, 2);
     bad.pixels[5] = -1;
     ASSERT_TRUE(writeHdr(folder / "bad.pfm", bad));
