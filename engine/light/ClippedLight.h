@@ -24,7 +24,7 @@ class ClippedLight {
     static constexpr float kTrust = 0.4f;  // of the ground, an exponent; 1 - kTrust: of the usual gain
     static constexpr float kMostFromGround = 80;
 
-    // Whole-frame sums, over every `kStep`th pixel of every kStep-th row.
+    // Reads every kStep-th pixel of every kStep-th row.
     explicit ClippedLight(const FrameView& frame);
 
     // White stands for so many times white: 1 to mostGain().

@@ -10,8 +10,8 @@
 
 namespace shoal::light {
 
-// Input above this is cut to it; NaN and negative values become 0. Thirty times the sun's disc in a picture
-// in which a white wall in its light has radiance 1; no sum of products overflows.
+// Input above this is cut to it; NaN and negative values become 0. The sun's disc has 5 * 10^4 in a picture
+// in which a white wall in its light has 1, and 10^9 in cd/m^2. No sum of products of such overflows.
 constexpr float kMaxRadianceIn = 1e9f;
 
 // The largest half float. Infinities come from pictures whose sun was stored as half floats: they become
