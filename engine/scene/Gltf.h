@@ -77,6 +77,8 @@ struct GltfFile {
     tinygltf::Model gltf; // with its buffers' bytes; images are empty: see imageSources
     std::vector<ImageSource> imageSources;
     bool quantized = false; // KHR_mesh_quantization is used
+    // KHR_materials_emissive_strength, by material
+    std::vector<float> emissiveStrengths;
     // KHR_materials_variants: its names, and materials by mesh, primitive and variant; -1: the primitive's
     // own.
     std::vector<std::string> variants;
@@ -99,7 +101,9 @@ void readDocument(GltfFile& file);
 // finite as floats; the lists are within maxElements (accessors and bufferViews within four times that).
 void checkSchema(const nlohmann::json& document, uint32_t maxElements);
 
-// root: the document with its extensions, unchecked. Fills file.variants and file.variantMaterials.
+// root: the document with its extensions, unchecked. Fills file.emissiveStrengths.
+void readEmissiveStrengths(const nlohmann::json& root, GltfFile& file);
+// Likewise. Fills file.variants and file.variantMaterials.
 void readVariants(const nlohmann::json& root, GltfFile& file);
 
 // The bytes behind a URI: a data URI, or a file at or below the model's own folder, wherever links lead.

@@ -44,7 +44,9 @@ AlphaMode alphaMode(const std::string& mode, const std::string& who) {
     fault(who, ".alphaMode is ", quoted(mode), ", no mode of glTF");
 }
 
-Material readMaterial(GltfFile& file, const tinygltf::Material& from, const std::string& who) {
+// emissiveStrength: KHR_materials_emissive_strength.
+Material readMaterial(GltfFile& file, const tinygltf::Material& from, float emissiveStrength,
+                      const std::string& who) {
     const auto within = [&](double value, double high, const char* name) {
         const double nearest = std::clamp(value, 0.0, high);
         if (nearest != value) file.warn(who, name, " is ", value, "; ", nearest, " is taken");
@@ -66,7 +68,7 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, const std:
     material.metallic = within(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
     material.roughness = within(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
     for (int i = 0; i < 3; ++i)
-        material.emissiveLin[i] = within(from.emissiveFactor[i], 1, ".emissiveFactor");
+        material.emissiveLin[i] = emissiveStrength * within(from.emissiveFactor[i], 1, ".emissiveFactor");
     material.normalScale = static_cast<float>(from.normalTexture.scale);
     material.occlusionStrength = within(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
     material.alphaMode = alphaMode(from.alphaMode, who);
@@ -94,7 +96,9 @@ ImageRgba8 readImage(GltfFile& file, int index) {
 
 using Json = nlohmann::json;
 
-constexpr const char* kExtension = "KHR_materials_variants";
+constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
+constexpr double kMaxEmissiveStrength = 1e4; // times white; half floats hold it
+constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
 // What may be anything at all is taken for empty where it is not what it should be: the schema says the rest.
@@ -110,13 +114,15 @@ const Json& list(const Json& value, const char* key) {
     return found.is_array() ? found : kEmpty;
 }
 
-const Json& extension(const Json& value) { return member(member(value, "extensions"), kExtension); }
+const Json& extension(const Json& value, const char* name) {
+    return member(member(value, "extensions"), name);
+}
 
 // Whole numbers may be written as 1.0; they become integers only later.
 int reference(const Json& value, const char* to, size_t count, const std::string& who) {
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number >= 0 && number < static_cast<double>(count)))
-        fault(who, ": ", kExtension, " refers to ", to, " ", quoted(value.dump()), ", but there are ", count);
+        fault(who, ": ", kVariants, " refers to ", to, " ", quoted(value.dump()), ", but there are ", count);
     return static_cast<int>(number);
 }
 
@@ -126,7 +132,8 @@ void readMaterials(GltfFile& file, Model& model) {
     for (const tinygltf::Texture& texture : file.gltf.textures)
         model.textures.push_back(readTexture(file.gltf, texture));
     for (const tinygltf::Material& material : file.gltf.materials)
-        model.materials.push_back(readMaterial(file, material, element("materials", model.materials.size())));
+        model.materials.push_back(readMaterial(file, material, file.emissiveStrengths[model.materials.size()],
+                                               element("materials", model.materials.size())));
 
     // Images that nothing shows may be of any format: alternatives for extensions, or left over.
     model.images.resize(file.imageSources.size());
@@ -139,8 +146,19 @@ void readMaterials(GltfFile& file, Model& model) {
         }
 }
 
+void readEmissiveStrengths(const Json& root, GltfFile& file) {
+    for (const Json& material : list(root, "materials")) {
+        const std::string who = element("materials", file.emissiveStrengths.size());
+        const Json& strength = member(extension(material, kEmissiveStrength), "emissiveStrength");
+        const double asked = strength.is_number() ? strength.get<double>() : 1;
+        const double nearest = std::clamp(asked, 0.0, kMaxEmissiveStrength);
+        if (nearest != asked) file.warn(who, ".emissiveStrength is ", asked, "; ", nearest, " is taken");
+        file.emissiveStrengths.push_back(static_cast<float>(nearest));
+    }
+}
+
 void readVariants(const Json& root, GltfFile& file) {
-    for (const Json& variant : list(extension(root), "variants")) {
+    for (const Json& variant : list(extension(root, kVariants), "variants")) {
         const Json& name = member(variant, "name");
         file.variants.push_back(name.is_string() ? name.get<std::string>() : std::string());
     }
@@ -152,7 +170,7 @@ void readVariants(const Json& root, GltfFile& file) {
         auto& primitives = file.variantMaterials.emplace_back();
         for (const Json& primitive : list(mesh, "primitives")) {
             std::vector<int>& chosen = primitives.emplace_back(variants, -1);
-            for (const Json& mapping : list(extension(primitive), "mappings")) {
+            for (const Json& mapping : list(extension(primitive, kVariants), "mappings")) {
                 const int material = reference(member(mapping, "material"), "material", materials, who);
                 for (const Json& variant : list(mapping, "variants"))
                     chosen[reference(variant, "variant", variants, who)] = material;

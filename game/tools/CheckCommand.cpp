@@ -25,15 +25,26 @@ std::string counted(size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+// Nothing of it would be seen, whatever its textures hold.
+bool isTransparent(const scene::Material& material) {
+    return (material.alphaMode == scene::AlphaMode::Blend && material.baseColourLin.a <= 0) ||
+           (material.alphaMode == scene::AlphaMode::Mask && material.baseColourLin.a < material.alphaCutoff);
+}
+
 Verdict checkModel(const Path& file) {
     auto model = scene::loadModel(file);
     if (!model) return model.error();
     size_t triangles = 0;
+    bool seen = false;
     for (const scene::Mesh& mesh : model->meshes)
-        for (const scene::Primitive& primitive : mesh.primitives) triangles += primitive.indices.size() / 3;
+        for (const scene::Primitive& primitive : mesh.primitives) {
+            triangles += primitive.indices.size() / 3;
+            seen = seen || !isTransparent(model->materialOf(primitive));
+        }
     return "a model of " + counted(triangles, "triangle", "triangles") + ", " +
            counted(model->materials.size(), "material", "materials") + ", " +
-           counted(model->animations.size(), "animation", "animations");
+           counted(model->animations.size(), "animation", "animations") +
+           (seen ? "" : "; all of it is wholly transparent: nothing will be seen");
 }
 
 // Dives, playthroughs and the species table are all TOML; their tables tell which is meant.

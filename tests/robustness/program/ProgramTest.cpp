@@ -3,6 +3,7 @@
 #include "engine/core/Files.h"
 #include "tests/TestPaths.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +19,9 @@ namespace shoal {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
 
 struct Outcome {
     int status = -1; // exit status; -1 if a signal ended it
@@ -200,6 +204,28 @@ TEST_F(Program, LightOfCodedValuesAsAsked) {
     EXPECT_NE(thesis, linear);
     EXPECT_EQ(run("light " + photo.string() + " -o " + (folder_ / "none").string() + " --light ours").status,
               2);
+}
+
+TEST_F(Program, CheckSaysThatNothingOfAModelWillBeSeen) {
+    const auto triangle = [&](const std::string& material) {
+        return write(
+            "triangle.gltf",
+            R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+            "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
+            R"("}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+            R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
+            R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"nodes":[{"mesh":0}],)"
+            R"("scenes":[{"nodes":[0]}],"scene":0,"materials":[)" +
+                material + "]}");
+    };
+    const auto said = [&](const std::string& material) {
+        return run("check " + triangle(material).string()).out;
+    };
+    const std::string clear = R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0]})";
+    EXPECT_THAT(said(R"({"alphaMode":"BLEND",)" + clear + "}"), HasSubstr("wholly transparent"));
+    EXPECT_THAT(said(R"({"alphaMode":"MASK",)" + clear + "}"), HasSubstr("wholly transparent"));
+    EXPECT_THAT(said("{" + clear + "}"),
+                AllOf(HasSubstr("a model of 1 triangle"), Not(HasSubstr("transparent"))));
 }
 
 TEST_F(Program, HeadlessIsAcceptedByEveryCommand) {
