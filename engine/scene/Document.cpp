@@ -79,7 +79,8 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
         for (const std::string name : root.value(list, Json::array())) {
             if (name == "KHR_mesh_quantization")
                 file.quantized = true;
-            else if (name == "KHR_materials_variants" || name == "KHR_materials_emissive_strength")
+            else if (name == "KHR_materials_variants" || name == "KHR_materials_emissive_strength" ||
+                     name == "KHR_texture_transform")
                 continue;
             else if (list == std::string_view("extensionsRequired"))
                 fault("needs the extension ", quoted(name), ", which is not supported");
@@ -211,6 +212,7 @@ void readDocument(GltfFile& file) {
     const Container container = openContainer(*bytes);
     Json root = parseJson(container.json);
     readEmissiveStrengths(root, file);
+    readTextureTransforms(root, file);
     readVariants(root, file);
     if (root.is_structured()) tidy(root);
     checkSchema(root, file.limits.maxNodes);

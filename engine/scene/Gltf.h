@@ -9,9 +9,11 @@
 
 #include "engine/scene/LoadModel.h"
 
+#include <glm/vec2.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <tiny_gltf.h>
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <set>
@@ -66,6 +68,23 @@ struct ImageSource { // either
     std::string mimeType;
 };
 
+// KHR_texture_transform of one use of a texture.
+struct TextureTransform {
+    glm::vec2 offset{0}, scale{1};
+    float rotation = 0; // radians, about the picture's upper left corner
+    int texCoord = -1;  // instead of the texture's own; -1: that
+
+    bool operator==(const TextureTransform&) const = default;
+};
+
+// What a set of texture coordinates is made of: a set of the file's, transformed.
+struct UvSource {
+    int texCoord = -1; // -1: nothing asks for the set
+    TextureTransform transform;
+
+    bool operator==(const UvSource&) const = default;
+};
+
 struct GltfFile {
     Path path;
     LoadLimits limits;
@@ -79,6 +98,10 @@ struct GltfFile {
     bool quantized = false; // KHR_mesh_quantization is used
     // KHR_materials_emissive_strength, by material
     std::vector<float> emissiveStrengths;
+    // By material and use: base colour, metallic-roughness, normal, occlusion, emissive
+    std::vector<std::array<TextureTransform, 5>> textureTransforms;
+    // By material: what the two sets that TextureUse::texCoord tells apart are made of, for its primitives
+    std::vector<std::array<UvSource, 2>> uvSources;
     // KHR_materials_variants: its names, and materials by mesh, primitive and variant; -1: the primitive's
     // own.
     std::vector<std::string> variants;
@@ -103,6 +126,8 @@ void checkSchema(const nlohmann::json& document, uint32_t maxElements);
 
 // root: the document with its extensions, unchecked. Fills file.emissiveStrengths.
 void readEmissiveStrengths(const nlohmann::json& root, GltfFile& file);
+// Likewise. Fills file.textureTransforms.
+void readTextureTransforms(const nlohmann::json& root, GltfFile& file);
 // Likewise. Fills file.variants and file.variantMaterials.
 void readVariants(const nlohmann::json& root, GltfFile& file);
 

@@ -44,19 +44,37 @@ AlphaMode alphaMode(const std::string& mode, const std::string& who) {
     fault(who, ".alphaMode is ", quoted(mode), ", no mode of glTF");
 }
 
-// emissiveStrength: KHR_materials_emissive_strength.
-Material readMaterial(GltfFile& file, const tinygltf::Material& from, float emissiveStrength,
-                      const std::string& who) {
+// Which of the two sets is this one; -1: both are other ones. Where it can it keeps the number that it has in
+// the file.
+int setOf(std::array<UvSource, 2>& sets, const UvSource& wanted) {
+    for (const int k : {wanted.texCoord, 1 - wanted.texCoord}) {
+        UvSource& set = sets[static_cast<size_t>(k)];
+        if (set.texCoord < 0) set = wanted;
+        if (set == wanted) return k;
+    }
+    return -1;
+}
+
+Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t index, const std::string& who) {
     const auto within = [&](double value, double high, const char* name) {
         const double nearest = std::clamp(value, 0.0, high);
         if (nearest != value) file.warn(who, name, " is ", value, "; ", nearest, " is taken");
         return static_cast<float>(nearest);
     };
+    std::array<UvSource, 2>& sets = file.uvSources.emplace_back();
+    size_t slot = 0; // of textureTransforms: called in its order
     const auto use = [&](const auto& info, const char* name) -> TextureUse {
+        TextureTransform transform = file.textureTransforms[index][slot++];
         if (info.index < 0 || file.gltf.textures[info.index].source < 0) return {};
-        if (info.texCoord <= 1) return {info.index, info.texCoord};
-        file.warn(who, name, ".texCoord is ", info.texCoord,
-                  ", but only 0 and 1 are supported; the texture is left out");
+        const int texCoord = transform.texCoord >= 0 ? transform.texCoord : info.texCoord;
+        transform.texCoord = -1;
+        if (texCoord > 1) {
+            file.warn(who, name, ".texCoord is ", texCoord,
+                      ", but only 0 and 1 are supported; the texture is left out");
+            return {};
+        }
+        if (const int set = setOf(sets, {texCoord, transform}); set >= 0) return {info.index, set};
+        file.warn(who, name, " is the third with texture coordinates of its own; the texture is left out");
         return {};
     };
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
@@ -68,7 +86,8 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, float emis
     material.metallic = within(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
     material.roughness = within(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
     for (int i = 0; i < 3; ++i)
-        material.emissiveLin[i] = emissiveStrength * within(from.emissiveFactor[i], 1, ".emissiveFactor");
+        material.emissiveLin[i] =
+            file.emissiveStrengths[index] * within(from.emissiveFactor[i], 1, ".emissiveFactor");
     material.normalScale = static_cast<float>(from.normalTexture.scale);
     material.occlusionStrength = within(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
     material.alphaMode = alphaMode(from.alphaMode, who);
@@ -98,6 +117,8 @@ using Json = nlohmann::json;
 
 constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
 constexpr double kMaxEmissiveStrength = 1e4; // times white; half floats hold it
+constexpr const char* kTextureTransform = "KHR_texture_transform";
+constexpr double kMaxTransform = 1e4; // of its numbers, either way
 constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
@@ -132,7 +153,7 @@ void readMaterials(GltfFile& file, Model& model) {
     for (const tinygltf::Texture& texture : file.gltf.textures)
         model.textures.push_back(readTexture(file.gltf, texture));
     for (const tinygltf::Material& material : file.gltf.materials)
-        model.materials.push_back(readMaterial(file, material, file.emissiveStrengths[model.materials.size()],
+        model.materials.push_back(readMaterial(file, material, model.materials.size(),
                                                element("materials", model.materials.size())));
 
     // Images that nothing shows may be of any format: alternatives for extensions, or left over.
@@ -154,6 +175,33 @@ void readEmissiveStrengths(const Json& root, GltfFile& file) {
         const double nearest = std::clamp(asked, 0.0, kMaxEmissiveStrength);
         if (nearest != asked) file.warn(who, ".emissiveStrength is ", asked, "; ", nearest, " is taken");
         file.emissiveStrengths.push_back(static_cast<float>(nearest));
+    }
+}
+
+void readTextureTransforms(const Json& root, GltfFile& file) {
+    const auto number = [](const Json& value, double otherwise) {
+        return static_cast<float>(
+            std::clamp(value.is_number() ? value.get<double>() : otherwise, -kMaxTransform, kMaxTransform));
+    };
+    const auto transformOf = [&](const Json& texture) {
+        const Json& given = extension(texture, kTextureTransform);
+        TextureTransform transform;
+        const Json &offset = list(given, "offset"), &scale = list(given, "scale");
+        for (int i = 0; i < 2; ++i) {
+            if (offset.size() == 2) transform.offset[i] = number(offset[static_cast<size_t>(i)], 0);
+            if (scale.size() == 2) transform.scale[i] = number(scale[static_cast<size_t>(i)], 1);
+        }
+        transform.rotation = number(member(given, "rotation"), 0);
+        transform.texCoord = static_cast<int>(number(member(given, "texCoord"), -1));
+        return transform;
+    };
+    for (const Json& material : list(root, "materials")) {
+        const Json& pbr = member(material, "pbrMetallicRoughness");
+        file.textureTransforms.push_back({transformOf(member(pbr, "baseColorTexture")),
+                                          transformOf(member(pbr, "metallicRoughnessTexture")),
+                                          transformOf(member(material, "normalTexture")),
+                                          transformOf(member(material, "occlusionTexture")),
+                                          transformOf(member(material, "emissiveTexture"))});
     }
 }
 

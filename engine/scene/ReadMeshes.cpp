@@ -2,6 +2,7 @@
 #include "engine/scene/Vertices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -73,6 +74,30 @@ void addTangents(GltfFile& file, const Material& material, Primitive& primitive,
     primitive.indices = std::move(split.indices);
 }
 
+bool movesAny(const std::array<UvSource, 2>& sets) {
+    for (int k = 0; k < 2; ++k)
+        if (const UvSource& set = sets[static_cast<size_t>(k)];
+            set.texCoord >= 0 && set != UvSource{k, TextureTransform{}})
+            return true;
+    return false;
+}
+
+// Texture coordinates as the material's textures want them (KHR_texture_transform).
+void transformUvs(const std::array<UvSource, 2>& sets, Primitive& primitive) {
+    if (!movesAny(sets)) return;
+    const std::vector<glm::vec2> given[2] = {primitive.texCoords[0], primitive.texCoords[1]};
+    for (size_t k = 0; k < 2; ++k) {
+        if (sets[k].texCoord < 0) continue;
+        const TextureTransform& by = sets[k].transform;
+        const float c = std::cos(by.rotation), s = std::sin(by.rotation);
+        primitive.texCoords[k] = given[sets[k].texCoord];
+        for (glm::vec2& uv : primitive.texCoords[k]) {
+            const glm::vec2 scaled = by.scale * uv;
+            uv = by.offset + glm::vec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x);
+        }
+    }
+}
+
 std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const tinygltf::Primitive& from,
                                        const std::string& who) {
     if (from.mode > TINYGLTF_MODE_TRIANGLE_FAN) fault(who, ".mode is ", from.mode, ", none of glTF");
@@ -100,6 +125,8 @@ std::optional<Primitive> readPrimitive(GltfFile& file, const Model& model, const
         file.vertices.spend(primitive.indices.size() * (1 + primitive.morphTargets.size()), who);
         makeFlatNormals(primitive);
     }
+    if (primitive.material >= 0)
+        transformUvs(file.uvSources[static_cast<size_t>(primitive.material)], primitive);
     addTangents(file, model.materialOf(primitive), primitive, who);
     return primitive;
 }
@@ -118,6 +145,14 @@ Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, co
         if (!primitive) continue;
         if (!file.variants.empty())
             primitive->variantMaterials = file.variantMaterials[model.meshes.size()][p];
+        for (const int worn : primitive->variantMaterials) {
+            if (worn < 0 || primitive->material < 0) continue;
+            const auto &sets = file.uvSources[static_cast<size_t>(primitive->material)],
+                       &others = file.uvSources[static_cast<size_t>(worn)];
+            if (sets != others && (movesAny(sets) || movesAny(others)))
+                file.warn(name,
+                          " has a variant whose textures are transformed otherwise; they lie as the first's");
+        }
         mesh.primitives.push_back(std::move(*primitive));
     }
     if (!from.weights.empty() && from.weights.size() != targets)
