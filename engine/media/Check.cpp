@@ -30,11 +30,11 @@ Result<std::string> checkVideo(const Path& file) {
                                                 m.projection == Projection::Mesh ? "mesh" : "cube map")};
 
     ImageRgb8 frame(info.width, info.height);
+    if (!source->grab() || !source->retrieve(frame))
+        return Error{file.string(), "its first frame cannot be decoded"};
     const auto second = static_cast<int64_t>(info.fps);
     while (source->position() < second && source->grab()) {
     }
-    if (source->position() == 0 || !source->retrieve(frame))
-        return Error{file.string(), "its first frame cannot be decoded"};
     if (!source->seek(std::max(source->position(), info.frameCount - 1)))
         return Error{file.string(), "cannot be sought in"};
     // A file without a stated length is read through; the limit is an hour at the highest rate.

@@ -13,9 +13,11 @@ namespace {
 constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // of a half, in which blocks are compared
 constexpr int kMostShift = 6;    // either way: 17 degrees of a sphere, twice what an arm's length away has
 constexpr double kStructure = 3; // of a block: standard deviation along its rows, in levels of 255
-constexpr double kAlike = 0.8;   // the correlation from which a block is found in the other half
-constexpr double kOfStructured = 0.75; // so many of those with structure are to be found
-constexpr int kFewest = 12;            // blocks with structure, of 128: fewer tell nothing
+// The correlation from which a block is found in the other half, and how many of those with structure are to
+// be. Of two stereo pictures at hand 97 % are; of a room that repeats itself 76 %; of ten other panoramas at
+// most 14 %.
+constexpr double kAlike = 0.7, kOfStructured = 0.9;
+constexpr int kFewest = 12; // blocks with structure, of 128: fewer tell nothing
 
 // The brightness of a part of the frame.
 cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {

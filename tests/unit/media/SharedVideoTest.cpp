@@ -5,6 +5,8 @@
 #include "engine/media/VideoPlayer.h"
 #include "tests/unit/media/TestFiles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace shoal::media {
@@ -91,6 +93,31 @@ ImageRgb8 squeezed(const ImageRgb8& picture) {
     for (int y = 0; y < out.height; ++y)
         std::copy_n(picture.at(0, y * picture.height / out.height), 3 * out.width, out.at(0, y));
     return out;
+}
+
+TEST(SharedVideos, SqueezedStereoIsFoundByContent) {
+    const Path file = sharedData("video/congo_360_overunder_1920x1080.mp4");
+    if (file.empty()) GTEST_SKIP() << "no shared video/congo_360_overunder_1920x1080.mp4";
+    auto player = VideoPlayer::open(file);
+    ASSERT_TRUE(player) << player.error().message();
+    for (const double at_s : {0.0, 3.0, 6.0})
+        EXPECT_EQ(layoutOf(squeezed((*player).waitFor(at_s)->pixelsBgr)), Layout::TopBottom) << at_s;
+}
+
+// Rooms and landscapes of one eye, one of them a room whose opposite walls are alike.
+TEST(SharedHdrs, AreMonoByContent) {
+    for (const char* name : {"fidelity/lightroom_14b_1k.hdr", "fidelity/aircraft_workshop_01_1k.hdr",
+                             "hdr/studio_small_03_1k.hdr", "hdr/st_fagans_interior_1k.hdr"}) {
+        const Path file = sharedData(name);
+        if (file.empty()) GTEST_SKIP() << "no shared " << name;
+        const auto picture = readHdr(file);
+        ASSERT_TRUE(picture) << picture.error().message();
+        ImageRgb8 coded(picture->radianceLin.width, picture->radianceLin.height);
+        for (size_t i = 0; i < coded.pixels.size(); ++i)
+            coded.pixels[i] =
+                static_cast<uint8_t>(255 * std::sqrt(std::clamp(picture->radianceLin.pixels[i], 0.0f, 1.0f)));
+        EXPECT_EQ(layoutOf(coded), Layout::Mono) << name;
+    }
 }
 
 TEST(SharedPhotos, HaveTheirFactsAndLayout) {

@@ -1,5 +1,6 @@
 #include "engine/media/VideoPlayer.h"
 
+#include "engine/media/Check.h"
 #include "tests/unit/media/TestFiles.h"
 
 #include <array>
@@ -316,6 +317,15 @@ TEST(VideoPlayer, EndsWhileBusy) {
         auto player = opened(file);
         player.newest(i);
     }
+}
+
+TEST(VideoPlayer, CheckPassesFilmsOfLessThanASecond) {
+    const TempFolder folder;
+    const Path file = folder.path() / "short.avi";
+    writeGreyVideo(file, 5);
+    const auto checked = checkVideo(file);
+    ASSERT_TRUE(checked) << checked.error().message();
+    EXPECT_NE(checked->find("0.2 s"), std::string::npos) << *checked;
 }
 
 TEST(VideoPlayer, RefusesWhatIsNoVideo) {
