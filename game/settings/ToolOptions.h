@@ -72,8 +72,8 @@ struct LightOptions {
         table.add(
             "--light", choice(frames),
             "What a photo's or video's values stand for. auto: decoded sRGB, and what the camera clipped "
-            "by the light that the ground sends back; linear: decoded sRGB; thesis: its inverse tone "
-            "mapping, which the game itself uses");
+            "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
+            "sRGB; thesis: its inverse tone mapping, which the game itself uses");
         table.add("--at", &at_s, "Second of the video").between(0, 36000);
     }
 };

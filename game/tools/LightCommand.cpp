@@ -33,8 +33,11 @@ Result<ImageRgb8> readCoded(const Path& file, float at_s, bool& bgr) {
 }
 
 Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
-    light::LightMaker maker(
-        {kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, options.frames});
+    const bool asTheThesis = options.method == light::DiffuseMethod::Thesis;
+    const light::FrameRadiance frames = asTheThesis && options.frames == light::FrameRadiance::Auto
+                                            ? light::FrameRadiance::Thesis
+                                            : options.frames;
+    light::LightMaker maker({kWidestLight, light::kMinFilteredRoughness, light::LightQuality::Still, frames});
     light::EnvironmentLight made;
     if (media::writtenAs(options.file) == media::WrittenAs::Hdr) {
         auto picture = media::readHdr(options.file);

@@ -175,7 +175,7 @@ TEST_F(Program, LayersNeedANewerOpenGl) {
 
 TEST_F(Program, LightByTheThesisHasTheSameFiles) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6"));
-    const auto ours = lightFiles(photo, folder_ / "default", "--method default"),
+    const auto ours = lightFiles(photo, folder_ / "default", "--method default --light thesis"),
                thesis = lightFiles(photo, folder_ / "thesis", "--method thesis");
     ASSERT_GT(ours.size(), 3u);
     ASSERT_EQ(ours.size(), thesis.size());
