@@ -20,6 +20,9 @@ constexpr float kGroundNeeded = 0.25f;           // of the half sphere below, we
 
 float ramp(float value, float from, float to) { return std::clamp((value - from) / (to - from), 0.0f, 1.0f); }
 
+// 0 to 1.
+float clippedShare(uint8_t coded) { return ramp(static_cast<float>(coded), kFirstClipped, kWhollyClipped); }
+
 float sineOfElevation(int row, int height) {
     return static_cast<float>(std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height)));
 }
@@ -89,12 +92,12 @@ ClippedLight::ClippedLight(const FrameView& frame) : height_(frame.height) {
     gain_ = std::pow(kUsualGain, 1 - trust) * std::pow(1 + static_cast<float>(times), trust);
 }
 
-float ClippedLight::clippedShare(uint8_t least) {
-    return ramp(static_cast<float>(least), kFirstClipped, kWhollyClipped);
-}
-
 float ClippedLight::rowGain(int row) const {
     return (gain_ - 1) * heightShare(sineOfElevation(row, height_));
+}
+
+float ClippedLight::scaleOf(float rowGain, const uint8_t* pixel) {
+    return rowGain > 0 ? 1 + rowGain * clippedShare(std::min({pixel[0], pixel[1], pixel[2]})) : 1.0f;
 }
 
 } // namespace shoal::light

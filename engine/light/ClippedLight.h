@@ -34,8 +34,8 @@ class ClippedLight {
     // What a pixel's radiance is to be multiplied with, less 1, in this row of the frame if it is wholly
     // clipped; 0: nothing is scaled there.
     float rowGain(int row) const;
-    // How far a pixel whose least channel has this coded value is clipped, 0 to 1.
-    static float clippedShare(uint8_t least);
+    // What a pixel's radiance is to be multiplied with in a row of this gain. pixel: three coded channels.
+    static float scaleOf(float rowGain, const uint8_t* pixel);
 
   private:
     static constexpr int kStep = 4;

@@ -44,11 +44,10 @@ void decodeLinearRow(const uint8_t* bytes, int width, int redAt, float rowGain, 
     const std::array<float, 256>& linear = linearOfCoded();
     const int blueAt = 2 - redAt;
     for (int x = 0; x < width; ++x, bytes += 3) {
-        red[x] = linear[bytes[redAt]], green[x] = linear[bytes[1]], blue[x] = linear[bytes[blueAt]];
-        if (rowGain <= 0) continue;
-        const float share = ClippedLight::clippedShare(std::min({bytes[0], bytes[1], bytes[2]}));
-        const float scale = 1 + rowGain * share;
-        red[x] *= scale, green[x] *= scale, blue[x] *= scale;
+        const float scale = ClippedLight::scaleOf(rowGain, bytes);
+        red[x] = scale * linear[bytes[redAt]];
+        green[x] = scale * linear[bytes[1]];
+        blue[x] = scale * linear[bytes[blueAt]];
     }
 }
 

@@ -97,7 +97,7 @@ struct GltfFile {
     std::vector<ImageSource> imageSources;
     bool quantized = false; // KHR_mesh_quantization is used
     // KHR_materials_emissive_strength, by material
-    std::vector<float> emissiveStrengths;
+    std::vector<double> emissiveStrengths; // as stated
     // By material and use: base colour, metallic-roughness, normal, occlusion, emissive
     std::vector<std::array<TextureTransform, 5>> textureTransforms;
     // By material: what the two sets that TextureUse::texCoord tells apart are made of, for its primitives

@@ -9,6 +9,8 @@ namespace shoal::scene {
 
 namespace {
 
+constexpr double kMaxEmissiveStrength = 1e4; // times white; half floats hold it
+
 Texture::Wrap wrapMode(int mode, const std::string& who) {
     switch (mode) {
     case TINYGLTF_TEXTURE_WRAP_REPEAT:
@@ -85,9 +87,10 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
             within(pbr.baseColorFactor[i], 1, ".pbrMetallicRoughness.baseColorFactor");
     material.metallic = within(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
     material.roughness = within(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
+    const float emissiveStrength =
+        within(file.emissiveStrengths[index], kMaxEmissiveStrength, ".emissiveStrength");
     for (int i = 0; i < 3; ++i)
-        material.emissiveLin[i] =
-            file.emissiveStrengths[index] * within(from.emissiveFactor[i], 1, ".emissiveFactor");
+        material.emissiveLin[i] = emissiveStrength * within(from.emissiveFactor[i], 1, ".emissiveFactor");
     material.normalScale = static_cast<float>(from.normalTexture.scale);
     material.occlusionStrength = within(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
     material.alphaMode = alphaMode(from.alphaMode, who);
@@ -116,7 +119,6 @@ ImageRgba8 readImage(GltfFile& file, int index) {
 using Json = nlohmann::json;
 
 constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
-constexpr double kMaxEmissiveStrength = 1e4; // times white; half floats hold it
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 constexpr double kMaxTransform = 1e4; // of its numbers, either way
 constexpr const char* kVariants = "KHR_materials_variants";
@@ -169,12 +171,8 @@ void readMaterials(GltfFile& file, Model& model) {
 
 void readEmissiveStrengths(const Json& root, GltfFile& file) {
     for (const Json& material : list(root, "materials")) {
-        const std::string who = element("materials", file.emissiveStrengths.size());
         const Json& strength = member(extension(material, kEmissiveStrength), "emissiveStrength");
-        const double asked = strength.is_number() ? strength.get<double>() : 1;
-        const double nearest = std::clamp(asked, 0.0, kMaxEmissiveStrength);
-        if (nearest != asked) file.warn(who, ".emissiveStrength is ", asked, "; ", nearest, " is taken");
-        file.emissiveStrengths.push_back(static_cast<float>(nearest));
+        file.emissiveStrengths.push_back(strength.is_number() ? strength.get<double>() : 1);
     }
 }
 

@@ -44,7 +44,7 @@ Verdict checkModel(const Path& file) {
     return "a model of " + counted(triangles, "triangle", "triangles") + ", " +
            counted(model->materials.size(), "material", "materials") + ", " +
            counted(model->animations.size(), "animation", "animations") +
-           (seen ? "" : "; all of it is wholly transparent: nothing will be seen");
+           (seen || triangles == 0 ? "" : "; all of it is wholly transparent: nothing will be seen");
 }
 
 // Dives, playthroughs and the species table are all TOML; their tables tell which is meant.

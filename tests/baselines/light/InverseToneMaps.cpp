@@ -159,10 +159,8 @@ InverseToneMapMethod clippedLight() {
                                             .bgr = false});
                 forEach(frame, out, decoded);
                 for (size_t i = 0; i < out.pixels.size(); i += 3) {
-                    const uint8_t* coded = &frame.pixels[i];
                     const float gain = clipped.rowGain(static_cast<int>(i / 3) / frame.width);
-                    const float scale =
-                        1 + gain * ClippedLight::clippedShare(std::min({coded[0], coded[1], coded[2]}));
+                    const float scale = ClippedLight::scaleOf(gain, &frame.pixels[i]);
                     for (size_t c = 0; c < 3; ++c) out.pixels[i + c] *= scale;
                 }
             }};
