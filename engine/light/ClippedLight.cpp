@@ -4,6 +4,7 @@
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -31,22 +32,12 @@ float heightShare(float sine) { return ramp(sine, 0, kFullHeight); }
 
 } // namespace
 
-const std::array<float, 256>& linearOfCoded() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> linear;
-        for (size_t i = 0; i < linear.size(); ++i)
-            linear[i] = math::linearFromSrgb(static_cast<float>(i) / 255.0f);
-        return linear;
-    }();
-    return table;
-}
-
 float ClippedLight::mostGain() {
     return std::pow(kUsualGain, 1 - kTrust) * std::pow(1 + kMostFromGround, kTrust);
 }
 
 ClippedLight::ClippedLight(const FrameView& frame) : height_(frame.height) {
-    const std::array<float, 256>& linear = linearOfCoded();
+    const std::array<float, 256>& linear = math::linearOfByte();
     const int redAt = frame.bgr ? 2 : 0, blueAt = 2 - redAt;
     // Irradiance of a level plane from above, as decoded, and by what would be scaled if it were 1; radiance
     // of the ground, of the part that is seen; that part.

@@ -4,7 +4,7 @@
 
 #include "engine/light/FrameView.h"
 
-#include <array>
+#include <cstdint>
 
 namespace shoal::light {
 
@@ -42,8 +42,5 @@ class ClippedLight {
     float gain_ = 1;
     int height_ = 0;
 };
-
-// sRGB-decoded radiance of each coded value.
-const std::array<float, 256>& linearOfCoded();
 
 } // namespace shoal::light

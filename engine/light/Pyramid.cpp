@@ -3,6 +3,7 @@
 #include "engine/light/BlockMeans.h"
 #include "engine/light/ClippedLight.h"
 #include "engine/light/Vectorise.h"
+#include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
 // The same by decoding sRGB. rowGain: ClippedLight's.
 void decodeLinearRow(const uint8_t* bytes, int width, int redAt, float rowGain, float* red, float* green,
                      float* blue) {
-    const std::array<float, 256>& linear = linearOfCoded();
+    const std::array<float, 256>& linear = math::linearOfByte();
     const int blueAt = 2 - redAt;
     for (int x = 0; x < width; ++x, bytes += 3) {
         const float scale = ClippedLight::scaleOf(rowGain, bytes);

@@ -2,7 +2,9 @@
 // beyond it the curve's power branch goes on, below zero its straight branch.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace shoal::math {
 
@@ -12,6 +14,16 @@ template <class T> T linearFromSrgb(T coded) {
 
 template <class T> T srgbFromLinear(T linear) {
     return linear <= T(0.0031308) ? linear * T(12.92) : T(1.055) * std::pow(linear, T(1) / T(2.4)) - T(0.055);
+}
+
+// Of each value of 8 bits.
+inline const std::array<float, 256>& linearOfByte() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> linear;
+        for (size_t i = 0; i < linear.size(); ++i) linear[i] = linearFromSrgb(static_cast<float>(i) / 255.0f);
+        return linear;
+    }();
+    return table;
 }
 
 } // namespace shoal::math

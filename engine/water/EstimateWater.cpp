@@ -28,16 +28,6 @@ int rowAt(float elevation_deg) {
     return std::clamp(static_cast<int>(std::lround((0.5f - elevation_deg / 180) * kRows)), 0, kRows);
 }
 
-const std::array<float, 256>& linearOfByte() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> made{};
-        for (size_t i = 0; i < made.size(); ++i)
-            made[i] = math::linearFromSrgb(static_cast<float>(i) / 255.0f);
-        return made;
-    }();
-    return table;
-}
-
 glm::vec3 squaredCoded(const glm::vec3& lin) {
     const glm::vec3 coded(math::srgbFromLinear(lin.x), math::srgbFromLinear(lin.y),
                           math::srgbFromLinear(lin.z));
@@ -108,7 +98,7 @@ std::array<double, kVeilTerms> lowerFit(std::span<const VeilCell> cells, int cha
 } // namespace
 
 void WaterEstimator::sample(const light::FrameView& frame) {
-    const auto& table = linearOfByte();
+    const auto& table = math::linearOfByte();
     cellsLin_.assign(static_cast<size_t>(kRows * kSectors), glm::vec3(0));
     const int first = frame.bgr ? 2 : 0, last = 2 - first;
     for (int row = rowAt(kVeilTop_deg); row < rowAt(-kVeilBottom_deg); ++row) {

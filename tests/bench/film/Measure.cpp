@@ -1,5 +1,7 @@
 #include "tests/bench/film/Measure.h"
 
+#include "engine/math/Colour.h"
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -13,18 +15,6 @@ namespace {
 
 constexpr int kTile = 1024;
 constexpr double kBandsAnOctave = 6;
-
-const std::array<float, 256>& linearOfCoded() {
-    static const auto table = [] {
-        std::array<float, 256> all;
-        for (size_t i = 0; i < all.size(); ++i) {
-            const float x = static_cast<float>(i) / 255;
-            all[i] = x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-        }
-        return all;
-    }();
-    return table;
-}
 
 cv::Mat asMat(const ImageRgb8& image) {
     return {image.height, image.width, CV_8UC3, const_cast<uint8_t*>(image.pixels.data())};
@@ -67,7 +57,7 @@ void Distance::add(const ImageRgb8& truthRgb, const ImageRgb8& decodedBgr) {
     else
         cv::resize(asMat(decodedBgr), decoded, truth.size(), 0, 0, cv::INTER_CUBIC);
     const cv::Mat lumaTruth = luma(truth), lumaDecoded = luma(decoded);
-    const auto& linear = linearOfCoded();
+    const auto& linear = math::linearOfByte();
     for (int y = 0; y < truth.rows; ++y) {
         const double weight = std::sin((y + 0.5) / truth.rows * std::numbers::pi);
         double squared = 0, own = 0, steps = 0;

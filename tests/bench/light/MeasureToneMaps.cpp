@@ -1,6 +1,5 @@
 #include "tests/bench/light/Measure.h"
 
-#include "engine/light/ClippedLight.h"
 #include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
@@ -59,7 +58,7 @@ Parts partsOf(const ImageRgb8& frame) {
     Parts parts{ImageRgbF(frame.width, frame.height), ImageRgbF(frame.width, frame.height)};
     for (size_t i = 0; i < frame.pixels.size(); i += 3) {
         ImageRgbF& part = isClipped(&frame.pixels[i]) ? parts.clipped : parts.unclipped;
-        for (size_t c = i; c < i + 3; ++c) part.pixels[c] = light::linearOfCoded()[frame.pixels[c]];
+        for (size_t c = i; c < i + 3; ++c) part.pixels[c] = math::linearOfByte()[frame.pixels[c]];
     }
     return parts;
 }
