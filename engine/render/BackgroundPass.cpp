@@ -16,25 +16,26 @@ enum FeatureBit : unsigned {
     kPolarBit = 1u << 0,
     kAsIs = 1u << 1,
     kFrameIsCoded = 1u << 2,
-    kAces = 1u << 3,
-    kLinear = 1u << 4,
+    kFrameIsSrgb = 1u << 3,
+    kAces = 1u << 4,
+    kLinear = 1u << 5,
 };
-constexpr std::array<const char*, 5> kBackgroundDefines = {"POLAR", "AS_IS", "FRAME_IS_CODED", "TONE_ACES",
-                                                           "TONE_LINEAR"};
+constexpr std::array<const char*, 6> kBackgroundDefines = {"POLAR",      "AS_IS",     "FRAME_IS_CODED",
+                                                           "FRAME_SRGB", "TONE_ACES", "TONE_LINEAR"};
 
 unsigned featuresOf(const EnvironmentGpu& environment, const Exposure& exposure) {
     if (showsFrameAsCoded(environment, exposure)) return kAsIs;
     return (environment.frameIsCoded() ? kFrameIsCoded : 0u) |
-           (exposure.curve == ToneCurve::Aces     ? kAces
-            : exposure.curve == ToneCurve::Linear ? kLinear
-                                                  : 0u);
+           (exposure.frames == FrameCoding::Srgb ? kFrameIsSrgb : 0u) |
+           (exposure.curve == ToneCurve::Aces ? kAces
+            : exposure.isLinear()             ? kLinear
+                                              : 0u);
 }
 
 } // namespace
 
 bool showsFrameAsCoded(const EnvironmentGpu& environment, const Exposure& exposure) {
-    return environment.frameIsCoded() && exposure.curve == ToneCurve::InverseOfVideo &&
-           exposure.scale() == 1.0f;
+    return environment.frameIsCoded() && exposure.keepsFrames();
 }
 
 Result<std::unique_ptr<BackgroundPass>> BackgroundPass::make(Backend backend, bool withLayers) {

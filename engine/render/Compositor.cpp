@@ -65,7 +65,7 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     const glm::ivec2 size = layerSize(picture);
     if (intoTexels()) {
         picture.view = widened(picture.view, kLayerWidth);
-        picture.exposure = {}; // objects in the frame are exposed with it
+        picture.exposure = {.frames = picture.exposure.frames}; // objects in the frame are exposed with it
     }
     picture.view.heightPixels = size.y;
     layerOf(picture).begin(size, samples_);

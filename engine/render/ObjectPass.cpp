@@ -18,9 +18,9 @@ namespace {
 #define SHOAL_FEATURES(F)                                                                                    \
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER), F(TONE_ACES),  \
-        F(TONE_LINEAR), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT), F(OCCLUDED), F(VERTEX_COLOURS),           \
-        F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION),    \
-        F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+        F(TONE_LINEAR), F(FRAME_SRGB), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT), F(OCCLUDED),               \
+        F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(SHOW_NORMALS), F(SHOW_ROUGHNESS),    \
+        F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
 #define SHOAL_BIT(name) name##_BIT
 enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
 #define SHOAL_FEATURE(name) name = 1u << name##_BIT
@@ -51,7 +51,8 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
     if (glossy == Glossy::PhongRings) features |= PHONG_RINGS;
     if (!water.none()) features |= WATER;
     if (exposure.curve == ToneCurve::Aces) features |= TONE_ACES;
-    if (exposure.curve == ToneCurve::Linear) features |= TONE_LINEAR;
+    if (exposure.isLinear()) features |= TONE_LINEAR;
+    if (exposure.frames == FrameCoding::Srgb) features |= FRAME_SRGB;
     return features;
 }
 

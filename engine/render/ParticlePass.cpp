@@ -13,10 +13,13 @@ constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 
-constexpr std::array<const char*, 2> kParticleDefines = {"TONE_ACES", "TONE_LINEAR"};
+constexpr std::array<const char*, 3> kParticleDefines = {"TONE_ACES", "TONE_LINEAR", "FRAME_SRGB"};
 
 unsigned featuresOf(const Exposure& exposure) {
-    return exposure.curve == ToneCurve::Aces ? 1u : exposure.curve == ToneCurve::Linear ? 2u : 0u;
+    return (exposure.curve == ToneCurve::Aces ? 1u
+            : exposure.isLinear()             ? 2u
+                                              : 0u) |
+           (exposure.frames == FrameCoding::Srgb ? 4u : 0u);
 }
 
 } // namespace

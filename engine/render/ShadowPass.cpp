@@ -11,7 +11,7 @@
 namespace shoal::render {
 
 namespace {
-constexpr float kMin = 0.012f; // of the ground's light: three of 255 display values where it is bright
+constexpr float kMin = 0.012f;            // of the ground's light: at most three of 255 display values
 constexpr float kUnseen = 1 - 0.5f / 255; // a factor that leaves display values what they are
 
 // Whether all corners of the rectangle lie beyond one side of the view.
@@ -27,10 +27,11 @@ bool isUnseen(const std::array<glm::vec3, 4>& corners, const glm::mat4& clipFrom
 }
 } // namespace
 
-glm::vec3 leftOfGround(const FloorLight& light, float hidden, const water::Water& water, float distance_m) {
+glm::vec3 leftOfGround(const FloorLight& light, FrameCoding frames, float hidden, const water::Water& water,
+                       float distance_m) {
     const glm::vec3 left = 1.0f - hidden * light.share;
     const glm::vec3 arrives = glm::exp(-water.attenuation_perM * distance_m);
-    return glm::sqrt(1.0f - (1.0f - left * left) * arrives);
+    return glm::sqrt(1.0f - (1.0f - (frames == FrameCoding::Srgb ? left : left * left)) * arrives);
 }
 
 Result<ShadowPass> ShadowPass::make() {
@@ -59,8 +60,8 @@ void ShadowPass::add(std::span<const occlusion::Ellipsoid> body, const FloorLigh
     flat_.insert(flat_.end(), body_.begin(), body_.end());
 }
 
-void ShadowPass::draw(const View& view, const FloorLight& light, const water::Water& water,
-                      const Cover* cover) {
+void ShadowPass::draw(const View& view, const FloorLight& light, FrameCoding frames,
+                      const water::Water& water, const Cover* cover) {
     triangles_.clear();
     const glm::mat4 clipFromWorld = view.clipFromWorld();
     for (const Patch& patch : patches_) {
@@ -78,9 +79,9 @@ void ShadowPass::draw(const View& view, const FloorLight& light, const water::Wa
             for (int x = 0; x <= across; ++x) {
                 const glm::vec3 place = onGround(x, y);
                 const float here = patch.floor.strength * covered(body, light, {place.x, place.z});
+                const float away = glm::distance(place, view.eyeWorld);
                 grid_.push_back(
-                    {place, here > 0 ? leftOfGround(light, here, water, glm::distance(place, view.eyeWorld))
-                                     : glm::vec3(1)});
+                    {place, here > 0 ? leftOfGround(light, frames, here, water, away) : glm::vec3(1)});
             }
         for (int y = 0; y < down; ++y)
             for (int x = 0; x < across; ++x) {

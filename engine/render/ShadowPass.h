@@ -16,11 +16,12 @@
 
 namespace shoal::render {
 
-// What a shadow that hides `hidden` of the light leaves of the display values of ground `distance_m` away. As
-// objects are lit by coded values as good as linear where they are not bright (light/InverseToneMap.h), the
-// ground's are dimmed as its light is. The water between mixes squares (water/Water.h); its own light, which
-// is not dimmed, is taken to be as bright as the ground.
-glm::vec3 leftOfGround(const FloorLight& light, float hidden, const water::Water& water, float distance_m);
+// What a shadow that hides `hidden` of the light leaves of the display values of ground `distance_m` away.
+// Display values are taken for square roots of light (water/Water.h), but where frames are coded as the
+// thesis has them, whose radiance goes by display values where it is not bright (light/InverseToneMap.h). The
+// water between mixes squares; its own light, which is not dimmed, is taken to be as bright as the ground.
+glm::vec3 leftOfGround(const FloorLight& light, FrameCoding frames, float hidden, const water::Water& water,
+                       float distance_m);
 
 class ShadowPass {
   public:
@@ -41,7 +42,7 @@ class ShadowPass {
     // After the background, before objects; depth is neither asked nor changed. view: from where the ground
     // was filmed, turned as the eye is. Nothing is drawn where nothing casts. cover: null where nothing
     // covers.
-    void draw(const View& view, const FloorLight& light, const water::Water& water,
+    void draw(const View& view, const FloorLight& light, FrameCoding frames, const water::Water& water,
               const Cover* cover = nullptr);
 
     size_t patches() const { return patches_.size(); } // since begin()

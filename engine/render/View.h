@@ -35,8 +35,18 @@ struct View {
     }
 };
 
-// How radiance becomes display values. Numbers as in shaders/render/Output.glsl.
-enum class ToneCurve { InverseOfVideo = 0, Aces = 1, Linear = 2 };
+// How a video's coded values are radiance.
+enum class FrameCoding {
+    Srgb,
+    Thesis, // light::radianceFromDisplay()
+};
+
+// How radiance becomes display values: shaders/render/Output.glsl.
+enum class ToneCurve {
+    InverseOfVideo, // the inverse of the frames' coding
+    Aces,
+    Linear // clips, and codes as sRGB
+};
 
 // How glossy light is looked up.
 enum class Glossy {
@@ -46,9 +56,19 @@ enum class Glossy {
 
 struct Exposure {
     ToneCurve curve = ToneCurve::InverseOfVideo;
-    float exposure_ev = 0; // objects and background alike
+    float exposure_ev = 0;                    // objects and background alike
+    FrameCoding frames = FrameCoding::Thesis; // as the light was made: light::FrameRadiance
 
     float scale() const { return std::exp2(exposure_ev); }
+    bool isLinear() const { // as the shaders' TONE_LINEAR is
+        return curve == ToneCurve::Linear ||
+               (curve == ToneCurve::InverseOfVideo && frames == FrameCoding::Srgb);
+    }
+    // Frames are shown as they are coded: the curve undoes their decoding.
+    bool keepsFrames() const {
+        return (curve == ToneCurve::InverseOfVideo || (isLinear() && frames == FrameCoding::Srgb)) &&
+               exposure_ev == 0;
+    }
 };
 
 // How virtual objects are combined with the filmed background.

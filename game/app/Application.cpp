@@ -248,8 +248,8 @@ Result<bool> Application::draw() {
         options_.quality == QualityControl::Auto && ((window_ && !options_.timedemo) || options_.load_ms > 0);
     if (wantsQuality && !quality_ && display_->period_s() > 0) quality_.emplace(1000 * display_->period_s());
     const Quality quality = quality_ ? quality_->quality() : Quality();
-    const render::Exposure exposure{environment_->toneCurve(options_.look.tone),
-                                    config_.dive.exposure_ev + options_.look.exposure_ev};
+    const render::Exposure exposure =
+        environment_->exposure(options_.look.tone, config_.dive.exposure_ev + options_.look.exposure_ev);
     sceneRenderer_->timers().beginFrame(options_.frameTimes);
     sceneRenderer_->set(shown, *environment_, exposure, options_.look.glossy);
     const Result<bool> drawn = display_->draw(

@@ -127,7 +127,7 @@ bool Application::drawLoading(float progress) {
     glClear(GL_COLOR_BUFFER_BIT);
     if (sceneRenderer_ && environment_) {
         game::Snapshot nothing;
-        sceneRenderer_->set(nothing, *environment_, {environment_->toneCurve(options_.look.tone), 0});
+        sceneRenderer_->set(nothing, *environment_, environment_->exposure(options_.look.tone, 0));
         if (display_->draw(
                 {.scene =
                      [&](std::span<const SceneRenderer::Eye> shownEyes, const Painter::AfterEye& after) {

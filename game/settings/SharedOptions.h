@@ -13,6 +13,7 @@ namespace shoal::app {
 struct EnvironmentOptions {
     std::string video, photo, env; // at most one; empty: the dive's own video
     media::Layout layout = media::Layout::Auto;
+    light::FrameRadiance light = light::FrameRadiance::Auto;
     float envYaw_deg = 0; // column u of the environment appears (u - 0.5) * 360 + this to the right of -Z
 
     bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); } // the dive's
@@ -31,6 +32,10 @@ struct EnvironmentOptions {
         table.add("--env", &env, "A high dynamic range lat-long picture: .hdr, .exr, .pfm").takes("FILE");
         table.add("--layout", choice(layout),
                   "Where a stereo picture keeps its eyes; auto reads the file's metadata");
+        table.add("--light", choice(light),
+                  "What a video's or photo's values stand for. auto: decoded sRGB, and how bright the light "
+                  "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB; "
+                  "thesis: its inverse tone mapping, with colours of objects taken as they are coded");
         table.add("--env-yaw", &envYaw_deg, "Turns the environment to the right, degrees").between(-360, 360);
     }
 };
@@ -63,7 +68,8 @@ struct LookOptions {
         table.addKept("--exposure", &exposure_ev, "Brightens objects and background alike, stops (EV)")
             .between(-10, 10);
         table.add("--tone", choice(tone),
-                  "Display curve: auto undoes the video's own, or aces for HDR environments; aces; linear");
+                  "Display curve: auto undoes the decoding of the video, or aces for HDR environments; aces; "
+                  "linear");
         table.add("--glossy", choice(glossy),
                   "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples");
         table.addKept("--occlusion", choice(occlusion, occlusions, {{"on", Occlusion::Ellipsoids}}),

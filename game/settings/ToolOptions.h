@@ -73,7 +73,7 @@ struct LightOptions {
             "--light", choice(frames),
             "What a photo's or video's values stand for. auto: decoded sRGB, and what the camera clipped "
             "by the light that the ground sends back, but thesis with --method thesis; linear: decoded "
-            "sRGB; thesis: its inverse tone mapping, which the game itself uses");
+            "sRGB; thesis: its inverse tone mapping");
         table.add("--at", &at_s, "Second of the video").between(0, 36000);
     }
 };

@@ -226,7 +226,7 @@ Status Viewer::draw(const gl::Target& target) {
     const render::View view =
         orbit_.view(glm::radians(options_.fov_deg),
                     static_cast<float>(target.width()) / static_cast<float>(target.height()));
-    const render::Exposure exposure{environment_->toneCurve(options_.look.tone), options_.look.exposure_ev};
+    const render::Exposure exposure = environment_->exposure(options_.look.tone, options_.look.exposure_ev);
     objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
     objects_->begin();
     objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit_.target, orbit_.modelRadius}, &body_);

@@ -41,7 +41,8 @@ float millisecondsSince(std::chrono::steady_clock::time_point began) {
 
 render::Reflectance reflectanceIn(const EnvironmentOptions& options) {
     const bool hdr = options.photo.empty() && !options.env.empty();
-    return hdr ? render::Reflectance::Linear : render::Reflectance::Coded;
+    return hdr || options.light != light::FrameRadiance::Thesis ? render::Reflectance::Linear
+                                                                : render::Reflectance::Coded;
 }
 
 EnvironmentOptions environmentOf(const std::string& file, EnvironmentOptions options) {
@@ -146,6 +147,7 @@ Status Environment::openEnv(const Path& file) {
 
 void Environment::prepareFor(light::LightQuality quality, size_t slots) {
     setup_.analysis.quality = quality;
+    setup_.analysis.frames = setup_.options.light;
     analysis_.emplace(setup_.analysis);
     found_.resize(slots);
     pictures_.resize(slots);
@@ -235,13 +237,24 @@ glm::mat3 Environment::envFromWorld() const {
     return glm::mat3_cast(glm::angleAxis(yaw_, glm::vec3(0, 1, 0)));
 }
 
-render::ToneCurve Environment::toneCurve(Tone chosen) const {
-    if (chosen == Tone::Auto && !hdr_) return render::ToneCurve::InverseOfVideo;
-    return chosen == Tone::Linear ? render::ToneCurve::Linear : render::ToneCurve::Aces;
+render::Exposure Environment::exposure(Tone chosen, float exposure_ev) const {
+    using enum render::ToneCurve;
+    const auto curve = chosen == Tone::Linear ? Linear : chosen == Tone::Aces || hdr_ ? Aces : InverseOfVideo;
+    const bool thesis = setup_.options.light == light::FrameRadiance::Thesis;
+    return {curve, exposure_ev, thesis ? render::FrameCoding::Thesis : render::FrameCoding::Srgb};
 }
 
 game::Text Environment::lightName() const {
-    return hdr_ ? game::Text("as measured, GGX prefiltered") : "thesis inverse tone mapping, GGX prefiltered";
+    if (hdr_) return "as measured, GGX prefiltered";
+    switch (setup_.options.light) {
+    case light::FrameRadiance::Auto:
+        break;
+    case light::FrameRadiance::Thesis:
+        return "thesis inverse tone mapping, GGX prefiltered";
+    case light::FrameRadiance::Linear:
+        return "decoded sRGB, GGX prefiltered";
+    }
+    return "decoded sRGB, clipped light estimated, GGX prefiltered";
 }
 
 } // namespace shoal::app

@@ -81,7 +81,7 @@ class Environment {
     }
     bool eyesSeeTheSame() const { return !twoPictures_; } // no picture for each
     glm::mat3 envFromWorld() const;
-    render::ToneCurve toneCurve(Tone chosen) const;
+    render::Exposure exposure(Tone chosen, float exposure_ev) const;
 
     // Of the newest frame; 0 for stills after the first.
     float light_ms() const { return light_ms_; }

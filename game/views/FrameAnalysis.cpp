@@ -21,7 +21,7 @@ FrameAnalysis::FrameAnalysis(const AnalysisOptions& options)
                : options.minRoughness < light::kMinFilteredRoughness ? light::MirrorMaps::Mirrors
                                                                      : light::MirrorMaps::None),
       maker_({options.quality == light::LightQuality::Still ? kStillLightWidth : kVideoLightWidth,
-              options.minRoughness, options.quality}) {
+              options.minRoughness, options.quality, options.frames}) {
     if (options.diffuse == light::DiffuseMethod::Thesis) thesisDiffuse_.emplace();
     if (options.water) water_.emplace();
     if (options.lights) lights_.emplace();

@@ -32,6 +32,7 @@ struct AnalysisOptions {
     float minRoughness = 0; // of all that will be drawn: no light is made for smoother things
     light::LightQuality quality = light::LightQuality::Video; // stills have their own
     light::DiffuseMethod diffuse = light::DiffuseMethod::Default;
+    light::FrameRadiance frames = light::FrameRadiance::Auto;
     bool water = false;
     bool lights = false; // directions of the light sources, for shadows
     bool cameraResponse = false;

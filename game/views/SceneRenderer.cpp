@@ -126,7 +126,7 @@ void SceneRenderer::drawShadows(const render::EyePicture& picture, const render:
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     render::View filmed = picture.view;
     filmed.eyeWorld = picture.sharesFrame ? glm::vec3(0) : picture.view.eyeWorld - headWorld_;
-    passes_.shadows->draw(filmed, floorLight_, environment_->water(), cover);
+    passes_.shadows->draw(filmed, floorLight_, exposure_.frames, environment_->water(), cover);
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {

@@ -21,7 +21,7 @@ void main() {
     colour = vec4(texel, 1.0);
 #else
 #ifdef FRAME_IS_CODED
-    texel = radianceFromDisplay(texel);
+    texel = radianceOfFrame(texel);
 #endif
     colour = vec4(displayValue(texel), 1.0);
 #endif

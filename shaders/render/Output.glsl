@@ -2,12 +2,16 @@
 #include "light/ToneCurve.glsl"
 
 // The curve is compiled in, one program for each: a software renderer runs all branches of a choice. TONE_ACES, TONE_LINEAR
-// (clip; both with sRGB coding), else the inverse of the video's inverse tone mapping.
+// (clip; both with sRGB coding), else the inverse of the thesis' inverse tone mapping. FRAME_SRGB: the video's values are
+// decoded as sRGB, else by the thesis' inverse tone mapping.
 uniform float exposureScale; // 2^EV, on objects and background alike
 
-vec3 srgbFromLinear(vec3 lin) {
-    lin = clamp(lin, 0.0, 1.0);
-    return mix(12.92 * lin, 1.055 * pow(lin, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, lin));
+vec3 radianceOfFrame(vec3 coded) {
+#ifdef FRAME_SRGB
+    return linearFromSrgb(coded);
+#else
+    return radianceFromDisplay(coded);
+#endif
 }
 
 // Fit of the ACES reference rendering and output transforms by S. Hill (MIT), with the usual 1 / 0.6 exposure.

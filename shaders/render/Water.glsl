@@ -12,6 +12,6 @@ void throughWater(vec3 fromEyeWorld, mat3 envFromWorld, out vec3 left, out vec3 
     vec3 sum = waterVeil[0] + waterVeil[1] * d.x + waterVeil[2] * d.y + waterVeil[3] * d.z + waterVeil[4] * (d.x * d.y) +
                waterVeil[5] * (d.y * d.z) + waterVeil[6] * (d.x * d.z) + waterVeil[7] * (d.y * d.y - 1.0 / 3.0) +
                waterVeil[8] * (d.x * d.x - d.z * d.z);
-    vec3 shown = displayValue(radianceFromDisplay(sqrt(max(sum, 0.0)))); // at this exposure, under this curve
+    vec3 shown = displayValue(radianceOfFrame(sqrt(max(sum, 0.0)))); // at this exposure, under this curve
     veil = shown * shown * (1.0 - left);
 }

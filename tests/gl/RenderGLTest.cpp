@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 #include <optional>
 
@@ -288,21 +289,55 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
     }
 }
 
+// How a frame's values are taken, and how what is lit by it is displayed.
+constexpr std::array kCodings = {
+    std::pair(light::FrameRadiance::Thesis, render::FrameCoding::Thesis),
+    std::pair(light::FrameRadiance::Linear, render::FrameCoding::Srgb),
+    std::pair(light::FrameRadiance::Auto, render::FrameCoding::Srgb),
+};
+
 TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
     const ImageRgb8 frame = smoothSurround(512);
     render::EnvironmentGpu environment;
     const ImageRgba8 shown = upload(environment, frame);
-    environment.uploadLight(lightOf(frame));
-    for (const glm::vec3 eye :
-         {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
-        render::View view{.eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-        const ImageRgba8 picture = drawSphere(sphere(1, 0), environment, view, 0, 9);
-        // The middle of the sphere throws the look back whence it came.
-        const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
-        // 1/255 asked for, and half a step of rounding in the frame.
-        for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f) << eye.x << " " << eye.y;
+    for (const auto& [radiance, coding] : kCodings) {
+        environment.uploadLight(lightOf(frame, radiance));
+        for (const glm::vec3 eye :
+             {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
+            const render::View view{
+                .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
+            const ImageRgba8 picture =
+                drawSphere(sphere(1, 0), environment, view, 0, 9, {}, render::Detail::Full, 0, coding);
+            // The middle of the sphere throws the look back whence it came.
+            const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
+            // 1/255 asked for, and half a step of rounding in the frame.
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(picture.at(4, 4)[c], expected[c], 1.5f) << eye.x << " " << eye.y;
+        }
     }
+}
+
+// The light above was brighter than white, and a mirror shows it as the camera did. What it sends to the
+// ground is more than white's.
+TEST_F(RenderGL, ClippedLightIsWhiteInAMirrorAndMoreThanThatOnTheGround) {
+    ImageRgb8 frame = uniformFrame(120, 120, 120);
+    for (int y = 0; y < 6; ++y) std::fill_n(frame.at(0, y), 3 * frame.width, uint8_t{255});
+    const glm::vec3 eye(0, 3, 0.01f);
+    const render::View view{.eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
+    std::array<int, 2> matte{};
+    for (const auto radiance : {light::FrameRadiance::Linear, light::FrameRadiance::Auto}) {
+        render::EnvironmentGpu environment;
+        const ImageRgba8 shown = upload(environment, frame);
+        environment.uploadLight(lightOf(frame, radiance));
+        const auto drawn = [&](float metallic, float roughness, float ev) {
+            return drawSphere(sphere(metallic, roughness), environment, view, ev, 9, {}, render::Detail::Full,
+                              0, render::FrameCoding::Srgb)
+                .at(4, 4)[1];
+        };
+        EXPECT_EQ(drawn(1, 0, 0), 255);
+        matte[radiance == light::FrameRadiance::Auto] = drawn(0, 1, -3);
+    }
+    EXPECT_GT(matte[1], matte[0] + 5);
 }
 
 // Bright caps: red overhead, green across the seam, blue to the right.
@@ -350,27 +385,36 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
         }
 }
 
+// A white matte ball in an even video, at exposure 0 its own value.
 TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
     const ImageRgb8 frame = uniformFrame(90, 120, 60);
     render::EnvironmentGpu environment;
     const ImageRgba8 shown = upload(environment, frame);
-    environment.uploadLight(lightOf(frame));
     auto background = render::BackgroundPass::make(render::Backend::OpenGL, false);
     ASSERT_TRUE(background);
-    for (const float ev : {-1.5f, 0.7f, 3.0f}) {
-        const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
-        const ImageRgba8 object = drawSphere(sphere(0, 1), environment, view, ev, 9);
-        const gl::Target target(9, 9, 1);
-        target.bind();
-        glClear(GL_DEPTH_BUFFER_BIT);
-        ASSERT_TRUE((*background)
-                        ->draw({.environment = environment,
-                                .view = view,
-                                .exposure = {.exposure_ev = ev},
-                                .canvas = target},
-                               nullptr));
-        const ImageRgba8 behind = target.read();
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(object.at(4, 4)[c], behind.at(4, 4)[c], 1) << ev;
+    for (const auto& [radiance, coding] : kCodings) {
+        environment.uploadLight(lightOf(frame, radiance));
+        for (const float ev : {-1.5f, 0.0f, 0.7f, 3.0f}) {
+            const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
+            const ImageRgba8 object =
+                drawSphere(sphere(0, 1), environment, view, ev, 9, {}, render::Detail::Full, 0, coding);
+            const gl::Target target(9, 9, 1);
+            target.bind();
+            glClear(GL_DEPTH_BUFFER_BIT);
+            ASSERT_TRUE((*background)
+                            ->draw({.environment = environment,
+                                    .view = view,
+                                    .exposure = {.exposure_ev = ev, .frames = coding},
+                                    .canvas = target},
+                                   nullptr));
+            const ImageRgba8 behind = target.read();
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(object.at(4, 4)[c], behind.at(4, 4)[c], 1) << ev;
+                if (ev == 0) {
+                    EXPECT_EQ(behind.at(4, 4)[c], frame.pixels[static_cast<size_t>(c)]);
+                }
+            }
+        }
     }
 }
 

@@ -51,9 +51,10 @@ inline scene::Model sphere(float metallic, float roughness) {
     return model;
 }
 
-inline light::PackedLight lightOf(const ImageRgb8& frame) {
+inline light::PackedLight lightOf(const ImageRgb8& frame,
+                                  light::FrameRadiance frames = light::FrameRadiance::Thesis) {
     light::EnvironmentLight made;
-    light::LightMaker maker({512, 0.1f});
+    light::LightMaker maker({.baseWidth = 512, .minRoughness = 0.1f, .frames = frames});
     maker.make(
         {frame.pixels.data(), frame.width, frame.height, static_cast<ptrdiff_t>(frame.width) * 3, false},
         made);
@@ -65,10 +66,12 @@ inline light::PackedLight lightOf(const ImageRgb8& frame) {
 inline ImageRgba8 drawSphere(const scene::Model& model, const render::EnvironmentGpu& environment,
                              const render::View& view, float exposure_ev, int size,
                              const water::Water& water = {}, render::Detail detail = render::Detail::Full,
-                             float highlight = 0) {
+                             float highlight = 0, render::FrameCoding frames = render::FrameCoding::Thesis) {
     auto pass = render::ObjectPass::make(detail);
     EXPECT_TRUE(pass) << pass.error().message();
-    const render::ModelGpu gpu = render::uploadModel(model, render::Reflectance::Coded, detail);
+    const auto reflectance =
+        frames == render::FrameCoding::Thesis ? render::Reflectance::Coded : render::Reflectance::Linear;
+    const render::ModelGpu gpu = render::uploadModel(model, reflectance, detail);
     scene::Pose pose;
     scene::restPose(model, pose);
     scene::updateGlobals(model, pose);
@@ -79,8 +82,9 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
     pass->begin();
     pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, nullptr, {}, highlight);
     pass->upload(glm::mat3(1));
-    const Status drawn = pass->draw(environment, view, glm::mat3(1), {.exposure_ev = exposure_ev}, water,
-                                    render::Glossy::Prefiltered);
+    const Status drawn =
+        pass->draw(environment, view, glm::mat3(1), {.exposure_ev = exposure_ev, .frames = frames}, water,
+                   render::Glossy::Prefiltered);
     EXPECT_TRUE(drawn);
     return target.read();
 }

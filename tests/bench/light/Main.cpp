@@ -17,10 +17,14 @@ int main(int argc, char** argv) {
     const Path folder = argv[1];
     const char* shared = std::getenv("SHOAL_SHARED");
     const bool quick = argc == 3;
-    const bench::Chart chart = bench::measure({.shared = shared ? shared : "",
-                                               .cache = folder / "truth",
-                                               .spread = quick ? 16 : 64,
-                                               .quick = quick});
+    bench::Chart chart = bench::measure({.shared = shared ? shared : "",
+                                         .cache = folder / "truth",
+                                         .spread = quick ? 16 : 64,
+                                         .quick = quick});
+    if (const Status lit = bench::lightBalls(folder / "balls.jpg").moveTo(chart.balls); !lit) {
+        std::fprintf(stderr, "chart: %s\n", lit.error().message().c_str());
+        return 1;
+    }
     for (const auto write : {bench::writeMarkdown, bench::writeCsv, bench::writePicture})
         if (const Status written = write(chart, folder); !written) {
             std::fprintf(stderr, "chart: %s\n", written.error().message().c_str());

@@ -167,7 +167,16 @@ expanded. Light against that of the original, each after the one factor that bri
 exposed is not the operator's to know. For each picture diffuse and glossy 0.5.
 
 )";
-    md += toneMapTable(chart) + "\n## Environments\n\n" + environmentList(chart);
+    md += toneMapTable(chart);
+    md += R"(
+## Balls in the film
+
+A matte ball of albedo 0.5, and one that mirrors half at roughness 0.5, in frames of our films: root mean square difference of
+what is displayed (0 to 1) to the same ball in the light that the frame was filmed in, which is as bright as the frame's
+unclipped pixels. Nothing is scaled.
+
+)";
+    md += ballTable(chart.balls) + "\n## Environments\n\n" + environmentList(chart);
     return writeFileWhole(folder / "chart.md", md);
 }
 

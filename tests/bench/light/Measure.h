@@ -5,6 +5,7 @@
 #include "tests/baselines/light/Baselines.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/bench/light/Errors.h"
+#include "tests/bench/light/LitBalls.h"
 #include "tests/bench/light/Truth.h"
 
 #include <string>
@@ -44,6 +45,7 @@ struct Chart {
     std::vector<Measured> toneMaps;
     size_t toneMapsClipped = 0;
     std::vector<std::string> toneMapEnvironments;
+    LitBalls balls;
 };
 
 struct SessionConfig {

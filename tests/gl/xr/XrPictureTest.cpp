@@ -71,7 +71,7 @@ class XrPicture : public test::WithFakeRuntime {
             headset.feed(*run_);
             run_->advance(*headset.elapsed_s());
             sceneRenderer_->set(run_->shown, *environment_,
-                                {environment_->toneCurve(Tone::Auto), plan_->dive.exposure_ev});
+                                environment_->exposure(Tone::Auto, plan_->dive.exposure_ev));
             const Result<bool> drawn = headset.draw(painter, run_->shown, scale);
             ASSERT_TRUE(drawn) << drawn.error().message();
             drew = *drawn;

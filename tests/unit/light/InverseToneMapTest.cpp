@@ -1,4 +1,5 @@
 #include "engine/light/InverseToneMap.h"
+#include "engine/math/Colour.h"
 
 #include <glm/ext/vector_double3.hpp>
 #include <glm/geometric.hpp>
@@ -10,7 +11,12 @@
 namespace glsl {
 namespace {
 using vec3 = glm::dvec3;
+using glm::clamp;
 using glm::dot;
+using glm::mix;
+using glm::pow;
+using glm::sqrt;
+using glm::step;
 using std::sqrt;
 #define float double
 #include "shaders/light/ToneCurve.glsl"
@@ -64,6 +70,18 @@ TEST(InverseToneMap, ShaderIsItsTwin) {
         before = shown;
     }
     EXPECT_GT(before, 1);
+}
+
+// Steps of a 16th of a value of 8 bits, the straight part at black too. 0.18 / 255 is what the shader states.
+TEST(InverseToneMap, ShaderCodesAsSrgb) {
+    for (int i = 0; i <= 255 * 16; ++i) {
+        const double coded = i / (255.0 * 16), linear = math::linearFromSrgb(coded);
+        EXPECT_NEAR(glsl::linearFromSrgb(glm::dvec3(coded)).x, linear, 1e-12);
+        EXPECT_NEAR(glsl::srgbFromLinear(glm::dvec3(linear)).x, coded, 0.18 / 255) << coded;
+    }
+    EXPECT_EQ(glsl::srgbFromLinear(glm::dvec3(-1, 0, 1e9)),
+              glm::dvec3(0, 0, glsl::srgbFromLinear(glm::dvec3(1)).x));
+    EXPECT_GT(glsl::srgbFromLinear(glm::dvec3(1)).x, 254.5 / 255); // white is white
 }
 
 } // namespace

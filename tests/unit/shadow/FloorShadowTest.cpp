@@ -184,16 +184,19 @@ TEST(FloorShadow, ComesInWithoutAStep) {
 TEST(FloorShadow, LeavesNoMoreThanThereIs) {
     const FloorLight light = lightAt(66, 16);
     const water::Water clear{}, sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
-    for (const float hidden : {0.0f, 0.3f, 1.0f})
-        for (const float distance_m : {0.5f, 3.0f, 30.0f}) {
-            const glm::vec3 left = leftOfGround(light, hidden, sea, distance_m);
-            for (int c = 0; c < 3; ++c) {
-                EXPECT_LE(left[c], 1);
-                EXPECT_GE(left[c], 1 - hidden * light.share[c] - 1e-6f);
+    for (const FrameCoding frames : {FrameCoding::Srgb, FrameCoding::Thesis})
+        for (const float hidden : {0.0f, 0.3f, 1.0f})
+            for (const float distance_m : {0.5f, 3.0f, 30.0f}) {
+                const glm::vec3 left = leftOfGround(light, frames, hidden, sea, distance_m);
+                for (int c = 0; c < 3; ++c) {
+                    EXPECT_LE(left[c], 1);
+                    EXPECT_GE(left[c], 1 - hidden * light.share[c] - 1e-6f);
+                }
             }
-        }
-    EXPECT_NEAR(leftOfGround(light, 0.5f, clear, 3).x, 1 - 0.5f * 0.4f, 1e-6f);
-    EXPECT_NEAR(leftOfGround(light, 1, sea, 100).y, 1, 1e-3f); // all veil
+    // Half of 40 % of the light is hidden: 0.8 of it is left, and its square root as display values show it.
+    EXPECT_NEAR(leftOfGround(light, FrameCoding::Thesis, 0.5f, clear, 3).x, 0.8f, 1e-6f);
+    EXPECT_NEAR(leftOfGround(light, FrameCoding::Srgb, 0.5f, clear, 3).x, std::sqrt(0.8f), 1e-6f);
+    EXPECT_NEAR(leftOfGround(light, FrameCoding::Srgb, 1, sea, 100).y, 1, 1e-3f); // all veil
 }
 
 } // namespace

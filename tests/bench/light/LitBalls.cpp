@@ -1,0 +1,175 @@
+#include "tests/bench/light/LitBalls.h"
+
+#include "engine/light/InverseToneMap.h"
+#include "engine/light/Lookup.h"
+#include "engine/light/MakeLight.h"
+#include "engine/math/Colour.h"
+#include "engine/math/LatLong.h"
+#include "engine/media/Pictures.h"
+#include "tests/bench/light/Environments.h"
+#include "tests/bench/light/Text.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr int kTile = 160;           // pixels across
+constexpr float kRadius = 0.38f;     // of a ball, in tiles
+constexpr float kReflectance = 0.5f; // linear: of the matte ball's albedo, of the glossy one's mirroring
+constexpr float kGlossyRoughness = 0.5f;
+constexpr std::array kWays = {light::FrameRadiance::Thesis, light::FrameRadiance::Linear,
+                              light::FrameRadiance::Auto};
+
+enum class Ball { Matte, Glossy };
+
+glm::vec3 srgb(const glm::vec3& lin) {
+    const glm::vec3 in = glm::clamp(lin, 0.0f, 1.0f);
+    return {math::srgbFromLinear(in.x), math::srgbFromLinear(in.y), math::srgbFromLinear(in.z)};
+}
+
+// What reaches an eye far away that looks along -Z from the ball at normal n, of unit reflectance.
+glm::vec3 radianceAt(const light::EnvironmentLight& light, Ball ball, const glm::vec3& n) {
+    if (ball == Ball::Matte) return light::lookUp(light.diffuse, n);
+    return light::lookUpGlossy(light, glm::reflect(glm::vec3(0, 0, -1), n), kGlossyRoughness);
+}
+
+// As the game displays it: the thesis' light is between coded and linear and takes coded reflectances.
+glm::vec3 shownOf(const glm::vec3& radiance, bool thesis) {
+    if (!thesis) return srgb(kReflectance * radiance);
+    return glm::clamp(light::displayFromRadiance(math::srgbFromLinear(kReflectance) * radiance), 0.0f, 1.0f);
+}
+
+// A ball before the frame, 90 degrees of it from -Z. Visits the ball's pixels with what they show.
+template <class Visit>
+void drawBall(const light::EnvironmentLight& light, Ball ball, bool thesis, const Environment& environment,
+              ImageRgb8& sheet, int left, int top, Visit&& visit) {
+    for (int y = 0; y < kTile; ++y)
+        for (int x = 0; x < kTile; ++x) {
+            const glm::vec2 at((static_cast<float>(x) + 0.5f) / kTile - 0.5f,
+                               0.5f - (static_cast<float>(y) + 0.5f) / kTile);
+            const glm::vec2 on = at / kRadius;
+            const float left2 = 1 - glm::dot(on, on);
+            uint8_t* out = sheet.at(left + x, top + y);
+            if (left2 <= 0) {
+                const glm::dvec2 uv = latLongFromDirection(glm::normalize(glm::dvec3(2.0f * at, -1)));
+                const ImageRgb8& frame = environment.frame;
+                std::copy_n(frame.at(std::min(static_cast<int>(uv.x * frame.width), frame.width - 1),
+                                     std::min(static_cast<int>(uv.y * frame.height), frame.height - 1)),
+                            3, out);
+                continue;
+            }
+            const glm::vec3 n(on, std::sqrt(left2));
+            const glm::vec3 shown = shownOf(radianceAt(light, ball, n), thesis);
+            visit(shown);
+            for (int c = 0; c < 3; ++c) out[c] = static_cast<uint8_t>(std::lround(255 * shown[c]));
+        }
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// What each channel of the true light is to be multiplied with to be as bright as the frame: exposure and
+// white balance. Medians over what is neither clipped nor dark, because the lens scatters light and the codec
+// leaves little of the darkest values.
+glm::vec3 exposureOf(const Environment& filmed) {
+    const ImageRgb8& frame = filmed.frame;
+    const ImageRgbF& lit = filmed.radianceLin;
+    std::array<std::vector<double>, 3> ratios;
+    for (int y = 0; y < frame.height; y += 2)
+        for (int x = 0; x < frame.width; x += 2)
+            for (size_t c = 0; c < 3; ++c) {
+                const uint8_t coded = frame.at(x, y)[c];
+                const float light = lit.at(x * lit.width / frame.width, y * lit.height / frame.height)[c];
+                if (coded > 20 && coded < 235 && light > 0)
+                    ratios[c].push_back(static_cast<double>(math::linearOfByte()[coded] / light));
+            }
+    return {median(std::move(ratios[0])), median(std::move(ratios[1])), median(std::move(ratios[2]))};
+}
+
+light::EnvironmentLight trueLight(const Environment& filmed) {
+    ImageRgbF lit = filmed.radianceLin;
+    const glm::vec3 exposure = exposureOf(filmed);
+    for (size_t i = 0; i < lit.pixels.size(); ++i) lit.pixels[i] *= exposure[static_cast<int>(i % 3)];
+    light::EnvironmentLight made;
+    light::LightMaker({.minRoughness = 0.25f}).makeFromHdr(lit, made);
+    return made;
+}
+
+light::EnvironmentLight lightOf(const Environment& filmed, light::FrameRadiance frames) {
+    light::EnvironmentLight made;
+    light::LightMaker({.baseWidth = 512, .minRoughness = 0.25f, .frames = frames}).make(filmed.view(), made);
+    return made;
+}
+
+} // namespace
+
+Result<LitBalls> lightBalls(const Path& sheet) {
+    constexpr size_t kRows = 5;
+    constexpr int kColumns = 8;
+    LitBalls balls;
+    ImageRgb8 picture(kColumns * kTile, static_cast<int>(kRows) * kTile), unseen(kColumns * kTile, kTile);
+    const std::vector<EnvironmentSource> sources = filmedSources();
+    size_t row = 0;
+    for (size_t s = 0; s < sources.size(); ++s) {
+        const auto filmed = sources[s].load();
+        if (!filmed) return Error{sources[s].name, "film or true light cannot be read"};
+        std::fprintf(stderr, "chart: balls, %s\n", filmed->name.c_str());
+        const bool onSheet = s * kRows / sources.size() == row && s % (sources.size() / kRows) == 1;
+        ImageRgb8& on = onSheet ? picture : unseen;
+        const int top = onSheet ? static_cast<int>(row++) * kTile : 0;
+        const light::EnvironmentLight truth = trueLight(*filmed);
+        BallErrors& errors = balls.errors.emplace_back(filmed->name);
+        std::array<light::EnvironmentLight, kWays.size()> lights;
+        for (size_t way = 0; way < kWays.size(); ++way) lights[way] = lightOf(*filmed, kWays[way]);
+        for (const Ball ball : {Ball::Matte, Ball::Glossy}) {
+            int left = ball == Ball::Matte ? 0 : kColumns / 2 * kTile;
+            std::vector<glm::vec3> want;
+            drawBall(truth, ball, false, *filmed, on, left + 3 * kTile, top,
+                     [&](const glm::vec3& shown) { want.push_back(shown); });
+            for (size_t way = 0; way < kWays.size(); ++way, left += kTile) {
+                double sum = 0;
+                size_t i = 0;
+                drawBall(lights[way], ball, kWays[way] == light::FrameRadiance::Thesis, *filmed, on, left,
+                         top, [&](const glm::vec3& shown) {
+                             const glm::vec3 off = shown - want[i++];
+                             sum += static_cast<double>(glm::dot(off, off));
+                         });
+                (ball == Ball::Matte ? errors.matte : errors.glossy)
+                    .push_back(std::sqrt(sum / (3 * static_cast<double>(i))));
+            }
+        }
+    }
+    if (Status written = media::writePicture(sheet, picture); !written) return written.error();
+    return balls;
+}
+
+std::string ballTable(const LitBalls& balls) {
+    std::string out = "| frame | matte: thesis | linear | auto | glossy: thesis | linear | auto |\n"
+                      "|---|--:|--:|--:|--:|--:|--:|\n";
+    std::array<std::vector<double>, 2 * kWays.size()> columns;
+    for (const BallErrors& each : balls.errors) {
+        out += "| " + each.frame + " |";
+        for (size_t i = 0; i < columns.size(); ++i) {
+            const double error = i < kWays.size() ? each.matte[i] : each.glossy[i - kWays.size()];
+            out += text(" %.3f |", error);
+            columns[i].push_back(error);
+        }
+        out += "\n";
+    }
+    out += "| median |";
+    for (auto& column : columns) out += text(" %.3f |", median(std::move(column)));
+    return out + "\n";
+}
+
+} // namespace shoal::bench
