@@ -26,7 +26,7 @@ struct LightOptions {
 // nothing is allocated while out keeps its buffers. One thread at a time; a maker for each thread.
 //
 // The light is finite and not negative whatever comes in, and absolute: a sun keeps its strength up to
-// kMaxRadianceIn. Textures of half floats cannot hold all of it: packLight() cuts it at kMaxHalf.
+// kMaxRadianceIn. Textures of half floats cannot hold all of it: packLight() scales or cuts it.
 class LightMaker {
   public:
     explicit LightMaker(LightOptions options = {}) : options_(options) {}

@@ -23,22 +23,27 @@ inline uint16_t halfFromFloat(float value) {
 }
 
 SHOAL_VECTORISE
-void packRow(const float* __restrict rgb, int width, uint16_t* __restrict rgba) {
+void packRow(const float* __restrict rgb, int width, float factor, uint16_t* __restrict rgba) {
     for (int x = 0; x < width; ++x) {
-        for (int c = 0; c < 3; ++c) rgba[4 * x + c] = halfFromFloat(std::min(rgb[3 * x + c], kMaxHalf));
+        for (int c = 0; c < 3; ++c)
+            rgba[4 * x + c] = halfFromFloat(std::min(factor * rgb[3 * x + c], kMaxHalf));
         rgba[4 * x + 3] = kOne;
     }
 }
 
-void packMirror(const ImageRgbF& map, HalfImage& out) {
+void packMirror(const ImageRgbF& map, float factor, HalfImage& out) {
     out.fit(map.width, map.height);
-    packRow(map.pixels.data(), map.width * map.height, out.pixels.data());
+    packRow(map.pixels.data(), map.width * map.height, factor, out.pixels.data());
+}
+
+float brightest(const ImageRgbF& map) {
+    return map.empty() ? 0 : *std::max_element(map.pixels.begin(), map.pixels.end());
 }
 
 // top: the atlas' row of the border above the map.
-void packBordered(const ImageRgbF& map, int top, HalfImage& atlas) {
+void packBordered(const ImageRgbF& map, float factor, int top, HalfImage& atlas) {
     const auto texels = [&](int x, int y) { return atlas.at(x + 1, top + 1 + y); };
-    for (int y = 0; y < map.height; ++y) packRow(map.at(0, y), map.width, texels(0, y));
+    for (int y = 0; y < map.height; ++y) packRow(map.at(0, y), map.width, factor, texels(0, y));
     const int half = map.width / 2;
     for (const int y : {0, map.height - 1}) { // beyond the poles: the other side
         const int beyond = y == 0 ? -1 : map.height;
@@ -53,7 +58,7 @@ void packBordered(const ImageRgbF& map, int top, HalfImage& atlas) {
 
 } // namespace
 
-void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out) {
+void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out, TooBright tooBright) {
     size_t unfiltered = 0;
     int width = 0, height = 0;
     for (const GlossyLevel& level : light.glossy) {
@@ -64,12 +69,24 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
     }
     assert(unfiltered < light.glossy.size());
     out.atlas.fit(width, height);
+    out.mirrors.resize(mirrors == MirrorMaps::None      ? 0
+                       : mirrors == MirrorMaps::Pyramid ? light.radiance.levels.size()
+                                                        : unfiltered);
+    out.scale = 1;
+    if (tooBright == TooBright::Scale) {
+        float most = kMaxHalf;
+        for (const GlossyLevel& level : light.glossy) most = std::max(most, brightest(level.radianceLin));
+        // Coarser levels are means of the first.
+        if (!out.mirrors.empty()) most = std::max(most, brightest(light.radiance.levels[0]));
+        out.scale = most / kMaxHalf;
+    }
+    const float factor = 1 / out.scale;
 
     out.places.clear();
     int top = 0;
     for (size_t k = light.glossy.size(); k-- > unfiltered;) {
         const ImageRgbF& map = light.glossy[k].radianceLin;
-        packBordered(map, top, out.atlas);
+        packBordered(map, factor, top, out.atlas);
         const auto w = static_cast<float>(width), h = static_cast<float>(height);
         out.places.emplace_back(static_cast<float>(map.width) / w, static_cast<float>(map.height) / h, 1 / w,
                                 static_cast<float>(top + 1) / h);
@@ -78,10 +95,8 @@ void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& o
 
     out.mirrorRoughness.clear();
     for (size_t k = 0; k <= unfiltered; ++k) out.mirrorRoughness.push_back(light.glossy[k].roughness);
-    out.mirrors.resize(mirrors == MirrorMaps::None      ? 0
-                       : mirrors == MirrorMaps::Pyramid ? light.radiance.levels.size()
-                                                        : unfiltered);
-    for (size_t k = 0; k < out.mirrors.size(); ++k) packMirror(light.radiance.levels[k], out.mirrors[k]);
+    for (size_t k = 0; k < out.mirrors.size(); ++k)
+        packMirror(light.radiance.levels[k], factor, out.mirrors[k]);
 }
 
 } // namespace shoal::light

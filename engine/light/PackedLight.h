@@ -20,7 +20,14 @@ enum class MirrorMaps {
     Pyramid, // all of it
 };
 
+// What becomes of radiance above kMaxHalf, which half floats cannot hold: a sun in an HDR picture.
+enum class TooBright {
+    Cut,
+    Scale, // all maps hold radiance / PackedLight::scale; below 10^-10 of the brightest, steps exceed 1 %
+};
+
 struct PackedLight {
+    float scale = 1; // radiance is this times what the maps hold
     // Each map with a border of one texel around it that holds what lies there on the sphere, so that linear
     // lookups need to know of neither seam nor pole.
     HalfImage atlas;
@@ -32,6 +39,7 @@ struct PackedLight {
 };
 
 // Buffers of out are reused while sizes stay.
-void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out);
+void packLight(const EnvironmentLight& light, MirrorMaps mirrors, PackedLight& out,
+               TooBright tooBright = TooBright::Cut);
 
 } // namespace shoal::light

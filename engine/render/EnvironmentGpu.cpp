@@ -75,6 +75,7 @@ void EnvironmentGpu::uploadLight(const light::PackedLight& light, const occlusio
     glBindTexture(GL_TEXTURE_2D, light_.name());
     putLevel(0, light.atlas);
     places_ = light.places;
+    lightScale_ = light.scale;
     mirrorRoughness_ = light.mirrorRoughness;
     smooth_ = smooth;
 
@@ -96,6 +97,7 @@ void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
 void EnvironmentGpu::bindLight(const gl::Program& program) const {
     program.setTexture("lightMap", UNIT_LIGHT, light_.name());
     program.setArray("lightPlaces[0]", places_);
+    program.set("lightScale", lightScale_);
     program.set("smoothestMap", static_cast<float>(places_.size() - 1));
     if (mirrorWidth_ == 0) return;
     program.setTexture("radianceMap", UNIT_RADIANCE, mirrors_.name());

@@ -38,7 +38,8 @@ class EnvironmentGpu {
     GLuint frameTexture() const;
     const DisplayFrame& displayFrame() const { return displayFrame_; } // in memory; of coded frames only
 
-    void bindLight(const gl::Program& program) const; // the program must be in use
+    void bindLight(const gl::Program& program) const;       // the program must be in use
+    bool lightIsScaled() const { return lightScale_ != 1; } // programs that use it need SCALED_LIGHT
 
     GLuint scatteredTexture() const { return scattered_.name(); }
     const ImageRgbF& scatteredLight() const { return scatteredLight_; }
@@ -59,6 +60,7 @@ class EnvironmentGpu {
     ImageRgbF scatteredLight_;
     int mirrorWidth_ = 0; // 0: there are none
     std::vector<glm::vec4> places_;
+    float lightScale_ = 1;
     std::vector<float> mirrorRoughness_;
     occlusion::SmoothLight smooth_;
 };

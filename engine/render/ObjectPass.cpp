@@ -18,9 +18,9 @@ namespace {
 #define SHOAL_FEATURES(F)                                                                                    \
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER), F(TONE_ACES),  \
-        F(TONE_LINEAR), F(FRAME_SRGB), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT), F(OCCLUDED),               \
-        F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(SHOW_NORMALS), F(SHOW_ROUGHNESS),    \
-        F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+        F(TONE_LINEAR), F(FRAME_SRGB), F(SCALED_LIGHT), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT),           \
+        F(OCCLUDED), F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(SHOW_NORMALS),          \
+        F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
 #define SHOAL_BIT(name) name##_BIT
 enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
 #define SHOAL_FEATURE(name) name = 1u << name##_BIT
@@ -233,7 +233,8 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
     glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
     const glm::mat4 clipFromWorld = view.clipFromWorld();
-    const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? LEAN : 0u);
+    const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? LEAN : 0u) |
+                            (environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
     for (const ToDraw& next : order_) {
         const Item& item = items_[next.item];

@@ -13,13 +13,14 @@ constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 
-constexpr std::array<const char*, 3> kParticleDefines = {"TONE_ACES", "TONE_LINEAR", "FRAME_SRGB"};
+constexpr std::array<const char*, 4> kParticleDefines = {"TONE_ACES", "TONE_LINEAR", "FRAME_SRGB",
+                                                         "SCALED_LIGHT"};
 
-unsigned featuresOf(const Exposure& exposure) {
+unsigned featuresOf(const Exposure& exposure, const EnvironmentGpu& environment) {
     return (exposure.curve == ToneCurve::Aces ? 1u
             : exposure.isLinear()             ? 2u
                                               : 0u) |
-           (exposure.frames == FrameCoding::Srgb ? 4u : 0u);
+           (exposure.frames == FrameCoding::Srgb ? 4u : 0u) | (environment.lightIsScaled() ? 8u : 0u);
 }
 
 } // namespace
@@ -35,7 +36,7 @@ Result<ParticlePass> ParticlePass::make() {
 Status ParticlePass::draw(On on, const EnvironmentGpu& environment, const View& view,
                           const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
                           double time_s) {
-    auto found = programs_.get(featuresOf(exposure));
+    auto found = programs_.get(featuresOf(exposure, environment));
     if (!found) return found.error();
     const gl::Program& program = **found;
     program.use();

@@ -29,12 +29,12 @@ FrameAnalysis::FrameAnalysis(const AnalysisOptions& options)
 }
 
 // What made_ holds. The map of roughness 1 is the diffuse map too.
-void FrameAnalysis::pack(FrameFindings& out) {
+void FrameAnalysis::pack(light::TooBright tooBright, FrameFindings& out) {
     if (thesisDiffuse_) {
         thesisDiffuse_->make(made_.radiance, made_.diffuse);
         made_.glossy.back().radianceLin = made_.diffuse;
     }
-    light::packLight(made_, mirrors_, out.light);
+    light::packLight(made_, mirrors_, out.light, tooBright);
     const auto small = std::ranges::find_if(
         made_.radiance.levels, [](const ImageRgbF& level) { return level.width <= kSmoothWidth; });
     if (small != made_.radiance.levels.end()) out.smooth = occlusion::smoothLight(*small);
@@ -48,7 +48,7 @@ void FrameAnalysis::makeLight(const light::FrameView& frame, FrameFindings& out)
     }
     sinceLight_ = 0;
     maker_.make(frame, made_);
-    pack(out);
+    pack(light::TooBright::Cut, out);
     if (water_) out.water = water_->estimate(frame);
     if (lights_) lights_->find(made_.radiance, out.lights);
     if (every > 1) newest_ = out;
@@ -65,7 +65,7 @@ void FrameAnalysis::analyse(const light::FrameView& frame, FrameFindings& out) {
 
 void FrameAnalysis::analyse(const ImageRgbF& radianceLin, FrameFindings& out) {
     maker_.makeFromHdr(radianceLin, made_);
-    pack(out);
+    pack(light::TooBright::Scale, out);
 }
 
 } // namespace shoal::app

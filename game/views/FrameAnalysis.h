@@ -53,7 +53,7 @@ class FrameAnalysis {
 
   private:
     void makeLight(const light::FrameView& frame, FrameFindings& out);
-    void pack(FrameFindings& out);
+    void pack(light::TooBright tooBright, FrameFindings& out);
 
     light::MirrorMaps mirrors_;
     light::LightMaker maker_;

@@ -6,9 +6,16 @@ uniform sampler2D lightMap;
 uniform vec4 lightPlaces[17];
 uniform float smoothestMap;
 
+// SCALED_LIGHT: the maps hold radiance / lightScale, of a sun stronger than half floats can say.
+#ifdef SCALED_LIGHT
+uniform float lightScale;
+#else
+const float lightScale = 1.0;
+#endif
+
 vec3 filteredRadiance(vec2 uv, int map) {
     vec4 place = lightPlaces[map];
-    return textureLod(lightMap, uv * place.xy + place.zw, 0.0).rgb;
+    return lightScale * textureLod(lightMap, uv * place.xy + place.zw, 0.0).rgb;
 }
 
 vec3 diffuseRadiance(vec3 normal) { return filteredRadiance(latLongFromDirection(normal), 0); }
@@ -37,7 +44,7 @@ vec3 glossyRadiance(vec3 reflected, float roughness) {
 #ifdef MIRRORS
     if (roughness < mirrorRoughness[mirrorLevels]) {
         float lod = mirrorLod(roughness), last = float(mirrorLevels - 1);
-        vec3 mirrored = textureLod(radianceMap, uv, min(lod, last)).rgb;
+        vec3 mirrored = lightScale * textureLod(radianceMap, uv, min(lod, last)).rgb;
         return mix(mirrored, filteredRadiance(uv, int(smoothestMap)), clamp(lod - last, 0.0, 1.0));
     }
 #endif

@@ -340,6 +340,26 @@ TEST_F(RenderGL, ClippedLightIsWhiteInAMirrorAndMoreThanThatOnTheGround) {
     EXPECT_GT(matte[1], matte[0] + 5);
 }
 
+// Half floats end at 65504: what is brighter reaches matte and mirroring surfaces all the same.
+TEST_F(RenderGL, LightBeyondHalfFloatsIsScaled) {
+    constexpr float kRadiance = 1 << 20;
+    ImageRgbF even(512, 256);
+    std::fill(even.pixels.begin(), even.pixels.end(), kRadiance);
+    light::EnvironmentLight made;
+    light::LightMaker({.baseWidth = 512, .minRoughness = 0.1f}).makeFromHdr(even, made);
+    light::PackedLight packed;
+    light::packLight(made, light::MirrorMaps::Mirrors, packed, light::TooBright::Scale);
+    render::EnvironmentGpu environment;
+    environment.uploadLight(packed);
+    const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
+    for (const float metallic : {0.0f, 1.0f}) {
+        const ImageRgba8 picture =
+            drawSphere(sphere(metallic, metallic == 1 ? 0.0f : 1.0f), environment, view, -22, 9, {},
+                       render::Detail::Full, 0, render::FrameCoding::Srgb);
+        EXPECT_NEAR(picture.at(4, 4)[1], 255 * math::srgbFromLinear(0.25f), 1.5f) << metallic;
+    }
+}
+
 // Bright caps: red overhead, green across the seam, blue to the right.
 ImageRgb8 capsFrame(int width) {
     ImageRgb8 frame(width, width / 2);

@@ -1,5 +1,6 @@
 #include "engine/light/library/ShoalLight.h"
 
+#include "engine/light/FindLights.h"
 #include "engine/light/GlossyLevels.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 namespace light = shoal::light;
@@ -18,6 +20,8 @@ struct ShoalLightMaker {
     light::LightOptions options;
     light::LightMaker maker{options};
     light::MirrorMaps mirrors = light::MirrorMaps::None;
+    light::TooBright tooBright = light::TooBright::Cut;
+    std::optional<light::LightFinder> finder = {};
     std::vector<uint8_t> threeBytes = {}; // a frame without its alpha
     shoal::ImageRgbF radianceLin = {};    // an HDR frame
 };
@@ -25,6 +29,7 @@ struct ShoalLightMaker {
 struct ShoalLight {
     light::EnvironmentLight made;
     light::PackedLight packed;
+    light::FoundLights found;               // none unless asked for
     std::vector<ShoalLightTexture> mirrors; // of packed
 };
 
@@ -149,6 +154,28 @@ ShoalLightStatus shoalLightMakerCreate(const ShoalLightOptions* options, ShoalLi
     });
 }
 
+ShoalLightStatus shoalLightMakerSet(ShoalLightMaker* maker, int32_t setting, int32_t value) {
+    if (!maker) return bad("the maker is missing");
+    if (setting < SHOAL_LIGHT_FRAMES || setting > SHOAL_LIGHT_FIND_SOURCES)
+        return bad("there is no such setting");
+    if (value < 0 || value > (setting == SHOAL_LIGHT_FRAMES ? SHOAL_LIGHT_SRGB_UNCLIPPED : 1))
+        return bad("the setting has no such value");
+    return guarded([&] {
+        if (setting == SHOAL_LIGHT_FRAMES) {
+            constexpr light::FrameRadiance kFrames[] = {
+                light::FrameRadiance::Thesis, light::FrameRadiance::Linear, light::FrameRadiance::Auto};
+            maker->options.frames = kFrames[value];
+            maker->maker = light::LightMaker(maker->options);
+        } else if (setting == SHOAL_LIGHT_SCALED_MAPS) {
+            maker->tooBright = value ? light::TooBright::Scale : light::TooBright::Cut;
+        } else if (value && !maker->finder) {
+            maker->finder.emplace();
+        } else if (!value) {
+            maker->finder.reset();
+        }
+    });
+}
+
 void shoalLightMakerDestroy(ShoalLightMaker* maker) { delete maker; }
 
 ShoalLightStatus shoalLightCreate(ShoalLight** light) {
@@ -175,14 +202,17 @@ ShoalLightStatus shoalLightMake(ShoalLightMaker* maker, const ShoalLightFrame* f
             makeFromFloats(*maker, *frame, rowBytes, light->made);
         else
             makeFromBytes(*maker, *frame, rowBytes, light->made);
-        light::packLight(light->made, maker->mirrors, light->packed);
+        light::packLight(light->made, maker->mirrors, light->packed, maker->tooBright);
+        light->found = {};
+        if (maker->finder) maker->finder->find(light->made.radiance, light->found);
         light->mirrors.clear();
         for (const light::HalfImage& level : light->packed.mirrors)
             light->mirrors.push_back(textureOf(level));
     });
     if (status != SHOAL_LIGHT_OK) { // both may be half made
         *light = ShoalLight();
-        *maker = ShoalLightMaker{.options = maker->options, .mirrors = maker->mirrors};
+        maker->maker = light::LightMaker(maker->options);
+        maker->threeBytes.clear();
     }
     return status;
 }
@@ -198,6 +228,21 @@ void shoalLightMaps(const ShoalLight* light, ShoalLightMaps* maps) {
     maps->mirrorLevels = static_cast<int32_t>(light->mirrors.size());
     maps->mirrors = light->mirrors.data();
     maps->mirrorRoughness = packed.mirrorRoughness.data();
+}
+
+float shoalLightScale(const ShoalLight* light) { return light ? light->packed.scale : 1; }
+
+int32_t shoalLightSources(const ShoalLight* light, ShoalLightSource* sources, int32_t room) {
+    if (!light || !sources) return 0;
+    const auto count = std::min(static_cast<int32_t>(light->found.count), std::max(room, 0));
+    for (int32_t i = 0; i < count; ++i) {
+        const light::FoundLight& found = light->found.lights[static_cast<size_t>(i)];
+        put(found.direction, sources[i].direction);
+        put(found.irradiance, sources[i].irradiance);
+        sources[i].radius = found.radius;
+        sources[i].share = found.share;
+    }
+    return count;
 }
 
 ShoalLightStatus shoalLightSurfaceTable(int32_t size, float* scaleBias) {

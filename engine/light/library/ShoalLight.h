@@ -5,8 +5,8 @@
    Frames: +Y up. Row 0 of a frame is straight up, its centre column looks along -Z, columns grow to the
    right.
 
-   Light: linear radiance, Rec. 709 primaries, 0 to 65504. A white video pixel is 11.8 (README.md, "The
-   formula").
+   Light: linear radiance, Rec. 709 primaries. A white video pixel is 11.8 (README.md, "The formula") unless
+   SHOAL_LIGHT_FRAMES says otherwise. Maps hold 0 to 65504: SHOAL_LIGHT_SCALED_MAPS.
 
    Threads: different makers and lights may be used on different threads at once. One maker: one thread at a
    time. One light: any number of readers, or one shoalLightMake() that writes it.
@@ -96,6 +96,25 @@ SHOAL_LIGHT_API ShoalLightStatus shoalLightMakerCreate(const ShoalLightOptions* 
                                                        ShoalLightMaker** maker);
 SHOAL_LIGHT_API void shoalLightMakerDestroy(ShoalLightMaker* maker); /* NULL: nothing */
 
+typedef enum ShoalLightSetting {
+    SHOAL_LIGHT_FRAMES = 0, /* a ShoalLightFrames, of the 8-bit formats; SHOAL_LIGHT_THESIS unless set */
+    /* 0: maps are cut at 65504. 1: a light with more than that has all its maps divided by its
+       shoalLightScale(), and shaders want #define SCALED_LIGHT and uniform float lightScale. */
+    SHOAL_LIGHT_SCALED_MAPS = 1,
+    SHOAL_LIGHT_FIND_SOURCES = 2 /* 1: shoalLightSources() has some; 0: it has none */
+} ShoalLightSetting;
+
+typedef enum ShoalLightFrames {
+    SHOAL_LIGHT_THESIS = 0, /* "The formula" of README.md */
+    SHOAL_LIGHT_SRGB = 1,   /* decoded sRGB: white is 1 */
+    /* The same, with how bright the light was that the camera clipped, estimated by what the ground sends
+       back. */
+    SHOAL_LIGHT_SRGB_UNCLIPPED = 2
+} ShoalLightFrames;
+
+/* Before the first frame, or between frames; the next frame makes its tables anew. Since 1.1. */
+SHOAL_LIGHT_API ShoalLightStatus shoalLightMakerSet(ShoalLightMaker* maker, int32_t setting, int32_t value);
+
 /* A light is empty until it is made: no maps, and black. */
 SHOAL_LIGHT_API ShoalLightStatus shoalLightCreate(ShoalLight** light);
 SHOAL_LIGHT_API void shoalLightDestroy(ShoalLight* light); /* NULL: nothing */
@@ -129,6 +148,20 @@ typedef struct ShoalLightMaps {
 } ShoalLightMaps;
 
 SHOAL_LIGHT_API void shoalLightMaps(const ShoalLight* light, ShoalLightMaps* maps);
+
+/* What radiance is to what the maps hold: 1, or more with SHOAL_LIGHT_SCALED_MAPS. Since 1.1. */
+SHOAL_LIGHT_API float shoalLightScale(const ShoalLight* light);
+
+/* A sun, a window, a lamp: what casts shadows. */
+typedef struct ShoalLightSource {
+    float direction[3];  /* towards it, unit length */
+    float radius;        /* radians: of a disc of even radiance as widely spread */
+    float irradiance[3]; /* on a plane that faces it, beyond what comes without it; the maps have it too */
+    float share;         /* of the luminance of all that falls on that plane, 0 to 1 */
+} ShoalLightSource;
+
+/* The strongest first, at most room of them (never more than 3). Returns how many. Since 1.1. */
+SHOAL_LIGHT_API int32_t shoalLightSources(const ShoalLight* light, ShoalLightSource* sources, int32_t room);
 
 /* sampler2D dfgTable of shaders/light/Surface.glsl, the same for all light: size x size texels of two floats;
    linear, no mipmaps, clamped. size: 2 to 1024, 64 is enough. scaleBias: room for 2 size^2 floats. Takes 0.1

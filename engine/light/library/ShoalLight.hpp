@@ -49,6 +49,13 @@ class Light {
         return radiance;
     }
 
+    float scale() const { return shoalLightScale(light_.get()); } // of the maps
+    std::vector<ShoalLightSource> sources() const {
+        std::vector<ShoalLightSource> found(3);
+        found.resize(static_cast<size_t>(shoalLightSources(light_.get(), found.data(), 3)));
+        return found;
+    }
+
     ShoalLight* get() const { return light_.get(); }
 
   private:
@@ -66,6 +73,9 @@ class Maker {
         maker_.reset(made);
     }
 
+    void set(ShoalLightSetting setting, int32_t value) {
+        check(shoalLightMakerSet(maker_.get(), setting, value));
+    }
     void make(const ShoalLightFrame& frame, Light& light) {
         check(shoalLightMake(maker_.get(), &frame, light.get()));
     }

@@ -6,6 +6,7 @@
 #include "tests/unit/light/Environments.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -220,6 +221,13 @@ TEST(MakeLight, StrongSunsKeepTheirEnergy) {
         packLight(light, MirrorMaps::Pyramid, packed);
         for (const uint16_t half : packed.atlas.pixels) ASSERT_LT(half, 0x7c00) << "finite and not negative";
         EXPECT_EQ(packed.mirrors[0].at(500, 100)[0], 0x7bff) << "65504";
+        EXPECT_EQ(packed.scale, 1);
+        // Scaled nothing is cut, and the sky beside the sun is kept within the 1 % that half floats leave.
+        packLight(light, MirrorMaps::Pyramid, packed, TooBright::Scale);
+        EXPECT_NEAR(packed.scale, radiance / kMaxHalf, 1e-3f * packed.scale);
+        EXPECT_EQ(packed.mirrors[0].at(500, 100)[0], 0x7bff);
+        const float beside = packed.scale * glm::unpackHalf1x16(packed.mirrors[0].at(10, 400)[0]);
+        EXPECT_NEAR(beside, 1, 0.01f) << radiance;
     }
 }
 

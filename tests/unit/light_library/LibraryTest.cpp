@@ -244,6 +244,80 @@ TEST(LightLibrary, NothingAndNonsenseAreBlack) {
     EXPECT_GT(light.diffuse({0, 1000, 0})[2], 0);
 }
 
+// A sky of 1 and a sun overhead, half its sphere's width from the seam.
+std::vector<float> sunnySky(float sun) {
+    std::vector<float> rgb(3 * kWidth * kHeight, 1.0f);
+    for (int y = 18; y < 22; ++y)
+        for (int x = 126; x < 130; ++x) std::fill_n(&rgb[3 * static_cast<size_t>(y * kWidth + x)], 3, sun);
+    return rgb;
+}
+
+TEST(LightLibrary, ScaledMapsHoldASunThatHalfFloatsCannot) {
+    for (const float sun : {100.0f, 1e9f}) {
+        const std::vector<float> rgb = sunnySky(sun);
+        const ShoalLightFrame frame{rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F};
+        shoallight::Maker maker({SHOAL_LIGHT_STILL, 0.1f, 512});
+        shoallight::Light cut, scaled;
+        maker.make(frame, cut);
+        maker.set(SHOAL_LIGHT_SCALED_MAPS, 1);
+        maker.make(frame, scaled);
+        EXPECT_EQ(cut.scale(), 1);
+        EXPECT_EQ(scaled.scale() > 1, sun > 65504);
+        for (const Direction& d : directions())
+            for (int k = 0; k < scaled.maps().mapCount; ++k) {
+                const float wanted = scaled.glossy(d, std::pow(10.0f, -static_cast<float>(k) / 16))[1];
+                // A hundredth, and steps of 2^-24 where half floats end.
+                EXPECT_NEAR(scaled.scale() * filtered(scaled.maps(), d, k)[1], wanted,
+                            0.01f * wanted + scaled.scale() * std::ldexp(1.0f, -24))
+                    << "map " << k;
+            }
+    }
+}
+
+TEST(LightLibrary, FramesAreWhatTheMakerIsTold) {
+    const std::vector<uint8_t> grey(3 * kWidth * kHeight, 128);
+    const ShoalLightFrame frame{grey.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB8};
+    shoallight::Maker maker;
+    shoallight::Light light;
+    // By the formula: 128 / 255 (10 (128 / 255)^10 + 1.8); by IEC 61966-2-1: 0.2159.
+    for (const auto& [frames, wanted] :
+         {std::pair(SHOAL_LIGHT_THESIS, 0.9086f), std::pair(SHOAL_LIGHT_SRGB, 0.2159f),
+          std::pair(SHOAL_LIGHT_SRGB_UNCLIPPED, 0.2159f)}) {
+        maker.set(SHOAL_LIGHT_FRAMES, frames);
+        maker.make(frame, light);
+        EXPECT_NEAR(light.diffuse({0, 1, 0})[0], wanted, 1e-3f);
+    }
+    EXPECT_THROW(maker.set(SHOAL_LIGHT_FRAMES, 3), shoallight::Error);
+    EXPECT_THROW(maker.set(static_cast<ShoalLightSetting>(3), 0), shoallight::Error);
+    EXPECT_EQ(shoalLightMakerSet(nullptr, SHOAL_LIGHT_FRAMES, 0), SHOAL_LIGHT_BAD_ARGUMENT);
+}
+
+TEST(LightLibrary, SourcesAreFoundWhereAskedFor) {
+    const std::vector<float> rgb = sunnySky(3000);
+    const ShoalLightFrame frame{rgb.data(), kWidth, kHeight, 0, SHOAL_LIGHT_RGB32F};
+    shoallight::Maker maker;
+    shoallight::Light light;
+    maker.make(frame, light);
+    EXPECT_TRUE(light.sources().empty());
+    maker.set(SHOAL_LIGHT_FIND_SOURCES, 1);
+    maker.make(frame, light);
+    ASSERT_EQ(light.sources().size(), 1u);
+    const ShoalLightSource sun = light.sources()[0];
+    // The middle of its texels: u = 1/2, v = 20 / 128.
+    const float up = std::cos(std::numbers::pi_v<float> * 20 / 128);
+    EXPECT_NEAR(sun.direction[1], up, 0.01f);
+    EXPECT_LT(sun.direction[2], 0);
+    EXPECT_NEAR(sun.direction[0], 0, 0.02f);
+    // Sixteen texels of (2 pi / 256) (pi / 128) sin(pi 20 / 128) of 3000, on a plane that faces them.
+    const float wanted = 3000 * 16 * 6.024e-4f * std::sin(std::numbers::pi_v<float> * 20 / 128);
+    EXPECT_NEAR(sun.irradiance[1], wanted, 0.1f * wanted);
+    EXPECT_GT(sun.share, 0.5f);
+    EXPECT_EQ(shoalLightSources(light.get(), nullptr, 3), 0);
+    ShoalLightSource one;
+    EXPECT_EQ(shoalLightSources(light.get(), &one, 0), 0);
+    EXPECT_EQ(shoalLightSources(nullptr, &one, 1), 0);
+}
+
 TEST(LightLibrary, TheFormulaHasAnInverse) {
     for (int i = 0; i <= 255; ++i) {
         const float coded[3] = {static_cast<float>(i) / 255, static_cast<float>(255 - i) / 255, 0.5f};
@@ -262,7 +336,7 @@ TEST(LightLibrary, TheSurfaceTableKeepsEnergy) {
         EXPECT_LE(table[i] + table[i + 1], 1.001f);
     }
     EXPECT_THROW(shoallight::surfaceTable(0), shoallight::Error);
-    EXPECT_STREQ(shoalLightVersion(), "1.0.0");
+    EXPECT_STREQ(shoalLightVersion(), "1.1.0");
 }
 
 } // namespace
