@@ -1,9 +1,9 @@
 #include "engine/light/ClippedLight.h"
 
+#include "engine/light/Vectorise.h"
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -12,83 +12,105 @@ namespace shoal::light {
 
 namespace {
 
-// Video is compressed: white is not 255 everywhere. From the first value to the last a pixel counts as
-// clipped more and more, so that none flickers between the two.
-constexpr float kFirstClipped = 243, kWhollyClipped = 255;
-constexpr float kLastBlack = 4, kFirstSeen = 12; // a covered lens, a tripod's patch, bars
-constexpr float kFullHeight = 0.3f;              // sine of the elevation from which on all is scaled
-constexpr float kGroundNeeded = 0.25f;           // of the half sphere below, weighed by its cosine
+constexpr float kFullHeight = 0.3f;    // sine of the elevation from which on all is scaled
+constexpr float kGroundNeeded = 0.25f; // of the half sphere below, weighed by its cosine
 
-float ramp(float value, float from, float to) { return std::clamp((value - from) / (to - from), 0.0f, 1.0f); }
+// Of the largest channel, coded: a covered lens, a tripod's patch, bars.
+constexpr int kLastBlack = 4, kFirstSeen = 12;
 
-// 0 to 1.
-float clippedShare(uint8_t coded) { return ramp(static_cast<float>(coded), kFirstClipped, kWhollyClipped); }
-
-float sineOfElevation(int row, int height) {
-    return static_cast<float>(std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height)));
+double edgeSine(int row, int height) {
+    return std::sin(std::numbers::pi * (0.5 - static_cast<double>(row) / height));
 }
 
-float heightShare(float sine) { return ramp(sine, 0, kFullHeight); }
+// Between two edges' sines, of a texel of `width`: the integral of the sine over the solid angle.
+double irradianceBetween(double top, double bottom, int width) {
+    return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
+}
+
+inline float luminance(float red, float green, float blue) {
+    return 0.2126f * red + 0.7152f * green + 0.0722f * blue; // Rec. 709
+}
+
+SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
+    const auto [red, green, blue] = sumsOf<3>(row, 3 * static_cast<size_t>(width));
+    return luminance(red, green, blue);
+}
+
+// Of which the whole is width.
+struct Ground {
+    float light = 0, seen = 0;
+};
+
+// Linear values between which a texel comes to be seen, and to be clipped.
+struct Seen {
+    float first, perRise, last, perFall;
+};
+
+// 0 to 1; without a branch that would keep a loop from being vectorised.
+inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
+
+SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by) {
+    constexpr int kTexels = 256; // at a time
+    std::array<float, kTexels> light, seen;
+    Ground ground;
+    for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
+        const int count = std::min(kTexels, width - first);
+        for (int x = 0; x < count; ++x) {
+            const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
+            const float most = std::max(std::max(red, green), blue);
+            const float part = ramp((most - by.first) * by.perRise) * ramp((by.last - most) * by.perFall);
+            seen[static_cast<size_t>(x)] = part;
+            light[static_cast<size_t>(x)] = part * luminance(red, green, blue);
+        }
+        ground.light += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
+        ground.seen += sumsOf<1>(seen.data(), static_cast<size_t>(count))[0];
+    }
+    return ground;
+}
 
 } // namespace
 
-float ClippedLight::mostGain() {
-    return std::pow(kUsualGain, 1 - kTrust) * std::pow(1 + kMostFromGround, kTrust);
+float clippedShare(int row, int height) {
+    const double sine = std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height));
+    return std::clamp(static_cast<float>(sine) / kFullHeight, 0.0f, 1.0f);
 }
 
-ClippedLight::ClippedLight(const FrameView& frame) : height_(frame.height) {
+double levelIrradiance(int row, int width, int height) {
+    return irradianceBetween(edgeSine(row, height), edgeSine(row + 1, height), width);
+}
+
+float mostClippedGain() {
+    return std::pow(kUsualGain, 1 - kGroundTrust) * std::pow(1 + kMostFromGround, kGroundTrust);
+}
+
+float clippedGainOf(const ImageRgbF& decoded, double clipped) {
     const std::array<float, 256>& linear = math::linearOfByte();
-    const int redAt = frame.bgr ? 2 : 0, blueAt = 2 - redAt;
-    // Irradiance of a level plane from above, as decoded, and by what would be scaled if it were 1; radiance
-    // of the ground, of the part that is seen; that part.
-    double fromAbove = 0, scaled = 0, ground = 0, groundSeen = 0, below = 0;
-    for (int y = std::min(kStep / 2, frame.height / 2); y < frame.height; y += kStep) {
-        const float sine = sineOfElevation(y, frame.height);
-        const float up = heightShare(sine);
-        float rowLight = 0, rowScaled = 0, rowSeen = 0;
-        int pixels = 0;
-        for (int x = std::min(kStep / 2, frame.width / 2); x < frame.width; x += kStep, ++pixels) {
-            const uint8_t* p = frame.pixels + y * frame.rowStride + ptrdiff_t{3} * x;
-            const uint8_t red = p[redAt], green = p[1], blue = p[blueAt];
-            // Rec. 709
-            const float luminance = 0.2126f * linear[red] + 0.7152f * linear[green] + 0.0722f * linear[blue];
-            if (sine >= 0) {
-                rowLight += luminance;
-                rowScaled += clippedShare(std::min({red, green, blue}));
-            } else {
-                const uint8_t most = std::max({red, green, blue});
-                const float seen =
-                    (1 - clippedShare(most)) * ramp(static_cast<float>(most), kLastBlack, kFirstSeen);
-                rowLight += seen * luminance;
-                rowSeen += seen;
-            }
-        }
-        const double area = texelSolidAngle(y, frame.width, frame.height) * kStep * kStep;
-        const double cosine = static_cast<double>(std::abs(sine)) * area;
-        if (sine >= 0) {
-            fromAbove += cosine * static_cast<double>(rowLight);
-            scaled += cosine * static_cast<double>(up * rowScaled);
+    const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), 1,
+                     1 / (1 - linear[kLastUnclipped])};
+    // Irradiance of a level plane from above; radiance of the ground, of the part that is seen; that part.
+    double fromAbove = 0, ground = 0, groundSeen = 0;
+    double top = 1;
+    for (int y = 0; y < decoded.height; ++y) {
+        const double bottom = edgeSine(y + 1, decoded.height);
+        const double weight = irradianceBetween(top, bottom, decoded.width);
+        if (2 * y < decoded.height) {
+            fromAbove += weight * static_cast<double>(luminanceOf(decoded.at(0, y), decoded.width));
         } else {
-            ground += cosine * static_cast<double>(rowLight);
-            groundSeen += cosine * static_cast<double>(rowSeen);
-            below += cosine * pixels;
+            const Ground row = groundOf(decoded.at(0, y), decoded.width, by);
+            ground += weight * static_cast<double>(row.light);
+            groundSeen += weight * static_cast<double>(row.seen);
         }
+        top = bottom;
     }
+    const double below = std::numbers::pi; // of groundSeen, the whole
     const double radiance = groundSeen > 0 ? ground / groundSeen : 0;
-    const double missing = std::numbers::pi * radiance / kGroundAlbedo - fromAbove;
+    const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
-        std::clamp(missing / std::max(scaled, 1e-6), 0.0, static_cast<double>(kMostFromGround));
+        std::clamp(missing / std::max(clipped, 1e-6), 0.0, static_cast<double>(kMostFromGround));
     const float trust =
-        below > 0 ? kTrust * static_cast<float>(std::min(1.0, groundSeen / (kGroundNeeded * below))) : 0.0f;
-    gain_ = std::pow(kUsualGain, 1 - trust) * std::pow(1 + static_cast<float>(times), trust);
-}
-
-float ClippedLight::rowGain(int row) const {
-    return (gain_ - 1) * heightShare(sineOfElevation(row, height_));
-}
-
-float ClippedLight::scaleOf(float rowGain, const uint8_t* pixel) {
-    return rowGain > 0 ? 1 + rowGain * clippedShare(std::min({pixel[0], pixel[1], pixel[2]})) : 1.0f;
+        kGroundTrust *
+        static_cast<float>(std::min(1.0, groundSeen / (static_cast<double>(kGroundNeeded) * below)));
+    return std::pow(kUsualGain, 1 - trust) * std::pow(1 + static_cast<float>(times), trust);
 }
 
 } // namespace shoal::light

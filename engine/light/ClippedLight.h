@@ -1,46 +1,50 @@
 // How bright the light was that the camera clipped: a sun or a window is white in a frame of 8 bits, and may
 // have been a thousand times that. What the ground sends back tells how much light comes from above.
-#pragma once
-
-#include "engine/light/FrameView.h"
-
-#include <cstdint>
-
-namespace shoal::light {
-
-// Assumes that the frame is a lat-long of a whole surround, its +Y up, and decodes sRGB. Three steps:
+//
+// The frame is taken for a lat-long of a whole surround, its +Y up, of decoded sRGB. Three steps:
 //   1. The mean radiance of the unclipped ground, by pi over an albedo of 0.18, is the irradiance from above.
 //   2. What unclipped pixels do not supply of it is the clipped pixels' above the horizon: that many times
 //      white they are.
 //   3. Grounds differ in albedo by more than ten: the result is the weighed geometric mean of that gain and
 //      of one that serves where there is no ground to be seen (covered, black, clipped).
-// Only what is white in all three channels is scaled, and only above the horizon: what is clipped below it is
-// mostly ground in the sun, and not far above white. Error by pictures with known light:
+// To a pixel's decoded radiance is added
+//     (gain - 1) * clippedShare(row) * clippedSteps(pixel) / kClippedSteps
+// in all three channels. Only what is white in all three has any of it, and only above the horizon: what is
+// clipped below it is mostly ground in the sun, and not far above white. Error by pictures with known light:
 // tests/bench/figures/chart.md.
-class ClippedLight {
-  public:
-    static constexpr float kGroundAlbedo = 0.18f;
-    static constexpr float kUsualGain = 4; // of clipped pixels in a scene of which nothing is known
-    static constexpr float kTrust = 0.4f;  // of the ground, an exponent; 1 - kTrust: of the usual gain
-    static constexpr float kMostFromGround = 80;
+#pragma once
 
-    // Reads every kStep-th pixel of every kStep-th row.
-    explicit ClippedLight(const FrameView& frame);
+#include "engine/core/Image.h"
 
-    // White stands for so many times white: 1 to mostGain().
-    float gain() const { return gain_; }
-    static float mostGain();
+#include <algorithm>
+#include <cstdint>
 
-    // What a pixel's radiance is to be multiplied with, less 1, in this row of the frame if it is wholly
-    // clipped; 0: nothing is scaled there.
-    float rowGain(int row) const;
-    // What a pixel's radiance is to be multiplied with in a row of this gain. pixel: three coded channels.
-    static float scaleOf(float rowGain, const uint8_t* pixel);
+namespace shoal::light {
 
-  private:
-    static constexpr int kStep = 4;
-    float gain_ = 1;
-    int height_ = 0;
-};
+constexpr float kGroundAlbedo = 0.18f;
+constexpr float kUsualGain = 4;      // of clipped pixels in a scene of which nothing is known
+constexpr float kGroundTrust = 0.4f; // an exponent; 1 - kGroundTrust: of the usual gain
+constexpr float kMostFromGround = 80;
+
+// Video is compressed: white is not 255 everywhere. From 243 to 255 a pixel counts as clipped more and more,
+// so that none flickers between the two.
+constexpr int kLastUnclipped = 243, kClippedSteps = 255 - kLastUnclipped;
+
+// 0 to kClippedSteps. pixel: three coded channels.
+inline int clippedSteps(const uint8_t* pixel) {
+    return std::max(0, std::min(std::min(pixel[0], pixel[1]), pixel[2]) - kLastUnclipped);
+}
+
+// How much of the gain holds in a row: from 0 at the horizon, and below, to 1 at an elevation of 17 degrees.
+float clippedShare(int row, int height);
+
+// Irradiance of a level plane, facing up or down as the row lies, by a texel of radiance 1 in this row.
+double levelIrradiance(int row, int width, int height);
+
+// White stands for so many times white: 1 to mostClippedGain(). decoded: the whole surround, averaged over as
+// few pixels or as many as is convenient; clipped: what of a level plane's irradiance from above is by
+// clipped pixels, if they were white and by their shares and steps.
+float clippedGainOf(const ImageRgbF& decoded, double clipped);
+float mostClippedGain();
 
 } // namespace shoal::light

@@ -10,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cassert>
-#include <optional>
 
 namespace shoal::light {
 
@@ -39,16 +38,37 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
     }
 }
 
-// The same by decoding sRGB. rowGain: ClippedLight's.
-void decodeLinearRow(const uint8_t* bytes, int width, int redAt, float rowGain, float* red, float* green,
-                     float* blue) {
+// The same by decoding sRGB.
+void decodeLinearRow(const uint8_t* bytes, int width, int redAt, float* red, float* green, float* blue) {
     const std::array<float, 256>& linear = math::linearOfByte();
     const int blueAt = 2 - redAt;
     for (int x = 0; x < width; ++x, bytes += 3) {
-        const float scale = ClippedLight::scaleOf(rowGain, bytes);
-        red[x] = scale * linear[bytes[redAt]];
-        green[x] = scale * linear[bytes[1]];
-        blue[x] = scale * linear[bytes[blueAt]];
+        red[x] = linear[bytes[redAt]];
+        green[x] = linear[bytes[1]];
+        blue[x] = linear[bytes[blueAt]];
+    }
+}
+
+// One row's clippedSteps() times `unit`; returns their sum before that.
+SHOAL_VECTORISE
+int decodeClippedRow(const uint8_t* __restrict bytes, int width, float unit, float* __restrict out) {
+    int sum = 0;
+    for (int x = 0; x < width; ++x) {
+        const int steps = clippedSteps(bytes + 3 * x);
+        sum += steps;
+        out[x] = unit * static_cast<float>(steps);
+    }
+    return sum;
+}
+
+SHOAL_VECTORISE
+float sumOf(const float* values, int count) { return sumsOf<1>(values, static_cast<size_t>(count))[0]; }
+
+SHOAL_VECTORISE
+void addClippedBlocks(const float* __restrict clipped, float gain, int width, float* __restrict out) {
+    for (int x = 0; x < width; ++x) {
+        const float more = gain * clipped[x];
+        for (int c = 0; c < 3; ++c) out[3 * x + c] += more;
     }
 }
 
@@ -186,20 +206,64 @@ void PyramidMaker::narrowRow() {
     }
 }
 
-// decodeRow(y): puts row y of the source into the planes.
-template <class DecodeRow> void PyramidMaker::makeByRows(DecodeRow&& decodeRow, ImageRgbF& base) {
-    std::fill(base.pixels.begin(), base.pixels.end(), 0.0f);
+// decodeRow(y): puts row y of the source into the planes; returns whether there is anything in it.
+template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, ImageRgbF& base) {
     size_t share = 0;
     for (int y = 0; y < sourceHeight_; ++y) {
-        decodeRow(y);
-        narrowRow();
+        const bool any = decodeRow(y);
+        if (any) narrowRow();
         for (; share < rows_.size() && rows_[share].from == y; ++share)
-            addScaled(narrow_.data(), rows_[share].weight, base.width * 3, base.at(0, rows_[share].to));
+            if (any)
+                addScaled(narrow_.data(), rows_[share].weight, base.width * 3, base.at(0, rows_[share].to));
     }
 }
 
+void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
+    // Puts a row into the red plane, a wholly clipped pixel as `white`; returns the row's sum for white 1.
+    const auto decode = [&](int y, float white) {
+        const int steps = decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width,
+                                           white / kClippedSteps, red_.data());
+        return static_cast<double>(steps) / kClippedSteps;
+    };
+    double irradiance = 0;
+    for (int y = 0; 2 * y < frame.height; ++y)
+        irradiance += levelIrradiance(y, frame.width, frame.height) *
+                      static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1);
+    clippedGain_ = clippedGainOf(base, irradiance);
+    addRows(
+        [&](int y) {
+            const float share = clippedShares_[static_cast<size_t>(y)];
+            if (!(share > 0) || decode(y, (clippedGain_ - 1) * share) == 0) return false;
+            green_ = blue_ = red_;
+            return true;
+        },
+        base);
+}
+
+void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from) {
+    if (from == FrameRadiance::Thesis) {
+        makeBlockMeans(frame, blockRows_, blocks);
+        return;
+    }
+    if (from == FrameRadiance::Linear) {
+        makeLinearBlockMeans(frame, blockRows_, {}, blocks, clippedBlocks_);
+        return;
+    }
+    clippedBlocks_.fit(blocks.width, blocks.height);
+    makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
+    double irradiance = 0;
+    const int above = (blocks.height + 1) / 2;
+    for (int y = 0; y < above; ++y)
+        irradiance += levelIrradiance(y, blocks.width, blocks.height) *
+                      static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width));
+    clippedGain_ = clippedGainOf(blocks, irradiance);
+    for (int y = 0; y < above; ++y)
+        addClippedBlocks(clippedBlocks_.at(0, y), clippedGain_ - 1, blocks.width, blocks.at(0, y));
+}
+
 // Blocks of 4 x 4 pixels first, where the base needs no finer ones; what is left to average is a sixteenth.
-bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out) {
+bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out,
+                                FrameRadiance from) {
     const int base = baseWidthFor(frame.width, askedWidth);
     if (frame.width % 4 || frame.height % 4 || frame.width < 4 * base || frame.height < 2 * base)
         return false;
@@ -214,7 +278,7 @@ bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, Radiance
     if (done) fitLevels(base, out);
     ImageRgbF& blocks = done ? out.levels[0] : blocks_;
     blocks.fit(frame.width / 4, frame.height / 4);
-    makeBlockMeans(frame, blockRows_, blocks);
+    makeBlocks(frame, blocks, from);
     if (done)
         halveAll(out);
     else
@@ -223,20 +287,23 @@ bool PyramidMaker::makeByBlocks(const FrameView& frame, int askedWidth, Radiance
 }
 
 void PyramidMaker::make(const FrameView& frame, int askedWidth, RadiancePyramid& out, FrameRadiance from) {
-    if (from == FrameRadiance::Thesis && makeByBlocks(frame, askedWidth, out)) return;
+    if (clippedShares_.size() != static_cast<size_t>(frame.height)) {
+        clippedShares_.clear();
+        for (int y = 0; y < frame.height; ++y) clippedShares_.push_back(clippedShare(y, frame.height));
+    }
+    if (makeByBlocks(frame, askedWidth, out, from)) return;
     prepare(frame.width, frame.height, askedWidth, out);
-    std::optional<ClippedLight> clipped;
-    if (from == FrameRadiance::Auto) clipped.emplace(frame);
-    const auto decode = [&](int y) {
-        const uint8_t* bytes = frame.pixels + y * frame.rowStride;
-        const int redAt = frame.bgr ? 2 : 0;
-        if (from == FrameRadiance::Thesis)
-            decodeRow(bytes, frame.width, redAt, red_.data(), green_.data(), blue_.data());
-        else
-            decodeLinearRow(bytes, frame.width, redAt, clipped ? clipped->rowGain(y) : 0.0f, red_.data(),
-                            green_.data(), blue_.data());
-    };
-    makeByRows(decode, out.levels[0]);
+    ImageRgbF& base = out.levels[0];
+    std::ranges::fill(base.pixels, 0.0f);
+    const auto decode = from == FrameRadiance::Thesis ? decodeRow : decodeLinearRow;
+    addRows(
+        [&](int y) {
+            decode(frame.pixels + y * frame.rowStride, frame.width, frame.bgr ? 2 : 0, red_.data(),
+                   green_.data(), blue_.data());
+            return true;
+        },
+        base);
+    if (from == FrameRadiance::Auto) addClipped(frame, base);
     halveAll(out);
 }
 
@@ -250,8 +317,10 @@ size_t PyramidMaker::make(const ImageRgbF& radianceLin, int askedWidth, Radiance
             const bool r = repair(red_[x]), g = repair(green_[x]), b = repair(blue_[x]);
             repaired += r || g || b;
         }
+        return true;
     };
-    makeByRows(read, out.levels[0]);
+    std::ranges::fill(out.levels[0].pixels, 0.0f);
+    addRows(read, out.levels[0]);
     halveAll(out);
     return repaired;
 }

@@ -33,12 +33,15 @@ void halve(const ImageRgbF& in, ImageRgbF& out);
 class PyramidMaker {
   public:
     // Inverse tone mapping (InverseToneMap.h) happens before any averaging. Any width and height: the source
-    // is taken as the whole sphere.
+    // is taken as the whole sphere. Auto: as ClippedLight.h says.
     void make(const FrameView& frame, int askedWidth, RadiancePyramid& out,
               FrameRadiance from = FrameRadiance::Thesis);
 
     // Linear radiance in. Returns how many texels had to be repaired.
     size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
+
+    // Of the last frame that was made as Auto.
+    float clippedGain() const { return clippedGain_; }
 
   private:
     // Source row or column `from` gives the part `weight` of target row or column `to`.
@@ -49,17 +52,22 @@ class PyramidMaker {
     template <class Edge>
     static void makeShares(int source, int target, Edge&& edge, std::vector<Share>& shares);
 
-    bool makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out);
+    bool makeByBlocks(const FrameView& frame, int askedWidth, RadiancePyramid& out, FrameRadiance from);
+    void makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRadiance from);
     void prepare(int sourceWidth, int sourceHeight, int askedWidth, RadiancePyramid& out);
-    template <class DecodeRow> void makeByRows(DecodeRow&& decodeRow, ImageRgbF& base);
+    template <class DecodeRow> void addRows(DecodeRow&& decodeRow, ImageRgbF& base);
+    void addClipped(const FrameView& frame, ImageRgbF& base);
     void narrowRow();
 
     int sourceWidth_ = 0, sourceHeight_ = 0, baseWidth_ = 0;
     std::vector<Share> rows_, columns_;     // ascending by `from` and `to`
     std::vector<float> blockRows_;          // weights for makeBlockMeans()
+    std::vector<float> clippedShares_;      // of a frame of as many rows: clippedShare()
     ImageRgbF blocks_;                      // its result, where that is not the base itself
+    ImageF clippedBlocks_;                  // the same of clipped pixels
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved
+    float clippedGain_ = 1;
 };
 
 } // namespace shoal::light

@@ -2,6 +2,9 @@
 // chosen when the program starts. Contraction is off, so all give the same bits.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstring>
 
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
@@ -12,8 +15,23 @@
 #define SHOAL_VECTORISE
 #endif
 
-// Rows of interleaved texels to half as many.
 namespace shoal::light {
+
+// Sums of interleaved values, in 16 parts each: sums that can be vectorised although nothing is reordered.
+template <size_t kChannels> inline std::array<float, kChannels> sumsOf(const float* values, size_t count) {
+    std::array<float, 16 * kChannels> parts{};
+    size_t at = 0;
+    for (; at + parts.size() <= count; at += parts.size())
+        for (size_t i = 0; i < parts.size(); ++i) parts[i] += values[at + i];
+    for (size_t i = 0; at + i < count; ++i) parts[i] += values[at + i];
+    for (size_t half = 8 * kChannels; half >= kChannels; half /= 2)
+        for (size_t i = 0; i < half; ++i) parts[i] += parts[half + i];
+    std::array<float, kChannels> sums;
+    std::copy_n(parts.begin(), kChannels, sums.begin());
+    return sums;
+}
+
+// --- Rows of interleaved texels to half as many ----------------------------------------------------------
 
 // A texel, and one float of the next.
 using Texel4 = float __attribute__((vector_size(16)));

@@ -1,7 +1,7 @@
 #include "tests/baselines/light/Baselines.h"
 
-#include "engine/light/ClippedLight.h"
 #include "engine/light/InverseToneMap.h"
+#include "engine/light/Pyramid.h"
 #include "engine/math/Colour.h"
 
 #include <algorithm>
@@ -152,17 +152,16 @@ InverseToneMapMethod plainLinear() { return method({"sRGB decoded", "", "", "IEC
 InverseToneMapMethod clippedLight() {
     return {{"clipped light by the ground's", "", "", "this project"},
             [](const ImageRgb8& frame, ImageRgbF& out) {
-                const ClippedLight clipped({.pixels = frame.pixels.data(),
-                                            .width = frame.width,
-                                            .height = frame.height,
-                                            .rowStride = ptrdiff_t{3} * frame.width,
-                                            .bgr = false});
-                forEach(frame, out, decoded);
-                for (size_t i = 0; i < out.pixels.size(); i += 3) {
-                    const float gain = clipped.rowGain(static_cast<int>(i / 3) / frame.width);
-                    const float scale = ClippedLight::scaleOf(gain, &frame.pixels[i]);
-                    for (size_t c = 0; c < 3; ++c) out.pixels[i + c] *= scale;
-                }
+                // At the frame's own width, or the next power of two below.
+                PyramidMaker maker;
+                RadiancePyramid pyramid;
+                maker.make({.pixels = frame.pixels.data(),
+                            .width = frame.width,
+                            .height = frame.height,
+                            .rowStride = ptrdiff_t{3} * frame.width,
+                            .bgr = false},
+                           frame.width, pyramid, FrameRadiance::Auto);
+                out = std::move(pyramid.levels[0]);
             }};
 }
 

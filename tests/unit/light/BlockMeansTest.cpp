@@ -1,5 +1,7 @@
 #include "engine/light/BlockMeans.h"
+#include "engine/light/ClippedLight.h"
 #include "engine/light/InverseToneMap.h"
+#include "engine/math/Colour.h"
 
 #include <gtest/gtest.h>
 
@@ -88,12 +90,81 @@ TEST_P(BlockMeans, OfNoiseAreTheWeighedMeansAndTheSameForEveryLoop) {
     }
 }
 
-std::string nameOf(const testing::TestParamInfo<BlockLoop>& loop) {
-    return loop.param == BlockLoop::Plain ? "Plain" : loop.param == BlockLoop::Avx2 ? "Avx2" : "Avx512";
+double linearOf(int coded) { return math::linearFromSrgb(coded / 255.0); }
+
+// What the header promises of decoded sRGB.
+double allowed(int coded) { return std::min(2e-4, (coded < 10 ? 0.06 : 0.01) * linearOf(coded)) + 1e-9; }
+
+// Every value, in each channel beside others.
+TEST_P(BlockMeans, OfOneColourAreDecodedSrgb) {
+    const int width = 64, height = 4;
+    ImageRgb8 frame(width, height);
+    ImageRgbF out(width / 4, 1);
+    ImageF clipped;
+    const std::vector<float> weights(4, 0.25f);
+    for (int value = 0; value < 256; ++value)
+        for (const bool bgr : {true, false}) {
+            const std::array<int, 3> colour = {value, 255 - value, value / 2};
+            for (size_t i = 0; i < frame.pixels.size(); ++i)
+                frame.pixels[i] = static_cast<uint8_t>(colour[bgr ? 2 - i % 3 : i % 3]);
+            makeLinearBlockMeans({frame.pixels.data(), width, height, 3 * width, bgr}, weights, {}, out,
+                                 clipped, GetParam());
+            for (int x = 0; x < out.width; ++x)
+                for (size_t c = 0; c < 3; ++c)
+                    ASSERT_NEAR(out.at(x, 0)[c], linearOf(colour[c]), allowed(colour[c])) << colour[c];
+        }
 }
 
-INSTANTIATE_TEST_SUITE_P(Loops, BlockMeans,
-                         testing::Values(BlockLoop::Plain, BlockLoop::Avx2, BlockLoop::Avx512), nameOf);
+// As of the thesis' radiance; half of the values are near white.
+TEST_P(BlockMeans, OfNoiseAreDecodedAndClippedMeansAndTheSameForEveryLoop) {
+    const int width = 4 * (8 * 3 + 7), height = 16, stride = 3 * width + 11;
+    std::vector<uint8_t> bytes(static_cast<size_t>(stride * (height - 1) + 3 * width));
+    uint32_t seed = 3;
+    for (uint8_t& value : bytes) {
+        seed = seed * 1664525u + 1013904223u;
+        value = static_cast<uint8_t>(seed & 0x400000 ? 240 + (seed >> 28) : seed >> 24);
+    }
+    const std::vector<float> weights = weightsFor(height);
+    std::vector<float> shares(static_cast<size_t>(height), 1.0f);
+    for (size_t y = 4; y < 8; ++y) shares[y] = static_cast<float>(8 - y) / 8;
+    std::fill(shares.begin() + 8, shares.end(), 0.0f);
+    for (const bool bgr : {true, false}) {
+        ImageRgbF out(width / 4, height / 4), plain(width / 4, height / 4);
+        ImageF clipped(width / 4, height / 4), plainClipped(width / 4, height / 4);
+        const FrameView view{bytes.data(), width, height, stride, bgr};
+        makeLinearBlockMeans(view, weights, shares, out, clipped, GetParam());
+        makeLinearBlockMeans(view, weights, shares, plain, plainClipped, BlockLoop::Plain);
+        EXPECT_EQ(out.pixels, plain.pixels);
+        EXPECT_EQ(clipped.pixels, plainClipped.pixels);
+        makeLinearBlockMeans(view, weights, {}, plain, plainClipped, GetParam());
+        EXPECT_EQ(out.pixels, plain.pixels);
+        for (int y = 0; y < out.height; ++y)
+            for (int x = 0; x < out.width; ++x) {
+                glm::dvec3 want(0), off(0);
+                double steps = 0;
+                for (int i = 0; i < 16; ++i) {
+                    const auto row = static_cast<size_t>(4 * y + i / 4);
+                    const uint8_t* p =
+                        &bytes[row * static_cast<size_t>(stride) + 3 * static_cast<size_t>(4 * x + i % 4)];
+                    const double weight = 0.25 * static_cast<double>(weights[row]);
+                    for (int c = 0; c < 3; ++c) {
+                        const int coded = p[bgr ? 2 - c : c];
+                        want[c] += weight * linearOf(coded);
+                        off[c] += weight * allowed(coded);
+                    }
+                    steps += weight * static_cast<double>(shares[row]) * clippedSteps(p);
+                }
+                for (int c = 0; c < 3; ++c) EXPECT_NEAR(out.at(x, y)[c], want[c], off[c]) << x << ", " << y;
+                EXPECT_NEAR(*clipped.at(x, y), steps / kClippedSteps, 1e-4) << x << ", " << y;
+            }
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<BlockLoop>& loop) {
+    return loop.param == BlockLoop::Plain ? "Plain" : "Avx2";
+}
+
+INSTANTIATE_TEST_SUITE_P(Loops, BlockMeans, testing::Values(BlockLoop::Plain, BlockLoop::Avx2), nameOf);
 
 } // namespace
 } // namespace shoal::light
