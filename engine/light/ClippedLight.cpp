@@ -85,8 +85,9 @@ float mostClippedGain() {
 
 float clippedGainOf(const ImageRgbF& decoded, double clipped) {
     const std::array<float, 256>& linear = math::linearOfByte();
-    const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), 1,
-                     1 / (1 - linear[kLastUnclipped])};
+    constexpr float kWhite = 0.999f; // means are off by a few 1e-4
+    const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
+                     1 / (kWhite - linear[kLastUnclipped])};
     // Irradiance of a level plane from above; radiance of the ground, of the part that is seen; that part.
     double fromAbove = 0, ground = 0, groundSeen = 0;
     double top = 1;

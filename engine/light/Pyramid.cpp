@@ -3,7 +3,6 @@
 #include "engine/light/BlockMeans.h"
 #include "engine/light/ClippedLight.h"
 #include "engine/light/Vectorise.h"
-#include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
@@ -38,14 +37,31 @@ void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __r
     }
 }
 
-// The same by decoding sRGB.
-void decodeLinearRow(const uint8_t* bytes, int width, int redAt, float* red, float* green, float* blue) {
-    const std::array<float, 256>& linear = math::linearOfByte();
+// linearFromSrgb() of coded bytes: its power branch as the polynomial that has the least of the largest
+// errors, counted in 1e-5 of white or 5e-4 of themselves, whichever is more strict.
+inline float linearOf(float byte) {
+    const float c = byte * (1.0f / 255.0f);
+    const float power =
+        0.0008869991f +
+        c * (0.03392017f +
+             c * (0.5051172f + c * (0.7390164f + c * (-0.4717155f + c * (0.2567576f - 0.06399098f * c)))));
+    return c <= 0.04045f ? c * (1.0f / 12.92f) : power;
+}
+
+// The same as decodeRow() by decoding sRGB.
+SHOAL_VECTORISE
+void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
+                     float* __restrict green, float* __restrict blue) {
     const int blueAt = 2 - redAt;
-    for (int x = 0; x < width; ++x, bytes += 3) {
-        red[x] = linear[bytes[redAt]];
-        green[x] = linear[bytes[1]];
-        blue[x] = linear[bytes[blueAt]];
+    for (int x = 0; x < width; ++x) {
+        red[x] = static_cast<float>(bytes[3 * x + redAt]);
+        green[x] = static_cast<float>(bytes[3 * x + 1]);
+        blue[x] = static_cast<float>(bytes[3 * x + blueAt]);
+    }
+    for (int x = 0; x < width; ++x) {
+        red[x] = linearOf(red[x]);
+        green[x] = linearOf(green[x]);
+        blue[x] = linearOf(blue[x]);
     }
 }
 

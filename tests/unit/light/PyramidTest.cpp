@@ -1,5 +1,6 @@
 #include "engine/light/Pyramid.h"
 #include "engine/light/InverseToneMap.h"
+#include "engine/math/Colour.h"
 #include "tests/unit/light/Environments.h"
 
 #include <gtest/gtest.h>
@@ -110,6 +111,20 @@ TEST(Pyramid, BlocksOfFourAreTheirWeighedMeans) {
             // Radiance up to 11.8, but of noise no texel is nearly as bright.
             EXPECT_LT(largestDifference(pyramid.levels[0], slow.levels[0]), 2e-4 * 4);
         }
+}
+
+// Every value, in frames that are not made by blocks.
+TEST(Pyramid, LinearFramesAreDecodedSrgb) {
+    PyramidMaker maker;
+    RadiancePyramid pyramid;
+    Bytes bytes = frame(256, 128, true, 0);
+    for (size_t i = 0; i < bytes.data.size(); ++i) bytes.data[i] = static_cast<uint8_t>(i / 3);
+    maker.make(bytes.view, 256, pyramid, FrameRadiance::Linear);
+    for (int x = 0; x < 256; ++x) {
+        const double want = math::linearFromSrgb(x / 255.0);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(pyramid.levels[0].at(x, 7)[c], want, std::min(1e-5, 5e-4 * want) + 1e-9) << x;
+    }
 }
 
 TEST(Pyramid, LinearSourceOfTheBasesSizeIsKept) {
