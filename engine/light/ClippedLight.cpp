@@ -18,6 +18,10 @@ constexpr float kGroundNeeded = 0.25f; // of the half sphere below, weighed by i
 // Of the largest channel, coded: a covered lens, a tripod's patch, bars.
 constexpr int kLastBlack = 4, kFirstSeen = 12;
 
+// What the ground is trusted with light from the side and from straight above; up to which sine of its
+// elevation light is from the side.
+constexpr float kLeastTrust = 0.2f, kMostTrust = 1, kFromTheSide = 0.7f;
+
 double edgeSine(int row, int height) {
     return std::sin(std::numbers::pi * (0.5 - static_cast<double>(row) / height));
 }
@@ -79,11 +83,18 @@ double levelIrradiance(int row, int width, int height) {
     return irradianceBetween(edgeSine(row, height), edgeSine(row + 1, height), width);
 }
 
-float mostClippedGain() {
-    return std::pow(kUsualGain, 1 - kGroundTrust) * std::pow(1 + kMostFromGround, kGroundTrust);
+float groundTrust(float sine) {
+    const float high = std::clamp((sine - kFromTheSide) / (1 - kFromTheSide), 0.0f, 1.0f);
+    return kLeastTrust + (kMostTrust - kLeastTrust) * high;
 }
 
-float clippedGainOf(const ImageRgbF& decoded, double clipped) {
+void ClippedAbove::addRow(int row, int width, int height, double sum) {
+    const double light = levelIrradiance(row, width, height) * sum;
+    irradiance += light;
+    bySine += light * std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height));
+}
+
+float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped) {
     const std::array<float, 256>& linear = math::linearOfByte();
     constexpr float kWhite = 0.999f; // means are off by a few 1e-4
     const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
@@ -107,9 +118,9 @@ float clippedGainOf(const ImageRgbF& decoded, double clipped) {
     const double radiance = groundSeen > 0 ? ground / groundSeen : 0;
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
-        std::clamp(missing / std::max(clipped, 1e-6), 0.0, static_cast<double>(kMostFromGround));
+        std::clamp(missing / std::max(clipped.irradiance, 1e-6), 0.0, static_cast<double>(kMostFromGround));
     const float trust =
-        kGroundTrust *
+        groundTrust(static_cast<float>(clipped.bySine / std::max(clipped.irradiance, 1e-12))) *
         static_cast<float>(std::min(1.0, groundSeen / (static_cast<double>(kGroundNeeded) * below)));
     return std::pow(kUsualGain, 1 - trust) * std::pow(1 + static_cast<float>(times), trust);
 }

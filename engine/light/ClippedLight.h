@@ -6,7 +6,9 @@
 //   2. What unclipped pixels do not supply of it is the clipped pixels' above the horizon: that many times
 //      white they are.
 //   3. Grounds differ in albedo by more than ten: the result is the weighed geometric mean of that gain and
-//      of one that serves where there is no ground to be seen (covered, black, clipped).
+//      of one that serves where there is no ground to be seen (covered, black, clipped). The higher the
+//      clipped light, the more the ground tells of it: what comes from the side, as through windows and from
+//      a bright horizon, falls on walls and slopes first.
 // To a pixel's decoded radiance is added
 //     (gain - 1) * clippedShare(row) * clippedSteps(pixel) / kClippedSteps
 // in all three channels. Only what is white in all three has any of it, and only above the horizon: what is
@@ -22,9 +24,12 @@
 namespace shoal::light {
 
 constexpr float kGroundAlbedo = 0.18f;
-constexpr float kUsualGain = 4;      // of clipped pixels in a scene of which nothing is known
-constexpr float kGroundTrust = 0.4f; // an exponent; 1 - kGroundTrust: of the usual gain
-constexpr float kMostFromGround = 80;
+constexpr float kUsualGain = 4; // of clipped pixels in a scene of which nothing is known
+constexpr float kMostFromGround = 120;
+
+// The exponent of the ground's gain, 0.2 to 1; the rest to 1 is the usual gain's. sine: of the elevation of
+// clipped light.
+float groundTrust(float sine);
 
 // Video is compressed: white is not 255 everywhere. From 243 to 255 a pixel counts as clipped more and more,
 // so that none flickers between the two.
@@ -41,10 +46,17 @@ float clippedShare(int row, int height);
 // Irradiance of a level plane, facing up or down as the row lies, by a texel of radiance 1 in this row.
 double levelIrradiance(int row, int width, int height);
 
-// White stands for so many times white: 1 to mostClippedGain(). decoded: the whole surround, averaged over as
-// few pixels or as many as is convenient; clipped: what of a level plane's irradiance from above is by
-// clipped pixels, if they were white and by their shares and steps.
-float clippedGainOf(const ImageRgbF& decoded, double clipped);
-float mostClippedGain();
+// What clipped pixels give a level plane from above, if they were white and by their shares and steps.
+struct ClippedAbove {
+    double irradiance = 0;
+    double bySine = 0; // the same weighed by the sine of the elevation
+
+    // A row's sum over its texels of share times steps, over kClippedSteps.
+    void addRow(int row, int width, int height, double sum);
+};
+
+// White stands for so many times white: 1 to 1 + kMostFromGround. decoded: the whole surround, averaged over
+// as few pixels or as many as is convenient.
+float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped);
 
 } // namespace shoal::light

@@ -241,11 +241,11 @@ void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
                                            white / kClippedSteps, red_.data());
         return static_cast<double>(steps) / kClippedSteps;
     };
-    double irradiance = 0;
+    ClippedAbove clipped;
     for (int y = 0; 2 * y < frame.height; ++y)
-        irradiance += levelIrradiance(y, frame.width, frame.height) *
-                      static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1);
-    clippedGain_ = clippedGainOf(base, irradiance);
+        clipped.addRow(y, frame.width, frame.height,
+                       static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1));
+    clippedGain_ = clippedGainOf(base, clipped);
     addRows(
         [&](int y) {
             const float share = clippedShares_[static_cast<size_t>(y)];
@@ -267,12 +267,12 @@ void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRa
     }
     clippedBlocks_.fit(blocks.width, blocks.height);
     makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
-    double irradiance = 0;
+    ClippedAbove clipped;
     const int above = (blocks.height + 1) / 2;
     for (int y = 0; y < above; ++y)
-        irradiance += levelIrradiance(y, blocks.width, blocks.height) *
-                      static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width));
-    clippedGain_ = clippedGainOf(blocks, irradiance);
+        clipped.addRow(y, blocks.width, blocks.height,
+                       static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width)));
+    clippedGain_ = clippedGainOf(blocks, clipped);
     for (int y = 0; y < above; ++y)
         addClippedBlocks(clippedBlocks_.at(0, y), clippedGain_ - 1, blocks.width, blocks.at(0, y));
 }

@@ -47,8 +47,11 @@ float gainOf(const std::function<float(const glm::vec3&)>& radianceIn) {
     return gainOf(viewOf(frame));
 }
 
-float withTrust(float times) {
-    return std::pow(kUsualGain, 1 - kGroundTrust) * std::pow(times, kGroundTrust);
+// lowest: the sine of the lower edge of a disc of light about the zenith, whose mean sine on a level plane is
+// 2/3 (1 - lowest^3) / (1 - lowest^2).
+float withTrust(float times, float lowest) {
+    const float trust = groundTrust(2.0f / 3 * (1 - lowest * lowest * lowest) / (1 - lowest * lowest));
+    return std::pow(kUsualGain, 1 - trust) * std::pow(times, trust);
 }
 
 constexpr float kSky = 0.1f;
@@ -66,13 +69,14 @@ float openAir(const glm::vec3& towards, float sun) {
 // 8 bits, and the edge of a disc of 33 rows.
 TEST(ClippedLight, KnowsTheSunByTheGround) {
     for (const float sun : {2.0f, 10.0f, 40.0f, 80.0f})
-        EXPECT_NEAR(gainOf([&](const glm::vec3& d) { return openAir(d, sun); }) / withTrust(sun), 1, 0.04f)
+        EXPECT_NEAR(gainOf([&](const glm::vec3& d) { return openAir(d, sun); }) / withTrust(sun, kSunCosine),
+                    1, 0.04f)
             << sun;
 }
 
 // Nothing goes beyond what is stated, in any of the cases in which a cue is missing.
 TEST(ClippedLight, FallsBackWhereACueIsMissing) {
-    const float usual = kUsualGain, most = mostClippedGain();
+    const float usual = kUsualGain, most = 1 + kMostFromGround;
     const auto sunlit = [](const glm::vec3& d) { return openAir(d, 40); };
     const auto covered = [&](float below) {
         return gainOf([&](const glm::vec3& d) { return d.y < below ? 0.0f : sunlit(d); });
@@ -93,7 +97,7 @@ TEST(ClippedLight, FallsBackWhereACueIsMissing) {
     EXPECT_NEAR(gainOf([](const glm::vec3& d) { return d.y < 0      ? 0.01f
                                                        : d.y > 0.9f ? 2.0f
                                                                     : 0.4f; }),
-                withTrust(1), 0.01f);
+                withTrust(1, 0.9f), 0.01f);
     // Bars above and below, as of a film in letterbox.
     const float boxed = gainOf([&](const glm::vec3& d) { return std::abs(d.y) > 0.95f ? 0.0f : sunlit(d); });
     EXPECT_GE(boxed, 1);
