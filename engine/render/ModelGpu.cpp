@@ -176,7 +176,7 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
     for (size_t m = 0; m < model.materials.size(); ++m) {
         if (!worn[m]) continue;
         const scene::Material& material = model.materials[m];
-        want(material.baseColour, reflectance == Reflectance::Linear);
+        want(material.baseColour, reflectanceFor(material, reflectance) == Reflectance::Linear);
         want(material.emissive, true);
         if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
         want(material.normal, false);
@@ -199,13 +199,14 @@ ModelGpu uploadModel(const scene::Model& model, Reflectance reflectance, Detail 
     gpu.reflectance = reflectance;
     gpu.materials = model.materials;
     gpu.materials.emplace_back();
-    if (reflectance == Reflectance::Coded)
-        for (scene::Material& material : gpu.materials)
+    for (scene::Material& material : gpu.materials)
+        if (reflectanceFor(material, reflectance) == Reflectance::Coded)
             material.baseColourLin = coded(material.baseColourLin);
     for (const scene::Mesh& mesh : model.meshes) {
         MeshGpu& meshGpu = gpu.meshes.emplace_back();
         for (const scene::Primitive& primitive : mesh.primitives) {
-            PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(uploadPrimitive(primitive, reflectance));
+            PrimitiveGpu& uploaded = meshGpu.primitives.emplace_back(
+                uploadPrimitive(primitive, reflectanceFor(model.materialOf(primitive), reflectance)));
             uploaded.gloss = scene::glossOf(model, gpu.materialOf(uploaded));
         }
     }

@@ -44,6 +44,11 @@ struct MeshGpu {
 // scaled by a itself.
 enum class Reflectance { Linear, Coded };
 
+// Of one material in such a model: an unlit one scales no light.
+inline Reflectance reflectanceFor(const scene::Material& material, Reflectance ofLit) {
+    return material.unlit ? Reflectance::Linear : ofLit;
+}
+
 // Per Model::textures; empty where a texture is not used in that way.
 struct TexturesGpu {
     std::vector<gl::Texture> colour; // sRGB, decoded by the sampler

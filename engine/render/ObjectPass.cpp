@@ -19,8 +19,8 @@ namespace {
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER), F(TONE_ACES),  \
         F(TONE_LINEAR), F(FRAME_SRGB), F(SCALED_LIGHT), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT),           \
-        F(OCCLUDED), F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(SHOW_NORMALS),          \
-        F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+        F(OCCLUDED), F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(UNLIT),                 \
+        F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
 #define SHOAL_BIT(name) name##_BIT
 enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
 #define SHOAL_FEATURE(name) name = 1u << name##_BIT
@@ -203,7 +203,7 @@ bool ObjectPass::isSeen(const Object& object, const View& view) const {
 }
 
 bool ObjectPass::shaded(const Item& item) const {
-    return occlusion_ && !layers_ &&
+    return occlusion_ && !layers_ && !item.gpu->materialOf(*item.primitive).unlit &&
            (item.primitive->withSelfOcclusion ||
             (item.body >= 0 && shades_[static_cast<size_t>(item.body)].count > 0));
 }
@@ -255,8 +255,10 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
             features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= VERTEX_DIFFUSE;
+        const bool unlit = item.gpu->materialOf(*item.primitive).unlit && shown_ == ShownQuantity::Light;
+        if (unlit) features = (features & ~(VERTEX_DIFFUSE | MIRRORS | PHONG_RINGS)) | VERTEX_LIT | UNLIT;
         if (shaded(item)) features |= OCCLUDED;
-        if (layers_)
+        if (layers_ && !unlit)
             features = (features & ~OCCLUSION_MAP) | LAYERS |
                        (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);
         auto program = programFor(features);
@@ -272,9 +274,9 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
             current->set("exposureScale", exposure.scale());
             setWater(*current, water);
             if (features & OCCLUDED) setSmoothLight(*current, environment.smoothLight());
-            if (layers_) layers_->bind(*current);
+            if (features & LAYERS) layers_->bind(*current);
         }
-        if (layers_) current->set("bodyAlbedo", item.albedo);
+        if (features & LAYERS) current->set("bodyAlbedo", item.albedo);
         if (glossy == Glossy::PhongRings) {
             const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
             std::array<glm::vec2, 6> packed;
@@ -315,8 +317,9 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     program.set("alphaCutoff", material.alphaCutoff);
     const auto& colour = item.gpu->textures->colour;
     const auto& data = item.gpu->textures->data;
-    bindMap(program, material.baseColour, item.gpu->reflectance == Reflectance::Linear ? colour : data,
-            UNIT_BASE_COLOUR, "baseColourMap", "baseColourUv");
+    const bool linear = reflectanceFor(material, item.gpu->reflectance) == Reflectance::Linear;
+    bindMap(program, material.baseColour, linear ? colour : data, UNIT_BASE_COLOUR, "baseColourMap",
+            "baseColourUv");
     bindMap(program, material.metallicRoughness, data, UNIT_METALLIC_ROUGHNESS, "metallicRoughnessMap",
             "metallicRoughnessUv");
     bindMap(program, material.normal, data, UNIT_NORMAL, "normalMap", "normalUv");

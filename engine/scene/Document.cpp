@@ -75,12 +75,13 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
     if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
     if (const std::string minimum = root["asset"].value("minVersion", "2.0"); minimum != "2.0")
         fault("asks for glTF version ", quoted(minimum), ", but only 2.0 is supported");
+    static const std::set<std::string> kRead = {"KHR_materials_emissive_strength", "KHR_materials_unlit",
+                                                "KHR_materials_variants", "KHR_texture_transform"};
     for (const char* list : {"extensionsRequired", "extensionsUsed"})
         for (const std::string name : root.value(list, Json::array())) {
             if (name == "KHR_mesh_quantization")
                 file.quantized = true;
-            else if (name == "KHR_materials_variants" || name == "KHR_materials_emissive_strength" ||
-                     name == "KHR_texture_transform")
+            else if (kRead.contains(name))
                 continue;
             else if (list == std::string_view("extensionsRequired"))
                 fault("needs the extension ", quoted(name), ", which is not supported");
@@ -211,7 +212,7 @@ void readDocument(GltfFile& file) {
     if (bytes->empty()) fault("is empty");
     const Container container = openContainer(*bytes);
     Json root = parseJson(container.json);
-    readEmissiveStrengths(root, file);
+    readMaterialExtensions(root, file);
     readTextureTransforms(root, file);
     readVariants(root, file);
     if (root.is_structured()) tidy(root);

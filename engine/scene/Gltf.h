@@ -77,6 +77,12 @@ struct TextureTransform {
     bool operator==(const TextureTransform&) const = default;
 };
 
+// Of one material, as stated.
+struct MaterialExtensions {
+    double emissiveStrength = 1; // KHR_materials_emissive_strength
+    bool unlit = false;          // KHR_materials_unlit
+};
+
 // What a set of texture coordinates is made of: a set of the file's, transformed.
 struct UvSource {
     int texCoord = -1; // -1: nothing asks for the set
@@ -95,9 +101,8 @@ struct GltfFile {
 
     tinygltf::Model gltf; // with its buffers' bytes; images are empty: see imageSources
     std::vector<ImageSource> imageSources;
-    bool quantized = false; // KHR_mesh_quantization is used
-    // KHR_materials_emissive_strength, by material
-    std::vector<double> emissiveStrengths; // as stated
+    bool quantized = false;                             // KHR_mesh_quantization is used
+    std::vector<MaterialExtensions> materialExtensions; // by material
     // By material and use: base colour, metallic-roughness, normal, occlusion, emissive
     std::vector<std::array<TextureTransform, 5>> textureTransforms;
     // By material: what the two sets that TextureUse::texCoord tells apart are made of, for its primitives
@@ -124,8 +129,8 @@ void readDocument(GltfFile& file);
 // finite as floats; the lists are within maxElements (accessors and bufferViews within four times that).
 void checkSchema(const nlohmann::json& document, uint32_t maxElements);
 
-// root: the document with its extensions, unchecked. Fills file.emissiveStrengths.
-void readEmissiveStrengths(const nlohmann::json& root, GltfFile& file);
+// root: the document with its extensions, unchecked. Fills file.materialExtensions.
+void readMaterialExtensions(const nlohmann::json& root, GltfFile& file);
 // Likewise. Fills file.textureTransforms.
 void readTextureTransforms(const nlohmann::json& root, GltfFile& file);
 // Likewise. Fills file.variants and file.variantMaterials.

@@ -44,6 +44,7 @@ struct Material {
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5f;
     bool doubleSided = false;
+    bool unlit = false; // shown in its base colour, whatever the light; what light would need is left default
     TextureUse baseColour, metallicRoughness, normal, occlusion, emissive;
 };
 

@@ -63,6 +63,7 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
         if (nearest != value) file.warn(who, name, " is ", value, "; ", nearest, " is taken");
         return static_cast<float>(nearest);
     };
+    const MaterialExtensions& extensions = file.materialExtensions[index];
     std::array<UvSource, 2>& sets = file.uvSources.emplace_back();
     size_t slot = 0; // of textureTransforms: called in its order
     const auto use = [&](const auto& info, const char* name) -> TextureUse {
@@ -85,18 +86,20 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
     for (int i = 0; i < 4; ++i)
         material.baseColourLin[i] =
             within(pbr.baseColorFactor[i], 1, ".pbrMetallicRoughness.baseColorFactor");
-    material.metallic = within(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
-    material.roughness = within(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
-    const float emissiveStrength =
-        within(file.emissiveStrengths[index], kMaxEmissiveStrength, ".emissiveStrength");
-    for (int i = 0; i < 3; ++i)
-        material.emissiveLin[i] = emissiveStrength * within(from.emissiveFactor[i], 1, ".emissiveFactor");
-    material.normalScale = static_cast<float>(from.normalTexture.scale);
-    material.occlusionStrength = within(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
     material.alphaMode = alphaMode(from.alphaMode, who);
     material.alphaCutoff = within(from.alphaCutoff, std::numeric_limits<float>::max(), ".alphaCutoff");
     material.doubleSided = from.doubleSided;
     material.baseColour = use(pbr.baseColorTexture, ".pbrMetallicRoughness.baseColorTexture");
+    material.unlit = extensions.unlit;
+    if (material.unlit) return material;
+    material.metallic = within(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
+    material.roughness = within(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
+    const float emissiveStrength =
+        within(extensions.emissiveStrength, kMaxEmissiveStrength, ".emissiveStrength");
+    for (int i = 0; i < 3; ++i)
+        material.emissiveLin[i] = emissiveStrength * within(from.emissiveFactor[i], 1, ".emissiveFactor");
+    material.normalScale = static_cast<float>(from.normalTexture.scale);
+    material.occlusionStrength = within(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
     material.metallicRoughness =
         use(pbr.metallicRoughnessTexture, ".pbrMetallicRoughness.metallicRoughnessTexture");
     material.normal = use(from.normalTexture, ".normalTexture");
@@ -121,6 +124,7 @@ using Json = nlohmann::json;
 constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 constexpr double kMaxTransform = 1e4; // of its numbers, either way
+constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
@@ -139,6 +143,11 @@ const Json& list(const Json& value, const char* key) {
 
 const Json& extension(const Json& value, const char* name) {
     return member(member(value, "extensions"), name);
+}
+
+double number(const Json& value, const char* key, double otherwise) {
+    const Json& found = member(value, key);
+    return found.is_number() ? found.get<double>() : otherwise;
 }
 
 // Whole numbers may be written as 1.0; they become integers only later.
@@ -169,10 +178,11 @@ void readMaterials(GltfFile& file, Model& model) {
         }
 }
 
-void readEmissiveStrengths(const Json& root, GltfFile& file) {
+void readMaterialExtensions(const Json& root, GltfFile& file) {
     for (const Json& material : list(root, "materials")) {
-        const Json& strength = member(extension(material, kEmissiveStrength), "emissiveStrength");
-        file.emissiveStrengths.push_back(strength.is_number() ? strength.get<double>() : 1);
+        MaterialExtensions& read = file.materialExtensions.emplace_back();
+        read.emissiveStrength = number(extension(material, kEmissiveStrength), "emissiveStrength", 1);
+        read.unlit = extension(material, kUnlit).is_object();
     }
 }
 

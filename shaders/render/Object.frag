@@ -26,7 +26,9 @@ uniform int baseColourUv, metallicRoughnessUv, normalUv, occlusionUv, emissiveUv
 
 #ifdef VERTEX_LIT
 in vec4 perMapExposed;
+#ifndef UNLIT
 in vec3 besidesExposed;
+#endif
 #else
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -196,6 +198,11 @@ vec3 litByPixel(vec3 base) {
     vec3 radiance = reflectance.mirrored * light.mirrored * openMirrored + reflectance.around * light.around * open;
     return lightened(throughWater(displayOfExposed((radiance + emitted()) * exposureScale)), highlightOf(highlight, dot(geometric, v)));
 }
+#elif defined(UNLIT)
+// KHR_materials_unlit, always with VERTEX_LIT: the base colour as it is, coded in, coded out, as the video's own colours are at
+// exposure 0. Exposure and tone curve make display values of light, which this is not: they leave it alone, as in Khronos'
+// sample renderer. Water between it and the eye does not.
+vec3 litByVertex(vec3 baseLin) { return lightened(throughWater(srgbFromLinear(baseLin)), litUp); }
 #else
 vec3 litByVertex(vec3 baseExposed) {
     vec3 exposed = baseExposed + besidesExposed;

@@ -46,8 +46,11 @@ uniform vec3 emissiveLin;
 uniform float twoSided; // 1: the normal turns to whoever looks
 // What is sent to the eye, exposed: the first, times what the base colour's map has there, plus the second. The first's alpha
 // is opacity. Software renderers fetch each uniform number once for each pixel, so pixels are handed products.
+// UNLIT: the first is what stands before the map, linear.
 out vec4 perMapExposed;
+#ifndef UNLIT
 out vec3 besidesExposed;
+#endif
 uniform float highlight; // 0 to 1
 out float litUp;
 #include "render/Highlight.glsl"
@@ -112,16 +115,20 @@ void main() {
 #ifdef VERTEX_LIT
     vec3 v = normalize(eyeWorld - world.xyz);
     if (twoSided * dot(n, v) < 0.0) n = -n;
+#ifdef UNLIT
+    perMapExposed = baseColourLin;
+#else
     vec3 perBase, besides;
     lightVertex(world.xyz, n, v, selfOcclusion, perBase, besides);
     perMapExposed = baseColourLin * vec4(perBase * exposureScale, 1.0);
-#ifdef VERTEX_COLOURS
-    perMapExposed *= colourLin;
-#endif
 #ifndef EMISSIVE_MAP
     besides += emissiveLin;
 #endif
     besidesExposed = besides * exposureScale;
+#endif
+#ifdef VERTEX_COLOURS
+    perMapExposed *= colourLin;
+#endif
     litUp = highlightOf(highlight, dot(n, v));
 #else
     worldPosition = world.xyz;

@@ -299,7 +299,7 @@ TEST(Hostile, Animations) {
 
 TEST(Hostile, Extensions) {
     Gltf file = triangle();
-    file.root["extensionsUsed"] = {"KHR_materials_unlit"};
+    file.root["extensionsUsed"] = {"KHR_materials_sheen"};
     EXPECT_EQ(refusal(file.load()), "");
     file.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
     EXPECT_EQ(refusal(file.load()), "needs the extension KHR_draco_mesh_compression, which is not supported");
