@@ -81,6 +81,11 @@ struct TextureTransform {
 struct MaterialExtensions {
     double emissiveStrength = 1; // KHR_materials_emissive_strength
     bool unlit = false;          // KHR_materials_unlit
+    double ior = 1.5;            // KHR_materials_ior
+    // KHR_materials_specular
+    double specularFactor = 1;
+    std::array<double, 3> specularColour = {1, 1, 1};
+    bool specularTextures = false;
 };
 
 // What a set of texture coordinates is made of: a set of the file's, transformed.

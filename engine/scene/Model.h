@@ -38,6 +38,9 @@ struct Material {
     glm::vec4 baseColourLin{1};
     float metallic = 1;
     float roughness = 1; // perceptual; alpha = roughness^2
+    // Fresnel reflectance of what is no metal, head on and at grazing angles
+    glm::vec3 dielectricF0{0.04f};
+    float dielectricF90 = 1;
     glm::vec3 emissiveLin{0};
     float normalScale = 1;
     float occlusionStrength = 1;

@@ -10,6 +10,7 @@ namespace shoal::scene {
 namespace {
 
 constexpr double kMaxEmissiveStrength = 1e4; // times white; half floats hold it
+constexpr double kMaxSpecularColour = 1e4;   // its product with the reflectance is clipped to 1
 
 Texture::Wrap wrapMode(int mode, const std::string& who) {
     switch (mode) {
@@ -57,11 +58,34 @@ int setOf(std::array<UvSource, 2>& sets, const UvSource& wanted) {
     return -1;
 }
 
+// The nearest number within 0 .. high, with a warning where that is another.
+float within(GltfFile& file, double value, double high, const std::string& who) {
+    const double nearest = std::clamp(value, 0.0, high);
+    if (nearest != value) file.warn(who, " is ", value, "; ", nearest, " is taken");
+    return static_cast<float>(nearest);
+}
+
+// KHR_materials_ior and KHR_materials_specular: F0 = min(((n - 1) / (n + 1))^2 colour, 1) factor, F90 =
+// factor. An index of refraction of 0 stands for infinity: F0 before the colour is 1.
+void readDielectric(GltfFile& file, const MaterialExtensions& from, const std::string& who,
+                    Material& material) {
+    const double ior = from.ior == 0 ? 0 : std::max(from.ior, 1.0);
+    if (ior != from.ior) file.warn(who, ".ior is ", from.ior, "; ", ior, " is taken");
+    const double root = (ior - 1) / (ior + 1);
+    material.dielectricF90 = within(file, from.specularFactor, 1, who + ".specularFactor");
+    for (int i = 0; i < 3; ++i) {
+        const double colour = static_cast<double>(within(file, from.specularColour[static_cast<size_t>(i)],
+                                                         kMaxSpecularColour, who + ".specularColorFactor"));
+        material.dielectricF0[i] =
+            material.dielectricF90 * static_cast<float>(std::min(root * root * colour, 1.0));
+    }
+    if (from.specularTextures)
+        file.warn(who, ": the textures of KHR_materials_specular are left out; its factors are taken");
+}
+
 Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t index, const std::string& who) {
-    const auto within = [&](double value, double high, const char* name) {
-        const double nearest = std::clamp(value, 0.0, high);
-        if (nearest != value) file.warn(who, name, " is ", value, "; ", nearest, " is taken");
-        return static_cast<float>(nearest);
+    const auto factor = [&](double value, double high, const char* name) {
+        return within(file, value, high, who + name);
     };
     const MaterialExtensions& extensions = file.materialExtensions[index];
     std::array<UvSource, 2>& sets = file.uvSources.emplace_back();
@@ -85,21 +109,22 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
     material.name = from.name;
     for (int i = 0; i < 4; ++i)
         material.baseColourLin[i] =
-            within(pbr.baseColorFactor[i], 1, ".pbrMetallicRoughness.baseColorFactor");
+            factor(pbr.baseColorFactor[i], 1, ".pbrMetallicRoughness.baseColorFactor");
     material.alphaMode = alphaMode(from.alphaMode, who);
-    material.alphaCutoff = within(from.alphaCutoff, std::numeric_limits<float>::max(), ".alphaCutoff");
+    material.alphaCutoff = factor(from.alphaCutoff, std::numeric_limits<float>::max(), ".alphaCutoff");
     material.doubleSided = from.doubleSided;
     material.baseColour = use(pbr.baseColorTexture, ".pbrMetallicRoughness.baseColorTexture");
     material.unlit = extensions.unlit;
     if (material.unlit) return material;
-    material.metallic = within(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
-    material.roughness = within(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
+    material.metallic = factor(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
+    material.roughness = factor(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
+    readDielectric(file, extensions, who, material);
     const float emissiveStrength =
-        within(extensions.emissiveStrength, kMaxEmissiveStrength, ".emissiveStrength");
+        factor(extensions.emissiveStrength, kMaxEmissiveStrength, ".emissiveStrength");
     for (int i = 0; i < 3; ++i)
-        material.emissiveLin[i] = emissiveStrength * within(from.emissiveFactor[i], 1, ".emissiveFactor");
+        material.emissiveLin[i] = emissiveStrength * factor(from.emissiveFactor[i], 1, ".emissiveFactor");
     material.normalScale = static_cast<float>(from.normalTexture.scale);
-    material.occlusionStrength = within(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
+    material.occlusionStrength = factor(from.occlusionTexture.strength, 1, ".occlusionTexture.strength");
     material.metallicRoughness =
         use(pbr.metallicRoughnessTexture, ".pbrMetallicRoughness.metallicRoughnessTexture");
     material.normal = use(from.normalTexture, ".normalTexture");
@@ -125,6 +150,8 @@ constexpr const char* kEmissiveStrength = "KHR_materials_emissive_strength";
 constexpr const char* kTextureTransform = "KHR_texture_transform";
 constexpr double kMaxTransform = 1e4; // of its numbers, either way
 constexpr const char* kUnlit = "KHR_materials_unlit";
+constexpr const char* kIor = "KHR_materials_ior";
+constexpr const char* kSpecular = "KHR_materials_specular";
 constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
@@ -183,6 +210,14 @@ void readMaterialExtensions(const Json& root, GltfFile& file) {
         MaterialExtensions& read = file.materialExtensions.emplace_back();
         read.emissiveStrength = number(extension(material, kEmissiveStrength), "emissiveStrength", 1);
         read.unlit = extension(material, kUnlit).is_object();
+        read.ior = number(extension(material, kIor), "ior", 1.5);
+        const Json& specular = extension(material, kSpecular);
+        read.specularFactor = number(specular, "specularFactor", 1);
+        if (const Json& colour = list(specular, "specularColorFactor"); colour.size() == 3)
+            for (size_t i = 0; i < 3; ++i)
+                if (colour[i].is_number()) read.specularColour[i] = colour[i].get<double>();
+        read.specularTextures = specular.is_object() && (specular.contains("specularTexture") ||
+                                                         specular.contains("specularColorTexture"));
     }
 }
 

@@ -6,16 +6,34 @@ struct Reflectance {
     vec3 around;   // of diffuseRadiance(n)
 };
 
-// baseLin: the base colour as a reflectance, 0 to 1. nv: n.v, above 0.
-Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float nv) {
-    vec3 f0 = mix(vec3(0.04), baseLin, metallic);
+// Of light that never enters the surface, at its first bounce and at all further ones between its microfacets.
+struct Bounced {
+    vec3 single, multiple;
+};
+
+// f0, f90: Fresnel reflectance, head on and at grazing angles.
+Bounced bouncedOf(vec3 f0, float f90, float roughness, float nv) {
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;
-    vec3 single = f0 * dfg.x + dfg.y;
+    vec3 single = f0 * dfg.x + f90 * dfg.y;
     // Light that bounces between the microfacets more than once: Fdez-Aguera 2019, "A Multiple-Scattering Microfacet
     // Model for Real-Time Image Based Lighting", eq. 20.
     float lost = 1.0 - (dfg.x + dfg.y);
-    vec3 average = f0 + (1.0 - f0) / 21.0;
-    vec3 multiple = single * average / (1.0 - lost * average) * lost;
-    vec3 matte = baseLin * (1.0 - metallic) * (1.0 - single - multiple);
-    return Reflectance(single, multiple + matte);
+    vec3 average = f0 + (f90 - f0) / 21.0;
+    return Bounced(single, single * average / (1.0 - lost * average) * lost);
+}
+
+// baseLin: the base colour as a reflectance, 0 to 1. nv: n.v, above 0.
+Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float nv) {
+    Bounced bounced = bouncedOf(mix(vec3(0.04), baseLin, metallic), 1.0, roughness, nv);
+    vec3 matte = baseLin * (1.0 - metallic) * (1.0 - bounced.single - bounced.multiple);
+    return Reflectance(bounced.single, bounced.multiple + matte);
+}
+
+// With a dielectric's Fresnel reflectance of its own, as KHR_materials_ior and KHR_materials_specular give it: the mixture of a
+// dielectric and a metal. What enters the dielectric is without colour, less by its reflection's strongest channel.
+Reflectance reflectanceOf(vec3 baseLin, float metallic, float roughness, float nv, vec3 dielectricF0, float dielectricF90) {
+    Bounced dielectric = bouncedOf(dielectricF0, dielectricF90, roughness, nv), metal = bouncedOf(baseLin, 1.0, roughness, nv);
+    vec3 kept = dielectric.single + dielectric.multiple;
+    vec3 matte = baseLin * (1.0 - max(max(kept.r, kept.g), kept.b));
+    return Reflectance(mix(dielectric.single, metal.single, metallic), mix(dielectric.multiple + matte, metal.multiple, metallic));
 }

@@ -18,6 +18,10 @@ uniform vec4 baseColourLin;
 uniform vec3 emissiveLin;
 uniform float metallic;
 uniform float roughness;
+#ifdef DIELECTRIC
+uniform vec3 dielectricF0;
+uniform float dielectricF90;
+#endif
 uniform float normalScale;
 uniform float occlusionStrength;
 uniform float alphaCutoff;
@@ -174,7 +178,11 @@ vec3 litByPixel(vec3 base) {
     vec3 toEye = eyeWorld - worldPosition;
     vec3 v = normalize(toEye);
     float nv = clamp(dot(n, v), 1e-3, 1.0);
+#ifdef DIELECTRIC
+    Reflectance reflectance = reflectanceOf(base, metal, rough, nv, dielectricF0, dielectricF90);
+#else
     Reflectance reflectance = reflectanceOf(base, metal, rough, nv);
+#endif
     Incoming light = incomingLight(n, geometric, v, metal, rough, reflectance);
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP

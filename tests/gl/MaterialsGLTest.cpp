@@ -1,5 +1,8 @@
-// Materials of glTF's extensions: what is unlit shows its own colours.
+// Materials of glTF's extensions: what is unlit shows its own colours, and dielectrics reflect as much as
+// theirs says.
 #include "Spheres.h"
+#include "engine/light/InverseToneMap.h"
+#include "engine/math/Brdf.h"
 #include "engine/math/Colour.h"
 
 #include <gtest/gtest.h>
@@ -118,6 +121,100 @@ TEST_F(MaterialsGL, UnlitSurfacesHaveAlphaModes) {
         material.alphaCutoff = 0.6f;
         const ImageRgba8 nothing = drawn(scene::AlphaMode::Mask);
         EXPECT_TRUE(std::ranges::all_of(nothing.pixels, [](uint8_t value) { return value == 0; }));
+    }
+}
+
+// Every pixel that both cover, as far from each other as this at most.
+void expectAlike(const ImageRgba8& a, const ImageRgba8& b, int within) {
+    int covered = 0;
+    for (size_t i = 0; i < a.pixels.size(); i += 4) {
+        if (a.pixels[i + 3] == 0 || b.pixels[i + 3] == 0) continue;
+        ++covered;
+        for (size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(a.pixels[i + c], b.pixels[i + c], within)
+                << "channel " << c << " at " << i / 4 % kAcross << "," << i / 4 / kAcross;
+    }
+    EXPECT_GT(covered, 1000);
+}
+
+// Head on a black dielectric sends back the split sum's share of even light, and what bounces on between its
+// facets.
+TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
+    const Lit lit(uniformFrame(200, 180, 160));
+    const glm::vec3 arrives = light::radianceFromDisplay(glm::vec3(200, 180, 160) / 255.0f);
+    struct Case {
+        glm::vec3 f0;
+        float f90;
+    };
+    for (const auto& [f0, f90] : {Case{glm::vec3(0), 1}, Case{glm::vec3(0.172f), 1}, Case{glm::vec3(1), 1},
+                                  Case{{0.5f, 0.04f, 0}, 0.5f}, Case{glm::vec3(0), 0}})
+        for (const float roughness : {0.3f, 1.0f})
+            for (const render::Detail detail : kDetails) {
+                scene::Model model = sphere(0, roughness);
+                model.materials[0].baseColourLin = {0, 0, 0, 1};
+                model.materials[0].dielectricF0 = f0;
+                model.materials[0].dielectricF90 = f90;
+                // As near as the table of 64 steps goes: to the middle of its last texels.
+                constexpr double kLast = 127.0 / 128;
+                const math::Dfg dfg = math::dfg(kLast, std::min(static_cast<double>(roughness), kLast));
+                const auto scale = static_cast<float>(dfg.scale), bias = static_cast<float>(dfg.bias);
+                const glm::vec3 single = f0 * scale + f90 * bias, average = f0 + (f90 - f0) / 21.0f;
+                const float lost = 1 - scale - bias;
+                const glm::vec3 all = single + single * average / (1.0f - lost * average) * lost;
+                const glm::vec3 shown = light::displayFromRadiance(all * arrives) * 255.0f;
+                const ImageRgba8 picture =
+                    drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+                // Rounding, and the table between its steps, where dark colours are steep.
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(picture.at(32, 32)[c], shown[c], 1.5f)
+                        << "channel " << c << " F0 " << f0.x << " roughness " << roughness;
+            }
+}
+
+// KHR_materials_specular with a factor of 0: nothing is reflected at the surface, from the middle to the rim,
+// and all enters.
+TEST_F(MaterialsGL, WithoutSpecularASurfaceIsMatte) {
+    const Lit lit(uniformFrame(200, 180, 160));
+    for (const float base : {1.0f, 0.3f})
+        for (const float roughness : {0.1f, 1.0f})
+            for (const render::Detail detail : kDetails) {
+                scene::Model model = sphere(0, roughness);
+                model.materials[0].baseColourLin = glm::vec4(glm::vec3(base), 1);
+                model.materials[0].dielectricF0 = glm::vec3(0);
+                model.materials[0].dielectricF90 = 0;
+                const glm::vec3 left =
+                    std::pow(base, 1 / 2.2f) * light::radianceFromDisplay(glm::vec3(200, 180, 160) / 255.0f);
+                // A step of the display; half floats hold radiance to 1 in 2048.
+                expectColour(drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail),
+                             glm::vec4(light::displayFromRadiance(left) * 255.0f, 255), 1);
+            }
+}
+
+// An index of refraction next to 1.5 differs from it by as little, though another program draws it; no metal
+// knows of either.
+TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
+    const Lit lit(uniformFrame(200, 180, 160));
+    for (const float metallic : {0.0f, 1.0f})
+        for (const render::Detail detail : kDetails) {
+            scene::Model model = sphere(metallic, 0.4f);
+            model.materials[0].baseColourLin = {0.6f, 0.3f, 0.1f, 1};
+            const ImageRgba8 usual = drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+            model.materials[0].dielectricF0 = glm::vec3(0.0400001f);
+            if (metallic == 1) model.materials[0].dielectricF0 = {1, 0, 0.5f};
+            expectAlike(usual, drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail), 1);
+        }
+}
+
+// What a coloured reflection takes, its strongest channel decides: the matte light has no opposite colour.
+TEST_F(MaterialsGL, ColouredReflectionsLeaveTheMatteLightWithoutColour) {
+    const Lit lit(uniformFrame(128, 128, 128));
+    for (const render::Detail detail : kDetails) {
+        scene::Model model = sphere(0, 0.2f);
+        model.materials[0].dielectricF0 = {1, 0, 0}; // of a white base, whose channels would fill up
+        const ImageRgba8 picture = drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+        EXPECT_NEAR(picture.at(32, 32)[0], 128, 1);
+        EXPECT_LT(picture.at(32, 32)[1], 40);
+        EXPECT_LT(picture.at(32, 32)[2], 40);
     }
 }
 
