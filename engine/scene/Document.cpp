@@ -75,9 +75,10 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
     if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
     if (const std::string minimum = root["asset"].value("minVersion", "2.0"); minimum != "2.0")
         fault("asks for glTF version ", quoted(minimum), ", but only 2.0 is supported");
-    static const std::set<std::string> kRead = {"KHR_materials_emissive_strength", "KHR_materials_ior",
-                                                "KHR_materials_specular",          "KHR_materials_unlit",
-                                                "KHR_materials_variants",          "KHR_texture_transform"};
+    static const std::set<std::string> kRead = {"EXT_meshopt_compression", "KHR_materials_emissive_strength",
+                                                "KHR_materials_ior",       "KHR_materials_specular",
+                                                "KHR_materials_unlit",     "KHR_materials_variants",
+                                                "KHR_texture_transform"};
     for (const char* list : {"extensionsRequired", "extensionsUsed"})
         for (const std::string name : root.value(list, Json::array())) {
             if (name == "KHR_mesh_quantization")
@@ -147,11 +148,13 @@ Path confined(const Path& folder, const std::string& uri, const std::string& who
 // Cut to byteLength: a buffer may lie in a larger file, and a GLB's chunk is padded.
 std::vector<tinygltf::Buffer> readBuffers(GltfFile& file, const Json& root, const Container& container) {
     std::vector<tinygltf::Buffer> buffers;
+    const std::set<size_t> replaced = replacedBuffers(root, container.binary.has_value());
     for (const Json& from : root.value("buffers", Json::array())) {
         const std::string who = element("buffers", buffers.size());
         auto& bytes = buffers.emplace_back().data;
         const uint64_t byteLength = from["byteLength"];
         if (byteLength == 0) fault(who, ".byteLength is 0");
+        if (replaced.contains(buffers.size() - 1)) continue;
         if (from.contains("uri"))
             bytes = readUri(file, from["uri"], who);
         else if (buffers.size() == 1 && container.binary)
@@ -216,10 +219,12 @@ void readDocument(GltfFile& file) {
     readMaterialExtensions(root, file);
     readTextureTransforms(root, file);
     readVariants(root, file);
+    keepCompression(root);
     if (root.is_structured()) tidy(root);
     checkSchema(root, file.limits.maxNodes);
     checkVersionAndExtensions(file, root);
     auto buffers = readBuffers(file, root, container);
+    decompressViews(file, root, buffers);
     file.imageSources = imageSources(root);
     root.erase("buffers");
     root.erase("images");

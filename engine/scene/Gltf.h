@@ -134,6 +134,15 @@ void readDocument(GltfFile& file);
 // finite as floats; the lists are within maxElements (accessors and bufferViews within four times that).
 void checkSchema(const nlohmann::json& document, uint32_t maxElements);
 
+// EXT_meshopt_compression. root: the document with its extensions, unchecked: what buffers and their views
+// say of it becomes members of theirs, of the extension's name, for checkSchema().
+void keepCompression(nlohmann::json& root);
+// root: checked. Buffers of which no bytes are needed: their views are decoded from others'. hasBinary: the
+// file is a GLB with a BIN chunk, buffer 0's.
+std::set<size_t> replacedBuffers(const nlohmann::json& root, bool hasBinary);
+// root: checked. Each compressed view becomes one of a new buffer that holds its decoded bytes.
+void decompressViews(GltfFile& file, nlohmann::json& root, std::vector<tinygltf::Buffer>& buffers);
+
 // root: the document with its extensions, unchecked. Fills file.materialExtensions.
 void readMaterialExtensions(const nlohmann::json& root, GltfFile& file);
 // Likewise. Fills file.textureTransforms.

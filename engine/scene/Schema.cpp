@@ -13,7 +13,8 @@ using Json = nlohmann::json;
 
 // The members that are read: glTF 2.0 specification, appendix A "JSON Schema Reference". A name that ends in
 // ! must be there. "count": 0 .. 2^31-1. "@nodes": the index of an element in the top-level list `nodes`.
-// [x]: a list of x; [x, n]: of n of them. {"*": x}: an object whose every member is x.
+// [x]: a list of x; [x, n]: of n of them. {"*": x}: an object whose every member is x. Members named as an
+// extension are what keepCompression() makes of it.
 const char* const kShape = R"({
   "asset!": {"version!": "text", "minVersion": "text", "generator": "text", "copyright": "text"},
   "extensionsUsed": ["text"], "extensionsRequired": ["text"],
@@ -23,9 +24,12 @@ const char* const kShape = R"({
     "matrix": ["number", 16], "translation": ["number", 3], "rotation": ["number", 4], "scale": ["number", 3],
     "weights": ["number"]}],
   "cameras": [{"name": "text"}],
-  "buffers": [{"name": "text", "uri": "text", "byteLength!": "count"}],
+  "buffers": [{"name": "text", "uri": "text", "byteLength!": "count",
+    "EXT_meshopt_compression": {"fallback": "flag"}}],
   "bufferViews": [{"name": "text", "buffer!": "@buffers", "byteOffset": "count", "byteLength!": "count",
-    "byteStride": "count", "target": "count"}],
+    "byteStride": "count", "target": "count",
+    "EXT_meshopt_compression": {"buffer!": "@buffers", "byteOffset": "count", "byteLength!": "count",
+      "byteStride!": "count", "count!": "count", "mode!": "text", "filter": "text"}}],
   "accessors": [{"name": "text", "bufferView": "@bufferViews", "byteOffset": "count", "componentType!": "count",
     "normalized": "flag", "count!": "count", "type!": "text", "min": ["number"], "max": ["number"],
     "sparse": {"count!": "count",

@@ -50,6 +50,24 @@ void models() {
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3},
 {"buffer":0,"byteOffset":40,"byteLength":12},{"buffer":0,"byteOffset":52,"byteLength":48}],
 "buffers":[{"byteLength":100,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAECAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAA=="}]})");
+    // A compressed triangle with normals, and materials of extensions.
+    put("Gltf", "compressed.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+"extensionsRequired":["EXT_meshopt_compression","KHR_mesh_quantization"],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":2},"indices":1,"material":0},
+{"attributes":{"POSITION":0},"indices":1,"material":1}]}],
+"materials":[{"extensions":{"KHR_materials_ior":{"ior":1.4},
+"KHR_materials_specular":{"specularFactor":0.5,"specularColorFactor":[1,0.5,2]}}},{"extensions":{"KHR_materials_unlit":{}}}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"},
+{"bufferView":2,"componentType":5120,"normalized":true,"count":3,"type":"VEC3"}],
+"bufferViews":[{"buffer":1,"byteLength":36,"extensions":{"EXT_meshopt_compression":
+{"buffer":0,"byteLength":67,"byteStride":12,"count":3,"mode":"ATTRIBUTES"}}},
+{"buffer":1,"byteOffset":36,"byteLength":12,"extensions":{"EXT_meshopt_compression":
+{"buffer":0,"byteOffset":68,"byteLength":18,"byteStride":4,"count":3,"mode":"TRIANGLES"}}},
+{"buffer":1,"byteOffset":48,"byteLength":12,"byteStride":4,"extensions":{"EXT_meshopt_compression":
+{"buffer":0,"byteOffset":88,"byteLength":37,"byteStride":4,"count":3,"mode":"ATTRIBUTES","filter":"OCTAHEDRAL"}}}],
+"buffers":[{"byteLength":125,"uri":"data:application/octet-stream;base64,oAAAATwAAAD//wE8AAAAfn0AAAEMAAAA/wEMAAAAfgAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAADg8AB2h1ZneKmGZYlomAFpAAAAAKAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAfwA="},
+{"byteLength":60,"extensions":{"EXT_meshopt_compression":{"fallback":true}}}]})");
 }
 
 void replays() {
