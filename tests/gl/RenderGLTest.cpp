@@ -307,7 +307,8 @@ TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
             const ImageRgba8 picture =
-                drawSphere(sphere(1, 0), environment, view, 0, 9, {}, render::Detail::Full, 0, coding);
+                drawSphere(sphere(1, 0), environment, view, 0, 9, {}, render::Detail::Full, 0,
+                           render::ShownQuantity::Light, coding);
             // The middle of the sphere throws the look back whence it came.
             const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
             // 1/255 asked for, and half a step of rounding in the frame.
@@ -331,7 +332,7 @@ TEST_F(RenderGL, ClippedLightIsWhiteInAMirrorAndMoreThanThatOnTheGround) {
         environment.uploadLight(lightOf(frame, radiance));
         const auto drawn = [&](float metallic, float roughness, float ev) {
             return drawSphere(sphere(metallic, roughness), environment, view, ev, 9, {}, render::Detail::Full,
-                              0, render::FrameCoding::Srgb)
+                              0, render::ShownQuantity::Light, render::FrameCoding::Srgb)
                 .at(4, 4)[1];
         };
         EXPECT_EQ(drawn(1, 0, 0), 255);
@@ -355,7 +356,7 @@ TEST_F(RenderGL, LightBeyondHalfFloatsIsScaled) {
     for (const float metallic : {0.0f, 1.0f}) {
         const ImageRgba8 picture =
             drawSphere(sphere(metallic, metallic == 1 ? 0.0f : 1.0f), environment, view, -22, 9, {},
-                       render::Detail::Full, 0, render::FrameCoding::Srgb);
+                       render::Detail::Full, 0, render::ShownQuantity::Light, render::FrameCoding::Srgb);
         EXPECT_NEAR(picture.at(4, 4)[1], 255 * math::srgbFromLinear(0.25f), 1.5f) << metallic;
     }
 }
@@ -417,7 +418,8 @@ TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
         for (const float ev : {-1.5f, 0.0f, 0.7f, 3.0f}) {
             const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
             const ImageRgba8 object =
-                drawSphere(sphere(0, 1), environment, view, ev, 9, {}, render::Detail::Full, 0, coding);
+                drawSphere(sphere(0, 1), environment, view, ev, 9, {}, render::Detail::Full, 0,
+                           render::ShownQuantity::Light, coding);
             const gl::Target target(9, 9, 1);
             target.bind();
             glClear(GL_DEPTH_BUFFER_BIT);

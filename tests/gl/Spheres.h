@@ -66,8 +66,9 @@ inline light::PackedLight lightOf(const ImageRgb8& frame,
 inline ImageRgba8 drawSphere(const scene::Model& model, const render::EnvironmentGpu& environment,
                              const render::View& view, float exposure_ev, int size,
                              const water::Water& water = {}, render::Detail detail = render::Detail::Full,
-                             float highlight = 0, render::FrameCoding frames = render::FrameCoding::Thesis) {
-    auto pass = render::ObjectPass::make(detail);
+                             float highlight = 0, render::ShownQuantity shown = render::ShownQuantity::Light,
+                             render::FrameCoding frames = render::FrameCoding::Thesis) {
+    auto pass = render::ObjectPass::make(detail, true, shown);
     EXPECT_TRUE(pass) << pass.error().message();
     const auto reflectance =
         frames == render::FrameCoding::Thesis ? render::Reflectance::Coded : render::Reflectance::Linear;
