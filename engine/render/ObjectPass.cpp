@@ -20,7 +20,7 @@ namespace {
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER), F(TONE_ACES),  \
         F(TONE_LINEAR), F(FRAME_SRGB), F(SCALED_LIGHT), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT),           \
         F(OCCLUDED), F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(UNLIT), F(DIELECTRIC),  \
-        F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+        F(CLEARCOAT), F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
 #define SHOAL_BIT(name) name##_BIT
 enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
 #define SHOAL_FEATURE(name) name = 1u << name##_BIT
@@ -41,6 +41,7 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
     if (material.occlusion.texture >= 0) features |= OCCLUSION_MAP;
     if (material.emissive.texture >= 0) features |= EMISSIVE_MAP;
     if (material.dielectricF0 != glm::vec3(0.04f) || material.dielectricF90 != 1) features |= DIELECTRIC;
+    if (material.clearcoat > 0) features |= CLEARCOAT;
     if (material.alphaMode == scene::AlphaMode::Mask) features |= ALPHA_MASK;
     if (material.alphaMode == scene::AlphaMode::Blend) features |= ALPHA_BLEND;
     return features;
@@ -313,6 +314,8 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
     program.set("roughness", lean ? item.primitive->gloss.meanRoughness : material.roughness);
     program.set("dielectricF0", material.dielectricF0);
     program.set("dielectricF90", material.dielectricF90);
+    program.set("clearcoat", material.clearcoat);
+    program.set("clearcoatRoughness", material.clearcoatRoughness);
     program.set("highlight", item.highlight);
     program.set("twoSided", material.doubleSided ? 1.0f : 0.0f);
     program.set("normalScale", material.normalScale);

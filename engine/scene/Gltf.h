@@ -86,6 +86,8 @@ struct MaterialExtensions {
     double specularFactor = 1;
     std::array<double, 3> specularColour = {1, 1, 1};
     bool specularTextures = false;
+    double clearcoatFactor = 0, clearcoatRoughness = 0; // KHR_materials_clearcoat
+    bool clearcoatTextures = false;
 };
 
 // What a set of texture coordinates is made of: a set of the file's, transformed.

@@ -41,6 +41,7 @@ struct Material {
     // Fresnel reflectance of what is no metal, head on and at grazing angles
     glm::vec3 dielectricF0{0.04f};
     float dielectricF90 = 1;
+    float clearcoat = 0, clearcoatRoughness = 0; // of a layer over all of it: how much there is, perceptual
     glm::vec3 emissiveLin{0};
     float normalScale = 1;
     float occlusionStrength = 1;

@@ -83,6 +83,14 @@ void readDielectric(GltfFile& file, const MaterialExtensions& from, const std::s
         file.warn(who, ": the textures of KHR_materials_specular are left out; its factors are taken");
 }
 
+void readClearcoat(GltfFile& file, const MaterialExtensions& from, const std::string& who,
+                   Material& material) {
+    material.clearcoat = within(file, from.clearcoatFactor, 1, who + ".clearcoatFactor");
+    material.clearcoatRoughness = within(file, from.clearcoatRoughness, 1, who + ".clearcoatRoughnessFactor");
+    if (from.clearcoatTextures)
+        file.warn(who, ": the textures of KHR_materials_clearcoat are left out; its factors are taken");
+}
+
 Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t index, const std::string& who) {
     const auto factor = [&](double value, double high, const char* name) {
         return within(file, value, high, who + name);
@@ -119,6 +127,7 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
     material.metallic = factor(pbr.metallicFactor, 1, ".pbrMetallicRoughness.metallicFactor");
     material.roughness = factor(pbr.roughnessFactor, 1, ".pbrMetallicRoughness.roughnessFactor");
     readDielectric(file, extensions, who, material);
+    readClearcoat(file, extensions, who, material);
     const float emissiveStrength =
         factor(extensions.emissiveStrength, kMaxEmissiveStrength, ".emissiveStrength");
     for (int i = 0; i < 3; ++i)
@@ -152,6 +161,7 @@ constexpr double kMaxTransform = 1e4; // of its numbers, either way
 constexpr const char* kUnlit = "KHR_materials_unlit";
 constexpr const char* kIor = "KHR_materials_ior";
 constexpr const char* kSpecular = "KHR_materials_specular";
+constexpr const char* kClearcoat = "KHR_materials_clearcoat";
 constexpr const char* kVariants = "KHR_materials_variants";
 constexpr size_t kMaxVariants = 256;
 
@@ -216,8 +226,14 @@ void readMaterialExtensions(const Json& root, GltfFile& file) {
         if (const Json& colour = list(specular, "specularColorFactor"); colour.size() == 3)
             for (size_t i = 0; i < 3; ++i)
                 if (colour[i].is_number()) read.specularColour[i] = colour[i].get<double>();
-        read.specularTextures = specular.is_object() && (specular.contains("specularTexture") ||
-                                                         specular.contains("specularColorTexture"));
+        read.specularTextures = member(specular, "specularTexture").is_object() ||
+                                member(specular, "specularColorTexture").is_object();
+        const Json& clearcoat = extension(material, kClearcoat);
+        read.clearcoatFactor = number(clearcoat, "clearcoatFactor", 0);
+        read.clearcoatRoughness = number(clearcoat, "clearcoatRoughnessFactor", 0);
+        for (const char* texture :
+             {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"})
+            read.clearcoatTextures |= member(clearcoat, texture).is_object();
     }
 }
 

@@ -142,8 +142,9 @@ glm::vec3 meanBaseColour(const Model& model) {
 }
 
 Gloss glossOf(const Model& model, const Material& material) {
+    const float coat = material.clearcoat > 0 ? material.clearcoatRoughness : 1;
     const ImageRgba8* texels = model.imageOf(material.metallicRoughness);
-    if (!texels) return {material.roughness, material.roughness, material.metallic};
+    if (!texels) return {std::min(material.roughness, coat), material.roughness, material.metallic};
     std::array<size_t, 256> counts{};
     double roughness = 0, metallic = 0;
     for (size_t i = 0; i < texels->pixels.size(); i += 4) {
@@ -154,7 +155,7 @@ Gloss glossOf(const Model& model, const Material& material) {
     size_t below = 0, value = 0;
     while (value < 255 && (below += counts[value]) * 100 <= texels->pixels.size() / 4) ++value;
     const double share = 4.0 / (255.0 * static_cast<double>(std::max<size_t>(texels->pixels.size(), 4)));
-    return {material.roughness * static_cast<float>(value) / 255.0f,
+    return {std::min(material.roughness * static_cast<float>(value) / 255.0f, coat),
             material.roughness * static_cast<float>(roughness * share),
             material.metallic * static_cast<float>(metallic * share)};
 }

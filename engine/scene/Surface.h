@@ -29,8 +29,8 @@ glm::vec3 meanBaseColour(const Model& model);
 // Roughness and metalness of a material, from factors and textures: they decide which prefiltered light maps
 // are made.
 struct Gloss {
-    // The least perceptual roughness; where a texture gives it, all but the smoothest hundredth of its texels
-    // are at least as rough.
+    // The least perceptual roughness, of the clearcoat too; where a texture gives it, all but the smoothest
+    // hundredth of its texels are at least as rough.
     float minRoughness = 1;
     float meanRoughness = 1, meanMetallic = 1; // over the texture that gives them, times the factors
 };

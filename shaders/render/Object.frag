@@ -4,6 +4,9 @@ uniform mat3 envFromWorld;
 #include "light/LatLong.glsl"
 #include "light/Environment.glsl"
 #include "light/Surface.glsl"
+#ifdef CLEARCOAT
+#include "render/Clearcoat.glsl"
+#endif
 #ifdef PHONG_RINGS
 #include "light/PhongRings.glsl"
 #endif
@@ -129,10 +132,10 @@ vec3 shadingNormal(out vec3 geometric) {
     return n * facing;
 }
 
-// Radiance that arrives, filtered: around the normal for diffuse reflection, unoccluded and with what bodies take, and
-// around the mirror direction for glossy.
+// Radiance that arrives, filtered: around the normal for diffuse reflection, unoccluded and with what bodies take, around
+// the mirror direction for glossy, and around that of the clearcoat.
 struct Incoming {
-    vec3 unoccluded, around, mirrored;
+    vec3 unoccluded, around, mirrored, coat;
 };
 
 Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough, Reflectance reflectance) {
@@ -149,6 +152,9 @@ Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough,
     light.around = diffuseRadiance(envFromWorld * n);
 #endif
     light.unoccluded = light.around;
+#ifdef CLEARCOAT
+    light.coat = glossyRadiance(envFromWorld * reflect(-v, geometric), clearcoatRoughness);
+#endif
 #ifdef OCCLUDED
 #ifndef VERTEX_DIFFUSE
     Shaded shaded = occludeByEllipsoids(envFromWorld * worldPosition, envFromWorld * n, r, rough, gl_FrontFacing ? envSelfOcclusion : vec4(0.0));
@@ -156,6 +162,9 @@ Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough,
     vec4 bodiesInLobe = vec4(shaded.seenInLobe, shaded.lobeVisibility);
 #endif
     light.mirrored = light.mirrored * bodiesInLobe.a + bodiesInLobe.rgb;
+#ifdef CLEARCOAT
+    light.coat = light.coat * bodiesInLobe.a + bodiesInLobe.rgb;
+#endif
 #endif
 #ifdef LAYERS
     if (max(max(reflectance.around.r, reflectance.around.g), reflectance.around.b) > 0.02)
@@ -204,7 +213,11 @@ vec3 litByPixel(vec3 base) {
     return vec3(1.0 / (1.0 + length(toEye)));
 #endif
     vec3 radiance = reflectance.mirrored * light.mirrored * openMirrored + reflectance.around * light.around * open;
-    return lightened(throughWater(displayOfExposed((radiance + emitted()) * exposureScale)), highlightOf(highlight, dot(geometric, v)));
+    radiance += emitted();
+#ifdef CLEARCOAT
+    radiance = mix(radiance, light.coat * openMirrored, clearcoatReflectance(clamp(dot(geometric, v), 1e-3, 1.0)));
+#endif
+    return lightened(throughWater(displayOfExposed(radiance * exposureScale)), highlightOf(highlight, dot(geometric, v)));
 }
 #elif defined(UNLIT)
 // KHR_materials_unlit, always with VERTEX_LIT: the base colour as it is, coded in, coded out, as the video's own colours are at

@@ -1,6 +1,6 @@
 // The light that a vertex sends to the eye, for what does not fill the picture where the processor draws: the sums of
 // Object.frag without relief, put so that they are linear in the base colour, which the pixel brings. For metals their further
-// bounces are taken to have the base colour once. Needs light/Environment.glsl.
+// bounces are taken to have the base colour once. A clearcoat does not dim what glows. Needs light/Environment.glsl.
 uniform sampler2D dfgTable;
 uniform float metallic, roughness;
 #ifdef DIELECTRIC
@@ -9,6 +9,9 @@ uniform float dielectricF90;
 #else
 const vec3 dielectricF0 = vec3(0.04);
 const float dielectricF90 = 1.0;
+#endif
+#ifdef CLEARCOAT
+#include "render/Clearcoat.glsl"
 #endif
 
 // p: world; self-occlusion: occlusion::traceSelfOcclusion(), light's frame; n, v: unit, world, to the surface's outside and to the eye.
@@ -28,4 +31,13 @@ void lightVertex(vec3 p, vec3 n, vec3 v, vec4 selfOcclusion, out vec3 perBaseLin
 #endif
     perBaseLin = mix((1.0 - max(max(kept.r, kept.g), kept.b)) * around, dfg.x * mirrored + lost * around, metallic);
     besidesLin = mix(single * mirrored + multiple * around, dfg.y * mirrored, metallic);
+#ifdef CLEARCOAT
+    vec3 coat = glossyRadiance(envFromWorld * reflect(-v, n), clearcoatRoughness);
+#ifdef OCCLUDED
+    coat = coat * shaded.lobeVisibility + shaded.seenInLobe;
+#endif
+    float coatShare = clearcoatReflectance(nv);
+    perBaseLin *= 1.0 - coatShare;
+    besidesLin = mix(besidesLin, coat, coatShare);
+#endif
 }

@@ -218,5 +218,52 @@ TEST_F(MaterialsGL, ColouredReflectionsLeaveTheMatteLightWithoutColour) {
     }
 }
 
+// KHR_materials_clearcoat. Head on, over what reflects nothing, its own share of even light.
+TEST_F(MaterialsGL, ClearcoatsReflectTheirShareHeadOn) {
+    const Lit lit(uniformFrame(250, 240, 230));
+    const glm::vec3 arrives = light::radianceFromDisplay(glm::vec3(250, 240, 230) / 255.0f);
+    for (const float coat : {1.0f, 0.5f})
+        for (const float coatRoughness : {0.0f, 0.5f})
+            for (const render::Detail detail : kDetails) {
+                scene::Model model = sphere(0, 1);
+                model.materials[0].baseColourLin = {0, 0, 0, 1};
+                model.materials[0].dielectricF0 = glm::vec3(0);
+                model.materials[0].dielectricF90 = 0;
+                model.materials[0].clearcoat = coat;
+                model.materials[0].clearcoatRoughness = coatRoughness;
+                const math::Dfg dfg =
+                    math::dfg(127.0 / 128, std::max(static_cast<double>(coatRoughness), 1.0 / 128));
+                const auto share = coat * static_cast<float>(0.04 * dfg.scale + dfg.bias);
+                const glm::vec3 shown = light::displayFromRadiance(share * arrives) * 255.0f;
+                const ImageRgba8 picture =
+                    drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(picture.at(32, 32)[c], shown[c], 1.5f)
+                        << "channel " << c << " coat " << coat << " roughness " << coatRoughness;
+            }
+}
+
+// What it reflects does not reach what lies below: white in even light stays white, and what glows is dimmed
+// by as much.
+TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
+    const glm::vec4 video(200, 180, 160, 255);
+    const Lit lit(uniformFrame(200, 180, 160));
+    for (const float coatRoughness : {0.0f, 0.4f, 1.0f})
+        for (const render::Detail detail : kDetails) {
+            scene::Model model = sphere(0, 1);
+            model.materials[0].clearcoat = 1;
+            model.materials[0].clearcoatRoughness = coatRoughness;
+            // A step of the display; half floats hold radiance to 1 in 2048.
+            expectColour(drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail), video, 1);
+        }
+    scene::Model glowing = sphere(0, 1);
+    glowing.materials[0].baseColourLin = {0, 0, 0, 1};
+    glowing.materials[0].dielectricF0 = glm::vec3(0);
+    glowing.materials[0].dielectricF90 = 0;
+    glowing.materials[0].emissiveLin = light::radianceFromDisplay(glm::vec3(video) / 255.0f);
+    glowing.materials[0].clearcoat = 1;
+    expectColour(drawSphere(glowing, lit.environment, kSphereView, 0, kAcross), video, 1);
+}
+
 } // namespace
 } // namespace shoal
