@@ -75,10 +75,10 @@ void checkVersionAndExtensions(GltfFile& file, const Json& root) {
     if (!version.starts_with("2.")) fault("is glTF version ", quoted(version), ", not 2.0");
     if (const std::string minimum = root["asset"].value("minVersion", "2.0"); minimum != "2.0")
         fault("asks for glTF version ", quoted(minimum), ", but only 2.0 is supported");
-    static const std::set<std::string> kRead = {"EXT_meshopt_compression", "KHR_materials_emissive_strength",
-                                                "KHR_materials_clearcoat", "KHR_materials_ior",
-                                                "KHR_materials_specular",  "KHR_materials_unlit",
-                                                "KHR_materials_variants",  "KHR_texture_transform"};
+    static const std::set<std::string> kRead = {"EXT_meshopt_compression",         "KHR_materials_clearcoat",
+                                                "KHR_materials_emissive_strength", "KHR_materials_ior",
+                                                "KHR_materials_specular",          "KHR_materials_unlit",
+                                                "KHR_materials_variants",          "KHR_texture_transform"};
     for (const char* list : {"extensionsRequired", "extensionsUsed"})
         for (const std::string name : root.value(list, Json::array())) {
             if (name == "KHR_mesh_quantization")
