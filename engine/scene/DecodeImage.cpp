@@ -1,5 +1,6 @@
 #include "engine/scene/Gltf.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -46,6 +47,33 @@ struct FreePixels {
 // decoding. Encoders write about ten.
 constexpr int kMaxScans = 100;
 
+// Whether some Huffman table of a JPEG lists more than 256 codes: stb_image before 2.28 takes any number for
+// true and writes past its tables, even where it only reads a picture's size. Goes from marker to marker, as
+// stb does and further: past what is no marker, and through entropy-coded data. ITU-T T.81, B.1.1 and
+// B.2.4.2.
+bool hasOverlongHuffmanTable(std::span<const uint8_t> bytes) {
+    constexpr size_t kMostCodes = 256,
+                     kTableHeader = 17; // class and place, and the number of codes of each length
+    const auto byte = [&](size_t at) -> size_t { return at < bytes.size() ? bytes[at] : 0; };
+    for (size_t at = 0; at < bytes.size();) {
+        if (bytes[at++] != 0xFF) continue;
+        while (byte(at) == 0xFF) ++at; // fill bytes
+        const size_t marker = byte(at++);
+        if (marker == 0xD9) return false; // end of the image
+        // Those without a segment: stuffed zero, restarts, start of the image.
+        if (marker == 0 || (marker >= 0xD0 && marker <= 0xD8)) continue;
+        const size_t end = at + std::max<size_t>(byte(at) << 8 | byte(at + 1), 2);
+        for (size_t table = at + 2; marker == 0xC4 && table < end;) {
+            size_t codes = 0;
+            for (size_t i = 1; i < kTableHeader; ++i) codes += byte(table + i);
+            if (codes > kMostCodes) return true;
+            table += kTableHeader + codes;
+        }
+        at = end;
+    }
+    return false;
+}
+
 int countScans(std::span<const uint8_t> bytes) {
     int scans = 0;
     for (size_t i = 0; i + 1 < bytes.size(); ++i) scans += bytes[i] == 0xFF && bytes[i + 1] == 0xDA;
@@ -56,7 +84,9 @@ int countScans(std::span<const uint8_t> bytes) {
 
 ImageRgba8 decodeImage(GltfFile& file, std::span<const uint8_t> bytes, const std::string& who) {
     const auto size = static_cast<int>(bytes.size()); // files are smaller than 2 GiB
-    largestPiece = 1 << 20;                           // the JPEG reader's state is some 20 KiB
+    if (!bytes.empty() && bytes[0] == 0xFF && hasOverlongHuffmanTable(bytes))
+        fault(who, " has a Huffman table of more than 256 codes");
+    largestPiece = 1 << 20; // the JPEG reader's state is some 20 KiB
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) || width < 1 || height < 1)
         fault(who, " is not a PNG or JPEG image that can be read");
