@@ -54,7 +54,7 @@ struct Seen {
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
 
 SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by) {
-    constexpr int kTexels = 256; // at a time
+    constexpr int kTexels = 512; // at a time
     std::array<float, kTexels> light, seen;
     Ground ground;
     for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
@@ -62,7 +62,7 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by) {
         for (int x = 0; x < count; ++x) {
             const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
             const float most = std::max(std::max(red, green), blue);
-            const float part = ramp((most - by.first) * by.perRise) * ramp((by.last - most) * by.perFall);
+            const float part = ramp(std::min((most - by.first) * by.perRise, (by.last - most) * by.perFall));
             seen[static_cast<size_t>(x)] = part;
             light[static_cast<size_t>(x)] = part * luminance(red, green, blue);
         }
