@@ -99,6 +99,8 @@ InverseToneMapMethod rempel();
 // The blur weighed by likeness of luminance. Kovaleski and Oliveira 2014, "High-Quality Reverse Tone Mapping
 // for a Wide Range of Exposures".
 InverseToneMapMethod kovaleski();
+// The inverse of Reinhard's operator, white to 10, weighed by the density of lights: Banterle.cpp.
+InverseToneMapMethod banterle();
 
 // --- All of them, in the order of the chart --------------------------------------------------------------
 

@@ -1,8 +1,8 @@
 #include "tests/baselines/light/Baselines.h"
+#include "tests/baselines/light/Expand.h"
 
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Pyramid.h"
-#include "engine/math/Colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,24 +11,6 @@
 namespace shoal::light::baselines {
 
 namespace {
-
-float luminance(const glm::vec3& linear) {
-    return 0.2126f * linear.x + 0.7152f * linear.y + 0.0722f * linear.z; // Rec. 709
-}
-
-glm::vec3 decoded(const glm::vec3& coded) {
-    return {math::linearFromSrgb(coded.x), math::linearFromSrgb(coded.y), math::linearFromSrgb(coded.z)};
-}
-
-// expand(coded colour): 0 to 1 in, linear radiance out.
-template <class Expand> void forEach(const ImageRgb8& frame, ImageRgbF& out, Expand&& expand) {
-    if (out.width != frame.width || out.height != frame.height) out = ImageRgbF(frame.width, frame.height);
-    for (size_t i = 0; i < frame.pixels.size(); i += 3) {
-        const uint8_t* coded = &frame.pixels[i];
-        const glm::vec3 radiance = expand(glm::vec3(coded[0], coded[1], coded[2]) / 255.0f);
-        for (int c = 0; c < 3; ++c) out.pixels[i + static_cast<size_t>(c)] = radiance[c];
-    }
-}
 
 template <class Expand> InverseToneMapMethod method(Label label, Expand expand) {
     return {std::move(label),
@@ -143,14 +125,14 @@ InverseToneMapMethod thesisInverse(bool linearised) {
     if (linearised)
         return method({"thesis' operator, of linearised values", "", "", "thesis, eq. 4.1 to 4.3"},
                       [](const glm::vec3& coded) { return radianceFromDisplay(decoded(coded)); });
-    return method({"thesis' operator, of coded values", "", "", "thesis, eq. 4.1 to 4.3", Role::Default},
+    return method({"thesis' operator, of coded values", "", "", "thesis, eq. 4.1 to 4.3", Role::Thesis},
                   [](const glm::vec3& coded) { return radianceFromDisplay(coded); });
 }
 
 InverseToneMapMethod plainLinear() { return method({"sRGB decoded", "", "", "IEC 61966-2-1"}, decoded); }
 
 InverseToneMapMethod clippedLight() {
-    return {{"clipped light by the ground's", "", "", "this project"},
+    return {{"clipped light by the ground's", "", "", "this project", Role::Default},
             [](const ImageRgb8& frame, ImageRgbF& out) {
                 // At the frame's own width, or the next power of two below.
                 PyramidMaker maker;

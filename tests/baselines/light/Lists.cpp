@@ -40,7 +40,8 @@ std::vector<InverseToneMapMethod> inverseToneMapMethods() {
             masia2009(),
             masia2017(),
             rempel(),
-            kovaleski()};
+            kovaleski(),
+            banterle()};
 }
 
 } // namespace shoal::light::baselines

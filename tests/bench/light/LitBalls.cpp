@@ -1,5 +1,6 @@
 #include "tests/bench/light/LitBalls.h"
 
+#include "engine/light/FindLights.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/light/Lookup.h"
 #include "engine/light/MakeLight.h"
@@ -112,6 +113,16 @@ light::EnvironmentLight lightOf(const Environment& filmed, light::FrameRadiance 
     return made;
 }
 
+double shadowOf(const light::EnvironmentLight& light) {
+    light::FoundLights found;
+    light::LightFinder().find(light.radiance, found);
+    const glm::vec3 luma(0.2126f, 0.7152f, 0.0722f);
+    if (found.count == 0) return 0;
+    const light::FoundLight& first = found.lights[0];
+    return static_cast<double>(glm::dot(first.irradiance, luma) * std::max(first.direction.y, 0.0f) /
+                               glm::dot(found.groundIrradiance, luma));
+}
+
 } // namespace
 
 Result<LitBalls> lightBalls(const Path& sheet) {
@@ -132,6 +143,8 @@ Result<LitBalls> lightBalls(const Path& sheet) {
         BallErrors& errors = balls.errors.emplace_back(filmed->name);
         std::array<light::EnvironmentLight, kWays.size()> lights;
         for (size_t way = 0; way < kWays.size(); ++way) lights[way] = lightOf(*filmed, kWays[way]);
+        for (const light::EnvironmentLight& each : lights) errors.shadow.push_back(shadowOf(each));
+        errors.shadow.push_back(shadowOf(truth));
         for (const Ball ball : {Ball::Matte, Ball::Glossy}) {
             int left = ball == Ball::Matte ? 0 : kColumns / 2 * kTile;
             std::vector<glm::vec3> want;
@@ -155,8 +168,8 @@ Result<LitBalls> lightBalls(const Path& sheet) {
 }
 
 std::string ballTable(const LitBalls& balls) {
-    std::string out = "| frame | matte: thesis | linear | auto | glossy: thesis | linear | auto |\n"
-                      "|---|--:|--:|--:|--:|--:|--:|\n";
+    std::string out = "| frame | matte: thesis | linear | auto | glossy: thesis | linear | auto | shadow, %: "
+                      "thesis | linear | auto | true |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     std::array<std::vector<double>, 2 * kWays.size()> columns;
     for (const BallErrors& each : balls.errors) {
         out += "| " + each.frame + " |";
@@ -165,11 +178,12 @@ std::string ballTable(const LitBalls& balls) {
             out += text(" %.3f |", error);
             columns[i].push_back(error);
         }
+        for (const double share : each.shadow) out += text(" %.0f |", 100 * share);
         out += "\n";
     }
     out += "| median |";
     for (auto& column : columns) out += text(" %.3f |", median(std::move(column)));
-    return out + "\n";
+    return out + " | | | |\n";
 }
 
 } // namespace shoal::bench

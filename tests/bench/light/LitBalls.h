@@ -14,6 +14,9 @@ namespace shoal::bench {
 struct BallErrors {
     std::string frame;
     std::vector<double> matte, glossy; // thesis, linear, auto
+    // How much of the light on level ground the strongest light gives, so that its shadow takes as much: as
+    // those three have it, and truly.
+    std::vector<double> shadow;
 };
 
 struct LitBalls {
@@ -23,7 +26,7 @@ struct LitBalls {
 // sheet: a JPEG of five frames, a row each: thesis, linear, auto, the true light; matte, then glossy.
 Result<LitBalls> lightBalls(const Path& sheet);
 
-// A table with the means over all frames.
+// A table, its last row the medians over all frames.
 std::string ballTable(const LitBalls& balls);
 
 } // namespace shoal::bench

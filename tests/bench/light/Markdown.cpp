@@ -173,7 +173,10 @@ exposed is not the operator's to know. For each picture diffuse and glossy 0.5.
 
 A matte ball of albedo 0.5, and one that mirrors half at roughness 0.5, in frames of our films: root mean square difference of
 what is displayed (0 to 1) to the same ball in the light that the frame was filmed in, which is as bright as the frame's
-unclipped pixels. Nothing is scaled.
+unclipped pixels. Nothing is scaled. Shadow: how much of the light on level ground comes from the strongest light, which is what
+its shadow takes away.
+
+![Matte and glossy balls: thesis, linear, auto, their true light](balls.jpg)
 
 )";
     md += ballTable(chart.balls) + "\n## Environments\n\n" + environmentList(chart);

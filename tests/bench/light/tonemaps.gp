@@ -7,7 +7,7 @@ all = int(system(sprintf("grep -c . '%s'", data)))
 name(i) = system(sprintf("sed -n '%ds/.*\"\\(.*\\)\"/\\1/p' '%s'", i, data))
 field(i, column) = real(word(system(sprintf("sed -n '%dp' '%s'", i, data)), column))
 colours = "#D55E00 #0072B2 #009E73 #E69F00 #CC79A7 #56B4E9 #000000"
-shapes = "5 7 9 11 13 4 6 8 10 12 2"
+shapes = "5 7 9 11 13 4 6 8 10 12 2 14"
 do for [kind in "svg png"] {
     if (kind eq "svg") { set terminal svg size 900,620 font "DejaVu Sans,12" background "white" } \
     else { set terminal pngcairo size 1800,1240 font "DejaVu Sans,12" fontscale 2 linewidth 2 pointscale 2 background "white" }
