@@ -91,7 +91,8 @@ TEST_F(LightPackage, OgreDrawsThePictureOfShoalView) {
                       video = quoted(kSource / "content/video/reef.mp4");
     ASSERT_TRUE(run(quoted(kScratch / "example/ogre_light") + " " + model + " " + video + " 5 60 75 2 " +
                     quoted(ogre)));
-    ASSERT_TRUE(run(quoted(Path(tests::program())) + " view " + model + " --occlusion off --video " + video +
+    ASSERT_TRUE(run(quoted(Path(tests::program())) + " view " + model +
+                    " --occlusion off --light thesis --video " + video +
                     " --at 5 --orbit 60,75,2 --size 768x768 --out " + quoted(shoal)));
     const auto theirs = media::readPicture(ogre), ours = media::readPicture(shoal);
     ASSERT_TRUE(theirs && ours);

@@ -1,4 +1,4 @@
-// A glTF model in OGRE, lit by a 360-degree video: the picture that `shoal view` draws.
+// A glTF model in OGRE, lit by a 360-degree video: the picture that `shoal view --light thesis` draws.
 #include <Ogre.h>
 #include <ShoalLight.hpp>
 #include <opencv2/core.hpp>
