@@ -166,7 +166,7 @@ Status measureCost(const app::SessionConfig& plan, Stages& stages, int rounds, R
             app::SceneRenderer& sceneRenderer = stages.ways[way];
             const Clock::time_point began = Clock::now();
             const double processorBegan_ms = processor_ms();
-            sceneRenderer.set(run.shown, **environment, (*environment)->exposure(Tone::Auto, 0));
+            sceneRenderer.set(run.shown, **environment, (*environment)->exposure(app::Tone::Auto, 0));
             if (Status s = drawPicture(sceneRenderer, viewOf(run.shown, 0, kPicture.y), target); !s) return s;
             glFinish();
             const double wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
