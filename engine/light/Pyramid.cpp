@@ -14,16 +14,22 @@ namespace shoal::light {
 
 namespace {
 
-// One row of coded bytes to linear planes; the arithmetic of radianceFromDisplay().
-SHOAL_VECTORISE
-void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
-               float* __restrict green, float* __restrict blue) {
+// One row's bytes to planes of floats.
+inline void splitRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
+                     float* __restrict green, float* __restrict blue) {
     const int blueAt = 2 - redAt;
     for (int x = 0; x < width; ++x) {
         red[x] = static_cast<float>(bytes[3 * x + redAt]);
         green[x] = static_cast<float>(bytes[3 * x + 1]);
         blue[x] = static_cast<float>(bytes[3 * x + blueAt]);
     }
+}
+
+// One row of coded bytes to linear planes; the arithmetic of radianceFromDisplay().
+SHOAL_VECTORISE
+void decodeRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
+               float* __restrict green, float* __restrict blue) {
+    splitRow(bytes, width, redAt, red, green, blue);
     constexpr float kUnit = 1.0f / 255.0f;
     for (int x = 0; x < width; ++x) {
         const float r = red[x] * kUnit, g = green[x] * kUnit, b = blue[x] * kUnit;
@@ -52,12 +58,7 @@ inline float linearOf(float byte) {
 SHOAL_VECTORISE
 void decodeLinearRow(const uint8_t* __restrict bytes, int width, int redAt, float* __restrict red,
                      float* __restrict green, float* __restrict blue) {
-    const int blueAt = 2 - redAt;
-    for (int x = 0; x < width; ++x) {
-        red[x] = static_cast<float>(bytes[3 * x + redAt]);
-        green[x] = static_cast<float>(bytes[3 * x + 1]);
-        blue[x] = static_cast<float>(bytes[3 * x + blueAt]);
-    }
+    splitRow(bytes, width, redAt, red, green, blue);
     for (int x = 0; x < width; ++x) {
         red[x] = linearOf(red[x]);
         green[x] = linearOf(green[x]);

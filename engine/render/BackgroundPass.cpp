@@ -1,6 +1,7 @@
 #include "engine/render/BackgroundPass.h"
 
 #include "engine/gl/Renderer.h"
+#include "engine/render/ToneFeatures.h"
 #include "engine/render/software/SoftwareBackground.h"
 #include "shaders/render/Attributes.glsl"
 
@@ -13,23 +14,15 @@ namespace shoal::render {
 namespace {
 
 enum FeatureBit : unsigned {
-    kPolarBit = 1u << 0,
-    kAsIs = 1u << 1,
-    kFrameIsCoded = 1u << 2,
-    kFrameIsSrgb = 1u << 3,
-    kAces = 1u << 4,
-    kLinear = 1u << 5,
+    kPolarBit = 1u << kToneFeatures,
+    kAsIs = 1u << (kToneFeatures + 1),
+    kFrameIsCoded = 1u << (kToneFeatures + 2),
 };
-constexpr std::array<const char*, 6> kBackgroundDefines = {"POLAR",      "AS_IS",     "FRAME_IS_CODED",
-                                                           "FRAME_SRGB", "TONE_ACES", "TONE_LINEAR"};
+constexpr std::array kBackgroundDefines = {SHOAL_TONE_DEFINES, "POLAR", "AS_IS", "FRAME_IS_CODED"};
 
 unsigned featuresOf(const EnvironmentGpu& environment, const Exposure& exposure) {
     if (showsFrameAsCoded(environment, exposure)) return kAsIs;
-    return (environment.frameIsCoded() ? kFrameIsCoded : 0u) |
-           (exposure.frames == FrameCoding::Srgb ? kFrameIsSrgb : 0u) |
-           (exposure.curve == ToneCurve::Aces ? kAces
-            : exposure.isLinear()             ? kLinear
-                                              : 0u);
+    return toneFeatures(exposure) | (environment.frameIsCoded() ? kFrameIsCoded : 0u);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
+#include "engine/render/ToneFeatures.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <algorithm>
@@ -17,16 +18,16 @@ namespace {
 // it is first seen. Those from SHOW_NORMALS on as ShownQuantity orders them.
 #define SHOAL_FEATURES(F)                                                                                    \
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
-        F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER), F(TONE_ACES),  \
-        F(TONE_LINEAR), F(FRAME_SRGB), F(SCALED_LIGHT), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT),           \
-        F(OCCLUDED), F(VERTEX_COLOURS), F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(UNLIT), F(DIELECTRIC),  \
-        F(CLEARCOAT), F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+        F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER),                \
+        F(SCALED_LIGHT), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT), F(OCCLUDED), F(VERTEX_COLOURS),          \
+        F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(UNLIT), F(DIELECTRIC), F(CLEARCOAT), F(SHOW_NORMALS),   \
+        F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
 #define SHOAL_BIT(name) name##_BIT
-enum FeatureIndex { SHOAL_FEATURES(SHOAL_BIT) };
+enum FeatureIndex { LAST_TONE_BIT = kToneFeatures - 1, SHOAL_FEATURES(SHOAL_BIT) };
 #define SHOAL_FEATURE(name) name = 1u << name##_BIT
 enum Feature : unsigned { SHOAL_FEATURES(SHOAL_FEATURE) };
 #define SHOAL_NAME(name) #name
-constexpr std::array kObjectDefines = {SHOAL_FEATURES(SHOAL_NAME)};
+constexpr std::array kObjectDefines = {SHOAL_TONE_DEFINES, SHOAL_FEATURES(SHOAL_NAME)};
 
 unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primitive) {
     unsigned features = 0;
@@ -49,12 +50,9 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
 
 // Of a whole draw.
 unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy glossy) {
-    unsigned features = 0;
+    unsigned features = toneFeatures(exposure);
     if (glossy == Glossy::PhongRings) features |= PHONG_RINGS;
     if (!water.none()) features |= WATER;
-    if (exposure.curve == ToneCurve::Aces) features |= TONE_ACES;
-    if (exposure.isLinear()) features |= TONE_LINEAR;
-    if (exposure.frames == FrameCoding::Srgb) features |= FRAME_SRGB;
     return features;
 }
 

@@ -1,5 +1,7 @@
 #include "engine/render/ParticlePass.h"
 
+#include "engine/render/ToneFeatures.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,14 +15,10 @@ constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 
-constexpr std::array<const char*, 4> kParticleDefines = {"TONE_ACES", "TONE_LINEAR", "FRAME_SRGB",
-                                                         "SCALED_LIGHT"};
+constexpr std::array kParticleDefines = {SHOAL_TONE_DEFINES, "SCALED_LIGHT"};
 
 unsigned featuresOf(const Exposure& exposure, const EnvironmentGpu& environment) {
-    return (exposure.curve == ToneCurve::Aces ? 1u
-            : exposure.isLinear()             ? 2u
-                                              : 0u) |
-           (exposure.frames == FrameCoding::Srgb ? 4u : 0u) | (environment.lightIsScaled() ? 8u : 0u);
+    return toneFeatures(exposure) | (environment.lightIsScaled() ? 1u << kToneFeatures : 0u);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/Pictures.h"
+#include "tests/baselines/light/Expand.h"
 #include "tests/bench/light/Environments.h"
 #include "tests/bench/light/Text.h"
 
@@ -116,29 +117,28 @@ light::EnvironmentLight lightOf(const Environment& filmed, light::FrameRadiance 
 double shadowOf(const light::EnvironmentLight& light) {
     light::FoundLights found;
     light::LightFinder().find(light.radiance, found);
-    const glm::vec3 luma(0.2126f, 0.7152f, 0.0722f);
     if (found.count == 0) return 0;
     const light::FoundLight& first = found.lights[0];
-    return static_cast<double>(glm::dot(first.irradiance, luma) * std::max(first.direction.y, 0.0f) /
-                               glm::dot(found.groundIrradiance, luma));
+    const float onGround = light::baselines::luminance(first.irradiance) * std::max(first.direction.y, 0.0f);
+    return static_cast<double>(onGround / light::baselines::luminance(found.groundIrradiance));
 }
 
 } // namespace
 
 Result<LitBalls> lightBalls(const Path& sheet) {
-    constexpr size_t kRows = 5;
+    constexpr size_t kEvery = 3; // of the frames, the second of so many is on the sheet
     constexpr int kColumns = 8;
     LitBalls balls;
-    ImageRgb8 picture(kColumns * kTile, static_cast<int>(kRows) * kTile), unseen(kColumns * kTile, kTile);
     const std::vector<EnvironmentSource> sources = filmedSources();
-    size_t row = 0;
+    ImageRgb8 picture(kColumns * kTile, static_cast<int>(sources.size() / kEvery) * kTile),
+        unseen(kColumns * kTile, kTile);
     for (size_t s = 0; s < sources.size(); ++s) {
         const auto filmed = sources[s].load();
         if (!filmed) return Error{sources[s].name, "film or true light cannot be read"};
         std::fprintf(stderr, "chart: balls, %s\n", filmed->name.c_str());
-        const bool onSheet = s * kRows / sources.size() == row && s % (sources.size() / kRows) == 1;
+        const bool onSheet = s % kEvery == 1 && s / kEvery < sources.size() / kEvery;
         ImageRgb8& on = onSheet ? picture : unseen;
-        const int top = onSheet ? static_cast<int>(row++) * kTile : 0;
+        const int top = onSheet ? static_cast<int>(s / kEvery) * kTile : 0;
         const light::EnvironmentLight truth = trueLight(*filmed);
         BallErrors& errors = balls.errors.emplace_back(filmed->name);
         std::array<light::EnvironmentLight, kWays.size()> lights;
