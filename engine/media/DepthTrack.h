@@ -17,6 +17,9 @@ namespace shoal::media {
 constexpr int kMaxDepthCode = 1023;
 constexpr float kMaxInverse_perM = 4; // of the highest code: nothing is nearer than 0.25 m
 
+// Rounded to steps of at most 3 % of itself: finer ones would double a track, and nobody sees them.
+uint16_t depthCode(float inverse_perM);
+
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
     int width = 0, height = 0;

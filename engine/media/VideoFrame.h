@@ -40,6 +40,7 @@ struct VideoFrame {
     glm::ivec2 chromaTexels{2};   // that share a colour, across and down; 2, 2 is 4:2:0
     int64_t index = -1;           // since the start, from 0; of a file it counts on as the file repeats
     int64_t number = -1;          // within the file; -1: live
+    double time_s = 0;            // within the file; 0: live
     size_t slot = 0;              // that it lies in, below kFrameSlots
     double arrived_s = 0;         // of a live one, by LiveOptions::now_s
     double decode_ms = 0;         // decoding and conversion of this frame alone

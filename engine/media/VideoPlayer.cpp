@@ -119,6 +119,7 @@ struct VideoPlayer::Impl {
             slot->state = State::Filling;
             slot->frame.index = target;
             slot->frame.number = passLength > 0 ? target % passLength : target;
+            slot->frame.time_s = static_cast<double>(slot->frame.number) / info.fps;
             lock.unlock();
             const int64_t had = fill(*slot);
             lock.lock();

@@ -88,6 +88,7 @@ Status Environment::openVideo(const std::string& name) {
                                        [this] { return !setup_.wait || setup_.wait(-1); })
             .moveTo(live_);
     file_ = name;
+    openDepth(file_);
     if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
     const media::VideoInfo& info = player_->info();
     if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")
@@ -151,11 +152,30 @@ void Environment::prepareFor(light::LightQuality quality, size_t slots) {
     analysis_.emplace(setup_.analysis);
     found_.resize(slots);
     pictures_.resize(slots);
+    depths_.resize(slots);
+}
+
+// Of a film without a track, or with one that is of no use, no depth is known.
+void Environment::openDepth(const Path& film) {
+    const Path file = media::depthTrackOf(film);
+    std::error_code missing;
+    if (!std::filesystem::exists(file, missing)) return;
+    if (Status s = media::DepthTrack::open(file, film).moveTo(depthTrack_); !s)
+        log::warn("{}; the film is shown without depth", s.error().message());
+}
+
+// On the decode thread.
+void Environment::prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye) {
+    const int number = depthTrack_->frameAt(frame.time_s);
+    if (number != trackFrameNumber_ && depthTrack_->read(number, trackFrame_)) trackFrameNumber_ = number;
+    if (trackFrameNumber_ >= 0) depthRefiner_.refine(trackFrame_, leftEye, depths_[frame.slot]);
 }
 
 // On the decode thread.
 void Environment::prepare(const media::VideoFrame& frame) {
-    analysis_->analyse(leftEyeOf(frame.pixelsBgr, frame.layout, true), found_[frame.slot]);
+    const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
+    analysis_->analyse(leftEye, found_[frame.slot]);
+    if (depthTrack_) prepareDepth(frame, leftEye);
     found_[frame.slot].cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, pictures_[frame.slot]);
 }
@@ -187,6 +207,7 @@ bool Environment::show(const media::VideoFrame& frame, double time_s) {
     follow(found_[frame.slot], time_s);
     if (frame.index == shownFrame_) return false;
     shownFrame_ = frame.index;
+    depth_ = depthTrack_ && !depths_[frame.slot].inverse.empty() ? &depths_[frame.slot] : nullptr;
     setLayout(frame.layout);
     const auto began = std::chrono::steady_clock::now();
     uploadPicture(frame.slot);

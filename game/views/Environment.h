@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/depth/DepthMap.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
@@ -62,6 +63,9 @@ class Environment {
     const light::ShadowLight& shadowLight() const { return casting_; }
     // Neutral unless asked for, and for an HDR picture.
     camera::CameraResponse cameraResponse() const { return cameraResponse_.response(); }
+    // How far off what the frame shows is; null where nobody knows. Of a film with a picture for each eye, of
+    // the left one's.
+    const depth::DepthMap* depth() const { return depth_; }
     // Of the video's frame, which counts on as the video repeats; -1: a still.
     int64_t frameIndex() const { return shownFrame_; }
     // Of the video, 0 for stills and what is live: what the last update() asked to be seen, counted from the
@@ -103,7 +107,9 @@ class Environment {
     Result<ImageRgb8> readPhoto(const Path& file, bool grow) const;
     Status openEnv(const Path& file);
     void prepareFor(light::LightQuality quality, size_t slots);
+    void openDepth(const Path& film);
     void prepare(const media::VideoFrame& frame);
+    void prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye);
     bool updateLive(double time_s);
     void setLayout(media::Layout layout);
     void follow(const FrameFindings& now, double time_s);
@@ -123,9 +129,15 @@ class Environment {
     // thread writes them until it is gone.
     std::vector<FrameFindings> found_;
     std::vector<ImageRgba8> pictures_; // the frames as they are uploaded
+    std::vector<depth::DepthMap> depths_;
+    std::optional<media::DepthTrack> depthTrack_;
+    media::DepthFrame trackFrame_; // decoded last
+    int trackFrameNumber_ = -1;
+    depth::DepthRefiner depthRefiner_;
     Path file_;
     std::optional<media::VideoPlayer> player_;
-    std::optional<media::LivePlayer> live_; // or this
+    std::optional<media::LivePlayer> live_;  // or this
+    const depth::DepthMap* depth_ = nullptr; // of the shown frame
     int64_t shownFrame_ = -1;
     water::WaterOverTime water_;
     light::LightOverTime lights_;

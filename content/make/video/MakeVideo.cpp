@@ -1,5 +1,6 @@
 // Films a scene; kUsage tells how.
 #include "content/make/video/Camera.h"
+#include "content/make/video/Depth.h"
 #include "content/make/video/Frame.h"
 #include "content/make/video/Kept.h"
 #include "content/make/video/Resize.h"
@@ -31,11 +32,15 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
     film [FIRST COUNT]           frames, raw, 3 bytes a pixel, sRGB-coded, to standard output
     size                         width of these frames and frames a second, to standard output
     truth NAME FRAME...          NAME_NNNN.hdr: linear radiance before the camera
+    depth FILE.mkv FILM...       the track of distances that belongs to these versions of the film
+    depths NAME WIDTH FRAME...   NAME_NNNN.depth.mkv: distances of single frames, as many as the film has pixels
     enclosure FILE.toml          when the camera is enclosed, and how much; how high the ground lies
     look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
 )";
 
 constexpr int kTruthWidth = 512, kMeterWidth = 128;
+// Of a depth track: tests/bench/figures/depth.md tells why these.
+constexpr int kDepthWidth = 256, kDepthRays = 9;
 
 struct Studio {
     const Scene& scene;
@@ -162,6 +167,38 @@ Status truth(const Studio& studio, const std::string& name, const std::vector<in
     return Done{};
 }
 
+Status depth(const Studio& studio, const Path& to, const std::vector<std::string>& films) {
+    std::vector<std::string> identities;
+    for (const std::string& film : films) {
+        const auto identity = media::filmIdentity(film);
+        if (!identity) return identity.error();
+        identities.push_back(*identity);
+    }
+    const Film& film = studio.scene.film;
+    auto track = media::DepthTrackWriter::make(
+        {kDepthWidth, kDepthWidth / 2, film.frames, static_cast<double>(film.frames) / film.fps}, identities);
+    if (!track) return track.error();
+    for (int i = 0; i < film.frames; ++i) {
+        const float turn = studio.turn(i);
+        if (Status s = track->add(traceDepth(studio.world, studio.route, turn, kDepthWidth, kDepthRays)); !s)
+            return s;
+        if (i % film.fps == 0) std::fprintf(stderr, "\rdepth: %d of %d ", i, film.frames);
+    }
+    std::fprintf(stderr, "\n");
+    return track->finish(to);
+}
+
+Status depths(const Studio& studio, const std::string& name, int width, const std::vector<int>& frames) {
+    for (const int frame : frames) {
+        auto track = media::DepthTrackWriter::make({width, width / 2, 1, 1}, {});
+        if (!track) return track.error();
+        const float turn = studio.turn(frame);
+        if (Status s = track->add(traceDepth(studio.world, studio.route, turn, width, 1)); !s) return s;
+        if (Status s = track->finish(name + numbered("_%04d.depth.mkv", frame)); !s) return s;
+    }
+    return Done{};
+}
+
 // Heights against the camera of what lies within 3 m of it, straight below its level: quartiles.
 vec3 groundBelow(const Studio& studio, int frame) {
     constexpr int kProbes = 200;
@@ -240,10 +277,14 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
         return i < words.size() ? std::atoi(words[i].c_str()) : other;
     };
     if (task == "draw") {
+        studio.world.lightOnce(studio.folder / "lit.bin");
         const int every = std::max(wordOr(1, 1), studio.scene.film.every);
         return drawAll(studio, every, wordOr(2, 0), wordOr(3, frames));
     }
-    if (task == "film") return film(studio, wordOr(1, 0), wordOr(2, frames));
+    if (task == "film") {
+        studio.world.lightOnce(studio.folder / "lit.bin");
+        return film(studio, wordOr(1, 0), wordOr(2, frames));
+    }
     if (task == "size") {
         std::printf("%d %d\n", studio.scene.film.drawn, studio.scene.film.fps);
         return Done{};
@@ -251,6 +292,10 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
     if (words.size() < 2) return Error{task, "is no task, or wants more words"};
     std::vector<int> named;
     for (size_t i = 2; i < words.size(); ++i) named.push_back(std::atoi(words[i].c_str()));
+    if (task == "depth") return depth(studio, words[1], {words.begin() + 2, words.end()});
+    if (task == "depths" && named.size() > 1)
+        return depths(studio, words[1], named[0], {named.begin() + 1, named.end()});
+    studio.world.lightOnce(studio.folder / "lit.bin");
     if (task == "truth") return truth(studio, words[1], named);
     if (task == "enclosure") return enclosure(studio, words[1]);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), named);
@@ -265,7 +310,7 @@ Status run(int argc, char** argv) {
     if (!scene) return scene.error();
     const Route route(scene->path);
     const Path folder = argv[2];
-    World world(*scene, route, folder / "lit.bin");
+    World world(*scene, route);
     Filming filming(*scene, route, world);
     const Studio studio{*scene, filming, world, route, folder};
     std::vector<std::string> words;

@@ -39,7 +39,7 @@ void append(Mesh& all, Mesh&& part) {
 
 } // namespace
 
-World::World(const Scene& scene, const Route& route, const Path& cache)
+World::World(const Scene& scene, const Route& route)
     : scene_(scene), device_(rtcNewDevice(nullptr)),
       duration_(static_cast<float>(scene.film.frames) / static_cast<float>(scene.film.fps)),
       gridLow_(-16, scene.sandHeight - 1.1f, -16),
@@ -61,7 +61,10 @@ World::World(const Scene& scene, const Route& route, const Path& cache)
         Hit hit;
         return trace(origin, dir, Lamps::kReach, hit) ? hit.distance : Lamps::kReach;
     });
-    const uint64_t key = scene.key ^ (parts_[0].vertices.size() * 1000003 + parts_[1].vertices.size());
+}
+
+void World::lightOnce(const Path& cache) {
+    const uint64_t key = scene_.key ^ (parts_[0].vertices.size() * 1000003 + parts_[1].vertices.size());
     if (!load(cache, key)) {
         light();
         save(cache, key);

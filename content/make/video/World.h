@@ -25,8 +25,11 @@ constexpr float kGridCell = 0.5f; // metres
 
 class World {
   public:
-    // Grows, and lights all once; that is read from `cache` if it holds it, and kept there if not.
-    World(const Scene& scene, const Route& route, const Path& cache);
+    // Grows; is dark as yet.
+    World(const Scene& scene, const Route& route);
+
+    // Lights all once: read from `cache` if it holds it, and kept there if not.
+    void lightOnce(const Path& cache);
 
     // Moves what sways near the camera. turn: 0..1.
     void advance(float turn, const vec3& camera);

@@ -1,0 +1,59 @@
+// How far off what one frame of a film shows is, in every direction, at the film's own edges: what objects,
+// shadows and eyes that move are drawn with. env frame, from the film's camera.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/light/FrameView.h"
+#include "engine/math/LatLong.h"
+#include "engine/media/DepthTrack.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace shoal::depth {
+
+// Nothing is taken to be nearer: a hand that reaches so far is never hidden.
+constexpr float kNearest_m = 0.6f;
+
+struct DepthMap {
+    // Lat-long; inverse distance, 255 is 1 / kNearest_m: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or
+    // not known well enough.
+    Image<uint8_t, 1> inverse;
+
+    // 1/m, between the texels linear. dirEnv: unit length.
+    float inverse_perM(const glm::vec3& dirEnv) const;
+    // Infinite where nothing is known.
+    float distance_m(const glm::vec3& dirEnv) const { return 1 / inverse_perM(dirEnv); }
+};
+
+// What a look along a ray meets: see searchAlong().
+struct Seen {
+    glm::vec3 dirEnv;   // where the film shows it, from its camera
+    float inverse_perM; // of its distance from the film's camera
+};
+
+// What an eye beside the film's camera sees in a direction: the first of what the film shows that lies on the
+// ray, found by fixed-point iteration from the near end. Where the ray passes behind an edge, what no frame
+// shows, it is what stands behind beside that edge. eyeEnv: metres from the film's camera, a third of a metre
+// at most; dirEnv: unit length.
+Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv);
+
+// Brings frames of a track to the film's own edges. Allocates nothing once the map has its size.
+class DepthRefiner {
+  public:
+    // film: the frame that depth belongs to.
+    void refine(const media::DepthFrame& depth, const light::FrameView& film, DepthMap& out);
+
+    // Without looking at the film: linear between the track's texels. To compare with.
+    void enlarge(const media::DepthFrame& depth, DepthMap& out);
+
+  private:
+    void readTrusted(const media::DepthFrame& depth);
+
+    Image<uint8_t, 1> coarse_; // inverse distances as DepthMap has them, where they are trusted
+    ImageRgb8 guide_;          // scratch: means of the film, a pixel for each of the map's
+    ImageRgb8 coarseGuide_;    // and for each of the track's
+};
+
+} // namespace shoal::depth

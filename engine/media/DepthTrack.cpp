@@ -1,0 +1,307 @@
+#include "engine/media/DepthTrack.h"
+
+#include "engine/core/Hash.h"
+#include "engine/core/WriteFile.h"
+#include "engine/media/Ffmpeg.h"
+
+#include <fmt/core.h>
+
+extern "C" {
+#include <libavutil/mem.h>
+#include <libavutil/opt.h>
+}
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace shoal::media {
+
+namespace {
+
+// Y is the inverse distance, Cb the confidence; Cr is kUnusedCode throughout.
+constexpr AVPixelFormat kPixels = AV_PIX_FMT_YUV420P10LE;
+constexpr uint16_t kUnusedCode = 512;
+constexpr int kMinWidth = 16, kMaxWidth = 4096;
+constexpr int kMaxFrames = 10'000'000;
+constexpr double kMaxDuration_s = 1e6;
+constexpr size_t kIdentityBytes = 1 << 20;
+
+constexpr const char* kVersionTag = "SHOAL_DEPTH";
+constexpr const char* kVersion = "1";
+constexpr const char* kFramesTag = "SHOAL_FRAMES";
+constexpr const char* kDurationTag = "SHOAL_DURATION"; // seconds, of the film
+constexpr const char* kLayoutTag = "SHOAL_LAYOUT";
+constexpr const char* kLayout = "equirectangular mono";
+constexpr const char* kFilmsTag = "SHOAL_FILMS"; // identities, with blanks between
+
+bool isTrackSize(int width, int height) {
+    return width >= kMinWidth && width <= kMaxWidth && width % 4 == 0 && height * 2 == width;
+}
+
+bool isTrack(const DepthTrackInfo& info) {
+    return isTrackSize(info.width, info.height) && info.frameCount > 0 && info.frameCount <= kMaxFrames &&
+           info.duration_s > 0 && info.duration_s <= kMaxDuration_s;
+}
+
+std::string tagOf(const AVFormatContext& input, const char* name) {
+    const AVDictionaryEntry* tag = av_dict_get(input.metadata, name, nullptr, 0);
+    return tag ? tag->value : "";
+}
+
+template <class T> T numberOf(const std::string& text) {
+    T value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? value : T{0};
+}
+
+struct CloseOutput {
+    void operator()(AVFormatContext* output) const {
+        uint8_t* bytes = nullptr;
+        if (output->pb) avio_close_dyn_buf(output->pb, &bytes);
+        av_free(bytes);
+        avformat_free_context(output);
+    }
+};
+using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
+
+} // namespace
+
+uint16_t depthCode(float inverse_perM) {
+    constexpr int kFinest = 32; // codes: from here on, steps of powers of two
+    const float share = std::clamp(inverse_perM / kMaxInverse_perM, 0.0f, 1.0f);
+    const int code = static_cast<int>(share * kMaxDepthCode + 0.5f);
+    int step = 1;
+    while (code / step >= 2 * kFinest) step *= 2;
+    return static_cast<uint16_t>(std::min((code + step / 2) / step * step, kMaxDepthCode));
+}
+
+Path depthTrackOf(const Path& film) {
+    Path stem = film;
+    stem.replace_extension();
+    if (stem.extension() == ".small") stem.replace_extension();
+    return Path(stem.string() + ".depth.mkv");
+}
+
+Result<std::string> filmIdentity(const Path& film) {
+    const auto begin = readFileBegin(film, kIdentityBytes);
+    if (!begin) return begin.error();
+    Hash hash;
+    hash.bytes(begin->data(), begin->size());
+    return fmt::format("{:016x}", hash.value());
+}
+
+struct DepthTrack::Impl {
+    DepthTrackInfo info;
+    Input input;
+    Codec codec;
+    Packet packet = makePacket();
+    Frame frame = makeFrame();
+    int next = 0; // number of the packet that is read next, where nothing is sought
+
+    bool seek(int number);
+    bool readPacket(int number);
+    int numberOf(const AVPacket& packet) const;
+};
+
+int DepthTrack::Impl::numberOf(const AVPacket& from) const {
+    if (from.pts == AV_NOPTS_VALUE) return -1;
+    const double time_s = static_cast<double>(from.pts) * av_q2d(input->streams[0]->time_base);
+    const double number = std::round(time_s * info.frameCount / info.duration_s);
+    return number >= 0 && number < info.frameCount ? static_cast<int>(number) : -1;
+}
+
+bool DepthTrack::Impl::seek(int number) {
+    const double time_s = number * info.duration_s / info.frameCount;
+    const auto stamp = static_cast<int64_t>(time_s / av_q2d(input->streams[0]->time_base));
+    return av_seek_frame(input.get(), 0, stamp, AVSEEK_FLAG_BACKWARD) >= 0;
+}
+
+bool DepthTrack::Impl::readPacket(int number) {
+    constexpr int kReadOn = 32; // packets; a seek costs more
+    if ((number < next || number > next + kReadOn) && !seek(number)) return false;
+    next = -1 - kReadOn; // until it is found
+    for (;;) {
+        av_packet_unref(packet.get());
+        if (av_read_frame(input.get(), packet.get()) < 0) return false;
+        const int found = numberOf(*packet);
+        if (found > number) return false;
+        if (found < number) continue;
+        next = number + 1;
+        return true;
+    }
+}
+
+Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
+    setUpDecoders();
+    const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
+    if (const auto begin = readFileBegin(file, 16); !begin) return begin.error();
+    auto impl = std::make_unique<Impl>();
+    impl->input = openInput(file, av_find_input_format("matroska"));
+    if (!impl->input || tagOf(*impl->input, kVersionTag).empty()) return failed("is no depth track");
+    const AVFormatContext& input = *impl->input;
+    if (tagOf(input, kVersionTag) != kVersion || tagOf(input, kLayoutTag) != kLayout)
+        return failed("is a depth track of another version");
+    if (!film.empty()) {
+        const auto identity = filmIdentity(film);
+        if (!identity) return identity.error();
+        if (tagOf(input, kFilmsTag).find(*identity) == std::string::npos)
+            return failed("is the depth of another film");
+    }
+    DepthTrackInfo& info = impl->info;
+    info.frameCount = numberOf<int>(tagOf(input, kFramesTag));
+    info.duration_s = numberOf<double>(tagOf(input, kDurationTag));
+    if (input.nb_streams != 1) return failed("is damaged: it holds more than one stream");
+    const AVCodecParameters& coded = *input.streams[0]->codecpar;
+    info.width = coded.width, info.height = coded.height;
+    if (coded.codec_id != AV_CODEC_ID_FFV1 || coded.format != kPixels || !isTrack(info))
+        return failed("is damaged: its header makes no sense");
+    const AVCodec* decoder = avcodec_find_decoder(coded.codec_id);
+    impl->codec.reset(avcodec_alloc_context3(decoder));
+    if (avcodec_parameters_to_context(impl->codec.get(), &coded) < 0) return failed("cannot be decoded");
+    impl->codec->thread_count = 1;
+    impl->codec->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
+    if (avcodec_open2(impl->codec.get(), decoder, nullptr) < 0) return failed("cannot be decoded");
+    if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
+    return DepthTrack(std::move(impl));
+}
+
+DepthTrack::DepthTrack(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+DepthTrack::DepthTrack(DepthTrack&&) noexcept = default;
+DepthTrack& DepthTrack::operator=(DepthTrack&&) noexcept = default;
+DepthTrack::~DepthTrack() = default;
+
+const DepthTrackInfo& DepthTrack::info() const { return impl_->info; }
+
+int DepthTrack::frameAt(double time_s) const {
+    const DepthTrackInfo& info = impl_->info;
+    const double turns = time_s / info.duration_s;
+    const double share = turns - std::floor(turns);
+    return static_cast<int>(std::floor(share * info.frameCount + 0.5)) % info.frameCount;
+}
+
+bool DepthTrack::read(int number, DepthFrame& out) {
+    Impl& track = *impl_;
+    if (number < 0 || number >= track.info.frameCount || !track.readPacket(number)) return false;
+    AVFrame& frame = *track.frame;
+    avcodec_flush_buffers(track.codec.get());
+    if (avcodec_send_packet(track.codec.get(), track.packet.get()) < 0 ||
+        avcodec_receive_frame(track.codec.get(), &frame) < 0 || frame.format != kPixels ||
+        frame.width != track.info.width || frame.height != track.info.height)
+        return false;
+    out.width = frame.width, out.height = frame.height;
+    const auto plane = [&](int index, int width, int height, std::vector<uint16_t>& codes) {
+        codes.resize(static_cast<size_t>(width) * height);
+        for (int y = 0; y < height; ++y) {
+            const auto* row = reinterpret_cast<const uint16_t*>(
+                frame.data[index] + static_cast<ptrdiff_t>(y) * frame.linesize[index]);
+            std::transform(row, row + width, codes.begin() + static_cast<ptrdiff_t>(y) * width,
+                           [](uint16_t code) { return std::min<uint16_t>(code, kMaxDepthCode); });
+        }
+    };
+    plane(0, frame.width, frame.height, out.inverse);
+    plane(1, frame.width / 2, frame.height / 2, out.confidence);
+    return true;
+}
+
+struct DepthTrackWriter::Impl {
+    DepthTrackInfo info;
+    Output output;
+    Codec codec;
+    Frame frame = makeFrame();
+    Packet packet = makePacket();
+    int next = 0;
+};
+
+Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
+                                                std::span<const std::string> films) {
+    const Error failed{"", "FFmpeg's FFV1 encoder is not to be had"};
+    if (!isTrack(info)) return Error{"", "no depth track has this size"};
+    setUpDecoders();
+    av_max_alloc(size_t{2} << 30); // the encoder takes memory for the largest frame that could come
+    auto impl = std::make_unique<Impl>();
+    impl->info = info;
+    const AVCodec* ffv1 = avcodec_find_encoder(AV_CODEC_ID_FFV1);
+    impl->codec.reset(avcodec_alloc_context3(ffv1));
+    AVCodecContext& codec = *impl->codec;
+    codec.width = info.width, codec.height = info.height;
+    codec.pix_fmt = kPixels;
+    codec.time_base = av_d2q(info.duration_s / info.frameCount, 1'000'000);
+    codec.gop_size = 1; // every frame by itself
+    codec.thread_count = 1;
+    codec.level = 3;
+    codec.flags |= AV_CODEC_FLAG_BITEXACT;
+    av_opt_set_int(codec.priv_data, "slicecrc", 1, 0);
+    if (avcodec_open2(&codec, ffv1, nullptr) < 0) return failed;
+    AVFormatContext* made = nullptr;
+    if (avformat_alloc_output_context2(&made, nullptr, "matroska", nullptr) < 0) return failed;
+    impl->output.reset(made);
+    AVStream* stream = avformat_new_stream(made, nullptr);
+    stream->time_base = codec.time_base;
+    stream->avg_frame_rate = av_inv_q(codec.time_base);
+    made->flags |= AVFMT_FLAG_BITEXACT;
+    std::string identities;
+    for (const std::string& film : films) identities += (identities.empty() ? "" : " ") + film;
+    const auto tag = [&](const char* name, const std::string& value) {
+        av_dict_set(&made->metadata, name, value.c_str(), 0);
+    };
+    tag(kVersionTag, kVersion);
+    tag(kFramesTag, std::to_string(info.frameCount));
+    tag(kDurationTag, fmt::format("{}", info.duration_s));
+    tag(kLayoutTag, kLayout);
+    tag(kFilmsTag, identities);
+    if (avcodec_parameters_from_context(stream->codecpar, &codec) < 0 || avio_open_dyn_buf(&made->pb) < 0 ||
+        avformat_write_header(made, nullptr) < 0)
+        return failed;
+    impl->frame->format = kPixels;
+    impl->frame->width = info.width, impl->frame->height = info.height;
+    if (av_frame_get_buffer(impl->frame.get(), 0) < 0) return failed;
+    return DepthTrackWriter(std::move(impl));
+}
+
+DepthTrackWriter::DepthTrackWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+DepthTrackWriter::DepthTrackWriter(DepthTrackWriter&&) noexcept = default;
+DepthTrackWriter& DepthTrackWriter::operator=(DepthTrackWriter&&) noexcept = default;
+DepthTrackWriter::~DepthTrackWriter() = default;
+
+Status DepthTrackWriter::add(const DepthFrame& depth) {
+    Impl& track = *impl_;
+    const Error failed{"", "a frame of depth could not be encoded"};
+    AVFrame& frame = *track.frame;
+    if (depth.width != frame.width || depth.height != frame.height) return failed;
+    if (av_frame_make_writable(&frame) < 0) return failed;
+    const auto plane = [&](int index, int width, int height, const auto& codeOf) {
+        for (int y = 0; y < height; ++y) {
+            auto* row = reinterpret_cast<uint16_t*>(frame.data[index] +
+                                                    static_cast<ptrdiff_t>(y) * frame.linesize[index]);
+            for (int x = 0; x < width; ++x) row[x] = codeOf(static_cast<size_t>(y) * width + x);
+        }
+    };
+    plane(0, frame.width, frame.height, [&](size_t i) { return depth.inverse[i]; });
+    plane(1, frame.width / 2, frame.height / 2, [&](size_t i) { return depth.confidence[i]; });
+    plane(2, frame.width / 2, frame.height / 2, [](size_t) { return kUnusedCode; });
+    frame.pts = track.next++;
+    if (avcodec_send_frame(track.codec.get(), &frame) < 0 ||
+        avcodec_receive_packet(track.codec.get(), track.packet.get()) < 0)
+        return failed;
+    AVPacket& packet = *track.packet;
+    av_packet_rescale_ts(&packet, track.codec->time_base, track.output->streams[0]->time_base);
+    packet.duration = 0;
+    packet.flags |= AV_PKT_FLAG_KEY;
+    if (av_write_frame(track.output.get(), &packet) < 0) return failed;
+    return Done{};
+}
+
+Status DepthTrackWriter::finish(const Path& file) {
+    Impl& track = *impl_;
+    if (track.next != track.info.frameCount)
+        return Error{file.string(), "is not written: some frames are missing"};
+    if (av_write_trailer(track.output.get()) < 0) return Error{file.string(), "could not be written"};
+    uint8_t* bytes = nullptr;
+    const int size = avio_close_dyn_buf(std::exchange(track.output->pb, nullptr), &bytes);
+    const std::unique_ptr<uint8_t, decltype(&av_free)> held(bytes, av_free);
+    return writeFileWhole(file, {reinterpret_cast<const char*>(bytes), static_cast<size_t>(size)});
+}
+
+} // namespace shoal::media
