@@ -21,6 +21,8 @@ struct DepthMap {
     // not known well enough.
     Image<uint8_t, 1> inverse;
 
+    static float perM(int code) { return static_cast<float>(code) / (255 * kNearest_m); }
+
     // 1/m, between the texels linear. dirEnv: unit length.
     float inverse_perM(const glm::vec3& dirEnv) const;
     // Infinite where nothing is known.

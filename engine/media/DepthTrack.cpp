@@ -155,7 +155,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     if (input.nb_streams != 1) return failed("is damaged: it holds more than one stream");
     const AVCodecParameters& coded = *input.streams[0]->codecpar;
     info.width = coded.width, info.height = coded.height;
-    if (coded.codec_id != AV_CODEC_ID_FFV1 || coded.format != kPixels || !isTrack(info))
+    if (coded.codec_id != AV_CODEC_ID_FFV1 || !isTrack(info))
         return failed("is damaged: its header makes no sense");
     const AVCodec* decoder = avcodec_find_decoder(coded.codec_id);
     impl->codec.reset(avcodec_alloc_context3(decoder));

@@ -25,6 +25,9 @@ struct EyePicture {
     int eye = 0;             // 0 left, 1 right
     bool sharesFrame = true; // both eyes see the same frame of the video
     FilmedFrame filmed;      // what the video's camera did to the frame
+    // Of the eye, from the film's camera, env frame: what the film shows is drawn at its distance, as far as
+    // it is known. 0: as if it were endlessly far, so that the eye sees what the camera saw.
+    glm::vec3 eyeInFilm{0};
     SkippedPass skip = SkippedPass::None;
 
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }

@@ -24,7 +24,7 @@ gl::Texture makeLatLongTexture() {
 
 EnvironmentGpu::EnvironmentGpu()
     : frame_(makeLatLongTexture()), light_(makeLatLongTexture()), mirrors_(makeLatLongTexture()),
-      scattered_(makeLatLongTexture()) {
+      scattered_(makeLatLongTexture()), depth_(makeLatLongTexture()) {
     glBindTexture(GL_TEXTURE_2D, mirrors_.name());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 }
@@ -92,6 +92,21 @@ void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16F, light.width, light.height, 0, GL_RGB, GL_FLOAT,
                  light.pixels.data());
     scatteredLight_ = light;
+}
+
+void EnvironmentGpu::setDepth(const depth::DepthMap* map, const depth::DepthRange* range) {
+    depthMap_ = map;
+    depthRange_ = range;
+    if (!map) return;
+    glBindTexture(GL_TEXTURE_2D, depth_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, map->inverse.width, map->inverse.height, 0, GL_RED,
+                 GL_UNSIGNED_BYTE, map->inverse.pixels.data());
+}
+
+void EnvironmentGpu::bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const {
+    program.setTexture("filmDepth", UNIT_FILM_DEPTH, depth_.name());
+    program.set("eyeInFilm", eyeInFilm);
 }
 
 void EnvironmentGpu::bindLight(const gl::Program& program) const {

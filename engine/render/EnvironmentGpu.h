@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/core/Image.h"
+#include "engine/depth/DepthRange.h"
 #include "engine/gl/Program.h"
 #include "engine/light/PackedLight.h"
 #include "engine/occlusion/SmoothLight.h"
@@ -31,6 +32,13 @@ class EnvironmentGpu {
     // Light that port and lens scatter over the frame: squares of display values, lat-long.
     void uploadScattered(const ImageRgbF& light);
 
+    // How far off what the frame shows is; null: nobody knows. Both must live until the next frame.
+    void setDepth(const depth::DepthMap* map, const depth::DepthRange* range);
+    const depth::DepthMap* depth() const { return depthMap_; }
+    const depth::DepthRange* depthRange() const { return depthRange_; }
+    // eyeInFilm: env frame, from the film's camera. Pairs with shaders/render/FilmDepth.glsl.
+    void bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const;
+
     bool frameIsCoded() const { return coded_; }
     int frameWidth() const { return frameWidth_; }
     int frameHeight() const { return frameHeight_; }
@@ -50,7 +58,9 @@ class EnvironmentGpu {
     float smoothestFiltered() const { return mirrorRoughness_.empty() ? 0 : mirrorRoughness_.back(); }
 
   private:
-    gl::Texture frame_, light_, mirrors_, scattered_;
+    gl::Texture frame_, light_, mirrors_, scattered_, depth_;
+    const depth::DepthMap* depthMap_ = nullptr;
+    const depth::DepthRange* depthRange_ = nullptr;
     DisplayFrame displayFrame_;
     mutable bool uploaded_ = true;    // into frame_
     mutable glm::ivec2 codedSize_{0}; // of frame_, where it holds coded texels

@@ -1,6 +1,6 @@
 #include "engine/render/FrameTiles.h"
 
-#include "engine/math/LatLong.h"
+#include "engine/math/LatLongCap.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,24 +13,11 @@ namespace {
 constexpr float kMargin = 2; // texels that a layer's filter spreads an object by
 } // namespace
 
-// Its meridians are furthest from the middle one where they touch it: sin(longitude) = sin(angle) /
-// cos(latitude); a cap that holds a pole touches all.
 void FrameTiles::chooseCap(const glm::vec3& dirEnv, float halfAngle) {
-    constexpr float kPi = std::numbers::pi_v<float>;
-    const float angle = halfAngle + kMargin * kPi / static_cast<float>(frameSize_.y);
-    const glm::vec2 uv = latLongFromDirection(dirEnv);
-    const float latitude = (0.5f - uv.y) * kPi;
-    const bool polar = std::abs(latitude) + angle >= kPi / 2;
-    const float across = polar ? 0.5f : std::asin(std::sin(angle) / std::cos(latitude)) / (2 * kPi);
-    const auto tile = [](float share, int tiles) {
-        return static_cast<int>(std::floor(share * static_cast<float>(tiles)));
-    };
-    const int top = std::max(tile(uv.y - angle / kPi, kCount.y), 0);
-    const int bottom = std::min(tile(uv.y + angle / kPi, kCount.y), kCount.y - 1);
-    const int left = tile(uv.x - across, kCount.x);
-    const int right = std::min(tile(uv.x + across, kCount.x), left + kCount.x - 1);
-    for (int y = top; y <= bottom; ++y)
-        for (int x = left; x <= right; ++x) chosen_[indexOf(x, y)] = true;
+    const float margin = kMargin * std::numbers::pi_v<float> / static_cast<float>(frameSize_.y);
+    const CellRange range = cellsOfCap(kCount, dirEnv, halfAngle + margin);
+    for (int y = range.first.y; y <= range.last.y; ++y)
+        for (int x = range.first.x; x <= range.last.x; ++x) chosen_[indexOf(x, y)] = true;
 }
 
 void FrameTiles::choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,

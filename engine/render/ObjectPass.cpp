@@ -20,8 +20,8 @@ namespace {
     F(SKINNED), F(BASE_COLOUR_MAP), F(METALLIC_ROUGHNESS_MAP), F(NORMAL_MAP), F(OCCLUSION_MAP),              \
         F(EMISSIVE_MAP), F(ALPHA_MASK), F(ALPHA_BLEND), F(PHONG_RINGS), F(MIRRORS), F(WATER),                \
         F(SCALED_LIGHT), F(LEAN), F(VERTEX_DIFFUSE), F(VERTEX_LIT), F(OCCLUDED), F(VERTEX_COLOURS),          \
-        F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(UNLIT), F(DIELECTRIC), F(CLEARCOAT), F(SHOW_NORMALS),   \
-        F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
+        F(SECOND_UV), F(LAYERS), F(LAYERS_THESIS), F(UNLIT), F(DIELECTRIC), F(CLEARCOAT), F(FILM_DEPTH),     \
+        F(SHOW_NORMALS), F(SHOW_ROUGHNESS), F(SHOW_OCCLUSION), F(SHOW_DIFFUSE), F(SHOW_DEPTH)
 #define SHOAL_BIT(name) name##_BIT
 enum FeatureIndex { LAST_TONE_BIT = kToneFeatures - 1, SHOAL_FEATURES(SHOAL_BIT) };
 #define SHOAL_FEATURE(name) name = 1u << name##_BIT
@@ -202,6 +202,22 @@ bool ObjectPass::isSeen(const Object& object, const View& view) const {
            std::ranges::any_of(partsOf(object), [&](const Sphere& part) { return sees(view, part); });
 }
 
+// By the film's range within the cap behind which the object stands, widened by what an eye beside the camera
+// sees past its edges.
+ObjectPass::Behind ObjectPass::behindFilm(const Object& object, const EnvironmentGpu& environment,
+                                          const View& view, const glm::mat3& envFromWorld,
+                                          const glm::vec3& eyeInFilm) const {
+    if (!environment.depthRange()) return Behind::Nothing;
+    const glm::vec3 away = object.bound.centre - view.eyeWorld;
+    const float distance = glm::length(away), radius = object.bound.radius, beside = glm::length(eyeInFilm);
+    if (distance <= radius) return Behind::Perhaps;
+    const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;
+    const auto film = environment.depthRange()->around(envFromWorld * (away / distance), halfAngle);
+    // Distances from the film's camera and from the eye differ by at most what lies between them.
+    if (film.max_perM * (distance + radius + beside) <= 1) return Behind::Nothing;
+    return film.min_perM * (distance - radius - beside) > 1 ? Behind::All : Behind::Perhaps;
+}
+
 bool ObjectPass::shaded(const Item& item) const {
     return occlusion_ && !layers_ && !item.gpu->materialOf(*item.primitive).unlit &&
            (item.primitive->withSelfOcclusion ||
@@ -217,14 +233,18 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
 }
 
 Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
-                        const Exposure& exposure, const water::Water& water, Glossy glossy) {
+                        const Exposure& exposure, const water::Water& water, Glossy glossy,
+                        const glm::vec3& eyeInFilm) {
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
-        if (!isSeen(objects_[item.object], view)) continue;
+        const Object& object = objects_[item.object];
+        if (!isSeen(object, view)) continue;
+        const Behind behind = behindFilm(object, environment, view, envFromWorld, eyeInFilm);
+        if (behind == Behind::All) continue;
         const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
         const float distance = glm::distance(boundOf(item).centre, view.eyeWorld);
-        order_.push_back({blended, blended ? -distance : distance, i});
+        order_.push_back({blended, blended ? -distance : distance, behind == Behind::Perhaps, i});
     }
     std::sort(order_.begin(), order_.end());
 
@@ -238,10 +258,11 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
     const gl::Program* current = nullptr;
     for (const ToDraw& next : order_) {
         const Item& item = items_[next.item];
-        if (next.blended) {
+        if (next.blended || next.cut)
             glEnable(GL_BLEND);
-            glDepthMask(GL_FALSE);
-        }
+        else
+            glDisable(GL_BLEND);
+        if (next.blended) glDepthMask(GL_FALSE);
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
         const bool lean = detail_ == Detail::Lean;
         const float smoothest =
@@ -258,6 +279,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         const bool unlit = item.gpu->materialOf(*item.primitive).unlit && shown_ == ShownQuantity::Light;
         if (unlit) features = (features & ~(VERTEX_DIFFUSE | MIRRORS | PHONG_RINGS)) | VERTEX_LIT | UNLIT;
         if (shaded(item)) features |= OCCLUDED;
+        if (next.cut) features |= FILM_DEPTH;
         if (layers_ && !unlit)
             features = (features & ~OCCLUSION_MAP) | LAYERS |
                        (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);
@@ -275,6 +297,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
             setWater(*current, water);
             if (features & OCCLUDED) setSmoothLight(*current, environment.smoothLight());
             if (features & LAYERS) layers_->bind(*current);
+            if (features & FILM_DEPTH) environment.bindDepth(*current, eyeInFilm);
         }
         if (features & LAYERS) current->set("bodyAlbedo", item.albedo);
         if (glossy == Glossy::PhongRings) {

@@ -41,8 +41,10 @@ class ObjectPass {
     void upload(const glm::mat3& envFromWorld);
 
     // Opaque objects front to back, then blended ones back to front.
+    // eyeInFilm: as EyePicture has it; what of the film is nearer than an object hides it.
     Status draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
-                const Exposure& exposure, const water::Water& water, Glossy glossy);
+                const Exposure& exposure, const water::Water& water, Glossy glossy,
+                const glm::vec3& eyeInFilm = glm::vec3(0));
 
     // Spheres that hold all objects in the view; world. Valid until the next call.
     std::span<const Sphere> visibleSpheres(const View& view);
@@ -75,6 +77,7 @@ class ObjectPass {
     struct ToDraw {
         bool blended;
         float order; // within those
+        bool cut;    // by what of the film is nearer
         size_t item;
         auto operator<=>(const ToDraw&) const = default;
     };
@@ -88,6 +91,10 @@ class ObjectPass {
     const Sphere& boundOf(const Item& item) const { return objects_[item.object].bound; }
     std::span<const Sphere> partsOf(const Object& object) const;
     bool isSeen(const Object& object, const View& view) const;
+    enum class Behind { Nothing, Perhaps, All };
+    // Whether the film has something that is nearer.
+    Behind behindFilm(const Object& object, const EnvironmentGpu& environment, const View& view,
+                      const glm::mat3& envFromWorld, const glm::vec3& eyeInFilm) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);

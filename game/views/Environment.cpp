@@ -168,7 +168,10 @@ void Environment::openDepth(const Path& film) {
 void Environment::prepareDepth(const media::VideoFrame& frame, const light::FrameView& leftEye) {
     const int number = depthTrack_->frameAt(frame.time_s);
     if (number != trackFrameNumber_ && depthTrack_->read(number, trackFrame_)) trackFrameNumber_ = number;
-    if (trackFrameNumber_ >= 0) depthRefiner_.refine(trackFrame_, leftEye, depths_[frame.slot]);
+    if (trackFrameNumber_ < 0) return;
+    Depth& depth = depths_[frame.slot];
+    depthRefiner_.refine(trackFrame_, leftEye, depth.map);
+    depth.range.make(depth.map);
 }
 
 // On the decode thread.
@@ -207,7 +210,6 @@ bool Environment::show(const media::VideoFrame& frame, double time_s) {
     follow(found_[frame.slot], time_s);
     if (frame.index == shownFrame_) return false;
     shownFrame_ = frame.index;
-    depth_ = depthTrack_ && !depths_[frame.slot].inverse.empty() ? &depths_[frame.slot] : nullptr;
     setLayout(frame.layout);
     const auto began = std::chrono::steady_clock::now();
     uploadPicture(frame.slot);
@@ -239,8 +241,9 @@ void Environment::uploadPicture(size_t slot) {
     const ImageRgba8& frame = pictures_[slot];
     for (int eye = 0; eye < (twoPictures_ ? 2 : 1); ++eye) {
         const media::EyePart part = media::eyePart(layout_, eye, frame.width, frame.height);
-        gpu_[static_cast<size_t>(eye)].setFrame(
-            {frame.at(part.x, part.y), part.width, part.height, frame.width});
+        render::EnvironmentGpu& on = gpu_[static_cast<size_t>(eye)];
+        on.setFrame({frame.at(part.x, part.y), part.width, part.height, frame.width});
+        if (!depths_[slot].map.inverse.empty()) on.setDepth(&depths_[slot].map, &depths_[slot].range);
     }
     uploadLight(found_[slot]);
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
-#include "engine/depth/DepthMap.h"
+#include "engine/depth/DepthRange.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
@@ -65,7 +65,7 @@ class Environment {
     camera::CameraResponse cameraResponse() const { return cameraResponse_.response(); }
     // How far off what the frame shows is; null where nobody knows. Of a film with a picture for each eye, of
     // the left one's.
-    const depth::DepthMap* depth() const { return depth_; }
+    const depth::DepthMap* depth() const { return gpu_[0].depth(); }
     // Of the video's frame, which counts on as the video repeats; -1: a still.
     int64_t frameIndex() const { return shownFrame_; }
     // Of the video, 0 for stills and what is live: what the last update() asked to be seen, counted from the
@@ -129,15 +129,18 @@ class Environment {
     // thread writes them until it is gone.
     std::vector<FrameFindings> found_;
     std::vector<ImageRgba8> pictures_; // the frames as they are uploaded
-    std::vector<depth::DepthMap> depths_;
+    struct Depth {
+        depth::DepthMap map;
+        depth::DepthRange range;
+    };
+    std::vector<Depth> depths_;
     std::optional<media::DepthTrack> depthTrack_;
     media::DepthFrame trackFrame_; // decoded last
     int trackFrameNumber_ = -1;
     depth::DepthRefiner depthRefiner_;
     Path file_;
     std::optional<media::VideoPlayer> player_;
-    std::optional<media::LivePlayer> live_;  // or this
-    const depth::DepthMap* depth_ = nullptr; // of the shown frame
+    std::optional<media::LivePlayer> live_; // or this
     int64_t shownFrame_ = -1;
     water::WaterOverTime water_;
     light::LightOverTime lights_;

@@ -109,7 +109,7 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     const gl::PassTimers::Scope scope(timers_, "objects");
     return passes_.objects.draw(picture.environment, picture.view, picture.envFromWorld, picture.exposure,
-                                environment_->water(), glossy_);
+                                environment_->water(), glossy_, picture.eyeInFilm);
 }
 
 Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) {

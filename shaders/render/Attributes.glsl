@@ -19,7 +19,12 @@
 #define UNIT_OCCLUSION 5
 #define UNIT_EMISSIVE 6
 #define UNIT_RADIANCE 7
+#define UNIT_FILM_DEPTH 8
 #define UNIT_FRAME 0
 #define MAX_JOINTS 256
 #define MAX_OTHERS 24 // occluders: parts of other bodies
 #define MAX_OCCLUDERS 48
+// Of the map of distances: engine/depth/DepthMap.h.
+#define FILM_NEAREST_M 0.6
+#define FILM_SEARCH_STEPS 6
+#define FILM_FOUND_RAD 2e-3

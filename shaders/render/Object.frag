@@ -15,6 +15,10 @@ uniform mat3 envFromWorld;
 #endif
 #include "render/Output.glsl"
 #include "render/Highlight.glsl"
+#ifdef FILM_DEPTH
+#include "render/FilmDepth.glsl"
+in vec3 fromEyeEnv;
+#endif
 
 uniform vec3 eyeWorld;
 uniform vec4 baseColourLin;
@@ -234,6 +238,15 @@ vec3 litByVertex(vec3 baseExposed) {
 }
 #endif
 
+#ifdef FILM_DEPTH
+// 0 behind what the film shows to 1 before it, over about a pixel of its outline, or 2 % of the distance where a body lies against it.
+float filmVisibility(vec3 fromEyeEnv) {
+    float away = length(fromEyeEnv);
+    float before = 1.0 / away - inverseAlong(fromEyeEnv / away);
+    return clamp(before / max(fwidth(before), 0.02 / away) + 0.5, 0.0, 1.0);
+}
+#endif
+
 void main() {
     vec4 base = baseColour();
 #ifdef VERTEX_LIT
@@ -245,5 +258,8 @@ void main() {
     colour = vec4(display * base.a, base.a);
 #else
     colour = vec4(display, 1.0);
+#endif
+#ifdef FILM_DEPTH
+    colour *= filmVisibility(fromEyeEnv);
 #endif
 }

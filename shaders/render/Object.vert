@@ -22,7 +22,7 @@ uniform float ownStrength; // of the body's own occluders, 0 to 1
 layout(std140) uniform JointBlock { mat4 worldFromJoint[MAX_JOINTS]; };
 uniform mat4 clipFromWorld;
 
-#if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT) || defined(OCCLUDED)
+#if defined(WATER) || defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT) || defined(OCCLUDED) || defined(FILM_DEPTH)
 uniform mat3 envFromWorld;
 #endif
 #if defined(VERTEX_DIFFUSE) || defined(VERTEX_LIT)
@@ -58,7 +58,7 @@ out float litUp;
 #if defined(VERTEX_LIT) || defined(WATER)
 #include "render/Output.glsl"
 #endif
-#if !defined(WATER) && (defined(VERTEX_LIT) || defined(OCCLUDED))
+#if !defined(WATER) && (defined(VERTEX_LIT) || defined(OCCLUDED) || defined(FILM_DEPTH))
 uniform vec3 eyeWorld;
 #endif
 #ifdef WATER
@@ -66,6 +66,9 @@ uniform vec3 eyeWorld;
 out vec3 waterLeft, waterVeiled;
 #endif
 
+#ifdef FILM_DEPTH
+out vec3 fromEyeEnv;
+#endif
 #ifndef VERTEX_LIT
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -152,6 +155,9 @@ void main() {
 #endif
 #ifdef WATER
     throughWater(world.xyz - eyeWorld, envFromWorld, waterLeft, waterVeiled);
+#endif
+#ifdef FILM_DEPTH
+    fromEyeEnv = envFromWorld * (world.xyz - eyeWorld);
 #endif
     gl_Position = clipFromWorld * world;
 }

@@ -1,0 +1,44 @@
+#include "engine/depth/DepthRange.h"
+
+#include "engine/math/LatLongCap.h"
+
+#include <algorithm>
+
+namespace shoal::depth {
+
+void DepthRange::make(const DepthMap& map) {
+    const int width = map.inverse.width, height = map.inverse.height;
+    cells_.assign(static_cast<size_t>(kCells.x) * kCells.y, {});
+    for (int row = 0; row < kCells.y; ++row) {
+        columnMin_.assign(static_cast<size_t>(width), 255);
+        columnMax_.assign(static_cast<size_t>(width), 0);
+        for (int y = row * height / kCells.y; y < (row + 1) * height / kCells.y; ++y) {
+            const uint8_t* codes = map.inverse.at(0, y);
+            for (size_t x = 0; x < columnMin_.size(); ++x) {
+                columnMin_[x] = std::min(columnMin_[x], codes[x]);
+                columnMax_[x] = std::max(columnMax_[x], codes[x]);
+            }
+        }
+        for (int x = 0; x < width; ++x) {
+            Codes& cell = cells_[static_cast<size_t>(row) * kCells.x + x * kCells.x / width];
+            cell.min = std::min(cell.min, columnMin_[static_cast<size_t>(x)]);
+            cell.max = std::max(cell.max, columnMax_[static_cast<size_t>(x)]);
+        }
+    }
+}
+
+DepthRange::Range DepthRange::around(const glm::vec3& dirEnv, float halfAngle) const {
+    if (cells_.empty()) return {};
+    constexpr float kTexel = 0.01f; // radians, which interpolation reaches beyond an edge
+    const CellRange range = cellsOfCap(kCells, dirEnv, halfAngle + kTexel);
+    Codes codes;
+    for (int y = range.first.y; y <= range.last.y; ++y)
+        for (int x = range.first.x; x <= range.last.x; ++x) {
+            const Codes& cell = cells_[static_cast<size_t>(y * kCells.x + (x + 2 * kCells.x) % kCells.x)];
+            codes.min = std::min(codes.min, cell.min);
+            codes.max = std::max(codes.max, cell.max);
+        }
+    return {DepthMap::perM(codes.min), DepthMap::perM(codes.max)};
+}
+
+} // namespace shoal::depth

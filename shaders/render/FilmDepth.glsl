@@ -1,0 +1,22 @@
+// What of the film is nearer than an object hides it. Needs light/LatLong.glsl. Twin of engine/depth/DepthMap.h.
+#include "render/Attributes.glsl"
+
+uniform sampler2D filmDepth;  // inverse distance from the film's camera, lat-long; 1 is 1 / FILM_NEAREST_M
+uniform vec3 eyeInFilm;       // env frame, metres from the film's camera; 0: the film is shown as if it were endlessly far
+
+float filmInverse(vec3 dirEnv) { return textureLod(filmDepth, latLongFromDirection(dirEnv), 0.0).r * (1.0 / FILM_NEAREST_M); }
+
+// One over the distance from the eye, along a ray, of what the film shows there; 0: endlessly far. As depth::searchAlong().
+float inverseAlong(vec3 dirEnv) {
+    float eye2 = dot(eyeInFilm, eyeInFilm);
+    if (eye2 == 0.0) return filmInverse(dirEnv);
+    float along = dot(eyeInFilm, dirEnv);
+    float inverse = 1.0 / FILM_NEAREST_M, before = inverse;
+    for (int step = 0; step < FILM_SEARCH_STEPS; ++step) {
+        before = inverse;
+        float d = filmInverse(normalize(dirEnv + eyeInFilm * inverse));
+        inverse = d / (sqrt(1.0 + d * d * (along * along - eye2)) - along * d);
+        if (abs(inverse - before) * sqrt(eye2) < FILM_FOUND_RAD) return inverse;
+    }
+    return min(inverse, before);
+}
