@@ -14,6 +14,10 @@ namespace {
 // Of the image plane at distance 1. Of a 2048 wide video at most 0.1 texels off up to 45 degrees of latitude,
 // 0.2 where polar cells begin.
 constexpr float kCell = 0.04f;
+// Of what the eye sees of a film that has distances: in the middle of a cell, from what its corners say (half
+// a texel of a 2048 wide video); and the side in pixels of what a cell is then divided into.
+constexpr float kCrooked_rad = 1.5e-3f;
+constexpr int kSmallCell = 8;
 constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: a latitude whose sine is 0.85
 
 // Where cells meet: whole pixels, of larger pictures eight at a time, which are sampled together.
@@ -35,31 +39,80 @@ glm::vec2 rounded(const glm::vec2& uv) {
 
 } // namespace
 
-void BackgroundCells::make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size) {
-    const glm::vec2 half = view.halfExtent();
-    findEdges(half.x, size.x, columns_);
-    findEdges(half.y, size.y, rows_);
-    uvs_.clear();
-    for (const int y : rows_)
-        for (const int x : columns_) {
-            const glm::vec2 place = 2.0f * glm::vec2(x, y) / glm::vec2(size) - 1.0f;
-            uvs_.push_back(
-                latLongFromDirection(glm::normalize(envFromRay * glm::vec3(place * half + view.shift, -1))));
+BackgroundCells::Corner BackgroundCells::Rays::at(const glm::vec2& pixel) const {
+    const glm::vec2 place = 2.0f * pixel / size - 1.0f;
+    const glm::vec3 direction = envFromRay * glm::vec3(place * half + shift, -1);
+    const float length = glm::length(direction);
+    if (!film.depth) return {direction, latLongFromDirection(direction / length)};
+    const glm::vec3 seen = depth::searchAlong(*film.depth, film.eyeInFilm, direction / length).dirEnv;
+    return {seen * length, latLongFromDirection(seen)};
+}
+
+BackgroundCell BackgroundCells::cellOf(const std::array<Corner, 4>& corners, glm::ivec2 low,
+                                       glm::ivec2 high) {
+    BackgroundCell cell{low, high};
+    std::array<glm::vec2, 4> uv;
+    for (size_t i = 0; i < 4; ++i) {
+        cell.directions[i] = corners[i].directionEnv;
+        uv[i] = corners[i].uv;
+        uv[i].x += std::round(uv[0].x - uv[i].x); // the map repeats: all corners on one side of the seam
+    }
+    cell.right = rounded(0.5f * (uv[1] - uv[0] + uv[3] - uv[2]));
+    cell.up = rounded(0.5f * (uv[2] - uv[0] + uv[3] - uv[1]));
+    cell.first = rounded(0.25f * (uv[0] + uv[1] + uv[2] + uv[3]) - 0.5f * (cell.right + cell.up));
+    cell.polar = std::abs(uv[0].y - 0.5f) > kPolarV;
+    return cell;
+}
+
+// Whether the film is where the cell's corners say in its middle as well.
+bool BackgroundCells::isStraight(const BackgroundCell& cell, const Rays& rays) const {
+    const glm::vec3 expected =
+        0.25f * (cell.directions[0] + cell.directions[1] + cell.directions[2] + cell.directions[3]);
+    const glm::vec3 found = rays.at(0.5f * glm::vec2(cell.low + cell.high)).directionEnv;
+    return glm::distance(expected, found) < kCrooked_rad;
+}
+
+void BackgroundCells::divide(const BackgroundCell& cell, const Rays& rays) {
+    const glm::ivec2 size = cell.high - cell.low, parts = glm::max((size + kSmallCell - 1) / kSmallCell, 1);
+    const auto edge = [&](int i, int axis) {
+        return std::min(cell.low[axis] + i * kSmallCell, cell.high[axis]);
+    };
+    within_.clear();
+    for (int y = 0; y <= parts.y; ++y)
+        for (int x = 0; x <= parts.x; ++x) within_.push_back(rays.at({edge(x, 0), edge(y, 1)}));
+    for (int y = 0; y < parts.y; ++y)
+        for (int x = 0; x < parts.x; ++x) {
+            const size_t at = static_cast<size_t>(y * (parts.x + 1) + x),
+                         above = at + static_cast<size_t>(parts.x) + 1;
+            cells_.push_back(cellOf({within_[at], within_[at + 1], within_[above], within_[above + 1]},
+                                    {edge(x, 0), edge(y, 1)}, {edge(x + 1, 0), edge(y + 1, 1)}));
         }
+}
+
+void BackgroundCells::make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
+                           const FilmSpace& film) {
+    const Rays rays{view.halfExtent(), view.shift, envFromRay, size, film};
+    findEdges(rays.half.x, size.x, columns_);
+    findEdges(rays.half.y, size.y, rows_);
+    corners_.clear();
+    for (const int y : rows_)
+        for (const int x : columns_) corners_.push_back(rays.at({x, y}));
     cells_.clear();
-    for (size_t y = 0; y + 1 < rows_.size(); ++y)
+    rowBegins_.clear();
+    for (size_t y = 0; y + 1 < rows_.size(); ++y) {
+        rowBegins_.push_back(cells_.size());
         for (size_t x = 0; x + 1 < columns_.size(); ++x) {
             const size_t at = y * columns_.size() + x, above = at + columns_.size();
-            std::array<glm::vec2, 4> uv = {uvs_[at], uvs_[at + 1], uvs_[above], uvs_[above + 1]};
-            // The map repeats: all corners on one side of the seam.
-            for (glm::vec2& each : uv) each.x += std::round(uv[0].x - each.x);
-            BackgroundCell cell{{columns_[x], rows_[y]}, {columns_[x + 1], rows_[y + 1]}};
-            cell.right = rounded(0.5f * (uv[1] - uv[0] + uv[3] - uv[2]));
-            cell.up = rounded(0.5f * (uv[2] - uv[0] + uv[3] - uv[1]));
-            cell.first = rounded(0.25f * (uv[0] + uv[1] + uv[2] + uv[3]) - 0.5f * (cell.right + cell.up));
-            cell.polar = std::abs(uv[0].y - 0.5f) > kPolarV;
-            cells_.push_back(cell);
+            const BackgroundCell cell =
+                cellOf({corners_[at], corners_[at + 1], corners_[above], corners_[above + 1]},
+                       {columns_[x], rows_[y]}, {columns_[x + 1], rows_[y + 1]});
+            if (film.depth && !isStraight(cell, rays))
+                divide(cell, rays);
+            else
+                cells_.push_back(cell);
         }
+    }
+    rowBegins_.push_back(cells_.size());
 }
 
 } // namespace shoal::render

@@ -1,22 +1,34 @@
 // Divides a view of an equirectangular map into rectangles within which the map's coordinates are affine to a
-// tenth of a texel, so that no pixel needs trigonometry.
+// tenth of a texel, so that no pixel needs trigonometry. Where the film has distances and the eye is beside
+// its camera, what an eye sees of the film is found at the rectangles' corners, which are smaller where
+// distances change.
 #pragma once
 
+#include "engine/depth/DepthRange.h"
 #include "engine/render/View.h"
 
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace shoal::render {
 
+// The film as it lies in space, and the eye that looks at it.
+struct FilmSpace {
+    const depth::DepthMap* depth = nullptr; // null: endlessly far
+    const depth::DepthRange* range = nullptr;
+    glm::vec3 eyeInFilm{0}; // env frame, from the film's camera
+};
+
 struct BackgroundCell {
     glm::ivec2 low{0}, high{0};          // of the picture's pixels, from the bottom
     glm::vec2 first{0}, right{0}, up{0}; // of the map: at the corner, and from there to the next ones
-    bool polar = false;                  // so near a pole that coordinates have to be found for each pixel
+    bool polar = false; // so near a pole that coordinates have to be found for each pixel, from
+    std::array<glm::vec3, 4> directions{}; // env frame: lower left, lower right, upper left, upper right
 
     // What it shows lies between these.
     glm::vec2 mapLow() const { return first + glm::min(right, 0.0f) + glm::min(up, 0.0f); }
@@ -31,16 +43,34 @@ struct CellToDraw {
 class BackgroundCells {
   public:
     // size: in pixels. Nothing allocates once there have been as many.
-    void make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size);
+    void make(const View& view, const glm::mat3& envFromRay, const glm::ivec2& size,
+              const FilmSpace& film = {});
 
     std::span<const BackgroundCell> all() const { return cells_; } // row by row
-    int columns() const { return static_cast<int>(columns_.size()) - 1; }
-    int rows() const { return static_cast<int>(rows_.size()) - 1; }
+    int rows() const { return static_cast<int>(rowBegins_.size()) - 1; }
+    // The cells of a row, by their places in all(): those before the next row's first.
+    size_t rowBegin(int row) const { return rowBegins_[static_cast<size_t>(row)]; }
 
   private:
+    struct Corner {
+        glm::vec3 directionEnv{0}; // as long as from the eye to the image plane
+        glm::vec2 uv{0};
+    };
+    struct Rays { // of the picture being made
+        glm::vec2 half{1}, shift{0};
+        glm::mat3 envFromRay{1};
+        glm::vec2 size{1};
+        FilmSpace film;
+        Corner at(const glm::vec2& pixel) const;
+    };
+    static BackgroundCell cellOf(const std::array<Corner, 4>& corners, glm::ivec2 low, glm::ivec2 high);
+    bool isStraight(const BackgroundCell& cell, const Rays& rays) const;
+    void divide(const BackgroundCell& cell, const Rays& rays);
+
     std::vector<BackgroundCell> cells_;
-    std::vector<int> columns_, rows_; // edges, in pixels
-    std::vector<glm::vec2> uvs_;      // scratch: of corners
+    std::vector<size_t> rowBegins_;
+    std::vector<int> columns_, rows_;      // edges, in pixels
+    std::vector<Corner> corners_, within_; // scratch: of the grid; of a divided cell
 };
 
 } // namespace shoal::render

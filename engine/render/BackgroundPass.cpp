@@ -50,7 +50,7 @@ Status BackgroundPass::setUp(bool withLayers) {
         if (!composite) return composite.error();
         composite_ = std::move(*composite);
     }
-    rectangles_ = TriangleBatch::make({{ATTRIBUTE_POSITION, 2}, {ATTRIBUTE_UV0, 2}});
+    rectangles_ = TriangleBatch::make({{ATTRIBUTE_POSITION, 2}, {ATTRIBUTE_UV0, 2}, {ATTRIBUTE_NORMAL, 3}});
     return Done{};
 }
 
@@ -59,7 +59,7 @@ void BackgroundPass::want(const FrameTiles& tiles, const BackgroundCell& cell) {
 }
 
 Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) {
-    cells_.make(picture.view, picture.envFromEye(), picture.size());
+    cells_.make(picture.view, picture.envFromEye(), picture.size(), picture.filmSpace());
     drawn_.clear();
     for (const BackgroundCell& cell : cells_.all())
         drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
@@ -86,7 +86,8 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
                 const glm::ivec2 at(i & 1 ? cell->high.x : cell->low.x, i >> 1 ? cell->high.y : cell->low.y);
                 corners_.push_back({2.0f * glm::vec2(at) / glm::vec2(picture.size()) - 1.0f,
                                     cell->first + static_cast<float>(i & 1) * cell->right +
-                                        static_cast<float>(i >> 1) * cell->up});
+                                        static_cast<float>(i >> 1) * cell->up,
+                                    cell->directions[static_cast<size_t>(i)]});
             }
         }
         if (corners_.empty()) continue;
@@ -97,9 +98,6 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
         program.use();
         program.setTexture("frame", UNIT_FRAME,
                            shownPainted ? composite_.texture() : picture.environment.frameTexture());
-        program.set("envFromRay", picture.envFromEye());
-        program.set("rayScale", picture.view.halfExtent());
-        program.set("rayShift", picture.view.shift);
         program.set("exposureScale", picture.exposure.scale());
         rectangles_.draw(corners_);
     }

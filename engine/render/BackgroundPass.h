@@ -31,6 +31,11 @@ struct EyePicture {
     SkippedPass skip = SkippedPass::None;
 
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
+    // How the eye sees the film in space; without distances where it sees what the camera saw.
+    FilmSpace filmSpace() const {
+        if (eyeInFilm == glm::vec3(0) || !environment.depth()) return {};
+        return {environment.depth(), environment.depthRange(), eyeInFilm};
+    }
     glm::mat3 envFromEye() const { return envFromWorld * glm::mat3_cast(view.worldFromEye); }
 };
 
@@ -70,6 +75,7 @@ class BackgroundPass {
   private:
     struct Corner {
         glm::vec2 place, uv;
+        glm::vec3 directionEnv;
     };
     Status setUp(bool withLayers);
 

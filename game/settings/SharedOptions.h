@@ -14,6 +14,7 @@ struct EnvironmentOptions {
     std::string video, photo, env; // at most one; empty: the dive's own video
     media::Layout layout = media::Layout::Auto;
     light::FrameRadiance light = light::FrameRadiance::Auto;
+    bool depth = true;    // where a track of distances lies beside the video
     float envYaw_deg = 0; // column u of the environment appears (u - 0.5) * 360 + this to the right of -Z
 
     bool isOwnVideo() const { return video.empty() && photo.empty() && env.empty(); } // the dive's
@@ -36,6 +37,9 @@ struct EnvironmentOptions {
                   "What a video's or photo's values stand for. auto: decoded sRGB, and how bright the light "
                   "was that the camera clipped by what the ground sends back of it; linear: decoded sRGB; "
                   "thesis: its inverse tone mapping, with colours of objects taken as they are coded");
+        table.add("!--no-depth", &depth,
+                  "Leaves the video's distances (NAME.depth.mkv beside NAME.mp4) alone: nothing of it hides "
+                  "what swims, and for two eyes it is endlessly far");
         table.add("--env-yaw", &envYaw_deg, "Turns the environment to the right, degrees").between(-360, 360);
     }
 };

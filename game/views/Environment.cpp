@@ -88,7 +88,7 @@ Status Environment::openVideo(const std::string& name) {
                                        [this] { return !setup_.wait || setup_.wait(-1); })
             .moveTo(live_);
     file_ = name;
-    openDepth(file_);
+    if (setup_.options.depth) openDepth(file_);
     if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
     const media::VideoInfo& info = player_->info();
     if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")

@@ -75,6 +75,15 @@ void SceneRenderer::castShadows(const game::Ground& ground) {
     for (size_t body = 0; body < bodies.count(); ++body) passes_.shadows->add(bodies.ellipsoids(body), floor);
 }
 
+// A film with distances is drawn as if filmed from the world's origin; one without as if endlessly far. An
+// eye that goes further from there than depth is good for takes the film along.
+glm::vec3 SceneRenderer::eyeInFilm(const render::View& view) const {
+    constexpr float kNearest_m = 0.001f, kFurthest_m = 0.3f;
+    const float away = glm::length(view.eyeWorld);
+    if (!environment_->depth() || !environment_->eyesSeeTheSame() || away < kNearest_m) return glm::vec3(0);
+    return environment_->envFromWorld() * view.eyeWorld * std::min(1.0f, kFurthest_m / away);
+}
+
 render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
     return {.environment = environment_->gpu(eye.eye),
             .envFromWorld = environment_->envFromWorld(),
@@ -84,6 +93,7 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
             .eye = eye.eye,
             .sharesFrame = environment_->eyesSeeTheSame(),
             .filmed = {environment_->cameraResponse(), environment_->frameIndex()},
+            .eyeInFilm = eyeInFilm(eye.view),
             .skip = setup_.skip};
 }
 
@@ -125,7 +135,9 @@ void SceneRenderer::drawShadows(const render::EyePicture& picture, const render:
     const gl::PassTimers::Scope scope(timers_, "shadows");
     // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
     render::View filmed = picture.view;
-    filmed.eyeWorld = picture.sharesFrame ? glm::vec3(0) : picture.view.eyeWorld - headWorld_;
+    filmed.eyeWorld = picture.filmSpace().depth ? picture.view.eyeWorld
+                      : picture.sharesFrame     ? glm::vec3(0)
+                                                : picture.view.eyeWorld - headWorld_;
     passes_.shadows->draw(filmed, floorLight_, exposure_.frames, environment_->water(), cover);
 }
 

@@ -70,6 +70,7 @@ class SceneRenderer final : private render::CompositorScene {
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
     void castShadows(const game::Ground& ground);
+    glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;

@@ -7,12 +7,12 @@
 
 uniform sampler2D frame;
 noperspective in vec2 mapUv;
-noperspective in vec3 ray;
+noperspective in vec3 direction;
 out vec4 colour;
 
 void main() {
 #ifdef POLAR
-    vec2 uv = latLongFromDirection(normalize(ray));
+    vec2 uv = latLongFromDirection(normalize(direction));
 #else
     vec2 uv = mapUv;
 #endif

@@ -5,14 +5,12 @@
 
 layout(location = ATTRIBUTE_POSITION) in vec2 place; // on the picture, -1 to 1
 layout(location = ATTRIBUTE_UV0) in vec2 uv;
-uniform mat3 envFromRay; // rotates a ray (x, y, -1) of the image plane into the env frame
-uniform vec2 rayScale;   // half the image plane's extent at distance 1
-uniform vec2 rayShift;   // its centre, for eyes whose frustum is off axis
+layout(location = ATTRIBUTE_NORMAL) in vec3 directionEnv; // in which the film shows it
 noperspective out vec2 mapUv;
-noperspective out vec3 ray;
+noperspective out vec3 direction;
 
 void main() {
     mapUv = uv;
-    ray = envFromRay * vec3(place * rayScale + rayShift, -1.0);
+    direction = directionEnv;
     gl_Position = vec4(place, 1.0, 1.0);
 }

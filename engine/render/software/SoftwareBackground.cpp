@@ -21,13 +21,13 @@ SoftwareBackground::SoftwareBackground()
     : threadPool_(std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4) - 1) {}
 
 void SoftwareBackground::SampleRow::operator()(int row) const {
-    const auto columns = static_cast<size_t>(pass->grid_.columns());
-    for (const State& state : std::span(pass->states_).subspan(static_cast<size_t>(row) * columns, columns))
+    const size_t first = pass->grid_.rowBegin(row), cells = pass->grid_.rowBegin(row + 1) - first;
+    for (const State& state : std::span(pass->states_).subspan(first, cells))
         if (state.due) sampleCell(frame, state.sampled, pass->picture_.data(), pass->shown_.size.x);
 }
 
-void SoftwareBackground::classify(const View& view) {
-    grid_.make(view, shown_.envFromRay, shown_.size);
+void SoftwareBackground::classify(const EyePicture& picture) {
+    grid_.make(picture.view, shown_.envFromRay, shown_.size, picture.filmSpace());
     const glm::vec2 texels(shown_.frame.width, shown_.frame.height);
     states_.clear();
     for (const BackgroundCell& cell : grid_.all()) {
@@ -48,10 +48,11 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
                       picture.view.halfExtent(),
                       picture.view.shift,
                       picture.envFromEye(),
-                      picture.size()};
+                      picture.size(),
+                      picture.filmSpace().eyeInFilm};
     const bool same = !states_.empty() && shown == shown_;
     shown_ = shown;
-    if (!same) classify(picture.view);
+    if (!same) classify(picture);
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
         State& state = states_[k];

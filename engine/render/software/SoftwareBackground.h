@@ -32,7 +32,8 @@ class SoftwareBackground final : public BackgroundPass {
         uint64_t frameNumber = 0;
         glm::vec2 halfExtent{0}, shift{0}; // of the view
         glm::mat3 envFromRay{1};
-        glm::ivec2 size{0}; // of the picture
+        glm::ivec2 size{0};     // of the picture
+        glm::vec3 eyeInFilm{0}; // 0 where the film has no distances, too
         bool operator==(const Shown&) const = default;
     };
     struct State { // of a cell
@@ -51,7 +52,7 @@ class SoftwareBackground final : public BackgroundPass {
         int row, first, end; // of columns
     };
 
-    void classify(const View& view);
+    void classify(const EyePicture& picture);
     void paintObjects(const EyePicture& picture, const TexelLayer& layer);
     void paintFrame(const FrameTiles& tiles, const TexelPaint& paint);
 
