@@ -129,12 +129,12 @@ Filming::Sample Filming::look(const vec2& uv, float pixelAngle) const {
     return sample;
 }
 
-Drawn Filming::draw(float turn, int width, bool edges) {
+Drawn Filming::draw(float turn, int width, bool edges, const vec3& beside) {
     const int height = width / 2;
-    camera_ = route_.at(turn);
+    camera_ = route_.at(turn) + beside;
     sea_.advance(turn);
     caustics_.advance(sea_);
-    world_.advance(turn, camera_);
+    world_.advance(turn, route_.at(turn));
     veil_.fill(scene_, world_, caustics_, camera_);
     const float pixelAngle = kPi / static_cast<float>(height);
     std::vector<std::vector<Sample>> rows(static_cast<size_t>(height));

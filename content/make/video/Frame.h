@@ -13,8 +13,8 @@ class Filming {
   public:
     Filming(const Scene& scene, const Route& route, World& world);
     // Lat-long, env frame = world frame moved to the camera. turn: time in films. edges: more rays where
-    // neighbours differ. Without snow.
-    Drawn draw(float turn, int width, bool edges);
+    // neighbours differ. beside: metres, from where the camera is at that time. Without snow.
+    Drawn draw(float turn, int width, bool edges, const vec3& beside = vec3(0));
     // The picture at a time between two that were drawn, share of the way from a to b: each moved as its
     // distances tell, then mixed.
     Drawn between(const Drawn& a, const Drawn& b, float share, float turn) const;

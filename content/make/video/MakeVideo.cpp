@@ -32,6 +32,7 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
     film [FIRST COUNT]           frames, raw, 3 bytes a pixel, sRGB-coded, to standard output
     size                         width of these frames and frames a second, to standard output
     truth NAME FRAME...          NAME_NNNN.hdr: linear radiance before the camera
+    beside NAME WIDTH X Y Z FRAME...   NAME_NNNN.hdr: the same from so many millimetres beside the camera
     depth FILE.mkv FILM...       the track of distances that belongs to these versions of the film
     depths NAME WIDTH FRAME...   NAME_NNNN.depth.mkv: distances of single frames, as many as the film has pixels
     enclosure FILE.toml          when the camera is enclosed, and how much; how high the ground lies
@@ -167,6 +168,15 @@ Status truth(const Studio& studio, const std::string& name, const std::vector<in
     return Done{};
 }
 
+Status beside(const Studio& studio, const std::string& name, int width, const vec3& metres,
+              const std::vector<int>& frames) {
+    for (const int frame : frames) {
+        const Drawn drawn = studio.filming.draw(studio.turn(frame), width, true, metres);
+        if (Status s = media::writeHdr(name + numbered("_%04d.hdr", frame), drawn.radianceLin); !s) return s;
+    }
+    return Done{};
+}
+
 Status depth(const Studio& studio, const Path& to, const std::vector<std::string>& films) {
     std::vector<std::string> identities;
     for (const std::string& film : films) {
@@ -296,6 +306,10 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
     if (task == "depths" && named.size() > 1)
         return depths(studio, words[1], named[0], {named.begin() + 1, named.end()});
     studio.world.lightOnce(studio.folder / "lit.bin");
+    if (task == "beside" && named.size() > 4) {
+        const vec3 metres = 0.001f * vec3(named[1], named[2], named[3]);
+        return beside(studio, words[1], named[0], metres, {named.begin() + 4, named.end()});
+    }
     if (task == "truth") return truth(studio, words[1], named);
     if (task == "enclosure") return enclosure(studio, words[1]);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), named);
