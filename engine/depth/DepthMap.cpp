@@ -86,26 +86,48 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
     return glm::mix(above, below, part.y) / (kSteps * kNearest_m);
 }
 
-// The ray's point s metres from the eye lies towards eye / s + dir from the camera: 1 / s, which is all that
-// is iterated, is 0 for what is far away. What the film shows there, at the distance D, is met by the ray
-// where |eye + s dir| = D.
+// The ray's point s metres from the eye lies towards dir + eye / s from the camera: only w = 1 / s is
+// searched, which is 0 for what is endlessly far. From near to far, each time to where the surface just seen
+// would be met, in steps that miss little; where the film is nearer than that, by regula falsi between the
+// two. Where nothing is met there either, the ray passes behind an edge.
 Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
-    constexpr int kMaxSteps = 6;
-    constexpr float kFound_rad = 2e-3f; // a third of a texel of a map of 1024
+    constexpr float kStep_rad = 0.06f, kFound_rad = 1.5e-3f; // a quarter of a texel of a map of 1024
+    constexpr int kMaxSteps = 16, kRefinements = 4;
+    constexpr float kMaxInverse = 1 / kNearest_m;
+    struct Point {
+        float inverse; // of the distance from the eye
+        Seen seen;
+        float behind; // what is seen, where positive: a difference of inverse distances
+    };
+    const auto at = [&](float inverse) {
+        const glm::vec3 towards = dirEnv + eyeEnv * inverse;
+        const float length = glm::length(towards);
+        const Seen seen{towards / length, map.inverse_perM(towards / length)};
+        return Point{inverse, seen, seen.inverse_perM - inverse / length};
+    };
     const float along = glm::dot(eyeEnv, dirEnv), eye2 = glm::dot(eyeEnv, eyeEnv), eye = std::sqrt(eye2);
-    float inverse = 1 / kNearest_m;
-    Seen last{dirEnv, 0};
-    for (int step = 0; step < kMaxSteps; ++step) {
-        const glm::vec3 towards = glm::normalize(dirEnv + eyeEnv * inverse);
-        const Seen seen{towards, map.inverse_perM(towards)};
+    const auto metAt = [&](const Seen& seen) { // |eye + dir / w| = 1 / d
         const float d = seen.inverse_perM;
-        const float next = d > 0 ? d / (std::sqrt(1 + d * d * (along * along - eye2)) - along * d) : 0;
-        if (std::abs(next - inverse) * eye < kFound_rad) return seen;
-        if (step == kMaxSteps - 1) return seen.inverse_perM < last.inverse_perM ? seen : last;
-        last = seen;
-        inverse = next;
+        return d / (std::sqrt(1 + d * d * (along * along - eye2)) - along * d);
+    };
+    const float maxStep = kStep_rad / eye, found = kFound_rad / eye;
+    Point before = at(kMaxInverse), next = before;
+    if (next.behind >= -found) return next.seen;
+    for (int k = 0; k < kMaxSteps && next.behind < -found; ++k) {
+        before = next;
+        next = at(std::max(metAt(before.seen), before.inverse - maxStep));
     }
-    return last;
+    if (next.behind <= found) return next.seen;
+    Point behind = next;
+    for (int k = 0; k < kRefinements; ++k) {
+        next = at(glm::mix(before.inverse, behind.inverse, before.behind / (before.behind - behind.behind)));
+        if (std::abs(next.behind) <= found) return next.seen;
+        (next.behind < 0 ? before : behind) = next;
+    }
+    const Point far = at(metAt(before.seen));
+    if (std::abs(far.behind) <= found) return far.seen;
+    const Point beside = at(metAt(behind.seen));
+    return beside.behind < 0 ? beside.seen : before.seen;
 }
 
 void DepthRefiner::readTrusted(const media::DepthFrame& depth) {

@@ -1,0 +1,41 @@
+// What an eye beside a film's camera sees of one of its frames, drawn in several ways.
+#pragma once
+
+#include "engine/core/Image.h"
+#include "engine/depth/DepthRange.h"
+#include "engine/render/View.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace shoal::bench {
+
+// Lat-long; display values, 0 to 1.
+struct Frame {
+    ImageRgbF display;
+    depth::DepthMap depth;
+    depth::DepthRange range;
+};
+
+struct Picture {
+    int size = 0;                  // square
+    std::vector<glm::vec3> pixels; // rows from the bottom, display values
+};
+
+// A square view of 90 degrees from the camera.
+Picture seenFlat(const ImageRgbF& display, const glm::mat3& envFromEye, int size);
+
+// As render::BackgroundCells has it: the search at corners, linear between them.
+Picture seenByCells(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size);
+
+// The same search for every pixel.
+Picture seenBySearch(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size);
+
+// A grid over the sphere, a vertex for each `step` texels of the map at its distance, with a depth buffer:
+// what lies behind an edge is covered by stretched triangles.
+Picture seenByGrid(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size,
+                   int step);
+
+} // namespace shoal::bench
