@@ -1,5 +1,7 @@
 #include "engine/depth/DepthMap.h"
 
+#include "shaders/render/Attributes.glsl"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -24,6 +26,14 @@ constexpr float kSameColour = 20;
 
 // Confidence below the first: nothing is known; above the second: all is believed.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
+
+// Of a search along a ray, as shaders/render/FilmDepth.glsl has it too: a step may move by the first on the
+// map; what is as near as the second, a quarter of a texel, is found; and a point is far behind a surface
+// that is so many times nearer.
+constexpr auto kSearchStep_rad = static_cast<float>(FILM_STEP_RAD);
+constexpr auto kFound_rad = static_cast<float>(FILM_FOUND_RAD);
+constexpr auto kPassed = static_cast<float>(FILM_PASSED);
+constexpr int kSearchSteps = FILM_MAX_STEPS;
 
 int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
@@ -87,47 +97,37 @@ float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
 }
 
 // The ray's point s metres from the eye lies towards dir + eye / s from the camera: only w = 1 / s is
-// searched, which is 0 for what is endlessly far. From near to far, each time to where the surface just seen
-// would be met, in steps that miss little; where the film is nearer than that, by regula falsi between the
-// two. Where nothing is met there either, the ray passes behind an edge.
+// searched, which is 0 for what is endlessly far. From near to far, each time to where the surface that the
+// film shows towards the point would be met, in steps that miss little. A point a little behind that surface
+// is taken back to it; one far behind has passed an edge.
 Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv) {
-    constexpr float kStep_rad = 0.06f, kFound_rad = 1.5e-3f; // a quarter of a texel of a map of 1024
-    constexpr int kMaxSteps = 16, kRefinements = 4;
-    constexpr float kMaxInverse = 1 / kNearest_m;
     struct Point {
         float inverse; // of the distance from the eye
         Seen seen;
-        float behind; // what is seen, where positive: a difference of inverse distances
-    };
-    const auto at = [&](float inverse) {
-        const glm::vec3 towards = dirEnv + eyeEnv * inverse;
-        const float length = glm::length(towards);
-        const Seen seen{towards / length, map.inverse_perM(towards / length)};
-        return Point{inverse, seen, seen.inverse_perM - inverse / length};
+        float met; // the inverse distance at which the ray meets what is seen
     };
     const float along = glm::dot(eyeEnv, dirEnv), eye2 = glm::dot(eyeEnv, eyeEnv), eye = std::sqrt(eye2);
-    const auto metAt = [&](const Seen& seen) { // |eye + dir / w| = 1 / d
-        const float d = seen.inverse_perM;
-        return d / (std::sqrt(1 + d * d * (along * along - eye2)) - along * d);
+    const auto at = [&](float inverse) {
+        const glm::vec3 towards = glm::normalize(dirEnv + eyeEnv * inverse);
+        const float d = map.inverse_perM(towards);
+        const float met =
+            d / (std::sqrt(1 + d * d * (along * along - eye2)) - along * d); // |eye + dir / w| = 1 / d
+        return Point{inverse, {towards, d}, met};
     };
-    const float maxStep = kStep_rad / eye, found = kFound_rad / eye;
-    Point before = at(kMaxInverse), next = before;
-    if (next.behind >= -found) return next.seen;
-    for (int k = 0; k < kMaxSteps && next.behind < -found; ++k) {
-        before = next;
-        next = at(std::max(metAt(before.seen), before.inverse - maxStep));
+    const float maxStep = kSearchStep_rad / eye, found = kFound_rad / eye;
+    const auto isMet = [&](const Point& point) { return std::abs(point.met - point.inverse) <= found; };
+    Point before = at(1 / kNearest_m), point = before;
+    for (int k = 0; k < kSearchSteps; ++k) {
+        if (isMet(point)) return point.seen;
+        if (point.met > kPassed * point.inverse + found) break;
+        if (point.met < point.inverse) before = point;
+        point = at(std::max(point.met, point.inverse - maxStep));
     }
-    if (next.behind <= found) return next.seen;
-    Point behind = next;
-    for (int k = 0; k < kRefinements; ++k) {
-        next = at(glm::mix(before.inverse, behind.inverse, before.behind / (before.behind - behind.behind)));
-        if (std::abs(next.behind) <= found) return next.seen;
-        (next.behind < 0 ? before : behind) = next;
-    }
-    const Point far = at(metAt(before.seen));
-    if (std::abs(far.behind) <= found) return far.seen;
-    const Point beside = at(metAt(behind.seen));
-    return beside.behind < 0 ? beside.seen : before.seen;
+    const Point nearer = at(point.met);
+    if (isMet(nearer)) return nearer.seen; // a step went over it
+    const Point beyond = at(before.met);
+    if (isMet(beyond)) return beyond.seen;
+    return nearer.met < point.met ? nearer.seen : before.seen;
 }
 
 void DepthRefiner::readTrusted(const media::DepthFrame& depth) {

@@ -24,7 +24,9 @@
 #define MAX_JOINTS 256
 #define MAX_OTHERS 24 // occluders: parts of other bodies
 #define MAX_OCCLUDERS 48
-// Of the map of distances: engine/depth/DepthMap.h.
+// Of the map of distances, which engine/depth/DepthMap.cpp searches as render/FilmDepth.glsl does.
 #define FILM_NEAREST_M 0.6
-#define FILM_SEARCH_STEPS 6
-#define FILM_FOUND_RAD 2e-3
+#define FILM_MAX_STEPS 16
+#define FILM_STEP_RAD 0.06
+#define FILM_FOUND_RAD 1.5e-3
+#define FILM_PASSED 1.25

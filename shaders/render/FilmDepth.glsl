@@ -6,17 +6,22 @@ uniform vec3 eyeInFilm;       // env frame, metres from the film's camera; 0: th
 
 float filmInverse(vec3 dirEnv) { return textureLod(filmDepth, latLongFromDirection(dirEnv), 0.0).r * (1.0 / FILM_NEAREST_M); }
 
-// One over the distance from the eye, along a ray, of what the film shows there; 0: endlessly far. As depth::searchAlong().
+// One over the distance from the eye, along a ray, of what the film shows there; 0: endlessly far. As depth::searchAlong(), which
+// says how; behind an edge lies what was seen before it.
 float inverseAlong(vec3 dirEnv) {
     float eye2 = dot(eyeInFilm, eyeInFilm);
     if (eye2 == 0.0) return filmInverse(dirEnv);
-    float along = dot(eyeInFilm, dirEnv);
-    float inverse = 1.0 / FILM_NEAREST_M, before = inverse;
-    for (int step = 0; step < FILM_SEARCH_STEPS; ++step) {
-        before = inverse;
+    float along = dot(eyeInFilm, dirEnv), eye = sqrt(eye2), found = FILM_FOUND_RAD / eye;
+    float inverse = 1.0 / FILM_NEAREST_M, before = 0.0;
+    bool passed = false;
+    for (int step = 0; step < FILM_MAX_STEPS; ++step) {
         float d = filmInverse(normalize(dirEnv + eyeInFilm * inverse));
-        inverse = d / (sqrt(1.0 + d * d * (along * along - eye2)) - along * d);
-        if (abs(inverse - before) * sqrt(eye2) < FILM_FOUND_RAD) return inverse;
+        float met = d / (sqrt(1.0 + d * d * (along * along - eye2)) - along * d);
+        if (abs(met - inverse) <= found) return met;
+        if (passed) return before;
+        passed = met > FILM_PASSED * inverse + found; // then once more, where a step may have gone over it
+        if (!passed) before = met;
+        inverse = passed ? met : max(met, inverse - FILM_STEP_RAD / eye);
     }
-    return min(inverse, before);
+    return before;
 }

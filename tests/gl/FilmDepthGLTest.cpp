@@ -1,0 +1,119 @@
+// What of a film is nearer hides an object.
+#include "Spheres.h"
+
+#include <functional>
+
+namespace shoal {
+namespace {
+
+constexpr int kSize = 256;
+
+class FilmDepthGL : public WithContext {
+  protected:
+    struct Drawn {
+        ImageRgba8 picture;
+        int draws = 0;
+    };
+    // A ball of radius 0.5 three metres ahead of the eye, in a film with these inverse distances.
+    Drawn draw(const std::function<float(const glm::vec3&)>& inverseOf,
+               const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
+        map_.inverse.fit(1024, 512);
+        for (int y = 0; y < 512; ++y)
+            for (int x = 0; x < 1024; ++x) {
+                const glm::vec2 uv((static_cast<float>(x) + 0.5f) / 1024,
+                                   (static_cast<float>(y) + 0.5f) / 512);
+                const float code = inverseOf(directionFromLatLong(uv)) * 255 * depth::kNearest_m;
+                *map_.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(code + 0.5f, 0.0f, 255.0f));
+            }
+        range_.make(map_);
+        render::EnvironmentGpu environment;
+        environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
+        environment.setDepth(&map_, &range_);
+        const scene::Model model = sphere(0, 0.5f);
+        const render::ModelGpu gpu =
+            render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
+        scene::Pose pose;
+        scene::restPose(model, pose);
+        scene::updateGlobals(model, pose);
+        auto pass = render::ObjectPass::make();
+        EXPECT_TRUE(pass) << pass.error().message();
+        const gl::Target target(kSize, kSize, 1);
+        target.bind();
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const glm::vec3 centre = eyeInFilm + glm::vec3(0, 0, -away);
+        glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(0.5f));
+        pass->begin();
+        pass->add(model, gpu, pose, worldFromModel, {centre, 0.5f});
+        pass->upload(glm::mat3(1));
+        EXPECT_TRUE(pass->draw(environment, view(eyeInFilm), glm::mat3(1), {}, {},
+                               render::Glossy::Prefiltered, eyeInFilm));
+        target.resolve();
+        return {target.read(), pass->drawCount()};
+    }
+    static render::View view(const glm::vec3& eye) {
+        render::View view;
+        view.eyeWorld = eye;
+        view.verticalFov = 0.5f;
+        view.aspect = 1;
+        return view;
+    }
+    static double covered(const ImageRgba8& picture, int firstColumn = 0, int endColumn = kSize) {
+        double sum = 0;
+        for (int y = 0; y < kSize; ++y)
+            for (int x = firstColumn; x < endColumn; ++x) sum += picture.at(x, y)[3] / 255.0;
+        return sum;
+    }
+
+    depth::DepthMap map_;
+    depth::DepthRange range_;
+};
+
+TEST_F(FilmDepthGL, NothingHidesWhatIsNearer) {
+    const Drawn free = draw([](const glm::vec3&) { return 0.0f; });
+    const Drawn before = draw([](const glm::vec3&) { return 1 / 5.0f; });
+    EXPECT_GT(covered(free.picture), 1000);
+    EXPECT_EQ(free.picture.pixels, before.picture.pixels);
+}
+
+TEST_F(FilmDepthGL, WhatIsWhollyBehindIsNotDrawn) {
+    EXPECT_EQ(draw([](const glm::vec3&) { return 1.0f; }).draws, 0);
+    EXPECT_EQ(draw([](const glm::vec3&) { return 1 / 2.8f; }).draws, 1); // its front is at 2.5 m
+}
+
+// Film and ball meet in the middle: half of it is left, up to a column, since the outline is a pixel wide.
+TEST_F(FilmDepthGL, AnEdgeCutsWhereTheFilmHasIt) {
+    const double all = covered(draw([](const glm::vec3&) { return 0.0f; }).picture);
+    const Drawn cut = draw([](const glm::vec3& d) { return d.x < 0 ? 1.0f : 0.0f; });
+    const double rows = 2 * std::sqrt(all / std::numbers::pi); // the ball's, in pixels
+    EXPECT_NEAR(covered(cut.picture), all / 2, rows);
+    // A texel of the map is 3 pixels wide.
+    EXPECT_EQ(covered(cut.picture, 0, kSize / 2 - 4), 0);
+}
+
+// Hands that reach are never hidden: nothing of a film is nearer than 0.6 m.
+TEST_F(FilmDepthGL, NothingIsNearerThanAHandReaches) {
+    const Drawn free = draw([](const glm::vec3&) { return 0.0f; }, {}, 1.05f);
+    const Drawn near =
+        draw([](const glm::vec3&) { return 4.0f; }, {}, 1.05f); // the ball's front is at 0.55 m
+    EXPECT_EQ(free.picture.pixels.size(), near.picture.pixels.size());
+    const auto middle = [](const ImageRgba8& picture) { return picture.at(kSize / 2, kSize / 2)[3]; };
+    EXPECT_EQ(middle(free.picture), 255);
+    EXPECT_EQ(middle(near.picture), 255);
+}
+
+// A wall 1 m ahead that ends straight ahead of the camera. From 0.1 m right of it the eye sees that end at a
+// slope of 0.1 to the left, 50 pixels from the middle: hidden is the segment of the ball beyond, up to two of
+// the map's texels, 6 columns. From 0.1 m left of it, the end lies 50 pixels to the right.
+TEST_F(FilmDepthGL, AnEyeBesideTheCameraSeesPastAnEdge) {
+    const auto wall = [](const glm::vec3& d) { return d.x < 0 ? std::max(-d.z, 0.0f) : 0.0f; };
+    const double all = covered(draw([](const glm::vec3&) { return 0.0f; }).picture);
+    const double radius = std::sqrt(all / std::numbers::pi), end = 0.1 / std::tan(0.25) * kSize / 2;
+    const double chord = 2 * std::sqrt(radius * radius - end * end);
+    const double segment = radius * radius * std::acos(end / radius) - end * chord / 2;
+    EXPECT_NEAR(covered(draw(wall, {0.1f, 0, 0}).picture), all - segment, 6 * chord);
+    EXPECT_NEAR(covered(draw(wall, {-0.1f, 0, 0}).picture), segment, 6 * chord);
+}
+
+} // namespace
+} // namespace shoal
