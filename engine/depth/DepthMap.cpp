@@ -11,8 +11,7 @@ namespace shoal::depth {
 
 namespace {
 
-constexpr int kMapWidth = 1024; // tests/bench/figures/depth.md tells why
-constexpr float kSteps = 255;   // of an inverse distance of 1 / kNearest_m
+constexpr float kSteps = 255; // of an inverse distance of 1 / kNearest_m
 
 // Inverse distances that differ by more than this within neighbouring texels of a track are an edge: a slope
 // seen at a small angle differs less.
@@ -53,20 +52,6 @@ void shrink(const light::FrameView& film, ImageRgb8& out) {
 float colourDistance2(const uint8_t* a, const uint8_t* b) {
     const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
     return static_cast<float>(d0 * d0 + d1 * d1 + d2 * d2);
-}
-
-// A place between the track's texels: the first of two, and the second's weight in 256ths.
-struct Between {
-    int first, second, weight;
-};
-Between between(int fine, int fineCount, int coarseCount, bool repeats) {
-    const float at =
-        (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
-        0.5f;
-    const float low = std::floor(at);
-    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
-    if (repeats) return {wrapped(first, coarseCount), wrapped(first + 1, coarseCount), weight};
-    return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
 }
 
 } // namespace
@@ -122,18 +107,28 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
         }
 }
 
+DepthRefiner::Between DepthRefiner::between(int fine, int fineCount, int coarseCount, bool repeats) {
+    const float at =
+        (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
+        0.5f;
+    const float low = std::floor(at);
+    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
+    if (repeats) return {wrapped(first, coarseCount), wrapped(first + 1, coarseCount), weight};
+    return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
+}
+
 void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
     readTrusted(depth);
-    out.inverse.fit(kMapWidth, kMapWidth / 2);
-    std::array<Between, kMapWidth> columns;
-    for (int x = 0; x < kMapWidth; ++x)
-        columns[static_cast<size_t>(x)] = between(x, kMapWidth, coarse_.width, true);
-    for (int y = 0; y < kMapWidth / 2; ++y) {
-        const auto [top, bottom, down] = between(y, kMapWidth / 2, coarse_.height, false);
+    out.inverse.fit(mapWidth_, mapWidth_ / 2);
+    columns_.resize(static_cast<size_t>(mapWidth_));
+    for (int x = 0; x < mapWidth_; ++x)
+        columns_[static_cast<size_t>(x)] = between(x, mapWidth_, coarse_.width, true);
+    for (int y = 0; y < mapWidth_ / 2; ++y) {
+        const auto [top, bottom, down] = between(y, mapWidth_ / 2, coarse_.height, false);
         const uint8_t *above = coarse_.at(0, top), *below = coarse_.at(0, bottom);
         uint8_t* row = out.inverse.at(0, y);
-        for (int x = 0; x < kMapWidth; ++x) {
-            const auto [left, right, across] = columns[static_cast<size_t>(x)];
+        for (int x = 0; x < mapWidth_; ++x) {
+            const auto [left, right, across] = columns_[static_cast<size_t>(x)];
             const int a = above[left] * (256 - across) + above[right] * across;
             const int b = below[left] * (256 - across) + below[right] * across;
             row[x] = static_cast<uint8_t>((a * (256 - down) + b * down + (1 << 15)) >> 16);
@@ -146,14 +141,14 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
 // is far, since a mean of their distances is where nothing is.
 void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView& film, DepthMap& out) {
     enlarge(depth, out);
-    if (film.width < kMapWidth || film.height < kMapWidth / 2) return;
-    guide_.fit(kMapWidth, kMapWidth / 2);
+    if (film.width < mapWidth_ || film.height < mapWidth_ / 2) return;
+    guide_.fit(mapWidth_, mapWidth_ / 2);
     shrink(film, guide_);
     coarseGuide_.fit(coarse_.width, coarse_.height);
     shrink({guide_.at(0, 0), guide_.width, guide_.height, guide_.width * ptrdiff_t{3}, film.bgr},
            coarseGuide_);
 
-    const int scale = kMapWidth / coarse_.width;
+    const int scale = mapWidth_ / coarse_.width;
     if (scale < 2) return;
     for (int cy = 0; cy < coarse_.height; ++cy)
         for (int cx = 0; cx < coarse_.width; ++cx) {

@@ -16,6 +16,8 @@ namespace shoal::depth {
 // Nothing is taken to be nearer: a hand that reaches so far is never hidden.
 constexpr float kNearest_m = 0.6f;
 
+constexpr int kMapWidth = 1024; // tests/bench/figures/depth.md tells why
+
 struct DepthMap {
     // Lat-long; inverse distance, 255 is 1 / kNearest_m: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or
     // not known well enough.
@@ -42,6 +44,8 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
 // Brings frames of a track to the film's own edges. Allocates nothing once the map has its size.
 class DepthRefiner {
   public:
+    explicit DepthRefiner(int mapWidth = kMapWidth) : mapWidth_(mapWidth) {}
+
     // film: the frame that depth belongs to.
     void refine(const media::DepthFrame& depth, const light::FrameView& film, DepthMap& out);
 
@@ -49,11 +53,18 @@ class DepthRefiner {
     void enlarge(const media::DepthFrame& depth, DepthMap& out);
 
   private:
+    // A place between the track's texels: the first of two, and the second's weight in 256ths.
+    struct Between {
+        int first, second, weight;
+    };
+    static Between between(int fine, int fineCount, int coarseCount, bool repeats);
     void readTrusted(const media::DepthFrame& depth);
 
-    Image<uint8_t, 1> coarse_; // inverse distances as DepthMap has them, where they are trusted
-    ImageRgb8 guide_;          // scratch: means of the film, a pixel for each of the map's
-    ImageRgb8 coarseGuide_;    // and for each of the track's
+    int mapWidth_;
+    std::vector<Between> columns_; // of the map
+    Image<uint8_t, 1> coarse_;     // inverse distances as DepthMap has them, where they are trusted
+    ImageRgb8 guide_;              // scratch: means of the film, a pixel for each of the map's
+    ImageRgb8 coarseGuide_;        // and for each of the track's
 };
 
 } // namespace shoal::depth

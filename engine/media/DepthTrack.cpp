@@ -12,6 +12,7 @@ extern "C" {
 }
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -24,7 +25,7 @@ namespace {
 constexpr AVPixelFormat kPixels = AV_PIX_FMT_YUV420P10LE;
 constexpr uint16_t kUnusedCode = 512;
 constexpr int kMinWidth = 16, kMaxWidth = 4096;
-constexpr int kMaxFrames = 10'000'000;
+constexpr double kMaxFps = 240; // stamps are milliseconds: frames need stamps of their own
 constexpr double kMaxDuration_s = 1e6;
 constexpr size_t kIdentityBytes = 1 << 20;
 
@@ -36,13 +37,12 @@ constexpr const char* kLayoutTag = "SHOAL_LAYOUT";
 constexpr const char* kLayout = "equirectangular mono";
 constexpr const char* kFilmsTag = "SHOAL_FILMS"; // identities, with blanks between
 
-bool isTrackSize(int width, int height) {
-    return width >= kMinWidth && width <= kMaxWidth && width % 4 == 0 && height * 2 == width;
-}
-
+// Powers of two, so that maps of distances hold each texel a whole number of times.
 bool isTrack(const DepthTrackInfo& info) {
-    return isTrackSize(info.width, info.height) && info.frameCount > 0 && info.frameCount <= kMaxFrames &&
-           info.duration_s > 0 && info.duration_s <= kMaxDuration_s;
+    const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height * 2 == info.width;
+    return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
+           info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
+           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0);
 }
 
 std::string tagOf(const AVFormatContext& input, const char* name) {
@@ -68,12 +68,11 @@ using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
 
 } // namespace
 
-uint16_t depthCode(float inverse_perM) {
-    constexpr int kFinest = 32; // codes: from here on, steps of powers of two
-    const float share = std::clamp(inverse_perM / kMaxInverse_perM, 0.0f, 1.0f);
+uint16_t depthCode(float inverse_perM, int stepsPerOctave) {
+    const float share = inverse_perM > 0 ? std::min(inverse_perM / kMaxInverse_perM, 1.0f) : 0;
     const int code = static_cast<int>(share * kMaxDepthCode + 0.5f);
     int step = 1;
-    while (code / step >= 2 * kFinest) step *= 2;
+    while (code / step >= 2 * stepsPerOctave) step *= 2;
     return static_cast<uint16_t>(std::min((code + step / 2) / step * step, kMaxDepthCode));
 }
 
@@ -155,7 +154,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     if (input.nb_streams != 1) return failed("is damaged: it holds more than one stream");
     const AVCodecParameters& coded = *input.streams[0]->codecpar;
     info.width = coded.width, info.height = coded.height;
-    if (coded.codec_id != AV_CODEC_ID_FFV1 || coded.format != kPixels || !isTrack(info))
+    if (coded.codec_id != AV_CODEC_ID_FFV1 || !isTrack(info))
         return failed("is damaged: its header makes no sense");
     const AVCodec* decoder = avcodec_find_decoder(coded.codec_id);
     impl->codec.reset(avcodec_alloc_context3(decoder));
@@ -219,7 +218,6 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     const Error failed{"", "FFmpeg's FFV1 encoder is not to be had"};
     if (!isTrack(info)) return Error{"", "no depth track has this size"};
     setUpDecoders();
-    av_max_alloc(size_t{2} << 30); // the encoder takes memory for the largest frame that could come
     auto impl = std::make_unique<Impl>();
     impl->info = info;
     const AVCodec* ffv1 = avcodec_find_encoder(AV_CODEC_ID_FFV1);
@@ -228,7 +226,8 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     codec.width = info.width, codec.height = info.height;
     codec.pix_fmt = kPixels;
     codec.time_base = av_d2q(info.duration_s / info.frameCount, 1'000'000);
-    codec.gop_size = 1; // every frame by itself
+    codec.gop_size = 1;                      // every frame by itself
+    if (info.width <= 352) codec.slices = 1; // each learns statistics anew; FFmpeg cuts larger frames
     codec.thread_count = 1;
     codec.level = 3;
     codec.flags |= AV_CODEC_FLAG_BITEXACT;

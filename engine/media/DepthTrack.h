@@ -17,8 +17,12 @@ namespace shoal::media {
 constexpr int kMaxDepthCode = 1023;
 constexpr float kMaxInverse_perM = 4; // of the highest code: nothing is nearer than 0.25 m
 
-// Rounded to steps of at most 3 % of itself: finer ones would double a track, and nobody sees them.
-uint16_t depthCode(float inverse_perM);
+// Of a track: finer ones make it larger, and nobody sees them (tests/bench/figures/depth.md).
+constexpr int kDepthStepsPerOctave = 16;
+constexpr int kExactDepthSteps = 1024; // all of the codes
+
+// Rounded to so many steps (a power of two) from one power of two to the next.
+uint16_t depthCode(float inverse_perM, int stepsPerOctave = kDepthStepsPerOctave);
 
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
