@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <vector>
 
 namespace shoal::depth {
@@ -58,13 +59,30 @@ class DepthRefiner {
         int first, second, weight;
     };
     static Between between(int fine, int fineCount, int coarseCount, bool repeats);
+
+    // A texel of the track where near and far meet, with those around it.
+    struct Edge {
+        int x, y;
+        std::array<float, 9> inverse; // as DepthMap has it, row by row
+        std::array<bool, 9> isNear;
+    };
+    bool findEdge(int x, int y, Edge& edge) const;
     void readTrusted(const media::DepthFrame& depth);
+    void placeTexels(int scale);
+    void readColours(const light::FrameView& film, int scale);
+    void split(const Edge& edge, int scale, DepthMap& out) const;
 
     int mapWidth_;
+    Image<uint8_t, 1> coarse_; // inverse distances as DepthMap has them, where they are trusted
+    // Scratch.
+    std::vector<Edge> edges_;
+    int placedScale_ = 0;          // that nearness_ is for
     std::vector<Between> columns_; // of the map
-    Image<uint8_t, 1> coarse_;     // inverse distances as DepthMap has them, where they are trusted
-    ImageRgb8 guide_;              // scratch: means of the film, a pixel for each of the map's
-    ImageRgb8 coarseGuide_;        // and for each of the track's
+    std::vector<uint16_t> row_;    // of the track, between two of its rows
+    std::vector<float> nearness_;  // see placeTexels()
+    Image<uint8_t, 1> wanted_;     // texels of the track whose colours are needed
+    std::vector<uint8_t> colours_; // of the map's texels, see readColours()
+    Image<float, 3> means_;        // and of the track's
 };
 
 } // namespace shoal::depth

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 extern "C" {
+#include <libavutil/crc.h>
 #include <libavutil/mem.h>
 #include <libavutil/opt.h>
 }
@@ -54,6 +55,13 @@ template <class T> T numberOf(const std::string& text) {
     T value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size() ? value : T{0};
+}
+
+// Each of FFV1's slices ends with the CRC of what comes before, so that its own is 0, and with it that of all
+// (RFC 9043, 4.9.3). FFmpeg's decoder shows damaged slices as they were in the frame before.
+bool isWhole(const AVPacket& packet) {
+    const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE);
+    return packet.size > 0 && av_crc(table, 0, packet.data, static_cast<size_t>(packet.size)) == 0;
 }
 
 struct CloseOutput {
@@ -160,7 +168,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     impl->codec.reset(avcodec_alloc_context3(decoder));
     if (avcodec_parameters_to_context(impl->codec.get(), &coded) < 0) return failed("cannot be decoded");
     impl->codec->thread_count = 1;
-    impl->codec->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
+    impl->codec->err_recognition = AV_EF_EXPLODE;
     if (avcodec_open2(impl->codec.get(), decoder, nullptr) < 0) return failed("cannot be decoded");
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));
@@ -184,6 +192,7 @@ bool DepthTrack::read(int number, DepthFrame& out) {
     Impl& track = *impl_;
     if (number < 0 || number >= track.info.frameCount || !track.readPacket(number)) return false;
     AVFrame& frame = *track.frame;
+    if (!isWhole(*track.packet)) return false;
     avcodec_flush_buffers(track.codec.get());
     if (avcodec_send_packet(track.codec.get(), track.packet.get()) < 0 ||
         avcodec_receive_frame(track.codec.get(), &frame) < 0 || frame.format != kPixels ||
@@ -268,7 +277,10 @@ Status DepthTrackWriter::add(const DepthFrame& depth) {
     Impl& track = *impl_;
     const Error failed{"", "a frame of depth could not be encoded"};
     AVFrame& frame = *track.frame;
-    if (depth.width != frame.width || depth.height != frame.height) return failed;
+    const size_t texels = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
+    if (depth.width != frame.width || depth.height != frame.height || depth.inverse.size() != texels ||
+        depth.confidence.size() != texels / 4)
+        return failed;
     if (av_frame_make_writable(&frame) < 0) return failed;
     const auto plane = [&](int index, int width, int height, const auto& codeOf) {
         for (int y = 0; y < height; ++y) {

@@ -50,8 +50,8 @@ Result<std::string> filmIdentity(const Path& film);
 
 class DepthTrack {
   public:
-    // Reads all of the file, still compressed, into memory. An error where it is cut, of another film, or no
-    // track of this version. film: empty for a track by itself, of whatever film.
+    // Reads from the file as long as it lives. An error where that is cut, of another film, or no track of
+    // this version. film: empty for a track by itself, of whatever film.
     static Result<DepthTrack> open(const Path& file, const Path& film = {});
 
     DepthTrack(DepthTrack&&) noexcept;
@@ -63,7 +63,8 @@ class DepthTrack {
     // The number of the frame nearest to this time of the film, which repeats for ever.
     int frameAt(double time_s) const;
 
-    // False: damaged there; `out` is as it was. Allocates only where `out` has another size.
+    // False: damaged there, by its checksums; `out` is as it was. Of ours, allocates only where `out` has
+    // another size.
     bool read(int number, DepthFrame& out);
 
   private:
@@ -75,7 +76,10 @@ class DepthTrack {
 // Makes a track, frame by frame.
 class DepthTrackWriter {
   public:
-    // films: what it belongs to, as filmIdentity() has it. frameCount and duration as in DepthTrackInfo.
+    // films: what it belongs to, as filmIdentity() has it. frameCount and duration as in DepthTrackInfo; the
+    // width a power of two, the height half of it. All stays in memory until it is finished. FFmpeg's encoder
+    // takes 148 bytes a texel at once: more than 1024 around needs a higher av_max_alloc() than
+    // setUpDecoders() leaves.
     static Result<DepthTrackWriter> make(const DepthTrackInfo& info, std::span<const std::string> films);
 
     DepthTrackWriter(DepthTrackWriter&&) noexcept;
