@@ -1,5 +1,7 @@
 #include "engine/depth/DepthMap.h"
 
+#include "engine/light/Vectorise.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -19,16 +21,67 @@ constexpr int kEdge = 8;
 
 // Colours of one surface differ by about this much (of 255, in all channels together) by grain, caustics and
 // coding.
-constexpr float kSameColour = 20;
+constexpr float kSameColour = 16;
 
-constexpr size_t kLanes = 16;      // texels of the map that are worked on at once
-constexpr float kReach = 1.5f;     // texels of the track
-constexpr float kSharpness = 2.5f; // of the vote: from one side to the other within 1 / this
+constexpr size_t kLanes = 16;   // texels of the map that are worked on at once
+constexpr float kReach = 1.3f;  // texels of the track
+constexpr float kSharpness = 3; // of the vote: from one side to the other within 1 / this
 
 // Confidence below the first: nothing is known; above the second: all is believed.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
 
 int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
+
+// Of two rows, the second's weight in 256ths.
+SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int weight, uint8_t* out,
+                           size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        out[i] = static_cast<uint8_t>((above[i] * (256 - weight) + below[i] * weight + (1 << 15)) >> 16);
+}
+
+// The nine texels of a track around an edge.
+struct Voters {
+    const uint8_t* colours; // of the map's texels in the middle one: a channel each `stride` values
+    const float* nearness;  // of these to each of the nine: one each `stride` values
+    size_t stride;
+    std::array<const float*, 9> means; // their colours
+    std::array<float, 9> inverse;
+    std::array<bool, 9> isNear;
+};
+
+// Each texel of the map goes with those of the track around it that are near and whose colour it has: joint
+// bilateral upsampling (Kopf et al. 2007), but as a vote between what is near and what is far, since a mean
+// of their distances is where nothing is. Of kLanes texels from `begin` on.
+SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
+    using Lanes = std::array<float, kLanes>;
+    Lanes c0, c1, c2, farWeight, nearWeight, farSum, nearSum;
+    for (size_t i = 0; i < kLanes; ++i) {
+        c0[i] = voters.colours[begin + i];
+        c1[i] = voters.colours[voters.stride + begin + i];
+        c2[i] = voters.colours[2 * voters.stride + begin + i];
+        farWeight[i] = nearWeight[i] = farSum[i] = nearSum[i] = 0;
+    }
+    for (size_t n = 0; n < 9; ++n) {
+        Lanes& weights = voters.isNear[n] ? nearWeight : farWeight;
+        Lanes& sums = voters.isNear[n] ? nearSum : farSum;
+        const float* nearness = voters.nearness + n * voters.stride + begin;
+        const float m0 = voters.means[n][0], m1 = voters.means[n][1], m2 = voters.means[n][2];
+        const float inverse = voters.inverse[n];
+        for (size_t i = 0; i < kLanes; ++i) {
+            const float d0 = c0[i] - m0, d1 = c1[i] - m1, d2 = c2[i] - m2;
+            const float off = (d0 * d0 + d1 * d1 + d2 * d2) * (1 / (kSameColour * kSameColour));
+            const float weight = nearness[i] / (1 + off * off) + 1e-9f; // never 0 in all
+            weights[i] += weight;
+            sums[i] += weight * inverse;
+        }
+    }
+    for (size_t i = 0; i < kLanes; ++i) {
+        const float share = nearWeight[i] / (nearWeight[i] + farWeight[i]);
+        const float s = std::min(std::max((share - 0.5f) * kSharpness + 0.5f, 0.0f), 1.0f);
+        const float far = farSum[i] / farWeight[i], close = nearSum[i] / nearWeight[i];
+        codes[i] = static_cast<uint8_t>(static_cast<int>(far + (close - far) * s + 0.5f));
+    }
+}
 
 } // namespace
 
@@ -99,53 +152,53 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
     columns_.resize(static_cast<size_t>(mapWidth_));
     for (int x = 0; x < mapWidth_; ++x)
         columns_[static_cast<size_t>(x)] = between(x, mapWidth_, coarse_.width, true);
-    row_.resize(static_cast<size_t>(coarse_.width));
+    wide_.fit(mapWidth_, coarse_.height);
+    for (int y = 0; y < coarse_.height; ++y) {
+        const uint8_t* from = coarse_.at(0, y);
+        uint16_t* to = wide_.at(0, y);
+        for (size_t x = 0; x < columns_.size(); ++x) {
+            const auto [left, right, across] = columns_[x];
+            to[x] = static_cast<uint16_t>(from[left] * (256 - across) + from[right] * across);
+        }
+    }
     for (int y = 0; y < mapWidth_ / 2; ++y) {
         const auto [top, bottom, down] = between(y, mapWidth_ / 2, coarse_.height, false);
-        const uint8_t *above = coarse_.at(0, top), *below = coarse_.at(0, bottom);
-        for (size_t x = 0; x < row_.size(); ++x)
-            row_[x] = static_cast<uint16_t>(above[x] * (256 - down) + below[x] * down);
-        uint8_t* row = out.inverse.at(0, y);
-        for (int x = 0; x < mapWidth_; ++x) {
-            const auto [left, right, across] = columns_[static_cast<size_t>(x)];
-            const int mixed =
-                row_[static_cast<size_t>(left)] * (256 - across) + row_[static_cast<size_t>(right)] * across;
-            row[x] = static_cast<uint8_t>((mixed + (1 << 15)) >> 16);
-        }
+        blend(wide_.at(0, top), wide_.at(0, bottom), down, out.inverse.at(0, y), columns_.size());
     }
 }
 
-// Where their inverse distances fall into two groups with a gap between. The larger gap is the edge: a slope
-// has none, however steep.
+// Where their inverse distances fall into two groups with a gap between: a slope has none, however steep.
 bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
     const std::array<int, 3> columns{wrapped(x - 1, coarse_.width), x, wrapped(x + 1, coarse_.width)};
     const std::array<const uint8_t*, 3> rows{coarse_.at(0, std::max(y - 1, 0)), coarse_.at(0, y),
                                              coarse_.at(0, std::min(y + 1, coarse_.height - 1))};
-    std::array<uint8_t, 9> sorted;
-    for (size_t i = 0; i < 9; ++i) sorted[i] = rows[i / 3][columns[i % 3]];
-    const auto [low, high] = std::minmax_element(sorted.begin(), sorted.end());
-    if (*high - *low < kEdge) return false;
-    for (size_t i = 0; i < 9; ++i) edge.inverse[i] = sorted[i];
-    std::ranges::sort(sorted);
-    int gap = 0;
-    float between = 0;
-    for (size_t i = 1; i < 9; ++i)
-        if (sorted[i] - sorted[i - 1] > gap) {
-            gap = sorted[i] - sorted[i - 1];
-            between = 0.5f * static_cast<float>(sorted[i] + sorted[i - 1]);
+    int low = 255, high = 0;
+    for (const uint8_t* row : rows)
+        for (const int column : columns) {
+            low = std::min<int>(low, row[column]);
+            high = std::max<int>(high, row[column]);
         }
-    if (gap < kEdge) return false;
+    if (high - low < kEdge) return false;
+    int furthestNear = 255, nearestFar = 0;
+    for (size_t i = 0; i < 9; ++i) {
+        const int inverse = rows[i / 3][columns[i % 3]];
+        edge.inverse[i] = static_cast<float>(inverse);
+        edge.isNear[i] = 2 * inverse > low + high;
+        if (edge.isNear[i])
+            furthestNear = std::min(furthestNear, inverse);
+        else
+            nearestFar = std::max(nearestFar, inverse);
+    }
     edge.x = x, edge.y = y;
-    for (size_t i = 0; i < 9; ++i) edge.isNear[i] = edge.inverse[i] > between;
-    return true;
+    return furthestNear - nearestFar >= kEdge;
 }
 
 // Of each of the map's texels in one of the track, how near it is to each of the nine around: 1 in its
-// middle, 0 from one and a half texels of the track on, along both axes.
+// middle, 0 from kReach texels of the track on, along both axes.
 void DepthRefiner::placeTexels(int scale) {
     const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
-    const size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-    nearness_.assign(9 * padded, 0);
+    padded_ = (count + kLanes - 1) / kLanes * kLanes;
+    nearness_.assign(9 * padded_, 0);
     const auto along = [&](int fine, int neighbour) {
         const float off = (static_cast<float>(fine) + 0.5f) / static_cast<float>(scale) - 0.5f;
         return std::max(1 - std::abs(off - static_cast<float>(neighbour)) / kReach, 0.0f);
@@ -153,82 +206,59 @@ void DepthRefiner::placeTexels(int scale) {
     for (int n = 0; n < 9; ++n)
         for (int y = 0; y < scale; ++y)
             for (int x = 0; x < scale; ++x)
-                nearness_[static_cast<size_t>(n) * padded + static_cast<size_t>(y * scale + x)] =
+                nearness_[static_cast<size_t>(n) * padded_ + static_cast<size_t>(y * scale + x)] =
                     along(x, n % 3 - 1) * along(y, n / 3 - 1);
 }
 
-// Means of the film over the map's texels, channel by channel for each texel of the track that is wanted.
+// Of the film at the map's texels, channel by channel for each texel of the track that is wanted: the mean of
+// four pixels where one has as many.
 void DepthRefiner::readColours(const light::FrameView& film, int scale) {
-    const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
-    const size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-    colours_.resize(static_cast<size_t>(coarse_.width) * coarse_.height * 3 * padded);
+    colours_.resize(static_cast<size_t>(coarse_.width) * coarse_.height * 3 * padded_);
     means_.fit(coarse_.width, coarse_.height);
-    const int step = std::max(film.width / mapWidth_, 1), stride = step > 1 ? step - 1 : 1;
+    filmColumns_.resize(static_cast<size_t>(mapWidth_));
+    for (size_t x = 0; x < filmColumns_.size(); ++x)
+        filmColumns_[x] = 3 * static_cast<int>(x * static_cast<size_t>(film.width) / filmColumns_.size());
+    const int right = 3 * (film.width / mapWidth_ - 1);
+    const ptrdiff_t down = (film.height / (mapWidth_ / 2) - 1) * film.rowStride;
     for (int cy = 0; cy < coarse_.height; ++cy)
         for (int cx = 0; cx < coarse_.width; ++cx) {
             if (!*wanted_.at(cx, cy)) continue;
-            uint8_t* colours = colours_.data() + (static_cast<size_t>(cy) * coarse_.width + cx) * 3 * padded;
+            uint8_t* colours = colours_.data() + (static_cast<size_t>(cy) * coarse_.width + cx) * 3 * padded_;
             int sums[3] = {0, 0, 0};
-            for (int fy = 0; fy < scale; ++fy)
+            for (int fy = 0; fy < scale; ++fy) {
+                const int top = (cy * scale + fy) * film.height / (mapWidth_ / 2);
+                const uint8_t* row = film.pixels + top * film.rowStride;
                 for (int fx = 0; fx < scale; ++fx) {
-                    const auto left = static_cast<int64_t>(cx * scale + fx) * film.width / mapWidth_;
-                    const auto top = static_cast<int64_t>(cy * scale + fy) * film.height / (mapWidth_ / 2);
-                    const uint8_t* a = film.pixels + top * film.rowStride + 3 * left;
-                    const uint8_t* b = step > 1 ? a + stride * film.rowStride : a;
-                    const int right = step > 1 ? 3 * stride : 0;
-                    for (size_t c = 0; c < 3; ++c) {
-                        const auto sum = a[c] + a[c + right] + b[c] + b[c + right];
-                        colours[c * padded + static_cast<size_t>(fy * scale + fx)] =
+                    const uint8_t* a = row + filmColumns_[static_cast<size_t>(cx * scale + fx)];
+                    for (int c = 0; c < 3; ++c, ++a) {
+                        const int sum = a[0] + a[right] + a[down] + a[down + right];
+                        colours[static_cast<size_t>(c) * padded_ + static_cast<size_t>(fy * scale + fx)] =
                             static_cast<uint8_t>(sum / 4);
                         sums[c] += sum;
                     }
                 }
-            for (size_t c = 0; c < 3; ++c)
-                means_.at(cx, cy)[c] = static_cast<float>(sums[c]) / (4 * static_cast<float>(count));
+            }
+            for (int c = 0; c < 3; ++c)
+                means_.at(cx, cy)[c] = static_cast<float>(sums[c]) / static_cast<float>(4 * scale * scale);
         }
 }
 
-// Each texel of the map goes with those of the track around it that are near and whose colour it has: joint
-// bilateral upsampling (Kopf et al. 2007), but as a vote between what is near and what is far, since a mean
-// of their distances is where nothing is.
 void DepthRefiner::split(const Edge& edge, int scale, DepthMap& out) const {
     const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
-    const size_t padded = (count + kLanes - 1) / kLanes * kLanes;
-    const uint8_t* colours =
-        colours_.data() + (static_cast<size_t>(edge.y) * coarse_.width + edge.x) * 3 * padded;
-    std::array<const float*, 9> means;
-    for (size_t n = 0; n < 9; ++n)
-        means[n] = means_.at(wrapped(edge.x + static_cast<int>(n % 3) - 1, coarse_.width),
-                             std::clamp(edge.y + static_cast<int>(n / 3) - 1, 0, coarse_.height - 1));
+    Voters voters;
+    voters.colours = colours_.data() + (static_cast<size_t>(edge.y) * coarse_.width + edge.x) * 3 * padded_;
+    voters.nearness = nearness_.data();
+    voters.stride = padded_;
+    for (size_t n = 0; n < 9; ++n) {
+        const int x = wrapped(edge.x + static_cast<int>(n % 3) - 1, coarse_.width);
+        const int y = std::clamp(edge.y + static_cast<int>(n / 3) - 1, 0, coarse_.height - 1);
+        voters.means[n] = means_.at(x, y);
+        voters.inverse[n] = edge.inverse[n];
+        voters.isNear[n] = edge.isNear[n];
+    }
+    std::array<uint8_t, kLanes> codes;
     for (size_t begin = 0; begin < count; begin += kLanes) {
-        using Lanes = std::array<float, kLanes>;
-        Lanes c0, c1, c2, farWeight, nearWeight, farSum, nearSum;
-        for (size_t i = 0; i < kLanes; ++i) {
-            c0[i] = colours[begin + i];
-            c1[i] = colours[padded + begin + i];
-            c2[i] = colours[2 * padded + begin + i];
-            farWeight[i] = nearWeight[i] = farSum[i] = nearSum[i] = 0;
-        }
-        for (size_t n = 0; n < 9; ++n) {
-            Lanes& weights = edge.isNear[n] ? nearWeight : farWeight;
-            Lanes& sums = edge.isNear[n] ? nearSum : farSum;
-            const float *nearness = nearness_.data() + n * padded + begin, *mean = means[n];
-            const float inverse = edge.inverse[n];
-            for (size_t i = 0; i < kLanes; ++i) {
-                const float d0 = c0[i] - mean[0], d1 = c1[i] - mean[1], d2 = c2[i] - mean[2];
-                const float off = (d0 * d0 + d1 * d1 + d2 * d2) * (1 / (kSameColour * kSameColour));
-                const float weight = nearness[i] / (1 + off * off) + 1e-9f;
-                weights[i] += weight;
-                sums[i] += weight * inverse;
-            }
-        }
-        std::array<uint8_t, kLanes> codes;
-        for (size_t i = 0; i < kLanes; ++i) {
-            const float share = nearWeight[i] / (nearWeight[i] + farWeight[i]);
-            const float s = std::clamp((share - 0.5f) * kSharpness + 0.5f, 0.0f, 1.0f);
-            const float far = farSum[i] / farWeight[i], close = nearSum[i] / nearWeight[i];
-            codes[i] = static_cast<uint8_t>(static_cast<int>(far + (close - far) * s + 0.5f));
-        }
+        vote(voters, begin, codes.data());
         for (size_t i = 0; i < std::min(kLanes, count - begin); ++i) {
             const int at = static_cast<int>(begin + i);
             *out.inverse.at(edge.x * scale + at % scale, edge.y * scale + at / scale) = codes[i];
@@ -245,6 +275,7 @@ void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView
     wanted_.fit(coarse_.width, coarse_.height);
     std::ranges::fill(wanted_.pixels, uint8_t{0});
     edges_.clear();
+    edges_.reserve(coarse_.pixels.size());
     Edge edge;
     for (int y = 0; y < coarse_.height; ++y)
         for (int x = 0; x < coarse_.width; ++x) {

@@ -77,8 +77,10 @@ class DepthRefiner {
     // Scratch.
     std::vector<Edge> edges_;
     int placedScale_ = 0;          // that nearness_ is for
+    size_t padded_ = 0;            // texels of the map in one of the track, rounded up for vectors
     std::vector<Between> columns_; // of the map
-    std::vector<uint16_t> row_;    // of the track, between two of its rows
+    Image<uint16_t, 1> wide_;      // the track as wide as the map, in 256ths
+    std::vector<int> filmColumns_; // of the map: the first byte of theirs in the film
     std::vector<float> nearness_;  // see placeTexels()
     Image<uint8_t, 1> wanted_;     // texels of the track whose colours are needed
     std::vector<uint8_t> colours_; // of the map's texels, see readColours()
