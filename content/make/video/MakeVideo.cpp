@@ -41,7 +41,8 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
 
 constexpr int kTruthWidth = 512, kMeterWidth = 128;
 // Of a depth track: tests/bench/figures/depth.md tells why these.
-constexpr int kDepthWidth = 256, kDepthRays = 9;
+constexpr int kDepthWidth = 256, kDepthEvery = 2; // texels around, frames of the film
+constexpr int kDepthRays = 9;
 
 struct Studio {
     const Scene& scene;
@@ -185,14 +186,16 @@ Status depth(const Studio& studio, const Path& to, const std::vector<std::string
         identities.push_back(*identity);
     }
     const Film& film = studio.scene.film;
-    auto track = media::DepthTrackWriter::make(
-        {kDepthWidth, kDepthWidth / 2, film.frames, static_cast<double>(film.frames) / film.fps}, identities);
+    auto track = media::DepthTrackWriter::make({kDepthWidth, kDepthWidth / 2, film.frames / kDepthEvery,
+                                                static_cast<double>(film.frames) / film.fps},
+                                               identities);
     if (!track) return track.error();
-    for (int i = 0; i < film.frames; ++i) {
-        const float turn = studio.turn(i);
-        if (Status s = track->add(traceDepth(studio.world, studio.route, turn, kDepthWidth, kDepthRays)); !s)
-            return s;
-        if (i % film.fps == 0) std::fprintf(stderr, "\rdepth: %d of %d ", i, film.frames);
+    for (int i = 0; i < film.frames / kDepthEvery; ++i) {
+        const float turn = studio.turn(i * kDepthEvery);
+        const media::DepthFrame traced = traceDepth(studio.world, studio.route, turn, kDepthWidth, kDepthRays,
+                                                    media::kDepthStepsPerOctave);
+        if (Status s = track->add(traced); !s) return s;
+        if (i % film.fps == 0) std::fprintf(stderr, "\rdepth: %d of %d ", i * kDepthEvery, film.frames);
     }
     std::fprintf(stderr, "\n");
     return track->finish(to);
@@ -203,7 +206,9 @@ Status depths(const Studio& studio, const std::string& name, int width, const st
         auto track = media::DepthTrackWriter::make({width, width / 2, 1, 1}, {});
         if (!track) return track.error();
         const float turn = studio.turn(frame);
-        if (Status s = track->add(traceDepth(studio.world, studio.route, turn, width, 1)); !s) return s;
+        const media::DepthFrame traced =
+            traceDepth(studio.world, studio.route, turn, width, 1, media::kExactDepthSteps);
+        if (Status s = track->add(traced); !s) return s;
         if (Status s = track->finish(name + numbered("_%04d.depth.mkv", frame)); !s) return s;
     }
     return Done{};
