@@ -1,5 +1,6 @@
 #include "engine/depth/DepthMap.h"
 
+#include "engine/light/Vectorise.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <glm/common.hpp>
@@ -13,8 +14,7 @@ namespace shoal::depth {
 
 namespace {
 
-constexpr int kMapWidth = 1024; // tests/bench/figures/depth.md tells why
-constexpr float kSteps = 255;   // of an inverse distance of 1 / kNearest_m
+constexpr float kSteps = 255; // of an inverse distance of 1 / kNearest_m
 
 // Inverse distances that differ by more than this within neighbouring texels of a track are an edge: a slope
 // seen at a small angle differs less.
@@ -22,7 +22,11 @@ constexpr int kEdge = 8;
 
 // Colours of one surface differ by about this much (of 255, in all channels together) by grain, caustics and
 // coding.
-constexpr float kSameColour = 20;
+constexpr float kSameColour = 16;
+
+constexpr size_t kLanes = 16;   // texels of the map that are worked on at once
+constexpr float kReach = 1.3f;  // texels of the track
+constexpr float kSharpness = 3; // of the vote: from one side to the other within 1 / this
 
 // Confidence below the first: nothing is known; above the second: all is believed.
 constexpr float kDoubted = 0.25f, kBelieved = 0.6f;
@@ -37,46 +41,55 @@ constexpr int kSearchSteps = FILM_MAX_STEPS;
 
 int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
-// Means of the film over a picture's texels, of at most 4 x 4 pixels of each.
-void shrink(const light::FrameView& film, ImageRgb8& out) {
-    const int stepX = std::max(film.width / out.width, 1), stepY = std::max(film.height / out.height, 1);
-    const int strideX = std::max(stepX / 4, 1), strideY = std::max(stepY / 4, 1);
-    const int count = ((stepX + strideX - 1) / strideX) * ((stepY + strideY - 1) / strideY);
-    for (int y = 0; y < out.height; ++y) {
-        const int top = static_cast<int>(static_cast<int64_t>(y) * film.height / out.height);
-        for (int x = 0; x < out.width; ++x) {
-            const int left = static_cast<int>(static_cast<int64_t>(x) * film.width / out.width);
-            int b = 0, g = 0, r = 0;
-            for (int dy = 0; dy < stepY; dy += strideY) {
-                const uint8_t* row = film.pixels + (top + dy) * film.rowStride + 3 * left;
-                for (int dx = 0; dx < stepX; dx += strideX)
-                    b += row[3 * dx], g += row[3 * dx + 1], r += row[3 * dx + 2];
-            }
-            uint8_t* mean = out.at(x, y);
-            mean[0] = static_cast<uint8_t>(b / count);
-            mean[1] = static_cast<uint8_t>(g / count);
-            mean[2] = static_cast<uint8_t>(r / count);
+// Of two rows, the second's weight in 256ths.
+SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int weight, uint8_t* out,
+                           size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        out[i] = static_cast<uint8_t>((above[i] * (256 - weight) + below[i] * weight + (1 << 15)) >> 16);
+}
+
+// The nine texels of a track around an edge.
+struct Voters {
+    const uint8_t* colours; // of the map's texels in the middle one: a channel each `stride` values
+    const float* nearness;  // of these to each of the nine: one each `stride` values
+    size_t stride;
+    std::array<const float*, 9> means; // their colours
+    std::array<float, 9> inverse;
+    std::array<bool, 9> isNear;
+};
+
+// Each texel of the map goes with those of the track around it that are near and whose colour it has: joint
+// bilateral upsampling (Kopf et al. 2007), but as a vote between what is near and what is far, since a mean
+// of their distances is where nothing is. Of kLanes texels from `begin` on.
+SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
+    using Lanes = std::array<float, kLanes>;
+    Lanes c0, c1, c2, farWeight, nearWeight, farSum, nearSum;
+    for (size_t i = 0; i < kLanes; ++i) {
+        c0[i] = voters.colours[begin + i];
+        c1[i] = voters.colours[voters.stride + begin + i];
+        c2[i] = voters.colours[2 * voters.stride + begin + i];
+        farWeight[i] = nearWeight[i] = farSum[i] = nearSum[i] = 0;
+    }
+    for (size_t n = 0; n < 9; ++n) {
+        Lanes& weights = voters.isNear[n] ? nearWeight : farWeight;
+        Lanes& sums = voters.isNear[n] ? nearSum : farSum;
+        const float* nearness = voters.nearness + n * voters.stride + begin;
+        const float m0 = voters.means[n][0], m1 = voters.means[n][1], m2 = voters.means[n][2];
+        const float inverse = voters.inverse[n];
+        for (size_t i = 0; i < kLanes; ++i) {
+            const float d0 = c0[i] - m0, d1 = c1[i] - m1, d2 = c2[i] - m2;
+            const float off = (d0 * d0 + d1 * d1 + d2 * d2) * (1 / (kSameColour * kSameColour));
+            const float weight = nearness[i] / (1 + off * off) + 1e-9f; // never 0 in all
+            weights[i] += weight;
+            sums[i] += weight * inverse;
         }
     }
-}
-
-float colourDistance2(const uint8_t* a, const uint8_t* b) {
-    const int d0 = a[0] - b[0], d1 = a[1] - b[1], d2 = a[2] - b[2];
-    return static_cast<float>(d0 * d0 + d1 * d1 + d2 * d2);
-}
-
-// A place between the track's texels: the first of two, and the second's weight in 256ths.
-struct Between {
-    int first, second, weight;
-};
-Between between(int fine, int fineCount, int coarseCount, bool repeats) {
-    const float at =
-        (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
-        0.5f;
-    const float low = std::floor(at);
-    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
-    if (repeats) return {wrapped(first, coarseCount), wrapped(first + 1, coarseCount), weight};
-    return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
+    for (size_t i = 0; i < kLanes; ++i) {
+        const float share = nearWeight[i] / (nearWeight[i] + farWeight[i]);
+        const float s = std::min(std::max((share - 0.5f) * kSharpness + 0.5f, 0.0f), 1.0f);
+        const float far = farSum[i] / farWeight[i], close = nearSum[i] / nearWeight[i];
+        codes[i] = static_cast<uint8_t>(static_cast<int>(far + (close - far) * s + 0.5f));
+    }
 }
 
 } // namespace
@@ -144,82 +157,158 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
         }
 }
 
+DepthRefiner::Between DepthRefiner::between(int fine, int fineCount, int coarseCount, bool repeats) {
+    const float at =
+        (static_cast<float>(fine) + 0.5f) * static_cast<float>(coarseCount) / static_cast<float>(fineCount) -
+        0.5f;
+    const float low = std::floor(at);
+    const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
+    if (repeats) return {wrapped(first, coarseCount), wrapped(first + 1, coarseCount), weight};
+    return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
+}
+
 void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
     readTrusted(depth);
-    out.inverse.fit(kMapWidth, kMapWidth / 2);
-    std::array<Between, kMapWidth> columns;
-    for (int x = 0; x < kMapWidth; ++x)
-        columns[static_cast<size_t>(x)] = between(x, kMapWidth, coarse_.width, true);
-    for (int y = 0; y < kMapWidth / 2; ++y) {
-        const auto [top, bottom, down] = between(y, kMapWidth / 2, coarse_.height, false);
-        const uint8_t *above = coarse_.at(0, top), *below = coarse_.at(0, bottom);
-        uint8_t* row = out.inverse.at(0, y);
-        for (int x = 0; x < kMapWidth; ++x) {
-            const auto [left, right, across] = columns[static_cast<size_t>(x)];
-            const int a = above[left] * (256 - across) + above[right] * across;
-            const int b = below[left] * (256 - across) + below[right] * across;
-            row[x] = static_cast<uint8_t>((a * (256 - down) + b * down + (1 << 15)) >> 16);
+    out.inverse.fit(mapWidth_, mapWidth_ / 2);
+    columns_.resize(static_cast<size_t>(mapWidth_));
+    for (int x = 0; x < mapWidth_; ++x)
+        columns_[static_cast<size_t>(x)] = between(x, mapWidth_, coarse_.width, true);
+    wide_.fit(mapWidth_, coarse_.height);
+    for (int y = 0; y < coarse_.height; ++y) {
+        const uint8_t* from = coarse_.at(0, y);
+        uint16_t* to = wide_.at(0, y);
+        for (size_t x = 0; x < columns_.size(); ++x) {
+            const auto [left, right, across] = columns_[x];
+            to[x] = static_cast<uint16_t>(from[left] * (256 - across) + from[right] * across);
+        }
+    }
+    for (int y = 0; y < mapWidth_ / 2; ++y) {
+        const auto [top, bottom, down] = between(y, mapWidth_ / 2, coarse_.height, false);
+        blend(wide_.at(0, top), wide_.at(0, bottom), down, out.inverse.at(0, y), columns_.size());
+    }
+}
+
+// Where their inverse distances fall into two groups with a gap between: a slope has none, however steep.
+bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
+    const std::array<int, 3> columns{wrapped(x - 1, coarse_.width), x, wrapped(x + 1, coarse_.width)};
+    const std::array<const uint8_t*, 3> rows{coarse_.at(0, std::max(y - 1, 0)), coarse_.at(0, y),
+                                             coarse_.at(0, std::min(y + 1, coarse_.height - 1))};
+    int low = 255, high = 0;
+    for (const uint8_t* row : rows)
+        for (const int column : columns) {
+            low = std::min<int>(low, row[column]);
+            high = std::max<int>(high, row[column]);
+        }
+    if (high - low < kEdge) return false;
+    int furthestNear = 255, nearestFar = 0;
+    for (size_t i = 0; i < 9; ++i) {
+        const int inverse = rows[i / 3][columns[i % 3]];
+        edge.inverse[i] = static_cast<float>(inverse);
+        edge.isNear[i] = 2 * inverse > low + high;
+        if (edge.isNear[i])
+            furthestNear = std::min(furthestNear, inverse);
+        else
+            nearestFar = std::max(nearestFar, inverse);
+    }
+    edge.x = x, edge.y = y;
+    return furthestNear - nearestFar >= kEdge;
+}
+
+// Of each of the map's texels in one of the track, how near it is to each of the nine around: 1 in its
+// middle, 0 from kReach texels of the track on, along both axes.
+void DepthRefiner::placeTexels(int scale) {
+    const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
+    padded_ = (count + kLanes - 1) / kLanes * kLanes;
+    nearness_.assign(9 * padded_, 0);
+    const auto along = [&](int fine, int neighbour) {
+        const float off = (static_cast<float>(fine) + 0.5f) / static_cast<float>(scale) - 0.5f;
+        return std::max(1 - std::abs(off - static_cast<float>(neighbour)) / kReach, 0.0f);
+    };
+    for (int n = 0; n < 9; ++n)
+        for (int y = 0; y < scale; ++y)
+            for (int x = 0; x < scale; ++x)
+                nearness_[static_cast<size_t>(n) * padded_ + static_cast<size_t>(y * scale + x)] =
+                    along(x, n % 3 - 1) * along(y, n / 3 - 1);
+}
+
+// Of the film at the map's texels, channel by channel for each texel of the track that is wanted: the mean of
+// four pixels where one has as many.
+void DepthRefiner::readColours(const light::FrameView& film, int scale) {
+    colours_.resize(static_cast<size_t>(coarse_.width) * coarse_.height * 3 * padded_);
+    means_.fit(coarse_.width, coarse_.height);
+    filmColumns_.resize(static_cast<size_t>(mapWidth_));
+    for (size_t x = 0; x < filmColumns_.size(); ++x)
+        filmColumns_[x] = 3 * static_cast<int>(x * static_cast<size_t>(film.width) / filmColumns_.size());
+    const int right = 3 * (film.width / mapWidth_ - 1);
+    const ptrdiff_t down = (film.height / (mapWidth_ / 2) - 1) * film.rowStride;
+    for (int cy = 0; cy < coarse_.height; ++cy)
+        for (int cx = 0; cx < coarse_.width; ++cx) {
+            if (!*wanted_.at(cx, cy)) continue;
+            uint8_t* colours = colours_.data() + (static_cast<size_t>(cy) * coarse_.width + cx) * 3 * padded_;
+            int sums[3] = {0, 0, 0};
+            for (int fy = 0; fy < scale; ++fy) {
+                const int top = (cy * scale + fy) * film.height / (mapWidth_ / 2);
+                const uint8_t* row = film.pixels + top * film.rowStride;
+                for (int fx = 0; fx < scale; ++fx) {
+                    const uint8_t* a = row + filmColumns_[static_cast<size_t>(cx * scale + fx)];
+                    for (int c = 0; c < 3; ++c, ++a) {
+                        const int sum = a[0] + a[right] + a[down] + a[down + right];
+                        colours[static_cast<size_t>(c) * padded_ + static_cast<size_t>(fy * scale + fx)] =
+                            static_cast<uint8_t>(sum / 4);
+                        sums[c] += sum;
+                    }
+                }
+            }
+            for (int c = 0; c < 3; ++c)
+                means_.at(cx, cy)[c] = static_cast<float>(sums[c]) / static_cast<float>(4 * scale * scale);
+        }
+}
+
+void DepthRefiner::split(const Edge& edge, int scale, DepthMap& out) const {
+    const auto count = static_cast<size_t>(scale) * static_cast<size_t>(scale);
+    Voters voters;
+    voters.colours = colours_.data() + (static_cast<size_t>(edge.y) * coarse_.width + edge.x) * 3 * padded_;
+    voters.nearness = nearness_.data();
+    voters.stride = padded_;
+    for (size_t n = 0; n < 9; ++n) {
+        const int x = wrapped(edge.x + static_cast<int>(n % 3) - 1, coarse_.width);
+        const int y = std::clamp(edge.y + static_cast<int>(n / 3) - 1, 0, coarse_.height - 1);
+        voters.means[n] = means_.at(x, y);
+        voters.inverse[n] = edge.inverse[n];
+        voters.isNear[n] = edge.isNear[n];
+    }
+    std::array<uint8_t, kLanes> codes;
+    for (size_t begin = 0; begin < count; begin += kLanes) {
+        vote(voters, begin, codes.data());
+        for (size_t i = 0; i < std::min(kLanes, count - begin); ++i) {
+            const int at = static_cast<int>(begin + i);
+            *out.inverse.at(edge.x * scale + at % scale, edge.y * scale + at / scale) = codes[i];
         }
     }
 }
 
-// Where surfaces meet, each texel of the map goes with those of the track around it that are near and whose
-// colour it has: joint bilateral upsampling (Kopf et al. 2007), but as a vote between what is near and what
-// is far, since a mean of their distances is where nothing is.
 void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView& film, DepthMap& out) {
     enlarge(depth, out);
-    if (film.width < kMapWidth || film.height < kMapWidth / 2) return;
-    guide_.fit(kMapWidth, kMapWidth / 2);
-    shrink(film, guide_);
-    coarseGuide_.fit(coarse_.width, coarse_.height);
-    shrink({guide_.at(0, 0), guide_.width, guide_.height, guide_.width * ptrdiff_t{3}, film.bgr},
-           coarseGuide_);
-
-    const int scale = kMapWidth / coarse_.width;
-    if (scale < 2) return;
-    for (int cy = 0; cy < coarse_.height; ++cy)
-        for (int cx = 0; cx < coarse_.width; ++cx) {
-            struct Neighbour {
-                float x, y; // of its middle, in texels of the map from the cell's corner
-                float inverse;
-                const uint8_t* colour;
-            };
-            std::array<Neighbour, 9> around;
-            float low = kSteps, high = 0;
-            size_t n = 0;
+    const int scale = mapWidth_ / coarse_.width;
+    if (scale < 2 || film.width < mapWidth_ || film.height < mapWidth_ / 2) return;
+    if (placedScale_ != scale) placeTexels(scale);
+    placedScale_ = scale;
+    wanted_.fit(coarse_.width, coarse_.height);
+    std::ranges::fill(wanted_.pixels, uint8_t{0});
+    edges_.clear();
+    edges_.reserve(coarse_.pixels.size());
+    Edge edge;
+    for (int y = 0; y < coarse_.height; ++y)
+        for (int x = 0; x < coarse_.width; ++x) {
+            if (!findEdge(x, y, edge)) continue;
+            edges_.push_back(edge);
             for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const int x = wrapped(cx + dx, coarse_.width),
-                              y = std::clamp(cy + dy, 0, coarse_.height - 1);
-                    const auto inverse = static_cast<float>(*coarse_.at(x, y));
-                    around[n++] = {(static_cast<float>(dx) + 0.5f) * static_cast<float>(scale),
-                                   (static_cast<float>(dy) + 0.5f) * static_cast<float>(scale), inverse,
-                                   coarseGuide_.at(x, y)};
-                    low = std::min(low, inverse), high = std::max(high, inverse);
-                }
-            if (high - low < kEdge) continue;
-            const float middle = 0.5f * (low + high), reach = 1.5f * static_cast<float>(scale);
-            for (int fy = 0; fy < scale; ++fy)
-                for (int fx = 0; fx < scale; ++fx) {
-                    const int x = cx * scale + fx, y = cy * scale + fy;
-                    const uint8_t* colour = guide_.at(x, y);
-                    float weights[2] = {1e-9f, 1e-9f}, sums[2] = {low * 1e-9f, high * 1e-9f};
-                    for (const Neighbour& each : around) {
-                        const float across = std::abs(static_cast<float>(fx) + 0.5f - each.x) / reach;
-                        const float down = std::abs(static_cast<float>(fy) + 0.5f - each.y) / reach;
-                        if (across >= 1 || down >= 1) continue;
-                        const float off = colourDistance2(colour, each.colour) / (kSameColour * kSameColour);
-                        const float weight = (1 - across) * (1 - down) / (1 + off * off);
-                        const bool isNear = each.inverse > middle;
-                        weights[isNear] += weight;
-                        sums[isNear] += weight * each.inverse;
-                    }
-                    const float share = weights[1] / (weights[0] + weights[1]);
-                    const float s = glm::smoothstep(0.3f, 0.7f, share);
-                    *out.inverse.at(x, y) =
-                        static_cast<uint8_t>(glm::mix(sums[0] / weights[0], sums[1] / weights[1], s) + 0.5f);
-                }
+                for (int dx = -1; dx <= 1; ++dx)
+                    *wanted_.at(wrapped(x + dx, coarse_.width), std::clamp(y + dy, 0, coarse_.height - 1)) =
+                        1;
         }
+    readColours(film, scale);
+    for (const Edge& each : edges_) split(each, scale, out);
 }
 
 } // namespace shoal::depth

@@ -9,12 +9,15 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <vector>
 
 namespace shoal::depth {
 
 // Nothing is taken to be nearer: a hand that reaches so far is never hidden.
 constexpr float kNearest_m = 0.6f;
+
+constexpr int kMapWidth = 1024; // tests/bench/figures/depth.md tells why
 
 struct DepthMap {
     // Lat-long; inverse distance, 255 is 1 / kNearest_m: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or
@@ -44,6 +47,8 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
 // Brings frames of a track to the film's own edges. Allocates nothing once the map has its size.
 class DepthRefiner {
   public:
+    explicit DepthRefiner(int mapWidth = kMapWidth) : mapWidth_(mapWidth) {}
+
     // film: the frame that depth belongs to.
     void refine(const media::DepthFrame& depth, const light::FrameView& film, DepthMap& out);
 
@@ -51,11 +56,37 @@ class DepthRefiner {
     void enlarge(const media::DepthFrame& depth, DepthMap& out);
 
   private:
-    void readTrusted(const media::DepthFrame& depth);
+    // A place between the track's texels: the first of two, and the second's weight in 256ths.
+    struct Between {
+        int first, second, weight;
+    };
+    static Between between(int fine, int fineCount, int coarseCount, bool repeats);
 
+    // A texel of the track where near and far meet, with those around it.
+    struct Edge {
+        int x, y;
+        std::array<float, 9> inverse; // as DepthMap has it, row by row
+        std::array<bool, 9> isNear;
+    };
+    bool findEdge(int x, int y, Edge& edge) const;
+    void readTrusted(const media::DepthFrame& depth);
+    void placeTexels(int scale);
+    void readColours(const light::FrameView& film, int scale);
+    void split(const Edge& edge, int scale, DepthMap& out) const;
+
+    int mapWidth_;
     Image<uint8_t, 1> coarse_; // inverse distances as DepthMap has them, where they are trusted
-    ImageRgb8 guide_;          // scratch: means of the film, a pixel for each of the map's
-    ImageRgb8 coarseGuide_;    // and for each of the track's
+    // Scratch.
+    std::vector<Edge> edges_;
+    int placedScale_ = 0;          // that nearness_ is for
+    size_t padded_ = 0;            // texels of the map in one of the track, rounded up for vectors
+    std::vector<Between> columns_; // of the map
+    Image<uint16_t, 1> wide_;      // the track as wide as the map, in 256ths
+    std::vector<int> filmColumns_; // of the map: the first byte of theirs in the film
+    std::vector<float> nearness_;  // see placeTexels()
+    Image<uint8_t, 1> wanted_;     // texels of the track whose colours are needed
+    std::vector<uint8_t> colours_; // of the map's texels, see readColours()
+    Image<float, 3> means_;        // and of the track's
 };
 
 } // namespace shoal::depth

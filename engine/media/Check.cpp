@@ -1,5 +1,6 @@
 #include "engine/media/Check.h"
 
+#include "engine/media/DepthTrack.h"
 #include "engine/media/PictureHeader.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/VideoSource.h"
@@ -16,6 +17,16 @@ std::string shapeNote(int width, int height) {
     const Layout layout = layoutFromShape(width, height);
     if (layout != Layout::Auto) return fmt::format("lat-long {} by its shape", enumName(layout));
     return "an ordinary picture by its shape, which `shoal panorama` grows to a 360-degree one";
+}
+
+// What else to say of a film: empty where no track lies beside it.
+std::string depthNote(const Path& film) {
+    const Path file = depthTrackOf(film);
+    std::error_code missing;
+    if (file == film || !std::filesystem::exists(file, missing)) return "";
+    const auto track = DepthTrack::open(file, film);
+    if (!track) return "; without depth, because " + file.filename().string() + " " + track.error().reason;
+    return fmt::format("; with depth, {}x{}", track->info().width, track->info().height);
 }
 
 } // namespace
@@ -53,7 +64,32 @@ Result<std::string> checkVideo(const Path& file) {
                     enumName(info.layout), info.layoutSource);
     if (m.partial) message += "; covers only a part of the environment";
     if (!m.present) message += "; does not say that it is a 360-degree video";
-    return message;
+    return message + depthNote(file);
+}
+
+Result<std::string> checkDepthTrack(const Path& file) {
+    auto track = DepthTrack::open(file);
+    if (!track) return track.error();
+    const DepthTrackInfo& info = track->info();
+    DepthFrame frame;
+    int whole = 0, nearest = 0;
+    double confidence = 0, count = 0;
+    for (int i = 0; i < info.frameCount; ++i) {
+        if (!track->read(i, frame)) continue;
+        ++whole;
+        nearest = std::max<int>(nearest, *std::ranges::max_element(frame.inverse));
+        for (const uint16_t each : frame.confidence) confidence += each;
+        count += static_cast<double>(frame.confidence.size());
+    }
+    if (whole < info.frameCount)
+        return Error{file.string(),
+                     fmt::format("is damaged: {} of {} frames can be decoded", whole, info.frameCount)};
+    const double nearest_m =
+        nearest ? double{kMaxDepthCode} / (static_cast<double>(kMaxInverse_perM) * nearest) : 0;
+    return fmt::format("{}x{} depth track, {:.4g} frames/s, {:.1f} s, {}, mean confidence {:.0f} %",
+                       info.width, info.height, info.frameCount / info.duration_s, info.duration_s,
+                       nearest ? fmt::format("nearest {:.2f} m", nearest_m) : "all far away",
+                       100 * confidence / (count * kMaxDepthCode));
 }
 
 Result<std::string> checkPicture(const Path& file) {

@@ -7,11 +7,13 @@
 #include <fmt/core.h>
 
 extern "C" {
+#include <libavutil/crc.h>
 #include <libavutil/mem.h>
 #include <libavutil/opt.h>
 }
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -24,7 +26,7 @@ namespace {
 constexpr AVPixelFormat kPixels = AV_PIX_FMT_YUV420P10LE;
 constexpr uint16_t kUnusedCode = 512;
 constexpr int kMinWidth = 16, kMaxWidth = 4096;
-constexpr int kMaxFrames = 10'000'000;
+constexpr double kMaxFps = 240; // stamps are milliseconds: frames need stamps of their own
 constexpr double kMaxDuration_s = 1e6;
 constexpr size_t kIdentityBytes = 1 << 20;
 
@@ -36,13 +38,12 @@ constexpr const char* kLayoutTag = "SHOAL_LAYOUT";
 constexpr const char* kLayout = "equirectangular mono";
 constexpr const char* kFilmsTag = "SHOAL_FILMS"; // identities, with blanks between
 
-bool isTrackSize(int width, int height) {
-    return width >= kMinWidth && width <= kMaxWidth && width % 4 == 0 && height * 2 == width;
-}
-
+// Powers of two, so that maps of distances hold each texel a whole number of times.
 bool isTrack(const DepthTrackInfo& info) {
-    return isTrackSize(info.width, info.height) && info.frameCount > 0 && info.frameCount <= kMaxFrames &&
-           info.duration_s > 0 && info.duration_s <= kMaxDuration_s;
+    const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height * 2 == info.width;
+    return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
+           info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
+           info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0);
 }
 
 std::string tagOf(const AVFormatContext& input, const char* name) {
@@ -54,6 +55,13 @@ template <class T> T numberOf(const std::string& text) {
     T value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size() ? value : T{0};
+}
+
+// Each of FFV1's slices ends with the CRC of what comes before, so that its own is 0, and with it that of all
+// (RFC 9043, 4.9.3). FFmpeg's decoder shows damaged slices as they were in the frame before.
+bool isWhole(const AVPacket& packet) {
+    const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE);
+    return packet.size > 0 && av_crc(table, 0, packet.data, static_cast<size_t>(packet.size)) == 0;
 }
 
 struct CloseOutput {
@@ -68,12 +76,11 @@ using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
 
 } // namespace
 
-uint16_t depthCode(float inverse_perM) {
-    constexpr int kFinest = 32; // codes: from here on, steps of powers of two
-    const float share = std::clamp(inverse_perM / kMaxInverse_perM, 0.0f, 1.0f);
+uint16_t depthCode(float inverse_perM, int stepsPerOctave) {
+    const float share = inverse_perM > 0 ? std::min(inverse_perM / kMaxInverse_perM, 1.0f) : 0;
     const int code = static_cast<int>(share * kMaxDepthCode + 0.5f);
     int step = 1;
-    while (code / step >= 2 * kFinest) step *= 2;
+    while (code / step >= 2 * stepsPerOctave) step *= 2;
     return static_cast<uint16_t>(std::min((code + step / 2) / step * step, kMaxDepthCode));
 }
 
@@ -161,7 +168,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     impl->codec.reset(avcodec_alloc_context3(decoder));
     if (avcodec_parameters_to_context(impl->codec.get(), &coded) < 0) return failed("cannot be decoded");
     impl->codec->thread_count = 1;
-    impl->codec->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
+    impl->codec->err_recognition = AV_EF_EXPLODE;
     if (avcodec_open2(impl->codec.get(), decoder, nullptr) < 0) return failed("cannot be decoded");
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));
@@ -185,6 +192,7 @@ bool DepthTrack::read(int number, DepthFrame& out) {
     Impl& track = *impl_;
     if (number < 0 || number >= track.info.frameCount || !track.readPacket(number)) return false;
     AVFrame& frame = *track.frame;
+    if (!isWhole(*track.packet)) return false;
     avcodec_flush_buffers(track.codec.get());
     if (avcodec_send_packet(track.codec.get(), track.packet.get()) < 0 ||
         avcodec_receive_frame(track.codec.get(), &frame) < 0 || frame.format != kPixels ||
@@ -219,7 +227,6 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     const Error failed{"", "FFmpeg's FFV1 encoder is not to be had"};
     if (!isTrack(info)) return Error{"", "no depth track has this size"};
     setUpDecoders();
-    av_max_alloc(size_t{2} << 30); // the encoder takes memory for the largest frame that could come
     auto impl = std::make_unique<Impl>();
     impl->info = info;
     const AVCodec* ffv1 = avcodec_find_encoder(AV_CODEC_ID_FFV1);
@@ -228,7 +235,8 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     codec.width = info.width, codec.height = info.height;
     codec.pix_fmt = kPixels;
     codec.time_base = av_d2q(info.duration_s / info.frameCount, 1'000'000);
-    codec.gop_size = 1; // every frame by itself
+    codec.gop_size = 1;                      // every frame by itself
+    if (info.width <= 352) codec.slices = 1; // each learns statistics anew; FFmpeg cuts larger frames
     codec.thread_count = 1;
     codec.level = 3;
     codec.flags |= AV_CODEC_FLAG_BITEXACT;
@@ -269,7 +277,10 @@ Status DepthTrackWriter::add(const DepthFrame& depth) {
     Impl& track = *impl_;
     const Error failed{"", "a frame of depth could not be encoded"};
     AVFrame& frame = *track.frame;
-    if (depth.width != frame.width || depth.height != frame.height) return failed;
+    const size_t texels = static_cast<size_t>(frame.width) * static_cast<size_t>(frame.height);
+    if (depth.width != frame.width || depth.height != frame.height || depth.inverse.size() != texels ||
+        depth.confidence.size() != texels / 4)
+        return failed;
     if (av_frame_make_writable(&frame) < 0) return failed;
     const auto plane = [&](int index, int width, int height, const auto& codeOf) {
         for (int y = 0; y < height; ++y) {

@@ -17,8 +17,12 @@ namespace shoal::media {
 constexpr int kMaxDepthCode = 1023;
 constexpr float kMaxInverse_perM = 4; // of the highest code: nothing is nearer than 0.25 m
 
-// Rounded to steps of at most 3 % of itself: finer ones would double a track, and nobody sees them.
-uint16_t depthCode(float inverse_perM);
+// Of a track: finer ones make it larger, and nobody sees them (tests/bench/figures/depth.md).
+constexpr int kDepthStepsPerOctave = 16;
+constexpr int kExactDepthSteps = 1024; // all of the codes
+
+// Rounded to so many steps (a power of two) from one power of two to the next.
+uint16_t depthCode(float inverse_perM, int stepsPerOctave = kDepthStepsPerOctave);
 
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
@@ -46,8 +50,8 @@ Result<std::string> filmIdentity(const Path& film);
 
 class DepthTrack {
   public:
-    // Reads all of the file, still compressed, into memory. An error where it is cut, of another film, or no
-    // track of this version. film: empty for a track by itself, of whatever film.
+    // Reads from the file as long as it lives. An error where that is cut, of another film, or no track of
+    // this version. film: empty for a track by itself, of whatever film.
     static Result<DepthTrack> open(const Path& file, const Path& film = {});
 
     DepthTrack(DepthTrack&&) noexcept;
@@ -59,7 +63,8 @@ class DepthTrack {
     // The number of the frame nearest to this time of the film, which repeats for ever.
     int frameAt(double time_s) const;
 
-    // False: damaged there; `out` is as it was. Allocates only where `out` has another size.
+    // False: damaged there, by its checksums; `out` is as it was. Of ours, allocates only where `out` has
+    // another size.
     bool read(int number, DepthFrame& out);
 
   private:
@@ -71,7 +76,10 @@ class DepthTrack {
 // Makes a track, frame by frame.
 class DepthTrackWriter {
   public:
-    // films: what it belongs to, as filmIdentity() has it. frameCount and duration as in DepthTrackInfo.
+    // films: what it belongs to, as filmIdentity() has it. frameCount and duration as in DepthTrackInfo; the
+    // width a power of two, the height half of it. All stays in memory until it is finished. FFmpeg's encoder
+    // takes 148 bytes a texel at once: more than 1024 around needs a higher av_max_alloc() than
+    // setUpDecoders() leaves.
     static Result<DepthTrackWriter> make(const DepthTrackInfo& info, std::span<const std::string> films);
 
     DepthTrackWriter(DepthTrackWriter&&) noexcept;

@@ -173,8 +173,7 @@ EnvironmentSetup Application::environmentSetup(float minRoughness) {
 }
 
 bool Application::castsShadows() const {
-    return options_.shadows == ShadowChoice::On && options_.environment.isOwnVideo() &&
-           !config_.dive.ground.empty();
+    return options_.shadows == ShadowChoice::On && options_.environment.isOwnVideo();
 }
 
 Status Application::makeRenderer(CreatureModels models, render::Composition composition) {

@@ -101,9 +101,6 @@ bool hasComparableStates(const sim::RecordingHeader&);
 // 0 to 1 at a time of a video that repeats every videoLength_s; where marks meet the greater counts.
 float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s);
 
-// Where marks meet the height changes smoothly.
-Ground groundAt(std::span<const VideoMark> marks, double videoLength_s, double time_s);
-
 // What lies between two snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are not smeared.
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);
 

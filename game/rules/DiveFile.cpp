@@ -115,16 +115,14 @@ EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     return plan;
 }
 
-void readMarks(TomlTable& root, std::string_view key, std::vector<VideoMark>& marks,
-               std::string_view valueKey, float low, float high) {
+void readMarks(TomlTable& root, std::string_view key, std::vector<VideoMark>& marks) {
     root.tables(key, kMaxMarks, [&](TomlTable& table) {
         VideoMark& mark = marks.emplace_back();
         table.need("from_s", "to_s");
         table.number("from_s", mark.from_s, 0, 36000);
         table.number("to_s", mark.to_s, 0, 36000);
         if (mark.to_s <= mark.from_s) table.complain("to_s", "must come after \"from_s\"");
-        if (!(low <= mark.value && mark.value <= high)) table.need(valueKey);
-        table.number(valueKey, mark.value, low, high);
+        table.number("amount", mark.amount, 0, 1);
     });
 }
 
@@ -207,8 +205,7 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
                     [&](TomlTable& table) { dive.goals.push_back(readGoal(table, known)); });
         // Files written for earlier versions say [[shelter]].
         const char* enclosure = root.has("shelter") ? "shelter" : "enclosure";
-        readMarks(root, enclosure, dive.enclosure, "amount", 0, 1);
-        readMarks(root, "ground", dive.ground, "height", -10, -0.3f);
+        readMarks(root, enclosure, dive.enclosure);
     });
     if (!read) return read.error();
     return dive;

@@ -77,12 +77,10 @@ struct EncounterPlan {
     glm::vec3 from{0}, to{0};
 };
 
-// What a dive marks in its video, by stretches in seconds from the video's start: how enclosed the place is,
-// and where the ground is that shadows fall on.
+// How enclosed a stretch of a dive's video is, in seconds from the video's start.
 struct VideoMark {
     float from_s = 0, to_s = 0;
-    // Of enclosure: 0 open water to 1 a tunnel; of ground: its height against the viewer's eyes, metres.
-    float value = 1;
+    float amount = 1; // 0 open water to 1 a tunnel
 };
 
 // What a player may try for in a dive; a goal's text follows from kind, species and count.
@@ -116,7 +114,6 @@ struct DiveFile {
     EncounterPlan encounter;
     std::vector<Goal> goals;          // at most kMaxGoals
     std::vector<VideoMark> enclosure; // of the video
-    std::vector<VideoMark> ground;    // of the video; none: no shadow falls on it
     // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
     // video, or another.
     double videoLength_s = 0;

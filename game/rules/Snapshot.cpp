@@ -62,20 +62,8 @@ double within(const VideoMark& mark, double videoLength_s, double time_s) {
 float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s) {
     double maximum = 0;
     for (const VideoMark& mark : marks)
-        maximum = std::max(maximum, static_cast<double>(mark.value) * within(mark, videoLength_s, time_s));
+        maximum = std::max(maximum, static_cast<double>(mark.amount) * within(mark, videoLength_s, time_s));
     return static_cast<float>(maximum);
-}
-
-Ground groundAt(std::span<const VideoMark> marks, double videoLength_s, double time_s) {
-    double presence = 0, heights = 0, weights = 0;
-    for (const VideoMark& mark : marks) {
-        const double weight = within(mark, videoLength_s, time_s);
-        presence = std::max(presence, weight);
-        heights += weight * static_cast<double>(mark.value);
-        weights += weight;
-    }
-    if (weights == 0) return {};
-    return {static_cast<float>(heights / weights), static_cast<float>(presence)};
 }
 
 void Dive::snapshot(Snapshot& out) const {
@@ -89,7 +77,6 @@ void Dive::snapshot(Snapshot& out) const {
     const float spent_s = rules_.freeSwim ? 0.0f : static_cast<float>(out.time_s);
     out.timeLeft_s = s.phase == Phase::Diving ? std::max(0.0f, dive.duration_s - spent_s) : 0.0f;
     out.enclosure = enclosureAt(dive.enclosure, dive.videoLength_s, out.time_s);
-    out.ground = groundAt(dive.ground, dive.videoLength_s, out.time_s);
     out.score = s.score.points;
     out.caught = s.score.caught;
     out.lost = s.score.lost;

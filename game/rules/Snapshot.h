@@ -102,11 +102,6 @@ struct GoalView {
     bool reached = false;
 };
 
-struct Ground { // about the viewer it is as good as level
-    float height_m = 0;
-    float presence = 0; // 0: none is known, and shadows fall nowhere; 1
-};
-
 struct Snapshot {
     uint64_t tick = 0;
     double time_s = 0; // since the dive began
@@ -115,7 +110,6 @@ struct Snapshot {
     bool freeSwim = false; // no clock: timeLeft_s stays what it is
     float timeLeft_s = 0;
     float enclosure = 0; // 0 open water to 1 a tunnel, where the video now is
-    Ground ground;       // where the video now is
     int score = 0;
     int caught = 0;
     int lost = 0;                 // to the shark

@@ -17,7 +17,8 @@ bool endsAsFilm(const Path& file) {
     std::string ending = file.extension().string();
     std::ranges::transform(ending, ending.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return std::ranges::find(kEndings, ending) != kEndings.end();
+    const bool depth = file.stem().extension() == ".depth"; // of the film that lies beside it
+    return !depth && std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
 } // namespace

@@ -125,7 +125,7 @@ struct PlayOptions {
     WaterChoice water = WaterChoice::Auto;
     bool snow = true; // specks that drift in the water
     FilmChoice film = FilmChoice::Auto;
-    ShadowChoice shadows = ShadowChoice::On; // on the ground that the dive's video shows
+    ShadowChoice shadows = ShadowChoice::On; // on what the dive's own film shows
 
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
@@ -225,7 +225,7 @@ struct PlayOptions {
                      "graphics card or with fewer than four processor cores")
             .shownAs(Picture, "Version of the film");
         table.addKept("--shadows", choice(shadows),
-                      "Of what swims and of your hands, on the ground that the dive's own video shows");
+                      "Of what swims and of your hands, on what the dive's own film shows");
         table
             .addKept("--frame-times", &frameTimes,
                      "Shows frame times, and which light is used (F1 in the game)")

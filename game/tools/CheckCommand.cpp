@@ -103,14 +103,14 @@ Verdict checkFile(const Path& file) {
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (file.string().ends_with(".depth.mkv")) return media::checkDepthTrack(file);
     for (const FileKind& kind : kKinds)
         for (const char* known : kind.endings)
             if (known && ending == known) return kind.check(file);
     std::error_code code;
     if (!std::filesystem::exists(file, code)) return Error{file.string(), "there is no such file"};
-    return Error{
-        file.string(),
-        "is no kind of file that the game reads: video, photo, HDR picture, .glb, .gltf, .toml, .replay"};
+    return Error{file.string(), "is no kind of file that the game reads: video, photo, HDR picture, "
+                                ".depth.mkv, .glb, .gltf, .toml, .replay"};
 }
 
 } // namespace

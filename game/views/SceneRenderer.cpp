@@ -54,25 +54,28 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     passes_.objects.begin();
     if (!passes_.compositor.drawsObjects()) return;
     creatureModels_.show(snapshot, passes_.objects);
-    if (passes_.shadows) castShadows(snapshot.ground);
+    if (passes_.shadows) castShadows();
     passes_.objects.upload(environment.envFromWorld());
 }
 
-// The light's share is 0 where light or ground is missing: nothing is cast then.
-void SceneRenderer::castShadows(const game::Ground& ground) {
+// Of a film whose distances are not known, nothing is: shadows would hang in the water.
+void SceneRenderer::castShadows() {
     constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
-    const light::ShadowLight& light = environment_->shadowLight();
-    render::FloorLight& floor = floorLight_;
-    floor.towards = glm::transpose(environment_->envFromWorld()) * light.light.direction;
-    floor.tangent = std::tan(std::min(light.light.radius, kWidest));
-    floor.height_m = ground.height_m;
-    const glm::vec3 all = glm::max(light.groundIrradiance, 1e-6f);
-    floor.share = glm::clamp(light.light.irradiance * std::max(floor.towards.y, 0.0f) / all, 0.0f, 1.0f) *
-                  (light.presence * ground.presence * floor.raised());
     passes_.shadows->begin();
-    if (floor.share == glm::vec3(0)) return;
+    const depth::DepthMap* map = environment_->depth();
+    if (!map) return;
+    const light::ShadowLight& found = environment_->shadowLight();
+    const render::FilmSurface film{*map, environment_->envFromWorld()};
+    render::CastingLight light;
+    light.towards = glm::transpose(film.envFromWorld) * found.light.direction;
+    light.tangent = std::tan(std::min(found.light.radius, kWidest));
+    const glm::vec3 all = glm::max(found.groundIrradiance, 1e-6f);
+    light.share = glm::clamp(found.light.irradiance * std::max(light.towards.y, 0.0f) / all, 0.0f, 1.0f);
+    light.presence = found.presence * light.raised();
+    if (light.presence == 0) return;
     const render::NearBodies& bodies = passes_.objects.bodies();
-    for (size_t body = 0; body < bodies.count(); ++body) passes_.shadows->add(bodies.ellipsoids(body), floor);
+    for (size_t body = 0; body < bodies.count(); ++body)
+        passes_.shadows->add(bodies.ellipsoids(body), light, film);
 }
 
 // A film with distances is drawn as if filmed from the world's origin; one without as if endlessly far. An
@@ -133,12 +136,12 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
 void SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
     if (!passes_.shadows || setup_.skip == render::SkippedPass::Shadows) return;
     const gl::PassTimers::Scope scope(timers_, "shadows");
-    // The video was filmed from the world's origin; where each eye has a picture of its own, from beside it.
+    // As the background is drawn: from where the eye is in the film; where each eye has a picture of its own,
+    // from beside its camera.
     render::View filmed = picture.view;
-    filmed.eyeWorld = picture.filmSpace().depth ? picture.view.eyeWorld
-                      : picture.sharesFrame     ? glm::vec3(0)
-                                                : picture.view.eyeWorld - headWorld_;
-    passes_.shadows->draw(filmed, floorLight_, exposure_.frames, environment_->water(), cover);
+    filmed.eyeWorld = picture.sharesFrame ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm
+                                          : picture.view.eyeWorld - headWorld_;
+    passes_.shadows->draw(filmed, exposure_.frames, environment_->water(), cover);
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
@@ -147,7 +150,7 @@ std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View&
 
 int SceneRenderer::drawCount() const {
     return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0) +
-           (passes_.shadows && passes_.shadows->patches() > 0 ? 1 : 0);
+           (passes_.shadows && !passes_.shadows->empty() ? 1 : 0);
 }
 
 } // namespace shoal::app

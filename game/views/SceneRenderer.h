@@ -18,7 +18,8 @@ namespace shoal::app {
 struct SceneRendererSetup {
     render::Detail detail = render::Detail::Full;
     bool particles = true; // particles drift in the water, where there is water
-    bool shadows = true;   // on the video's ground, where that is known and the environment finds lights
+    bool shadows =
+        true; // on what the film shows, where its distances are known and the environment finds lights
     bool occlusion = true; // between bodies
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
@@ -69,7 +70,7 @@ class SceneRenderer final : private render::CompositorScene {
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
-    void castShadows(const game::Ground& ground);
+    void castShadows();
     glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
     Status drawObjects(const render::EyePicture& picture) override;
@@ -83,7 +84,6 @@ class SceneRenderer final : private render::CompositorScene {
     std::optional<Passes> beforeReload_;
     gl::PassTimers timers_;
     const Environment* environment_ = nullptr; // of the frame
-    render::FloorLight floorLight_;            // that casts shadows
     render::Exposure exposure_;
     render::Glossy glossy_ = render::Glossy::Prefiltered;
     std::vector<render::EyePicture> pictures_; // scratch

@@ -1,5 +1,6 @@
 // make_fuzz_seeds FOLDER: one or more valid inputs for each fuzz target, in FOLDER/TARGET.
 #include "engine/core/WriteFile.h"
+#include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
 
@@ -148,6 +149,23 @@ void pictures() {
     put("Pictures", "seed.pgm", "P2 2 1 # grey\n255\n1 2\n");
 }
 
+void depthTracks() {
+    for (const int width : {16, 64}) {
+        auto writer = media::DepthTrackWriter::make({width, width / 2, 5, 0.5}, {});
+        media::DepthFrame frame{width, width / 2,
+                                std::vector<uint16_t>(static_cast<size_t>(width) * width / 2),
+                                std::vector<uint16_t>(static_cast<size_t>(width) * width / 8, uint16_t{900})};
+        for (int i = 0; i < 5; ++i) {
+            for (size_t at = 0; at < frame.inverse.size(); ++at)
+                frame.inverse[at] = static_cast<uint16_t>((7 * at * at + static_cast<size_t>(i)) % 1024);
+            if (!writer || !writer->add(frame)) std::exit(1);
+        }
+        const Path file = folder / "DepthTrack" / ("seed" + std::to_string(width));
+        std::filesystem::create_directories(file.parent_path());
+        if (!writer->finish(file)) std::exit(1);
+    }
+}
+
 void devices() {
     put("LeapMessages", "device",
         R"({"event":{"type":"deviceEvent","state":{"attached":true,"streaming":true,"type":"peripheral"}}})");
@@ -194,6 +212,6 @@ void ticks() {
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     folder = arguments[1];
-    for (const auto make : {models, replays, texts, metadata, pictures, devices, ticks}) make();
+    for (const auto make : {models, replays, texts, metadata, pictures, depthTracks, devices, ticks}) make();
     return 0;
 }

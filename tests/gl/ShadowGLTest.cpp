@@ -1,5 +1,6 @@
 // Shadows on the ground as drawn.
 #include "Spheres.h"
+#include "engine/math/LatLong.h"
 #include "engine/render/ShadowPass.h"
 
 #include <array>
@@ -12,11 +13,25 @@ class ShadowGL : public WithContext {};
 constexpr int kShadowSize = 200;
 constexpr uint8_t kBefore = 200;
 
-render::FloorLight sunlight() {
+render::CastingLight sunlight() {
     return {.towards = glm::normalize(glm::vec3(-0.2f, 0.9f, 0.35f)),
             .tangent = 0.28f,
-            .share = {0.5f, 0.4f, 0.3f},
-            .height_m = -1.25f};
+            .share = {0.5f, 0.4f, 0.3f}};
+}
+
+constexpr float kGround_m = -1.25f;
+
+depth::DepthMap levelGround() {
+    depth::DepthMap map;
+    map.inverse = Image<uint8_t, 1>(1024, 512);
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 1024; ++x) {
+            const glm::vec3 dir = directionFromLatLong(
+                glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
+            const float inverse = std::max(dir.y / kGround_m, 0.0f); // never above 1 / kNearest_m
+            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(255 * inverse * depth::kNearest_m));
+        }
+    return map;
 }
 
 std::vector<occlusion::Ellipsoid> shark() {
@@ -27,7 +42,7 @@ std::vector<occlusion::Ellipsoid> shark() {
     return body;
 }
 
-ImageRgba8 shaded(std::span<const occlusion::Ellipsoid> body, const render::FloorLight& light,
+ImageRgba8 shaded(std::span<const occlusion::Ellipsoid> body, const render::CastingLight& light,
                   const render::View& view, const water::Water& water,
                   const render::ShadowPass::Cover* cover = nullptr) {
     auto pass = render::ShadowPass::make();
@@ -37,8 +52,8 @@ ImageRgba8 shaded(std::span<const occlusion::Ellipsoid> body, const render::Floo
     glClearColor(kBefore / 255.0f, kBefore / 255.0f, kBefore / 255.0f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    pass->add(body, light);
-    pass->draw(view, light, render::FrameCoding::Srgb, water, cover);
+    pass->add(body, light, {levelGround()});
+    pass->draw(view, render::FrameCoding::Srgb, water, cover);
     return target.read();
 }
 
@@ -50,7 +65,7 @@ render::View downwards() {
 TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
     const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
     const auto body = shark();
-    const render::FloorLight light = sunlight();
+    const render::CastingLight light = sunlight();
     std::vector<render::FlatPiece> flat;
     flatten(body, light, flat);
     const render::View view = downwards();
@@ -62,10 +77,9 @@ TEST_F(ShadowGL, IsTheClosedFormAtEveryPixel) {
             const glm::vec2 place(2 * (static_cast<float>(x) + 0.5f) / kShadowSize - 1,
                                   1 - 2 * (static_cast<float>(y) + 0.5f) / kShadowSize);
             const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
-            const glm::vec3 ground = ray * (light.height_m / ray.y);
-            const glm::vec3 left = render::leftOfGround(light, render::FrameCoding::Srgb,
-                                                        render::covered(flat, light, {ground.x, ground.z}),
-                                                        sea, glm::length(ground));
+            const glm::vec3 ground = ray * (kGround_m / ray.y);
+            const glm::vec3 left = render::leftOf(render::covered(flat, light, ground) * light.share,
+                                                  render::FrameCoding::Srgb, sea, glm::length(ground));
             for (int c = 0; c < 3; ++c) {
                 const float expected = static_cast<float>(kBefore) * left[c];
                 // Cells in which what is hidden is taken for linear, and rounding.
@@ -112,7 +126,7 @@ TEST_F(ShadowGL, NothingIsDrawnWhereNothingCasts) {
             if (picture.pixels[i] != (i % 4 == 3 ? 255 : kBefore)) return false;
         return true;
     };
-    render::FloorLight dark = sunlight();
+    render::CastingLight dark = sunlight();
     dark.share = glm::vec3(0);
     EXPECT_TRUE(untouched(shaded(shark(), dark, downwards(), {}))) << "no light, or no ground";
     EXPECT_TRUE(untouched(shaded({}, sunlight(), downwards(), {}))) << "no body";

@@ -21,7 +21,8 @@ float inverseDistance(const World& world, const vec3& camera, const vec3& dir) {
 
 } // namespace
 
-media::DepthFrame traceDepth(World& world, const Route& route, float turn, int width, int rays) {
+media::DepthFrame traceDepth(World& world, const Route& route, float turn, int width, int rays,
+                             int stepsPerOctave) {
     const vec3 camera = route.at(turn);
     world.advance(turn, camera);
     const int height = width / 2, side = static_cast<int>(std::lround(std::sqrt(rays)));
@@ -41,7 +42,7 @@ media::DepthFrame traceDepth(World& world, const Route& route, float turn, int w
             }
             const auto middle = found.begin() + static_cast<ptrdiff_t>(found.size() / 2);
             std::nth_element(found.begin(), middle, found.end());
-            depth.inverse[static_cast<size_t>(y) * width + x] = media::depthCode(*middle);
+            depth.inverse[static_cast<size_t>(y) * width + x] = media::depthCode(*middle, stepsPerOctave);
         }
     }
     return depth;

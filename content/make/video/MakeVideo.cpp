@@ -35,13 +35,14 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
     beside NAME WIDTH X Y Z FRAME...   NAME_NNNN.hdr: the same from so many millimetres beside the camera
     depth FILE.mkv FILM...       the track of distances that belongs to these versions of the film
     depths NAME WIDTH FRAME...   NAME_NNNN.depth.mkv: distances of single frames, as many as the film has pixels
-    enclosure FILE.toml          when the camera is enclosed, and how much; how high the ground lies
+    enclosure FILE.toml          when the camera is enclosed, and how much
     look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
 )";
 
 constexpr int kTruthWidth = 512, kMeterWidth = 128;
 // Of a depth track: tests/bench/figures/depth.md tells why these.
-constexpr int kDepthWidth = 256, kDepthRays = 9;
+constexpr int kDepthWidth = 256, kDepthEvery = 2; // texels around, frames of the film
+constexpr int kDepthRays = 9;
 
 struct Studio {
     const Scene& scene;
@@ -185,14 +186,16 @@ Status depth(const Studio& studio, const Path& to, const std::vector<std::string
         identities.push_back(*identity);
     }
     const Film& film = studio.scene.film;
-    auto track = media::DepthTrackWriter::make(
-        {kDepthWidth, kDepthWidth / 2, film.frames, static_cast<double>(film.frames) / film.fps}, identities);
+    auto track = media::DepthTrackWriter::make({kDepthWidth, kDepthWidth / 2, film.frames / kDepthEvery,
+                                                static_cast<double>(film.frames) / film.fps},
+                                               identities);
     if (!track) return track.error();
-    for (int i = 0; i < film.frames; ++i) {
-        const float turn = studio.turn(i);
-        if (Status s = track->add(traceDepth(studio.world, studio.route, turn, kDepthWidth, kDepthRays)); !s)
-            return s;
-        if (i % film.fps == 0) std::fprintf(stderr, "\rdepth: %d of %d ", i, film.frames);
+    for (int i = 0; i < film.frames / kDepthEvery; ++i) {
+        const float turn = studio.turn(i * kDepthEvery);
+        const media::DepthFrame traced = traceDepth(studio.world, studio.route, turn, kDepthWidth, kDepthRays,
+                                                    media::kDepthStepsPerOctave);
+        if (Status s = track->add(traced); !s) return s;
+        if (i % film.fps == 0) std::fprintf(stderr, "\rdepth: %d of %d ", i * kDepthEvery, film.frames);
     }
     std::fprintf(stderr, "\n");
     return track->finish(to);
@@ -203,29 +206,12 @@ Status depths(const Studio& studio, const std::string& name, int width, const st
         auto track = media::DepthTrackWriter::make({width, width / 2, 1, 1}, {});
         if (!track) return track.error();
         const float turn = studio.turn(frame);
-        if (Status s = track->add(traceDepth(studio.world, studio.route, turn, width, 1)); !s) return s;
+        const media::DepthFrame traced =
+            traceDepth(studio.world, studio.route, turn, width, 1, media::kExactDepthSteps);
+        if (Status s = track->add(traced); !s) return s;
         if (Status s = track->finish(name + numbered("_%04d.depth.mkv", frame)); !s) return s;
     }
     return Done{};
-}
-
-// Heights against the camera of what lies within 3 m of it, straight below its level: quartiles.
-vec3 groundBelow(const Studio& studio, int frame) {
-    constexpr int kProbes = 200;
-    constexpr float kAround = 3, kGoldenAngle = 2.3999632f;
-    const vec3 camera = studio.route.at(studio.turn(frame));
-    std::vector<float> heights;
-    for (int i = 0; i < kProbes; ++i) {
-        const float away = kAround * std::sqrt((static_cast<float>(i) + 0.5f) / kProbes),
-                    angle = kGoldenAngle * static_cast<float>(i);
-        Hit hit;
-        const vec3 from = camera + away * vec3(std::cos(angle), 0, std::sin(angle));
-        if (studio.world.trace(from, {0, -1, 0}, 20, hit)) heights.push_back(hit.p.y - camera.y);
-    }
-    if (heights.empty()) return vec3(-20);
-    std::ranges::sort(heights);
-    const auto at = [&](size_t quarter) { return heights[(heights.size() - 1) * quarter / 4]; };
-    return {at(1), at(2), at(3)};
 }
 
 // Shelter: how much of the light that open water has about it at this depth is missing.
@@ -242,17 +228,6 @@ Status enclosure(const Studio& studio, const Path& to) {
         const float amount = glm::smoothstep(0.25f, 0.9f, 1 - bright(frame) / open);
         char line[64];
         std::snprintf(line, sizeof line, "    [%d, %.2f],\n", frame / fps, static_cast<double>(amount));
-        text += line;
-    }
-    text += "]\n# How high the ground lies within 3 m of the camera, against it: seconds, lower quartile, "
-            "median, upper "
-            "quartile, metres.\nground = [\n";
-    for (int frame = 0; frame <= studio.scene.film.frames; frame += fps) {
-        const vec3 ground = groundBelow(studio, frame);
-        char line[96];
-        std::snprintf(line, sizeof line, "    [%d, %.2f, %.2f, %.2f],\n", frame / fps,
-                      static_cast<double>(ground.x), static_cast<double>(ground.y),
-                      static_cast<double>(ground.z));
         text += line;
     }
     return writeFileWhole(to, text + "]\n");

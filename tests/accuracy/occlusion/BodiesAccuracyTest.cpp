@@ -9,7 +9,7 @@
 namespace shoal {
 namespace {
 
-struct Error { // sums of squares
+struct ErrorSums { // sums of squares
     double ours = 0, ignoring = 0, truth = 0;
     void add(const glm::dvec3& got, const glm::dvec3& open, const glm::dvec3& right) {
         ours += glm::dot(got - right, got - right);
@@ -19,10 +19,10 @@ struct Error { // sums of squares
 };
 
 // Relative to the light's root mean square, over the surfaces of all receivers that can be seen.
-Error measure(const OcclusionScene& scene, const ImageRgbF& light, int bounces) {
+ErrorSums measure(const OcclusionScene& scene, const ImageRgbF& light, int bounces) {
     const Truth truth(scene, light);
     const occlusion::SmoothLight smooth = occlusion::smoothLight(light);
-    Error error;
+    ErrorSums error;
     for (const size_t receiver : scene.receivers) {
         std::vector<occlusion::Occluder> others, own;
         for (size_t b = 0; b < scene.bodies.size(); ++b)
@@ -63,7 +63,7 @@ class Bodies : public testing::TestWithParam<Case> {};
 TEST_P(Bodies, LeaveNearlyTheLightThatRaysFind) {
     const ImageRgbF light = reefLight(560);
     for (const bool bouncing : {false, true}) {
-        const Error error = measure(GetParam().make(), light, bouncing ? 4 : 0);
+        const ErrorSums error = measure(GetParam().make(), light, bouncing ? 4 : 0);
         const double ours = std::sqrt(error.ours / error.truth),
                      ignoring = std::sqrt(error.ignoring / error.truth);
         std::printf("[ BODIES ] %-20s %s: %.3f; ignoring occlusion %.3f\n", GetParam().name,

@@ -2,7 +2,7 @@
 #include "engine/occlusion/Bvh.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/render/BodyOccluders.h"
-#include "engine/render/FloorShadow.h"
+#include "engine/render/CastShadow.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Spine.h"
 #include "engine/scene/Surface.h"
@@ -25,9 +25,8 @@ struct Animal {
 constexpr float kGround_m = -1.25f, kAbove_m = 0.6f; // of the animal above the ground
 
 // The share of the light's solid angle from which no ray gets through.
-float hiddenByRays(const occlusion::Bvh& body, const render::FloorLight& light, const glm::vec2& xz) {
+float hiddenByRays(const occlusion::Bvh& body, const render::CastingLight& light, const glm::vec3& place) {
     constexpr int kRays = 600;
-    const glm::vec3 place(xz.x, light.height_m, xz.y);
     const glm::vec3 side = glm::normalize(glm::cross(light.towards, glm::vec3(0.1f, 0.2f, 0.9f)));
     const glm::vec3 up = glm::cross(side, light.towards);
     const float cosine = 1 / std::sqrt(1 + light.tangent * light.tangent);
@@ -71,21 +70,28 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
     std::vector<occlusion::Ellipsoid> ellipsoids;
     for (const auto& part : body.parts) ellipsoids.push_back(render::placed(part, pose, worldFromModel));
     const float elevation = glm::radians(66.0f);
-    const render::FloorLight light{
+    const render::CastingLight light{
         .towards = {0.3f * std::cos(elevation), std::sin(elevation), std::sqrt(0.91f) * std::cos(elevation)},
         .tangent = std::tan(glm::radians(radius_deg)),
-        .share = glm::vec3(0.4f),
-        .height_m = kGround_m};
+        .share = glm::vec3(0.4f)};
     std::vector<render::FlatPiece> flat;
     render::flatten(ellipsoids, light, flat);
-    const render::FloorPatch patch = render::patchOf(flat, light, 0);
+    glm::vec2 low(INFINITY), high(-INFINITY); // of the ground around what is shaded
+    for (const render::FlatPiece& piece : flat) {
+        const float away = (piece.middle.y - kGround_m) / light.towards.y;
+        const glm::vec3 under = piece.middle - away * light.towards;
+        const float reach = 1.3f * (piece.halfAlong_m + piece.halfAside_m + light.tangent * away);
+        low = glm::min(low, glm::vec2(under.x, under.z) - reach);
+        high = glm::max(high, glm::vec2(under.x, under.z) + reach);
+    }
     constexpr int kSteps = 24;
-    const glm::vec2 step = (patch.high - patch.low) / static_cast<float>(kSteps);
+    const glm::vec2 step = (high - low) / static_cast<float>(kSteps);
     for (int y = 0; y <= kSteps; ++y)
         for (int x = 0; x <= kSteps; ++x) {
-            const glm::vec2 xz = patch.low + step * glm::vec2(x, y);
-            const double form = static_cast<double>(render::covered(flat, light, xz)),
-                         rays = static_cast<double>(hiddenByRays(bvh, light, xz));
+            const glm::vec2 xz = low + step * glm::vec2(x, y);
+            const glm::vec3 place(xz.x, kGround_m, xz.y);
+            const double form = static_cast<double>(render::covered(flat, light, place)),
+                         rays = static_cast<double>(hiddenByRays(bvh, light, place));
             sums.error2 += (form - rays) * (form - rays);
             sums.truth2 += rays * rays;
             sums.light += form;

@@ -83,6 +83,7 @@ TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
     const Path content = prefix() / "share/games/shoal/content";
     for (const char* name : {"make", "truth", "glove", "udev", "package"})
         EXPECT_FALSE(fs::exists(content / name)) << name;
+    EXPECT_TRUE(fs::exists(content / "video/reef.depth.mkv"));
     for (const auto& entry : fs::recursive_directory_iterator(prefix()))
         EXPECT_EQ(entry.status().permissions() & fs::perms::others_read, fs::perms::others_read)
             << entry.path();

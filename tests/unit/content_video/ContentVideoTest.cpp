@@ -1,5 +1,6 @@
 // The videos that come with the game are what the game, and other players, take them for.
 #include "engine/core/WriteFile.h"
+#include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/SphericalMetadata.h"
 #include "engine/media/VideoPlayer.h"
@@ -47,15 +48,25 @@ TEST_P(ContentVideo, IsMonoLatLongThatFits) {
     EXPECT_LE(std::filesystem::file_size(video_), 45'000'000u);
 }
 
+// One for all versions of a film, every second frame.
+TEST_P(ContentVideo, HasItsDepth) {
+    const auto track = DepthTrack::open(depthTrackOf(video_), video_);
+    ASSERT_TRUE(track) << track.error().message();
+    EXPECT_EQ(track->info().width, 256);
+    EXPECT_DOUBLE_EQ(track->info().duration_s, GetParam().duration_s);
+    EXPECT_EQ(track->info().frameCount, 12 * GetParam().duration_s);
+}
+
 TEST(ContentVideos, TogetherAreNoLargerThanADownloadMayBe) {
-    uintmax_t bytes = 0;
+    uintmax_t bytes = 0, depthBytes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(kVideos)) {
-        bytes += entry.file_size();
+        (entry.path().extension() == ".mkv" ? depthBytes : bytes) += entry.file_size();
         if (entry.path().string().ends_with(".small.mp4")) {
             EXPECT_LE(entry.file_size(), 15'000'000u) << entry.path();
         }
     }
     EXPECT_LE(bytes, 90'000'000u);
+    EXPECT_LE(depthBytes, 9'000'000u);
 }
 
 SphericalMetadata metadataOf(const std::string& bytes) {
@@ -145,6 +156,7 @@ TEST(ContentVideos, TruthBelongsToItsFrames) {
     constexpr int64_t kLater = 72;
     std::map<std::string, int> frames; // by film
     for (const auto& entry : std::filesystem::directory_iterator(kTruth)) {
+        if (entry.path().extension() != ".hdr") continue;      // distances: FilmDepth
         const std::string stem = entry.path().stem().string(); // FILM_FRAME
         SCOPED_TRACE(stem);
         const std::string film = stem.substr(0, stem.find('_'));

@@ -71,7 +71,7 @@ TEST(Enclosure, TheShippedDiveHasATunnel) {
     const auto reef = loadDiveFiles("reef");
     ASSERT_TRUE(reef) << reef.error().message();
     float maximum = 0;
-    for (const VideoMark& mark : reef->dive.enclosure) maximum = std::max(maximum, mark.value);
+    for (const VideoMark& mark : reef->dive.enclosure) maximum = std::max(maximum, mark.amount);
     EXPECT_EQ(maximum, 1); // else its bed is never heard
 }
 

@@ -88,9 +88,6 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 1\nto_s = 4\namount = 1.5\n"), HasSubstr("line 8"));
     EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 1\n"), HasSubstr("\"to_s\" is missing"));
     EXPECT_THAT(reason("shelter = 3\n" + good), HasSubstr("list"));
-    EXPECT_THAT(reason("ground = [3]\n" + good), HasSubstr("[[ground]]"));
-    EXPECT_THAT(reason(good + "[[ground]]\nfrom_s = 1\nto_s = 4\n"), HasSubstr("\"height\" is missing"));
-    EXPECT_THAT(reason(good + "[[ground]]\nfrom_s = 1\nto_s = 4\nheight = 0.5\n"), HasSubstr("line 8"));
     EXPECT_THAT(reason("duration = 30\n"), HasSubstr("\"school\" is missing"));
 }
 

@@ -1,0 +1,323 @@
+#include "engine/render/CastShadow.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr int kMaxCells = 28; // along a grid
+constexpr float kReach_m = 8; // that shadows fall; they fade over its last third
+constexpr float kMinCell_m = 0.04f;
+constexpr float kMinTangent = 0.01f; // a sun's disc
+
+// The share of a disc of radius 1 before a line at t.
+float discBefore(float t) {
+    if (t <= -1) return 0;
+    if (t >= 1) return 1;
+    return 0.5f + (t * std::sqrt(1 - t * t) + std::asin(t)) / std::numbers::pi_v<float>;
+}
+
+constexpr int kSlices = 8;       // along a body
+constexpr size_t kMaxParts = 32; // ellipsoids of a body that cast
+
+// Where a line across the silhouettes meets some; depth: of their middle, towards the light.
+struct Chord {
+    float low = 0, high = 0, depth = 0;
+};
+
+float tangentOf(const CastingLight& light) { return std::max(light.tangent, kMinTangent); }
+
+// An ellipsoid's silhouette on the plane at right angles to the way to the light: an ellipse.
+struct Silhouette {
+    glm::vec3 centre{0};          // x and y on the plane, z towards the light
+    float xx = 0, xy = 0, yy = 0; // its symmetric matrix, whose eigenvalues are its semi-axes squared
+    float xz = 0;                 // the ellipsoid's own: how its middle rises along x
+
+    // What a line of constant x meets.
+    std::optional<Chord> chordAt(float x) const {
+        const float from = x - centre.x, left = 1 - from * from / xx;
+        if (!(left > 0)) return {};
+        const float middle = centre.y + xy / xx * from,
+                    half = std::sqrt(std::max(yy - xy * xy / xx, 0.0f) * left);
+        return Chord{middle - half, middle + half, centre.z + xz / xx * from};
+    }
+};
+
+Silhouette silhouetteOf(const occlusion::Ellipsoid& shape, const glm::vec3& x, const glm::vec3& y) {
+    const glm::mat3 planeFromWorld = glm::transpose(glm::mat3(x, y, glm::cross(x, y)));
+    Silhouette seen{planeFromWorld * shape.centre};
+    for (int k = 0; k < 3; ++k) {
+        const glm::vec3 axis = planeFromWorld * (shape.worldFromAxes[k] * shape.semiAxes[k]);
+        seen.xx += axis.x * axis.x, seen.xy += axis.x * axis.y, seen.yy += axis.y * axis.y;
+        seen.xz += axis.x * axis.z;
+    }
+    return seen;
+}
+
+// The direction between right and up in which the silhouettes extend furthest: of their second moments.
+glm::vec3 longestAxis(std::span<const occlusion::Ellipsoid> body, const glm::vec3& right,
+                      const glm::vec3& up) {
+    glm::vec2 middle(0);
+    float all = 0, xx = 0, xy = 0, yy = 0;
+    const auto each = [&](const auto& visit) {
+        for (const occlusion::Ellipsoid& shape : body) {
+            const Silhouette seen = silhouetteOf(shape, right, up);
+            visit(seen, std::sqrt(std::max(seen.xx * seen.yy - seen.xy * seen.xy, 0.0f)));
+        }
+    };
+    each([&](const Silhouette& seen, float area) { middle += area * glm::vec2(seen.centre), all += area; });
+    if (!(all > 0)) return right;
+    middle /= all;
+    each([&](const Silhouette& seen, float area) {
+        const glm::vec2 off = glm::vec2(seen.centre) - middle;
+        xx += area * (off.x * off.x + seen.xx / 4);
+        xy += area * (off.x * off.y + seen.xy / 4);
+        yy += area * (off.y * off.y + seen.yy / 4);
+    });
+    const float angle = 0.5f * std::atan2(2 * xy, xx - yy);
+    return std::cos(angle) * right + std::sin(angle) * up;
+}
+
+} // namespace
+
+float CastingLight::raised() const {
+    const float level = std::sqrt(std::max(0.0f, 1 - towards.y * towards.y));
+    return glm::smoothstep(0.3f, 0.5f, towards.y - tangent * level);
+}
+
+// Of the irradiance E on level ground the light gives s E, the rest is (1 - s) E; on another surface it gives
+// s E k, k the ratio of the cosines.
+glm::vec3 CastingLight::shareAt(float cosine) const {
+    if (!(towards.y > 0)) return glm::vec3(0);
+    const glm::vec3 given = share * (std::max(cosine, 0.0f) / towards.y);
+    return given / glm::max(given + 1.0f - share, 1e-6f);
+}
+
+void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
+             std::vector<FlatPiece>& out) {
+    out.clear();
+    const glm::vec3& towards = light.towards;
+    const glm::vec3 right = glm::normalize(
+        glm::cross(towards, std::abs(towards.x) < 0.8f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1)));
+    const glm::vec3 along = longestAxis(body, right, glm::cross(towards, right));
+    const glm::vec3 aside = glm::cross(towards, along);
+    std::array<Silhouette, kMaxParts> seen;
+    const size_t count = std::min(body.size(), seen.size());
+    float low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < count; ++i) {
+        seen[i] = silhouetteOf(body[i], along, aside);
+        low = std::min(low, seen[i].centre.x - std::sqrt(seen[i].xx));
+        high = std::max(high, seen[i].centre.x + std::sqrt(seen[i].xx));
+    }
+    const float slice = (high - low) / kSlices;
+    if (!(slice > 1e-6f)) return;
+    std::array<Chord, kMaxParts> chords;
+    for (int k = 0; k < kSlices; ++k) {
+        const float x = low + (static_cast<float>(k) + 0.5f) * slice;
+        size_t met = 0;
+        for (size_t i = 0; i < count; ++i)
+            if (const auto chord = seen[i].chordAt(x)) chords[met++] = *chord;
+        std::sort(chords.begin(), chords.begin() + met,
+                  [](const Chord& a, const Chord& b) { return a.low < b.low; });
+        for (size_t i = 0; i < met;) {
+            Chord all = chords[i++];
+            for (; i < met && chords[i].low <= all.high; ++i) {
+                all.high = std::max(all.high, chords[i].high);
+                all.depth = std::max(all.depth, chords[i].depth); // the nearer to the light hides more
+            }
+            out.push_back({x * along + 0.5f * (all.low + all.high) * aside + all.depth * towards, along,
+                           aside, slice / 2, (all.high - all.low) / 2});
+        }
+    }
+}
+
+float covered(std::span<const FlatPiece> body, const CastingLight& light, const glm::vec3& place) {
+    const float tangent = tangentOf(light);
+    float hidden = 0;
+    for (const FlatPiece& piece : body) {
+        const glm::vec3 to = piece.middle - place;
+        const float disc = tangent * glm::dot(to, light.towards);
+        if (disc <= 0) continue;
+        const float along = glm::dot(to, piece.along), aside = glm::dot(to, piece.aside);
+        if (std::abs(along) >= piece.halfAlong_m + disc || std::abs(aside) >= piece.halfAside_m + disc)
+            continue;
+        hidden +=
+            (discBefore((along + piece.halfAlong_m) / disc) -
+             discBefore((along - piece.halfAlong_m) / disc)) *
+            (discBefore((aside + piece.halfAside_m) / disc) - discBefore((aside - piece.halfAside_m) / disc));
+    }
+    return std::min(hidden, 1.0f);
+}
+
+float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m) {
+    constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;
+    constexpr float kTouch_m = 0.3f; // so far within a surface a ray begins at it
+    // A rise of the gap by this much for what a ray goes on is an edge: as of a surface seen at 4 degrees.
+    constexpr float kEdge = 16;
+    constexpr int kHalvings = 6;
+    const glm::vec3 from = film.envFromWorld * fromWorld, dir = film.envFromWorld * dirWorld;
+    // Metres that the surface lies behind the place, seen from the film's camera.
+    const auto gapAt = [&](float s) {
+        const glm::vec3 place = from + s * dir;
+        const float distance = glm::length(place);
+        return distance > 1e-4f ? film.map.distance_m(place / distance) - distance : INFINITY;
+    };
+    float before = 0, gapBefore = gapAt(0);
+    if (gapBefore <= 0 && gapBefore > -kTouch_m) return 0;
+    while (before < reach_m) {
+        float low = before, high = before + std::clamp(0.5f * gapBefore, kMinStep_m, kMaxStep_m);
+        float gapLow = gapBefore, gapHigh = gapAt(high);
+        before = high, gapBefore = gapHigh;
+        if (!(gapLow > 0 && gapHigh <= 0)) continue;
+        for (int k = 0; k < kHalvings; ++k) {
+            const float middle = 0.5f * (low + high), gap = gapAt(middle);
+            (gap > 0 ? low : high) = middle;
+            (gap > 0 ? gapLow : gapHigh) = gap;
+        }
+        if (gapLow - gapHigh < kEdge * (high - low)) return low + (high - low) * gapLow / (gapLow - gapHigh);
+    }
+    return -1;
+}
+
+namespace {
+
+// The rays that a grid's nodes lie on: from a rectangle across the way of the light, at the height of the
+// body's piece that is nearest to it. They part as the light's disc grows, so that they bound the shadow
+// however far it falls.
+struct Bundle {
+    glm::vec3 middle{0}, along{0}, aside{0};
+    float halfAlong_m = 0, halfAside_m = 0;
+
+    Bundle(std::span<const FlatPiece> body, const CastingLight& light) {
+        along = body[0].along, aside = body[0].aside;
+        glm::vec3 low(INFINITY), high(-INFINITY);
+        for (const FlatPiece& piece : body) {
+            const glm::vec3 at(glm::dot(piece.middle, along), glm::dot(piece.middle, aside),
+                               glm::dot(piece.middle, light.towards));
+            const glm::vec3 half(piece.halfAlong_m, piece.halfAside_m, 0);
+            low = glm::min(low, at - half), high = glm::max(high, at + half);
+        }
+        const glm::vec3 centre = 0.5f * (low + high);
+        middle = centre.x * along + centre.y * aside + high.z * light.towards;
+        halfAlong_m = 0.5f * (high.x - low.x), halfAside_m = 0.5f * (high.y - low.y);
+    }
+};
+
+// Of the piece that a ray passes: how far it lies below the bundle's beginning.
+float depthOfPiece(std::span<const FlatPiece> body, const Bundle& bundle, const CastingLight& light,
+                   const glm::vec3& from) {
+    float nearest = INFINITY, depth = 0;
+    for (const FlatPiece& piece : body) {
+        const float away = std::abs(glm::dot(piece.middle - from, bundle.along));
+        if (away >= nearest) continue;
+        nearest = away;
+        depth = glm::dot(bundle.middle - piece.middle, light.towards);
+    }
+    return std::max(depth, 0.0f);
+}
+
+// Between the surface's normal, from the two neighbours of a node with the least difference in height, and
+// the way to the light. Neighbours so far off that the map's steps tilt it little, where there are such.
+float cosineAt(const ShadowGrid& grid, int x, int y, const CastingLight& light) {
+    constexpr float kSpan_m = 0.25f;
+    const int widest = std::max(1, static_cast<int>(std::lround(kSpan_m / grid.cell_m)));
+    const auto node = [&](int nx, int ny) -> const ShadowGrid::Node* {
+        if (nx < 0 || ny < 0 || nx > grid.across || ny > grid.down) return nullptr;
+        const ShadowGrid::Node& found = grid.nodes[static_cast<size_t>(ny * (grid.across + 1) + nx)];
+        return found.fall_m < 0 ? nullptr : &found;
+    };
+    const ShadowGrid::Node& here = *node(x, y);
+    const auto slopeOver = [&](int dx, int dy) {
+        const ShadowGrid::Node *a = node(x - dx, y - dy), *b = node(x + dx, y + dy);
+        const auto off = [&](const ShadowGrid::Node* n) {
+            return n ? std::abs(n->fall_m - here.fall_m) : INFINITY;
+        };
+        if (!a && !b) return glm::vec3(0);
+        return off(a) < off(b) ? here.place - a->place : b->place - here.place;
+    };
+    const auto slope = [&](int dx, int dy, int cells) {
+        glm::vec3 found(0);
+        for (int span = std::min(widest, cells / 2); span > 0 && found == glm::vec3(0); span /= 2)
+            found = slopeOver(dx * span, dy * span);
+        return found;
+    };
+    const glm::vec3 normal = glm::cross(slope(1, 0, grid.across), slope(0, 1, grid.down));
+    const float length = glm::length(normal);
+    return length > 1e-9f ? std::abs(glm::dot(normal, light.towards)) / length : light.towards.y;
+}
+
+} // namespace
+
+bool ShadowGrid::shades(size_t a, size_t b, size_t c) const {
+    constexpr float kSteepest = 4; // rise of a surface by what it goes aside; steeper ones get little light
+    constexpr float kUnseen = 0.002f;
+    const Node &first = nodes[a], &second = nodes[b], &third = nodes[c];
+    const auto [low, high] = std::minmax({first.fall_m, second.fall_m, third.fall_m});
+    const glm::vec3 taken = glm::max(first.taken, glm::max(second.taken, third.taken));
+    return low >= 0 && high - low < kSteepest * cell_m && std::max({taken.x, taken.y, taken.z}) > kUnseen;
+}
+
+void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
+            float minimum, ShadowGrid& out) {
+    out.across = out.down = 0;
+    if (body.empty() || light.share == glm::vec3(0)) return;
+    const float tangent = tangentOf(light);
+    const Bundle bundle(body, light);
+    float cell = INFINITY, hidden = 0, furthest = 0;
+    for (const FlatPiece& piece : body) {
+        const float away = meet(film, piece.middle, -light.towards, kReach_m);
+        if (away < 0) continue;
+        const float disc = std::max(tangent * away, 1e-3f);
+        cell = std::min(cell, 0.35f * (disc + piece.halfAside_m));
+        furthest = std::max(furthest, away + glm::dot(bundle.middle - piece.middle, light.towards));
+        // At most: its area on the disc's, where the product of strips is densest.
+        const float flat = 4 * piece.halfAlong_m * piece.halfAside_m;
+        hidden += std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
+    }
+    const glm::vec3 most = light.presence * light.share;
+    const float taken = std::min(hidden, 1.0f) * std::max({most.x, most.y, most.z});
+    if (taken <= minimum) return;
+    const float strength = light.presence * glm::smoothstep(minimum, 2 * minimum, taken);
+    const float halfAlong = bundle.halfAlong_m + tangent * furthest,
+                halfAside = bundle.halfAside_m + tangent * furthest;
+    const auto cells = [&](float half_m) {
+        return std::clamp(static_cast<int>(std::ceil(2 * half_m / std::max(cell, kMinCell_m))), 2, kMaxCells);
+    };
+    out.across = cells(halfAlong), out.down = cells(halfAside);
+    out.cell_m =
+        2 * std::max(halfAlong / static_cast<float>(out.across), halfAside / static_cast<float>(out.down));
+    out.nodes.assign(static_cast<size_t>((out.across + 1) * (out.down + 1)), {});
+    for (int y = 0; y <= out.down; ++y)
+        for (int x = 0; x <= out.across; ++x) {
+            const float u = 2 * static_cast<float>(x) / static_cast<float>(out.across) - 1,
+                        v = 2 * static_cast<float>(y) / static_cast<float>(out.down) - 1;
+            const glm::vec3 from =
+                bundle.middle + u * bundle.halfAlong_m * bundle.along + v * bundle.halfAside_m * bundle.aside;
+            const glm::vec3 way = tangent * (u * bundle.along + v * bundle.aside) - light.towards;
+            const float start = depthOfPiece(body, bundle, light, from);
+            const float away = meet(film, from + start * way, way, kReach_m);
+            if (away < 0) continue;
+            ShadowGrid::Node& node = out.nodes[static_cast<size_t>(y * (out.across + 1) + x)];
+            node.fall_m = start + away;
+            node.place = from + node.fall_m * way;
+        }
+    for (int y = 0; y <= out.down; ++y)
+        for (int x = 0; x <= out.across; ++x) {
+            ShadowGrid::Node& node = out.nodes[static_cast<size_t>(y * (out.across + 1) + x)];
+            if (node.fall_m < 0) continue;
+            const float here = covered(body, light, node.place);
+            if (!(here > 0)) continue;
+            const float fade = 1 - glm::smoothstep(0.67f * kReach_m, kReach_m, node.fall_m);
+            node.taken = strength * fade * here * light.shareAt(cosineAt(out, x, y, light));
+        }
+}
+
+} // namespace shoal::render

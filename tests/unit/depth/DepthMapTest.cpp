@@ -1,0 +1,226 @@
+// Maps of distances: linear where there is no edge, at the film's edge where there is one, nothing where the
+// track does not know.
+#include "engine/depth/DepthMap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace shoal::depth {
+namespace {
+
+constexpr int kTrackWidth = 256, kTrackHeight = 128, kScale = kMapWidth / kTrackWidth;
+constexpr int kMapHeight = kMapWidth / 2, kFilmScale = 2; // film pixels to a texel of the map
+constexpr float kCode_perM = 1 / (255 * kNearest_m);      // of the map's codes
+
+// Track codes for the map's.
+uint16_t trackCode(float mapCode) { return media::depthCode(mapCode * kCode_perM, media::kExactDepthSteps); }
+
+media::DepthFrame trackOf(const std::function<float(int x, int y)>& mapCode,
+                          int confidence = media::kMaxDepthCode) {
+    media::DepthFrame track{kTrackWidth, kTrackHeight, {}, {}};
+    for (int y = 0; y < kTrackHeight; ++y)
+        for (int x = 0; x < kTrackWidth; ++x) track.inverse.push_back(trackCode(mapCode(x, y)));
+    track.confidence.assign(static_cast<size_t>(kTrackWidth) * kTrackHeight / 4,
+                            static_cast<uint16_t>(confidence));
+    return track;
+}
+
+// isNear: of the map's texels, which have another colour than the rest.
+ImageRgb8 filmOf(const std::function<bool(int x, int y)>& isNear) {
+    ImageRgb8 film(kMapWidth * kFilmScale, kMapHeight * kFilmScale);
+    for (int y = 0; y < film.height; ++y)
+        for (int x = 0; x < film.width; ++x) {
+            const bool near = isNear(x / kFilmScale, y / kFilmScale);
+            uint8_t* pixel = film.at(x, y);
+            pixel[0] = near ? 60 : 140, pixel[1] = near ? 90 : 120, pixel[2] = near ? 110 : 70;
+        }
+    return film;
+}
+
+light::FrameView viewOf(const ImageRgb8& film) {
+    return {film.at(0, 0), film.width, film.height, ptrdiff_t{3} * film.width, true};
+}
+
+DepthMap refined(const media::DepthFrame& track, const ImageRgb8& film) {
+    DepthRefiner refiner;
+    DepthMap map;
+    refiner.refine(track, viewOf(film), map);
+    return map;
+}
+DepthMap enlarged(const media::DepthFrame& track) {
+    DepthRefiner refiner;
+    DepthMap map;
+    refiner.enlarge(track, map);
+    return map;
+}
+
+ImageRgb8 checkerboard() {
+    return filmOf([](int x, int y) { return (x / 3 + y / 5) % 2 == 0; });
+}
+
+constexpr float kFar = 40, kNear = 160; // codes of the map
+bool isNear(uint8_t code) { return code > 0.5f * (kFar + kNear); }
+
+TEST(DepthMap, IsLinearBetweenTexels) {
+    DepthMap map;
+    map.inverse = Image<uint8_t, 1>(64, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) *map.inverse.at(x, y) = static_cast<uint8_t>(3 * x + y);
+    const auto at = [&](float x, float y) {
+        return map.inverse_perM(directionFromLatLong(glm::vec2(x / 64, y / 32)));
+    };
+    constexpr float kTol = 1e-3f; // of float angles, times the steepest slope: 60 codes of 0.0065 a texel
+    EXPECT_NEAR(at(10.5f, 7.5f), (30 + 7) * kCode_perM, kTol);
+    EXPECT_NEAR(at(11, 7.5f), (31.5f + 7) * kCode_perM, kTol);
+    EXPECT_NEAR(at(11, 8), (31.5f + 7.5f) * kCode_perM, kTol);
+    EXPECT_NEAR(at(11.25f, 20.5f), (32.25f + 20) * kCode_perM, kTol);
+    // The seam: between the last column and the first.
+    EXPECT_NEAR(at(0, 10.5f), (0.5f * (189 + 0) + 10) * kCode_perM, 0.02f);
+    // Beyond the first and last rows these go on.
+    EXPECT_NEAR(at(20.5f, 0.1f), 60 * kCode_perM, kTol);
+    EXPECT_NEAR(at(20.5f, 31.9f), (60 + 31) * kCode_perM, kTol);
+    for (const float y : {-1.0f, 1.0f}) {
+        const float pole = map.inverse_perM({0, y, 0});
+        EXPECT_TRUE(pole >= 0 && pole <= 1 / kNearest_m) << pole;
+    }
+}
+
+TEST(DepthMap, OfNothingKnownIsInfinitelyFar) {
+    const DepthMap map;
+    EXPECT_EQ(map.inverse_perM({0, 0, -1}), 0);
+    EXPECT_TRUE(std::isinf(map.distance_m({0, 0, -1})));
+}
+
+// Half a code of the map and half a code of the track: 1 / 510 / 0.6 and 4 / 2046 per metre.
+TEST(DepthMap, KeepsDistancesToItsStep) {
+    for (const float metres : {0.61f, 0.8f, 1.0f, 1.7f, 3.0f, 6.0f, 10.0f, 20.0f}) {
+        const DepthMap map = enlarged(trackOf([&](int, int) { return 1 / metres / kCode_perM; }));
+        EXPECT_NEAR(map.inverse_perM({0, 0, -1}), 1 / metres, kCode_perM / 2 + 4 / 2046.0f) << metres;
+    }
+    const DepthMap within = enlarged(trackOf([&](int, int) { return 1 / 0.3f / kCode_perM; }));
+    EXPECT_FLOAT_EQ(within.distance_m({0, 0, -1}), kNearest_m) << "nothing is nearer";
+    EXPECT_EQ(enlarged(trackOf([](int, int) { return 0.0f; })).inverse_perM({0, 0, -1}), 0);
+}
+
+// Below a quarter nothing is known, from 0.6 on all is believed, between them it fades to far away.
+TEST(DepthMap, DoubtIsFarAway) {
+    const auto code = [](float confidence) {
+        const auto track =
+            trackOf([](int, int) { return 200.0f; }, static_cast<int>(confidence * media::kMaxDepthCode));
+        return int{*refined(track, checkerboard()).inverse.at(500, 300)};
+    };
+    EXPECT_EQ(code(0), 0);
+    EXPECT_EQ(code(0.24f), 0);
+    EXPECT_NEAR(code(0.425f), 100, 2);
+    EXPECT_EQ(code(0.61f), 200);
+    EXPECT_EQ(code(1), 200);
+}
+
+// 6 codes from one texel of the track to the next is a slope, whatever the film's colours do.
+TEST(DepthRefiner, LeavesSlopesAsTheyAre) {
+    const auto slope = [](int x, int y) {
+        return 20 + 6.0f * static_cast<float>(std::min(x % 32, 32 - x % 32)) + 0.5f * static_cast<float>(y);
+    };
+    const auto track = trackOf(slope);
+    EXPECT_EQ(refined(track, checkerboard()).inverse.pixels, enlarged(track).inverse.pixels);
+}
+
+TEST(DepthRefiner, ColoursAloneMakeNoEdges) {
+    const auto track = trackOf([](int, int) { return 100.0f; });
+    const DepthMap map = refined(track, checkerboard());
+    EXPECT_TRUE(std::ranges::all_of(map.inverse.pixels, [](uint8_t code) { return code == 100; }));
+}
+
+// Where what is near ends, by what the track and what the film say, in texels of the map: no more than half a
+// texel of the track lies between, as each of its texels is what most of it is.
+struct Displaced {
+    int track, film;
+    friend void PrintTo(const Displaced& edge, std::ostream* out) { *out << edge.track << " " << edge.film; }
+};
+class DepthEdges : public testing::TestWithParam<Displaced> {};
+
+TEST_P(DepthEdges, LieWithinATexelOfTheFilmsAcross) {
+    const auto [byTrack, byFilm] = GetParam();
+    // A band of a quarter of the map, so that there are two edges: where it begins, which may be the seam,
+    // and where it ends.
+    const auto within = [](int x, int begin) {
+        return ((x - begin) % kMapWidth + kMapWidth) % kMapWidth < kMapWidth / 4;
+    };
+    const auto track = trackOf([&](int x, int) { return within(x * kScale, byTrack) ? kNear : kFar; });
+    const ImageRgb8 film = filmOf([&](int x, int) { return within(x, byFilm); });
+    const DepthMap map = refined(track, film);
+    for (const int y : {0, 1, 100, 256, kMapHeight - 2, kMapHeight - 1})
+        for (int x = 0; x < kMapWidth; ++x) {
+            // Texels beside the edge may be either.
+            if (within(x - 1, byFilm) != within(x + 1, byFilm)) continue;
+            EXPECT_EQ(isNear(*map.inverse.at(x, y)), within(x, byFilm)) << x << " " << y;
+        }
+}
+
+TEST_P(DepthEdges, LieWithinATexelOfTheFilmsDown) {
+    const auto [byTrack, byFilm] = GetParam();
+    if (byTrack == 0) return; // would lie at the pole
+    const auto track = trackOf([&](int, int y) { return y * kScale >= byTrack ? kNear : kFar; });
+    const DepthMap map = refined(track, filmOf([&](int, int y) { return y >= byFilm; }));
+    for (int y = 0; y < kMapHeight; ++y) {
+        if (std::abs(2 * (y - byFilm) + 1) == 1) continue; // either
+        for (const int x : {0, 1, 500, kMapWidth - 1})
+            EXPECT_EQ(isNear(*map.inverse.at(x, y)), y >= byFilm) << x << " " << y;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(ByHalfATexel, DepthEdges,
+                         testing::Values(Displaced{400, 400}, Displaced{400, 398}, Displaced{400, 399},
+                                         Displaced{400, 401}, Displaced{400, 402}, Displaced{0, 0},
+                                         Displaced{0, 2}, Displaced{0, -2}, Displaced{4, 5}, Displaced{4, 3},
+                                         Displaced{508, 506}));
+
+// Near and far stay what they are up to the edge: no ring of what lies between.
+TEST(DepthRefiner, MakesNoHalo) {
+    const auto track = trackOf([](int x, int) { return x < 100 ? kNear : kFar; });
+    const DepthMap map = refined(track, filmOf([](int x, int) { return x < 401; }));
+    const uint8_t* row = map.inverse.at(0, 256);
+    int between = 0;
+    for (int x = 390; x < 412; ++x) between += std::abs(row[x] - kNear) > 2 && std::abs(row[x] - kFar) > 2;
+    EXPECT_LE(between, 1);
+}
+
+// Where the film shows no edge, it is where the track has it.
+TEST(DepthRefiner, WithoutColoursTheEdgeIsTheTracks) {
+    const auto track = trackOf([](int x, int) { return x < 100 ? kNear : kFar; });
+    const DepthMap map = refined(track, filmOf([](int, int) { return false; }));
+    const uint8_t* row = map.inverse.at(0, 256);
+    for (int x = 300; x < 500; ++x) EXPECT_EQ(isNear(row[x]), x < 400) << x;
+}
+
+TEST(DepthRefiner, SmallFilmsAreEnlargedAlone) {
+    const auto track = trackOf([](int x, int) { return x < 100 ? kNear : kFar; });
+    const ImageRgb8 film(512, 256);
+    EXPECT_EQ(refined(track, film).inverse.pixels, enlarged(track).inverse.pixels);
+}
+
+// Sizes of films that are no multiple of the map's, and of tracks from the smallest to larger than the map.
+TEST(DepthRefiner, TakesFilmsAndTracksOfAllSizes) {
+    for (const auto& [width, height] :
+         {std::pair{1024, 512}, {1500, 800}, {4096, 600}, {1100, 2100}, {3840, 1920}}) {
+        const ImageRgb8 film(width, height);
+        for (const int trackWidth : {16, 128, 512, 1024, 2048}) {
+            media::DepthFrame track{trackWidth, trackWidth / 2, {}, {}};
+            for (int i = 0; i < trackWidth * trackWidth / 2; ++i)
+                track.inverse.push_back(i / 5 % 3 ? trackCode(kNear) : trackCode(kFar));
+            track.confidence.assign(static_cast<size_t>(trackWidth) * trackWidth / 8, media::kMaxDepthCode);
+            const DepthMap map = refined(track, film);
+            EXPECT_EQ(map.inverse.width, kMapWidth);
+            EXPECT_EQ(map.inverse.height, kMapHeight);
+            // Roundings of both codes may add up to one.
+            EXPECT_GE(*std::ranges::min_element(map.inverse.pixels), kFar - 1);
+            EXPECT_LE(*std::ranges::max_element(map.inverse.pixels), kNear + 1);
+        }
+    }
+}
+
+} // namespace
+} // namespace shoal::depth
