@@ -200,15 +200,6 @@ Status Application::findFilmSpace() {
     return config_.replay ? game::checkFilmSpace(config_.replay->header(), config_.dive.space.get()) : Done{};
 }
 
-// What the rules know of the film's distances. A replay that was made without plays without.
-Status Application::findFilmSpace() {
-    config_.dive.space.reset();
-    const bool wanted = !config_.replay || game::needsFilmSpace(config_.replay->header());
-    if (wanted && options_.environment.depth && !environment_->file().empty())
-        config_.dive.space = filmSpaceOf(environment_->file(), glm::radians(options_.environment.envYaw_deg));
-    return config_.replay ? game::checkFilmSpace(config_.replay->header(), config_.dive.space.get()) : Done{};
-}
-
 // The film first, so that there is a picture; then the models, and the light that they need.
 Status Application::openScene() {
     const bool watched = window_ && !options_.xr && options_.environment.isOwnVideo();
@@ -231,7 +222,6 @@ Status Application::openScene() {
     if (Status s = Environment::open(environmentSetup(models_->minRoughness())).moveTo(environment_); !s)
         return s;
     if (options_.environment.isOwnVideo()) config_.dive.videoLength_s = environment_->length_s();
-    if (Status s = findFilmSpace(); !s) return s;
     if (Status s = findFilmSpace(); !s) return s;
     CreatureModels taken = std::move(*models_);
     models_.reset();
