@@ -62,6 +62,7 @@ class Application {
     Status openContext();
     Status openDisplay();
     Status openScene();
+    Status findFilmSpace();
     Status loadModels();
     EnvironmentSetup environmentSetup(float minRoughness);
     Status makeRenderer(CreatureModels models, render::Composition composition);

@@ -12,6 +12,7 @@
 #include "game/settings/KeptFiles.h"
 #include "game/tools/Commands.h"
 #include "game/ui/Pictures.h"
+#include "game/views/FilmSpaceOf.h"
 
 #include <algorithm>
 #include <array>
@@ -190,6 +191,15 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
         .moveTo(sceneRenderer_);
 }
 
+// What the rules know of the film's distances. A replay that was made without plays without.
+Status Application::findFilmSpace() {
+    config_.dive.space.reset();
+    const bool wanted = !config_.replay || game::needsFilmSpace(config_.replay->header());
+    if (wanted && options_.environment.depth && !environment_->file().empty())
+        config_.dive.space = filmSpaceOf(environment_->file(), glm::radians(options_.environment.envYaw_deg));
+    return config_.replay ? game::checkFilmSpace(config_.replay->header(), config_.dive.space.get()) : Done{};
+}
+
 // The film first, so that there is a picture; then the models, and the light that they need.
 Status Application::openScene() {
     const bool watched = window_ && !options_.xr && options_.environment.isOwnVideo();
@@ -212,6 +222,7 @@ Status Application::openScene() {
     if (Status s = Environment::open(environmentSetup(models_->minRoughness())).moveTo(environment_); !s)
         return s;
     if (options_.environment.isOwnVideo()) config_.dive.videoLength_s = environment_->length_s();
+    if (Status s = findFilmSpace(); !s) return s;
     CreatureModels taken = std::move(*models_);
     models_.reset();
     screens_.facts.ownFilm = options_.environment.isOwnVideo();

@@ -22,25 +22,25 @@ bool onPalmSide(const Fish& f, const Hand& hand) {
 
 namespace {
 
-bool graspable(const Fish& f, const Species& kind, const Hand& hand, int h, uint32_t tick) {
+bool graspable(const Fish& f, const Hand& hand, int h, const Closing& closing) {
+    const Species& kind = closing.species[f.species];
     if (!f.free() || f.uncatchable_s > 0 || kind.stings) return false;
+    if (closing.film.hides(closing.view.headWorld, f.position)) return false;
     if (!onPalmSide(f, hand)) return false;
     if (graspGap(f, kind, hand) < kGraspRadius_m) return true;
-    const auto touched = [&](int part) { return f.touchedUntil[h][part] > tick; };
+    const auto touched = [&](int part) { return f.touchedUntil[h][part] > closing.tick; };
     return (touched(0) || touched(hands::kPalmPart)) &&
            (touched(1) || touched(2) || touched(3) || touched(4)) &&
            graspGap(f, kind, hand) < 2 * kGraspRadius_m;
 }
 
 // The graspable fish nearest to the grasp centre, or -1.
-int nearestGraspable(const Hand& hand, int h, const SpeciesTable& species, std::span<const Fish> fish,
-                     uint32_t tick) {
+int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const Closing& closing) {
     int nearest = -1;
     float gap = std::numeric_limits<float>::max();
     for (size_t i = 0; i < fish.size(); ++i) {
-        const Species& kind = species[fish[i].species];
-        if (!graspable(fish[i], kind, hand, h, tick)) continue;
-        const float distance = graspGap(fish[i], kind, hand);
+        if (!graspable(fish[i], hand, h, closing)) continue;
+        const float distance = graspGap(fish[i], closing.species[fish[i].species], hand);
         if (distance < gap) gap = distance, nearest = static_cast<int>(i);
     }
     return nearest;
@@ -119,16 +119,15 @@ void readGrip(Hand& hand) {
 }
 
 // Two hands that press on one fish from both sides hold it too.
-void takeBetweenHands(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,
-                      std::span<const physics::Contact> contacts, Events& events) {
+void takeBetweenHands(Hands& hands, std::span<Fish> fish, const Closing& closing, Events& events) {
     if (hands[0].grasp.holds >= 0 || hands[1].grasp.holds >= 0) return;
     bool taken = false;
-    forEachCreature(contacts, [&](int id, std::span<const physics::Contact> own) {
+    forEachCreature(closing.contacts, [&](int id, std::span<const physics::Contact> own) {
         const bool both = own.front().group != own.back().group, isFish = id < static_cast<int>(fish.size());
         if (taken || !both || !isFish || fish[id].heldBy >= 0 || fish[id].uncatchable_s > 0) return;
-        if (species[fish[id].species].stings) return;
-        if (holdOn(id, hands, contacts, glm::vec3(0)).margin_N < physics::kFirm_N) return;
-        const Species& kind = species[fish[id].species];
+        const Species& kind = closing.species[fish[id].species];
+        if (kind.stings || closing.film.hides(closing.view.headWorld, fish[id].position)) return;
+        if (holdOn(id, hands, closing.contacts, glm::vec3(0)).margin_N < physics::kFirm_N) return;
         const int h = graspGap(fish[id], kind, hands[0]) < graspGap(fish[id], kind, hands[1]) ? 0 : 1;
         grab(fish[id], id, hands[h], h, events);
         taken = true;
@@ -189,7 +188,8 @@ void closeHand(Hands& hands, int h, std::span<Fish> fish, const Closing& closing
     Grasp& grasp = hand.grasp;
     const bool wasClosed = grasp.closed;
     readGrip(hand);
-    if (grasp.closed && !wasClosed) hand.intent.miss = missOf(hand, closing.view, closing.species, fish);
+    if (grasp.closed && !wasClosed)
+        hand.intent.miss = missOf(hand, closing.view, closing.species, fish, closing.film);
     if (grasp.holds >= 0) wrapAround(fish[grasp.holds], closing.species[fish[grasp.holds].species], hand);
     grasp.encloses = grasp.holds;
     if (grasp.holds >= 0 || !closing.takes) return;
@@ -205,7 +205,7 @@ void closeHand(Hands& hands, int h, std::span<Fish> fish, const Closing& closing
         return;
     }
     if (sting(hand, h, fish, closing, events)) return;
-    const int id = helped ? hand.intent.fish : nearestGraspable(hand, h, closing.species, fish, closing.tick);
+    const int id = helped ? hand.intent.fish : nearestGraspable(hand, h, fish, closing);
     if (id >= 0 && takeHold(hands, h, id, fish, closing, events)) return;
     if (--grasp.window == 0 && grasp.closed) miss(hand, h, events);
 }
@@ -221,7 +221,7 @@ void closeHands(Hands& hands, std::span<Fish> fish, const Closing& closing, Even
         } else if (hand.solid)
             closeHand(hands, h, fish, closing, events);
     }
-    if (closing.takes) takeBetweenHands(hands, closing.species, fish, closing.contacts, events);
+    if (closing.takes) takeBetweenHands(hands, fish, closing, events);
 }
 
 void countCatches(Hands& hands, const SpeciesTable& species, std::span<Fish> fish,

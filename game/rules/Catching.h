@@ -5,6 +5,7 @@
 #include "game/rules/Creatures.h"
 #include "game/rules/DiveRules.h"
 #include "game/rules/Events.h"
+#include "game/rules/FilmSpace.h"
 #include "game/rules/Hand.h"
 #include "game/rules/Score.h"
 
@@ -29,6 +30,7 @@ struct Closing {
     const SpeciesTable& species;
     std::span<const physics::Contact> contacts;
     const Viewpoint& view;
+    FilmMoment film{}; // what it hides nobody takes
     Assist assist = Assist::None;
     uint32_t tick = 0;
     bool takes = true; // false once the dive is over

@@ -38,6 +38,13 @@ void Dive::begin(uint64_t seed) {
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
     state_.passer = {};
+    const FilmMoment film = filmNow();
+    startInRoom(state_.fish, files_.species, film);
+    startInRoom(state_.shark, files_.species, film);
+}
+
+FilmMoment Dive::filmNow() const {
+    return {files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz};
 }
 
 void Dive::step(const TickInput& input, Events& events) {
@@ -54,16 +61,18 @@ void Dive::step(const TickInput& input, Events& events) {
         s.begun = true;
         events.push_back({EventKind::DiveStart});
     }
+    const FilmMoment film = filmNow();
     const bool diving = s.phase == Phase::Diving;
     trackHands(input, s.view, s.hands);
-    readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist);
+    readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist, film);
     frightenByHands(s.hands, temperOf(rules_), files_.species, s.fish, s.random, events);
     followHands(s.hands, s.fish);
     touch(events);
-    closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, rules_.assist, s.tick, diving}, events);
+    closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, film, rules_.assist, s.tick, diving},
+               events);
     if (rules_.curious) chooseVisitors(s.hands, s.view, files_.species, s.fish, s.random);
-    swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark}, neighbours_, s.random);
-    advanceShark(events);
+    swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark, film}, neighbours_, s.random);
+    advanceShark(film, events);
     passBy(s.passer, files_.dive.encounter, files_.species, static_cast<float>(s.tick) * kDt, passerId(),
            s.score, events);
     countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);
@@ -89,7 +98,7 @@ void Dive::touch(Events& events) {
     for (Fish& fish : s.fish) fish.nervous_s = std::max(0.0f, fish.nervous_s - 0.1f * kDt);
 }
 
-void Dive::advanceShark(Events& events) {
+void Dive::advanceShark(const FilmMoment& film, Events& events) {
     DiveState& s = state_;
     if (!s.shark.present) return;
     const SharkView view{files_.dive,
@@ -97,7 +106,8 @@ void Dive::advanceShark(Events& events) {
                          s.hands,
                          s.fish,
                          static_cast<float>(s.tick) * kDt,
-                         s.phase != Phase::Diving};
+                         s.phase != Phase::Diving,
+                         film};
     decide(s.shark, view, events);
     swimShark(s.shark, view);
     bite(s.shark, files_.species, s.hands, s.fish, s.score, events);
@@ -122,6 +132,20 @@ void Dive::reachGoals(Events& events) {
     }
 }
 
+namespace {
+
+constexpr const char* kFilmSpace = "film_space"; // among a recording's settings
+
+std::string nameOf(const FilmSpace& space) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string name;
+    const uint64_t hash = space.hash();
+    for (int shift = 60; shift >= 0; shift -= 4) name += kDigits[hash >> shift & 15];
+    return name;
+}
+
+} // namespace
+
 sim::RecordingHeader recordingHeader(const Dive& dive) {
     sim::RecordingHeader header;
     header.seed = dive.seed();
@@ -131,6 +155,7 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     header.settings = {{"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
                        {"curious", rules.curious ? "on" : "off"}};
+    if (const FilmSpace* space = dive.file().space.get()) header.settings[kFilmSpace] = nameOf(*space);
     return header;
 }
 
@@ -152,6 +177,21 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
         if (!known) return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;
+}
+
+bool needsFilmSpace(const sim::RecordingHeader& header) { return header.settings.contains(kFilmSpace); }
+
+Status checkFilmSpace(const sim::RecordingHeader& header, const FilmSpace* space) {
+    const auto recorded = header.settings.find(kFilmSpace);
+    if (recorded == header.settings.end())
+        return space ? Status(Error{"the recording", "was made in a film without distances"}) : Done{};
+    if (!space)
+        return Error{"the recording",
+                     "was made in a film with distances, " + recorded->second + ", and none are known here"};
+    if (nameOf(*space) != recorded->second)
+        return Error{"the recording", "was made in a film with other distances: " + recorded->second +
+                                          ", here " + nameOf(*space)};
+    return Done{};
 }
 
 bool hasComparableStates(const sim::RecordingHeader& header) { return !header.settings.empty(); }

@@ -8,6 +8,7 @@
 #include "game/rules/DiveFile.h"
 #include "game/rules/DiveRules.h"
 #include "game/rules/Events.h"
+#include "game/rules/FilmSpace.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
 #include "game/rules/Snapshot.h"
@@ -65,7 +66,8 @@ class Dive {
   private:
     void begin(uint64_t seed);
     void touch(Events&);
-    void advanceShark(Events&);
+    void advanceShark(const FilmMoment&, Events&);
+    FilmMoment filmNow() const;
     int passerId() const { return static_cast<int>(state_.fish.size()) + (state_.shark.present ? 1 : 0); }
     void endWhenOver(Events&);
     void reachGoals(Events&);
@@ -82,6 +84,11 @@ sim::RecordingHeader recordingHeader(const Dive&);
 
 // The rules under which a recording was made; an error names a value that this version does not know.
 Result<DiveRules> rulesOf(const sim::RecordingHeader&);
+
+// A dive goes the same way only in the same space: a recording that was made with one is played with that
+// one, and one made without is played without. An error says which it is not.
+bool needsFilmSpace(const sim::RecordingHeader&);
+Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: none
 
 // Whether the recorded states can be compared with those of this version. Replays from before there were
 // rules to choose go the same way under the default ones, but their states had fewer fields.

@@ -7,11 +7,14 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace shoal::game {
+
+class FilmSpace; // game/rules/FilmSpace.h
 
 // How much kin mean to a fish: nothing, one partner, or all of its school.
 enum class Company { Alone, Pair, Shoal };
@@ -114,6 +117,8 @@ struct DiveFile {
     // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
     // video, or another.
     double videoLength_s = 0;
+    // How far away what the video shows is. Not in the file either; null: nobody knows, all is open water.
+    std::shared_ptr<const FilmSpace> space;
 };
 
 // A dive and the species that swim in it; constant while it is played.

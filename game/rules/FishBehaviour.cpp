@@ -145,6 +145,9 @@ constexpr float kEyeRoom_m = 0.35f;   // no part of a fish nearer to the eyes
 constexpr float kEyeShy_m = 0.45f;    // beyond that, it turns away
 constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish leaves its band
 constexpr float kCeiling_m = 1.3f;
+constexpr float kRockShy_m = 0.4f;     // room to what the film shows below which it turns away
+constexpr float kRockForesee_s = 0.5f; // where it will be then, it wants that room
+constexpr float kGiveRoom_mps = 2.0f;  // how fast a wall that comes nearer moves it at most
 constexpr float kSharkShy_m = 0.95f;
 constexpr float kSteepest = 0.42f;    // sine of the pitch while cruising...
 constexpr float kSteepestDart = 0.6f; // ...and in flight
@@ -250,6 +253,19 @@ void avoidFloor(const Fish& f, float floor_m, Desire& desire) {
     if (f.position.y > high) desire.way.y -= firmly * (f.position.y - high);
 }
 
+// Along rock and away from it: the nearer it comes, the less of what it wants leads out of its room.
+void avoidRock(const Fish& f, const Species& kind, const FilmMoment& film, Desire& desire) {
+    if (!film.known()) return;
+    const glm::vec3 soon = f.position + kRockForesee_s * f.velocity;
+    const float gap = film.gap_m(soon) - kind.bodyHalf_m - kind.bodyRadius_m;
+    if (gap >= kRockShy_m) return;
+    const glm::vec3 inward = film.inward(soon);
+    const float share = std::min(1 - gap / kRockShy_m, 2.0f);
+    const float outwards = -glm::dot(desire.way, inward);
+    if (outwards > 0) desire.way += inward * (outwards * std::min(share, 1.0f));
+    desire.way += inward * (share * std::max(f.cruise, f.speed));
+}
+
 Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) {
     const Species& kind = s.species[f.species];
     const Place place = placeOf(f.position);
@@ -265,6 +281,7 @@ Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) 
         desire.speed = std::max(visits ? 0.0f : 0.3f * f.cruise,
                                 desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
     avoidFloor(f, s.dive.floor_m, desire);
+    avoidRock(f, kind, s.film, desire);
     return desire;
 }
 
@@ -332,13 +349,23 @@ void keepInBounds(Fish& f, const Species& kind, const DiveFile& dive) {
     f.position.y = std::clamp(f.position.y, low, kCeiling_m);
 }
 
-void move(Fish& f, const Species& kind, const DiveFile& dive) {
+// Out of what the film shows, towards the player, but never into the room around the eyes.
+void keepInRoom(Fish& f, const Species& kind, const FilmMoment& film, float most_m) {
+    const float over = film.overshoot_m(capsuleOf(f, kind));
+    if (over <= 0) return;
+    const float distance = glm::length(f.position);
+    const float spare = distance - kEyeRoom_m - 0.5f * kind.length_m;
+    if (spare > 0) f.position -= f.position * (std::min({over, spare, most_m}) / distance);
+}
+
+void move(Fish& f, const Species& kind, const DiveFile& dive, const FilmMoment& film) {
     f.push *= 1 - 2.5f * kDt; // water stops what was pushed within a second
     f.push = limited(f.push, kMaxSpeed_mps);
     const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.parting, kMaxSpeed_mps);
     const glm::vec3 from = f.position;
     f.position += goal * kDt;
     keepInBounds(f, kind, dive);
+    keepInRoom(f, kind, film, kGiveRoom_mps * kDt);
     f.velocity = limited((f.position - from) / kDt, kMaxSpeed_mps);
     f.worldFromBody = bodyTurn(f.forward, f.bank);
 }
@@ -367,11 +394,17 @@ void swim(Fish& f, int id, const Neighbours& around, const Surroundings& s) {
     chooseGliding(f, kind, desire);
     if (!snaps(f)) accelerate(f, kind, desire, goal);
     bendAndBeat(f, kind, spin);
-    move(f, kind, s.dive);
+    move(f, kind, s.dive, s.film);
     chooseGait(f, kind);
 }
 
 } // namespace
+
+void startInRoom(std::span<Fish> fish, const SpeciesTable& species, const FilmMoment& film) {
+    // A body that moves inwards points elsewhere at what is around it: a few rounds settle.
+    for (int round = 0; round < 4; ++round)
+        for (Fish& f : fish) keepInRoom(f, species[f.species], film, FilmSpace::kFar_m);
+}
 
 void swimFish(std::span<Fish> fish, const Surroundings& s, std::span<Neighbours> neighbours, Random& random) {
     gatherNeighbours(fish, s.species, neighbours);

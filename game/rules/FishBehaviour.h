@@ -10,6 +10,7 @@
 #include "game/rules/DiveFile.h"
 #include "game/rules/DiveRules.h"
 #include "game/rules/Events.h"
+#include "game/rules/FilmSpace.h"
 #include "game/rules/Hand.h"
 
 #include <span>
@@ -29,6 +30,9 @@ constexpr Temper temperOf(const DiveRules& rules) {
 }
 
 void spawnFish(const DiveFiles&, Random&, std::vector<Fish>& out); // at the beginning of a dive
+
+// Before anybody sees them: those that would be behind what the film shows come nearer.
+void startInRoom(std::span<Fish>, const SpeciesTable&, const FilmMoment&);
 
 // What a fish makes of those around it, gathered once a tick.
 struct Neighbours {
@@ -51,6 +55,7 @@ struct Surroundings {
     const SpeciesTable& species;
     const Hands& hands;
     const Shark& shark;
+    const FilmMoment& film;
 };
 
 // Advances all fish by a tick: those that are free swim, those in a hand struggle.

@@ -39,7 +39,8 @@ constexpr float kShow_Hz = 12;         // easing of what is shown
 
 // Distance of the fish from the hand in units of the range, 0 in the hand to 1 at its edge and beyond, as
 // both will be soon; very large where the hand cannot mean it.
-float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpoint& view, const Help& help) {
+float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpoint& view, const Help& help,
+              const FilmMoment& film) {
     constexpr float kNever = std::numeric_limits<float>::max();
     if (!f.free() || f.uncatchable_s > 0 || kind.stings) return kNever;
     const glm::vec3 apart = f.velocity - hand.calmVelocity;
@@ -47,6 +48,7 @@ float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpo
     if (speed > kTooFast_mps) return kNever;
     const float behindPalm = 2 * help.moveHand_m; // hand and fish meet half way
     if (glm::dot(f.position - hand.palm().position, hand.outOfPalm()) < -behindPalm) return kNever;
+    if (film.hides(view.headWorld, f.position)) return kNever;
     const auto gapAt = [&](glm::vec3 centre) {
         const physics::Capsule body = capsuleOf(f, kind);
         const physics::Nearest at = physics::nearest({centre, centre, 0}, body);
@@ -65,14 +67,16 @@ float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpo
 }
 
 void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,
-                const Help& help) {
+                const Help& help, const FilmMoment& film) {
     Intent& intent = hand.intent;
     intent.inRange = false;
     if (!hand.solid || hand.stung_s > 0 || hand.grasp.holds >= 0) {
         intent.fish = -1;
         return;
     }
-    const auto reach = [&](int id) { return reachOf(fish[id], species[fish[id].species], hand, view, help); };
+    const auto reach = [&](int id) {
+        return reachOf(fish[id], species[fish[id].species], hand, view, help, film);
+    };
     const float kept = intent.fish >= 0 ? reach(intent.fish) : 1e9f;
     intent.unseen_s = kept < 1 ? 0 : intent.unseen_s + kDt;
     if (kept > kKeep || intent.unseen_s > kForget_s) intent.fish = -1;
@@ -104,13 +108,13 @@ void moveBack(Hand& hand) {
 } // namespace
 
 void readIntents(Hands& hands, const Viewpoint& view, const SpeciesTable& species, std::span<Fish> fish,
-                 Assist assist) {
+                 Assist assist, const FilmMoment& film) {
     std::array<int, 2> meant{};
     for (int h = 0; h < 2; ++h) {
         Hand& hand = hands[h];
         hand.stung_s = std::max(0.0f, hand.stung_s - kDt);
         hand.sinceMiss_s += kDt;
-        readIntent(hand, view, species, fish, kHelp[static_cast<size_t>(assist)]);
+        readIntent(hand, view, species, fish, kHelp[static_cast<size_t>(assist)], film);
         moveBack(hand);
         meant[h] = hand.intent.inRange ? hand.intent.fish : -1;
     }
@@ -144,8 +148,8 @@ bool isClosing(const Hand& hand) {
 
 bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.intent.fish == fish; }
 
-Miss missOf(const Hand& hand, const Viewpoint& view, const SpeciesTable& species,
-            std::span<const Fish> fish) {
+Miss missOf(const Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,
+            const FilmMoment& film) {
     constexpr float kCone = 0.12f, kBeside_m = 0.12f; // of the line of sight: tangent, and metres
     constexpr float kFarthest_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - view.headWorld, {0, 0, -1});
@@ -163,6 +167,7 @@ Miss missOf(const Hand& hand, const Viewpoint& view, const SpeciesTable& species
         // Depth counts a little: of two fish beside the line the nearer one was meant.
         const float cost = glm::length(across) / room + 0.15f * std::fabs(beyond);
         if (cost >= nearest || glm::length(across) > room) continue;
+        if (film.hides(view.headWorld, f.position)) continue;
         nearest = cost;
         meant = &f;
         depth = beyond;

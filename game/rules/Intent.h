@@ -14,6 +14,7 @@
 #include "game/rules/Creatures.h"
 #include "game/rules/DiveRules.h"
 #include "game/rules/Events.h"
+#include "game/rules/FilmSpace.h"
 #include "game/rules/Hand.h"
 
 #include <span>
@@ -21,7 +22,8 @@
 namespace shoal::game {
 
 // Every tick, before anything moves: what each hand is after, and how far catchable that makes each fish.
-void readIntents(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Assist);
+// None is after a fish that the film hides.
+void readIntents(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Assist, const FilmMoment&);
 
 // A hand that closes on the fish it is after: moves the hand towards it, and the fish into the hand, both by
 // as much as a tick allows. The hand's part shows in the next tick's joints.
@@ -40,7 +42,7 @@ bool helpedTo(const Hand&, int fish);
 //   TooFar    the fish is beyond what the fingers reach, farther along the line than they;
 //   Behind    it is on the near side of the hand, or beside it and swimming away: the hand came from behind;
 //   TooEarly  it is beside the hand and not yet there.
-Miss missOf(const Hand&, const Viewpoint&, const SpeciesTable&, std::span<const Fish>);
+Miss missOf(const Hand&, const Viewpoint&, const SpeciesTable&, std::span<const Fish>, const FilmMoment&);
 
 EventKind eventOf(Miss);
 

@@ -28,7 +28,7 @@ std::optional<Seen> seen(const CreatureView& creature, const Snapshot& now, cons
                          glm::vec3 ray) {
     const Species& kind = species[static_cast<size_t>(creature.species)];
     const bool free = creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
-    if (!isCatchable(kind) || !free) return std::nullopt;
+    if (!isCatchable(kind) || !free || creature.hidden) return std::nullopt;
     const glm::vec3 fromHead = creature.position - now.headWorld;
     const float along = glm::dot(fromHead, ray);
     if (along < kNear_m || along > kFar_m) return std::nullopt;

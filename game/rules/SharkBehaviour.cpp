@@ -264,6 +264,44 @@ void avoidHead(const Shark& shark, const Species& kind, Course& course) {
         course.speed_mps = std::min(course.speed_mps, 0.5f * kind.cruise_mps);
 }
 
+constexpr float kSharkRockShy_m = 0.8f;    // room to what the film shows below which it turns away
+constexpr float kNarrow_m = 2.8f;          // it does not circle on into less water than this...
+constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
+constexpr float kSharkGiveRoom_mps = 2.0f; // how fast a wall that comes nearer moves it at most
+
+// In a tunnel it keeps to the open ends: it turns back where its circle leads on to a wall.
+void turnBack(Shark& shark, const FilmMoment& film, glm::vec3 outward) {
+    if (!film.known() || shark.state != State::Circle) return;
+    constexpr float kAhead_m = 1.5f;
+    const glm::vec3 along = glm::cross(kUp, outward) * (shark.sense * kAhead_m);
+    const auto water = [&](glm::vec3 at) { return film.gap_m(at) + glm::length(at); };
+    const float ahead = water(shark.position + along);
+    if (ahead < kNarrow_m && water(shark.position - along) > ahead + kWider_m) shark.sense = -shark.sense;
+}
+
+// Along rock and away from it.
+void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, Course& course) {
+    if (!film.known()) return;
+    const glm::vec3 soon = shark.position + 0.5f * kind.length_m * shark.forward;
+    const float gap = film.gap_m(soon) - kind.bodyRadius_m;
+    if (gap >= kSharkRockShy_m) return;
+    const glm::vec3 inward = film.inward(soon);
+    const float share = std::min(1 - gap / kSharkRockShy_m, 2.0f);
+    const float outwards = -glm::dot(course.way, inward);
+    if (outwards > 0) course.way += inward * (outwards * std::min(share, 1.0f));
+    course.way += inward * share;
+    course.turn_radps *= 1 + 0.5f * share;
+}
+
+// Towards the player, but never into the room around the eyes.
+void keepInRoom(Shark& shark, const Species& kind, const FilmMoment& film, float most_m) {
+    const float over = film.overshoot_m(capsuleOf(shark, kind));
+    const float distance = glm::length(shark.position);
+    const float spare = distance - kSharkEyeRoom_m;
+    if (over > 0 && spare > 0)
+        shark.position -= shark.position * (std::min({over, spare, most_m}) / distance);
+}
+
 // Whatever happened: its axis keeps clear of the eyes, and its body of the ground.
 void keepClear(Shark& shark, const Species& kind, float floor_m, glm::vec3 outward) {
     const float reach = 0.46f * kind.length_m;
@@ -294,7 +332,9 @@ void bendAndBeat(Shark& shark, const Species& kind, glm::vec3 desiredSpin) {
 void swimShark(Shark& shark, const SharkView& view) {
     const Species& kind = view.species[shark.species];
     const auto [radius, outward] = placeOf(shark.position);
+    turnBack(shark, view.film, outward);
     Course course = courseOf(shark, kind, view, radius, outward);
+    avoidRock(shark, kind, view.film, course);
     avoidHead(shark, kind, course);
 
     const glm::vec3 goal = levelled(normalizedOr(course.way, shark.forward), 0.35f);
@@ -309,10 +349,17 @@ void swimShark(Shark& shark, const SharkView& view) {
 
     const glm::vec3 from = shark.position;
     shark.position += shark.forward * shark.speed * kDt;
+    keepInRoom(shark, kind, view.film, kSharkGiveRoom_mps * kDt);
     keepClear(shark, kind, view.dive.floor_m, outward);
     shark.velocity = (shark.position - from) / kDt;
     shark.worldFromBody = bodyTurn(shark.forward, shark.bank);
     bendAndBeat(shark, kind, spin);
+}
+
+void startInRoom(Shark& shark, const SpeciesTable& species, const FilmMoment& film) {
+    if (!shark.present) return;
+    for (int round = 0; round < 4; ++round)
+        keepInRoom(shark, species[shark.species], film, FilmSpace::kFar_m);
 }
 
 } // namespace shoal::game

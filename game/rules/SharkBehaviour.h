@@ -7,6 +7,7 @@
 #include "game/rules/Creatures.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Events.h"
+#include "game/rules/FilmSpace.h"
 #include "game/rules/Hand.h"
 
 #include <span>
@@ -31,6 +32,9 @@ constexpr float kWide_m = 2.6f;       // radius from which it begins the next ap
 
 Shark spawnShark(const DiveFiles&, Random&); // at the beginning of a dive
 
+// Before anybody sees it: in front of what the film shows.
+void startInRoom(Shark&, const SpeciesTable&, const FilmMoment&);
+
 // What the shark knows of the dive.
 struct SharkView {
     const DiveFile& dive;
@@ -39,6 +43,7 @@ struct SharkView {
     std::span<const Fish> fish;
     float time_s;    // since the dive began
     bool diveIsOver; // no new visits
+    FilmMoment film{};
 };
 
 // Chooses what it does next.

@@ -58,6 +58,7 @@ struct CreatureView {
     // 0 to 1, eased: a hand that closes now takes it; and which hand that is, -1 none.
     float catchable = 0;
     int catchableBy = -1;
+    bool hidden = false; // by the film, from where the player's head is
 };
 
 // Why a hand that closed took nothing, as the events of game/rules/Events.h.

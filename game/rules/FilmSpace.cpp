@@ -1,0 +1,249 @@
+#include "game/rules/FilmSpace.h"
+
+#include "engine/core/Hash.h"
+#include "game/rules/Steering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shoal::game {
+
+namespace {
+
+constexpr int kBordered = FilmSpace::kSide + 2;
+constexpr size_t kStride = static_cast<size_t>(kBordered) * kBordered; // of a step
+
+// A wall that comes nearer, or a pillar that passes, moves bodies no faster than this...
+constexpr float kWallSpeed_mps = 0.6f;
+// ...and the room narrows no faster than this from direction to direction, metres per radian.
+constexpr float kNarrowing_m = 2.5f;
+
+float sign(float x) { return x < 0 ? -1.0f : 1.0f; }
+
+// Place on the unfolded octahedron in cells, 0 to kSide; +Y in the middle, -Y in the corners.
+struct Place2 {
+    float x, y;
+};
+Place2 unfolded(glm::vec3 dir) {
+    const float sum = std::fabs(dir.x) + std::fabs(dir.y) + std::fabs(dir.z);
+    float x = dir.x / sum, z = dir.z / sum;
+    if (dir.y < 0) {
+        const float folded = (1 - std::fabs(z)) * sign(x);
+        z = (1 - std::fabs(x)) * sign(z);
+        x = folded;
+    }
+    constexpr float kHalf = 0.5f * FilmSpace::kSide;
+    return {(x + 1) * kHalf, (z + 1) * kHalf};
+}
+
+size_t cellAt(int x, int y) { return static_cast<size_t>(y + 1) * kBordered + static_cast<size_t>(x + 1); }
+
+// Beyond an edge of the square the octahedron continues with the same edge, read backwards.
+template <class T> void fillBorder(T* grid) {
+    constexpr int n = FilmSpace::kSide;
+    for (int i = 0; i < n; ++i) {
+        grid[cellAt(i, -1)] = grid[cellAt(n - 1 - i, 0)];
+        grid[cellAt(i, n)] = grid[cellAt(n - 1 - i, n - 1)];
+        grid[cellAt(-1, i)] = grid[cellAt(0, n - 1 - i)];
+        grid[cellAt(n, i)] = grid[cellAt(n - 1, n - 1 - i)];
+    }
+    grid[cellAt(-1, -1)] = grid[cellAt(n - 1, n - 1)];
+    grid[cellAt(n, n)] = grid[cellAt(0, 0)];
+    grid[cellAt(n, -1)] = grid[cellAt(0, n - 1)];
+    grid[cellAt(-1, n)] = grid[cellAt(n - 1, 0)];
+}
+
+constexpr std::array<std::array<int, 2>, 8> kAround = {
+    {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+
+// For each cell how much farther than each of its neighbours it may be, millimetres. A chord is shorter than
+// its angle, so the room narrows a little more slowly than it may.
+std::vector<std::array<float, 8>> allowances() {
+    std::vector<glm::vec3> directions(kStride);
+    for (int cell = 0; cell < FilmSpace::kCells; ++cell)
+        directions[cellAt(cell % FilmSpace::kSide, cell / FilmSpace::kSide)] = FilmSpace::directionOf(cell);
+    fillBorder(directions.data());
+    std::vector<std::array<float, 8>> allowed(kStride);
+    for (int y = 0; y < FilmSpace::kSide; ++y)
+        for (int x = 0; x < FilmSpace::kSide; ++x)
+            for (size_t i = 0; i < kAround.size(); ++i) {
+                const glm::vec3 apart =
+                    directions[cellAt(x, y)] - directions[cellAt(x + kAround[i][0], y + kAround[i][1])];
+                allowed[cellAt(x, y)][i] = 1000 * kNarrowing_m * glm::length(apart);
+            }
+    return allowed;
+}
+
+// The nearest of a cell and its neighbours: a place between four cells' middles is then not farther than what
+// any of them shows.
+void widen(const uint16_t* surface, float* room) {
+    for (int y = 0; y < FilmSpace::kSide; ++y)
+        for (int x = 0; x < FilmSpace::kSide; ++x) {
+            uint16_t nearest = surface[cellAt(x, y)];
+            for (const auto& [dx, dy] : kAround) nearest = std::min(nearest, surface[cellAt(x + dx, y + dy)]);
+            room[cellAt(x, y)] = nearest;
+        }
+    fillBorder(room);
+}
+
+// Lowers cells until none is farther than its neighbours allow: sweeps there and back.
+void smoothDirections(const std::vector<std::array<float, 8>>& allowed, float* room) {
+    constexpr int kMostSweeps = 16;
+    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+        bool changed = false;
+        for (int i = 0; i < FilmSpace::kCells; ++i) {
+            const int cell = sweep % 2 ? FilmSpace::kCells - 1 - i : i;
+            const int x = cell % FilmSpace::kSide, y = cell / FilmSpace::kSide;
+            float& here = room[cellAt(x, y)];
+            for (size_t k = 0; k < kAround.size(); ++k) {
+                const float most =
+                    room[cellAt(x + kAround[k][0], y + kAround[k][1])] + allowed[cellAt(x, y)][k];
+                if (here > most) here = most, changed = true;
+            }
+        }
+        fillBorder(room);
+        if (!changed && sweep > 0) return;
+    }
+}
+
+} // namespace
+
+FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
+    : length_s_(length_s), steps_(static_cast<int>(surface_mm.size() / kCells)) {
+    surface_mm_.resize(static_cast<size_t>(steps_) * kStride);
+    for (int step = 0; step < steps_; ++step) {
+        uint16_t* to = surface_mm_.data() + static_cast<size_t>(step) * kStride;
+        for (int cell = 0; cell < kCells; ++cell)
+            to[cellAt(cell % kSide, cell / kSide)] = std::min(
+                surface_mm[static_cast<size_t>(step) * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
+        fillBorder(to);
+    }
+    makeRoom();
+}
+
+// The lower envelope of the surface under cones in time and direction: the largest function below it that
+// changes no faster than the two limits. Both limits add, so it is made one after the other.
+void FilmSpace::makeRoom() {
+    const auto allowed = allowances();
+    std::vector<float> room(surface_mm_.size());
+    for (int step = 0; step < steps_; ++step) {
+        float* here = room.data() + static_cast<size_t>(step) * kStride;
+        widen(surface_mm_.data() + static_cast<size_t>(step) * kStride, here);
+        smoothDirections(allowed, here);
+    }
+    const auto step_s = static_cast<float>(length_s_ / steps_);
+    const float later = 1000 * kWallSpeed_mps * step_s;
+    const auto limit = [&](int step, int by) {
+        float* here = room.data() + static_cast<size_t>(step) * kStride;
+        const float* other = room.data() + static_cast<size_t>(by) * kStride;
+        for (size_t i = 0; i < kStride; ++i) here[i] = std::min(here[i], other[i] + later);
+    };
+    // Twice around, as the film repeats.
+    for (int i = 0; i < 2 * steps_; ++i) limit((i + 1) % steps_, i % steps_);
+    for (int i = 2 * steps_; i > 0; --i) limit((i - 1) % steps_, i % steps_);
+    room_mm_.resize(room.size());
+    std::transform(room.begin(), room.end(), room_mm_.begin(),
+                   [](float mm) { return static_cast<uint16_t>(mm); });
+}
+
+int FilmSpace::cellOf(glm::vec3 dir) {
+    const auto [x, y] = unfolded(dir);
+    const int column = std::clamp(static_cast<int>(x), 0, kSide - 1);
+    return std::clamp(static_cast<int>(y), 0, kSide - 1) * kSide + column;
+}
+
+glm::vec3 FilmSpace::directionOf(int cell) {
+    constexpr float kHalf = 0.5f * kSide;
+    const float x = (static_cast<float>(cell % kSide) + 0.5f) / kHalf - 1;
+    const float z = (static_cast<float>(cell / kSide) + 0.5f) / kHalf - 1;
+    const float y = 1 - std::fabs(x) - std::fabs(z);
+    const float over = std::max(0.0f, -y);
+    return glm::normalize(glm::vec3(x - over * sign(x), y, z - over * sign(z)));
+}
+
+uint64_t FilmSpace::hash() const {
+    Hash hash;
+    hash.add(length_s_);
+    hash.add(steps_);
+    hash.bytes(surface_mm_.data(), surface_mm_.size() * sizeof(uint16_t));
+    return hash.value();
+}
+
+FilmSpace::Moment FilmSpace::at(double time_s) const {
+    const double turns = time_s / length_s_;
+    const double step = (turns - std::floor(turns)) * steps_;
+    const int before = std::min(static_cast<int>(step), steps_ - 1);
+    return {static_cast<size_t>(before), static_cast<size_t>((before + 1) % steps_),
+            static_cast<float>(step - before)};
+}
+
+float FilmSpace::lookUp(const std::vector<uint16_t>& grid, const Moment& moment, glm::vec3 dir) const {
+    const auto [x, y] = unfolded(dir);
+    const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
+    const float across = x - 0.5f - left, down = y - 0.5f - top;
+    const size_t first = cellAt(std::clamp(static_cast<int>(left), -1, kSide - 1),
+                                std::clamp(static_cast<int>(top), -1, kSide - 1));
+    const auto inStep = [&](size_t step) {
+        const uint16_t* cell = grid.data() + step * kStride + first;
+        const auto mix = [](float a, float b, float share) { return a + (b - a) * share; };
+        return mix(mix(cell[0], cell[1], across), mix(cell[kBordered], cell[kBordered + 1], across), down);
+    };
+    const float before = inStep(moment.before), after = inStep(moment.after);
+    return 0.001f * (before + (after - before) * moment.share);
+}
+
+float FilmSpace::surface_m(const Moment& moment, glm::vec3 dir) const {
+    return lookUp(surface_mm_, moment, dir);
+}
+
+float FilmSpace::room_m(const Moment& moment, glm::vec3 dir) const { return lookUp(room_mm_, moment, dir); }
+
+float FilmMoment::gap_m(glm::vec3 place) const {
+    const float distance = glm::length(place);
+    return space_->room_m(moment_, distance > 1e-4f ? place : kUp) - distance;
+}
+
+glm::vec3 FilmMoment::inward(glm::vec3 place) const {
+    constexpr float kApart_m = 0.1f;
+    glm::vec3 slope;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 aside(0);
+        aside[axis] = kApart_m;
+        slope[axis] = gap_m(place + aside) - gap_m(place - aside);
+    }
+    return normalizedOr(slope, normalizedOr(-place, kUp));
+}
+
+float FilmMoment::overshoot_m(const physics::Capsule& body) const {
+    if (!known()) return 0;
+    constexpr float kBetween_m = 0.35f; // places along the body, at most
+    const glm::vec3 core = body.b - body.a;
+    const int pieces = 2 + static_cast<int>(glm::length(core) / kBetween_m);
+    float most = 0;
+    for (int i = 0; i <= pieces; ++i)
+        most = std::max(
+            most, body.radius - gap_m(body.a + core * (static_cast<float>(i) / static_cast<float>(pieces))));
+    return most;
+}
+
+bool FilmMoment::hides(glm::vec3 headWorld, glm::vec3 place) const {
+    if (!known()) return false;
+    constexpr float kBehind_m = 0.05f; // a body half in a surface is seen
+    constexpr int kLooks = 6;
+    const glm::vec3 way = place - headWorld;
+    const float distance = glm::length(way);
+    if (distance < FilmSpace::kNearest_m) return false;
+    // From the camera itself the place's own direction says all; a head beside it looks along a line.
+    for (int i = 1; i <= kLooks; ++i) {
+        const float share = static_cast<float>(i) / kLooks;
+        if (share * distance < FilmSpace::kNearest_m) continue;
+        const glm::vec3 along = headWorld + way * share;
+        const float fromCamera = glm::length(along);
+        if (fromCamera > FilmSpace::kNearest_m && fromCamera > space_->surface_m(moment_, along) + kBehind_m)
+            return true;
+    }
+    return false;
+}
+
+} // namespace shoal::game

@@ -1,0 +1,238 @@
+// Animals in the space of a film: made walls, a tunnel, a wall that comes nearer, a pillar.
+#include "Fixture.h"
+
+#include "game/rules/ReachHelp.h"
+#include "tests/playthrough/MadeSpace.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <cmath>
+
+namespace shoal::game {
+namespace {
+
+using test::cove;
+
+// A wall across the way ahead, 1.6 m from the eyes.
+float toWall_m(glm::vec3 dir, double = 0) { return dir.z < -0.05f ? 1.6f / -dir.z : FilmSpace::kFar_m; }
+
+// A pillar of 0.3 m ahead, its middle 1.5 m away.
+float toPillar_m(glm::vec3 dir, double = 0) {
+    const glm::vec2 flat(dir.x, dir.z), centre(0, -1.5f);
+    const float level = glm::length(flat);
+    if (level < 1e-3f) return FilmSpace::kFar_m;
+    const float along = glm::dot(flat / level, centre);
+    const float squared = glm::dot(centre, centre) - along * along;
+    if (along < 0 || squared > 0.09f) return FilmSpace::kFar_m;
+    return (along - std::sqrt(0.09f - squared)) / level;
+}
+
+// A sphere around the viewer that shrinks from 5.5 m within 8 s, 0.5 m/s, and grows again. At 1.5 m a shark that
+// points away from the eyes still fits between them and it: 0.55 m of room, half of its core, its radius.
+float toShrinking_m(glm::vec3, double time_s) {
+    const double share = time_s < 8 ? time_s / 8 : 2 - time_s / 8;
+    return 5.5f - 4 * static_cast<float>(share);
+}
+
+std::vector<glm::vec3> directions() {
+    Random random(3, 1);
+    std::vector<glm::vec3> all = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
+    while (all.size() < 3000) {
+        const float x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(-1, 1);
+        const glm::vec3 dir(x, y, z);
+        if (glm::length(dir) > 0.1f && glm::length(dir) < 1) all.push_back(glm::normalize(dir));
+    }
+    return all;
+}
+
+TEST(FilmSpace, CellsAreWhereTheirDirectionsAre) {
+    for (int cell = 0; cell < FilmSpace::kCells; ++cell)
+        EXPECT_EQ(FilmSpace::cellOf(FilmSpace::directionOf(cell)), cell);
+}
+
+TEST(FilmSpace, LinearFunctionsOfDirectionComeBackOverAllEdges) {
+    const auto distance = [](glm::vec3 dir) { return 3 + dir.x - 0.5f * dir.y + 0.7f * dir.z; };
+    const auto space = madeSpace(1, 1, [&](glm::vec3 dir, double) { return distance(dir); });
+    for (const glm::vec3 dir : directions()) // two thirds of a cell's 0.09 rad times the slope of 1.3
+        EXPECT_NEAR(space->surface_m(space->at(0), dir), distance(dir), 0.08f);
+}
+
+TEST(FilmSpace, TimeIsLinearAndRepeats) {
+    const auto space =
+        madeSpace(4, 4, [](glm::vec3, double time_s) { return 1 + static_cast<float>(time_s); });
+    const auto at = [&](double time_s) { return space->surface_m(space->at(time_s), {0.3f, 0.2f, 0.9f}); };
+    EXPECT_NEAR(at(0), 1, 1e-3);
+    EXPECT_NEAR(at(1.5), 2.5, 1e-3);
+    EXPECT_NEAR(at(3.5), 2.5, 1e-3); // half way from the last step to the first
+    EXPECT_NEAR(at(9.5), at(1.5), 1e-5);
+}
+
+TEST(FilmSpace, RoomIsInFrontOfTheSurfaceAndNarrowsSlowly) {
+    const auto wall = madeSpace(1, 1, toWall_m);
+    const auto here = wall->at(0);
+    for (const glm::vec3 dir : directions()) {
+        EXPECT_LE(wall->room_m(here, dir), toWall_m(dir) + 0.01f);
+        const glm::vec3 beside = glm::normalize(dir + 0.02f * glm::cross(dir, glm::vec3(0.3f, 0.5f, 0.8f)));
+        // 2.5 m/rad along each way of the grid, so at most the root of two times that between them; and twice
+        // a cell's skew at the octahedron's edges.
+        EXPECT_LE(std::fabs(wall->room_m(here, dir) - wall->room_m(here, beside)),
+                  2 * 1.42f * 2.5f * glm::distance(dir, beside) + 0.002f);
+    }
+    // Straight ahead a wall is as far as it is, less what the neighbours of a cell are nearer: nothing.
+    EXPECT_NEAR(wall->room_m(here, {0, 0, -1}), 1.6f, 0.01f);
+
+    // A wall that jumps from 5 m to 1 m is foreseen: at most 0.6 m/s.
+    const auto jump = madeSpace(20, 80, [](glm::vec3, double time_s) { return time_s < 10 ? 5.0f : 1.0f; });
+    for (int i = 0; i < 200; ++i) {
+        const float now = jump->room_m(jump->at(0.1 * i), {1, 0, 0});
+        EXPECT_NEAR(now, jump->room_m(jump->at(0.1 * (i + 1)), {1, 0, 0}), 0.061f);
+        EXPECT_LE(now, jump->surface_m(jump->at(0.1 * i), {1, 0, 0}) + 1e-3f);
+    }
+}
+
+struct Kept {
+    float deepest_m = 0;       // of any body behind the surface
+    float longestStep_m = 0;   // of a free animal in a tick
+    float nearestEyes_m = 100; // of any fish's middle
+};
+
+// Nobody is there; distance_m: of the true surface.
+template <class Distance>
+Kept watch(std::shared_ptr<const FilmSpace> space, double length_s, const Distance& distance_m,
+           uint64_t seed) {
+    DiveFile file = cove().dive;
+    file.space = space;
+    test::OpenDive dive(cove().species, file, seed);
+    Events events;
+    Kept kept;
+    std::vector<glm::vec3> before;
+    for (int tick = 0; tick < 60 * sim::kTickRate_Hz; ++tick) {
+        before.clear();
+        for (const Fish& f : dive.fish) before.push_back(f.position);
+        const glm::vec3 sharkBefore = dive.shark.position;
+        events.clear();
+        dive.step({}, events);
+        const double time_s = std::fmod((tick + 1) / 120.0, length_s);
+        const auto look = [&](const Swimmer& s, int species, glm::vec3 was) {
+            const physics::Capsule body = capsuleOf(s, cove().species[species]);
+            for (int i = 0; i <= 4; ++i) {
+                const glm::vec3 at = body.a + (body.b - body.a) * (0.25f * static_cast<float>(i));
+                const float length = glm::length(at);
+                kept.deepest_m =
+                    std::max(kept.deepest_m, length + body.radius - distance_m(at / length, time_s));
+            }
+            kept.longestStep_m = std::max(kept.longestStep_m, glm::distance(s.position, was));
+        };
+        for (size_t i = 0; i < dive.fish.size(); ++i) {
+            look(dive.fish[i], dive.fish[i].species, before[i]);
+            kept.nearestEyes_m = std::min(kept.nearestEyes_m, glm::length(dive.fish[i].position));
+        }
+        if (dive.shark.present) look(dive.shark, dive.shark.species, sharkBefore);
+    }
+    return kept;
+}
+
+constexpr float kDeepest_m = 0.02f;                     // what counts as a penetration
+constexpr float kLongestStep_m = (3 + 2) * kDt + 1e-4f; // the fastest swimming and the fastest giving way
+
+TEST(FilmSpace, AnimalsKeepInFrontOfAWall) {
+    const auto space = madeSpace(1, 1, toWall_m);
+    EXPECT_GT(watch(nullptr, 1, toWall_m, 5).deepest_m, 0.3f); // so there is something to keep
+    for (uint64_t seed : {5, 6}) {
+        const Kept kept = watch(space, 1, toWall_m, seed);
+        EXPECT_LT(kept.deepest_m, kDeepest_m) << seed;
+        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << seed;
+    }
+}
+
+TEST(FilmSpace, AnimalsKeepInATunnel) {
+    const auto tunnel = [](glm::vec3 dir, double) { return toTunnel_m(dir, 2); };
+    for (uint64_t seed : {5, 6}) {
+        const Kept kept = watch(madeSpace(1, 1, tunnel), 1, tunnel, seed);
+        EXPECT_LT(kept.deepest_m, kDeepest_m) << seed;
+        EXPECT_LT(kept.longestStep_m, kLongestStep_m) << seed;
+        EXPECT_GT(kept.nearestEyes_m, 0.35f) << seed; // the room around the eyes
+    }
+}
+
+TEST(FilmSpace, AWallThatComesNearerPushesThemAsideWithoutAJump) {
+    const auto space = madeSpace(16, 64, toShrinking_m);
+    const Kept kept = watch(space, 16, toShrinking_m, 5);
+    EXPECT_LT(kept.deepest_m, kDeepest_m);
+    EXPECT_LT(kept.longestStep_m, kLongestStep_m);
+    EXPECT_GT(kept.nearestEyes_m, 0.35f);
+}
+
+TEST(FilmSpace, APillarIsPassedAndNobodyStaysAtIt) {
+    const Kept kept = watch(madeSpace(1, 1, toPillar_m), 1, toPillar_m, 5);
+    EXPECT_LT(kept.deepest_m, kDeepest_m);
+    EXPECT_LT(kept.longestStep_m, kLongestStep_m);
+}
+
+TEST(FilmSpace, WhatTheFilmHidesIsNeitherShownNorHelpedToNorTaken) {
+    // All of the film is 0.65 m away; the fish is put back behind it in every tick.
+    const auto near = madeSpace(1, 1, [](glm::vec3, double) { return 0.65f; });
+    const glm::vec3 behind(0, -0.1f, -0.8f);
+    for (const bool hidden : {false, true}) {
+        test::OneFish one(false, {Assist::Strong, false, true},
+                          [&](DiveFile& file) { file.space = hidden ? near : nullptr; });
+        for (int i = 0; i < 60; ++i) {
+            one.rest(behind);
+            one.input.hands[1] =
+                test::handAt(behind, i < 30 ? 0.0f : std::min(1.0f, static_cast<float>(i - 30) / 15));
+            one.step();
+        }
+        Snapshot now;
+        one.world.snapshot(now);
+        EXPECT_EQ(one.world.hands[1].intent.fish >= 0 || one.fish().heldBy >= 0, !hidden);
+        EXPECT_EQ(one.fish().catchable > 0 || one.fish().heldBy >= 0, !hidden);
+        EXPECT_EQ(one.fish().heldBy, hidden ? -1 : 1);
+        EXPECT_EQ(now.creatures[0].hidden, hidden);
+        if (!hidden) continue;
+        ReachHelp help;
+        const glm::vec3 ray = glm::normalize(behind);
+        EXPECT_FALSE(help.update(now, cove().species, ray, 0.5f));
+        now.creatures[0].hidden = false;
+        EXPECT_TRUE(help.update(now, cove().species, ray, 0.5f));
+    }
+}
+
+TEST(FilmSpace, NothingHidesWhatIsNearerThanHandsReachAndAHeadBesideTheCameraLooksPast) {
+    const auto pillar = madeSpace(1, 1, toPillar_m);
+    const FilmMoment now(pillar.get(), 0);
+    const glm::vec3 eyes(0), behind(0, 0, -2.2f);
+    EXPECT_TRUE(now.hides(eyes, behind));
+    EXPECT_FALSE(now.hides(eyes, {0, 0, -1.1f}));
+    EXPECT_FALSE(now.hides(eyes, {1.2f, 0, -2.2f}));
+    const auto close = madeSpace(1, 1, [](glm::vec3, double) { return 0.4f; });
+    EXPECT_FALSE(FilmMoment(close.get(), 0).hides(eyes, {0, 0, -0.59f}));
+    EXPECT_TRUE(FilmMoment(close.get(), 0).hides(eyes, {0, 0, -0.7f}));
+    EXPECT_FALSE(FilmMoment().hides(eyes, behind));
+}
+
+TEST(FilmSpace, AReplayIsPlayedInItsOwnSpaceAlone) {
+    DiveFile file = cove().dive;
+    const auto headerIn = [&](std::shared_ptr<const FilmSpace> space) {
+        file.space = std::move(space);
+        return recordingHeader(Dive(cove().species, file, 3));
+    };
+    const auto wall = madeSpace(1, 1, toWall_m), pillar = madeSpace(1, 1, toPillar_m);
+    const auto without = headerIn(nullptr), with = headerIn(wall);
+    EXPECT_FALSE(needsFilmSpace(without));
+    EXPECT_TRUE(needsFilmSpace(with));
+    EXPECT_TRUE(checkFilmSpace(without, nullptr));
+    EXPECT_TRUE(checkFilmSpace(with, wall.get()));
+    EXPECT_TRUE(checkFilmSpace(with, madeSpace(1, 1, toWall_m).get())); // made anew
+    for (const Status& refused : {checkFilmSpace(with, nullptr), checkFilmSpace(with, pillar.get())}) {
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().reason.find(with.settings.at("film_space")), std::string::npos);
+    }
+    EXPECT_FALSE(checkFilmSpace(without, wall.get()));
+    EXPECT_TRUE(rulesOf(with));
+}
+
+} // namespace
+} // namespace shoal::game
