@@ -43,8 +43,10 @@ float depthOf(const physics::Capsule& body, const media::DepthFrame& frame) {
 struct Penetration {
     double fish_s = 0, shark_s = 0; // creature-seconds
     float fishDeepest_m = 0, sharkDeepest_m = 0;
-    float fastest_mps = 0; // of a free fish
-    double radius_m = 0;   // sum over looks, of free fish
+    const game::Species* deepest = nullptr; // of fish...
+    float deepestAt_m = 0;                  // ...and how far it was from the eyes
+    float fastest_mps = 0;                  // of a free fish
+    double radius_m = 0;                    // sum over looks, of free fish
     int looks = 0;
 
     void look(const game::DiveState& s, const game::SpeciesTable& species, const media::DepthFrame& frame) {
@@ -53,7 +55,11 @@ struct Penetration {
             if (!f.free()) continue;
             const float depth = depthOf(capsuleOf(f, species[f.species]), frame);
             if (depth > kPenetration_m) fish_s += kLook_s;
-            fishDeepest_m = std::max(fishDeepest_m, depth);
+            if (depth > fishDeepest_m) {
+                fishDeepest_m = depth;
+                deepest = &species[f.species];
+                deepestAt_m = glm::length(f.position);
+            }
             fastest_mps = std::max(fastest_mps, glm::length(f.velocity));
             radius_m += static_cast<double>(glm::length(f.position));
             ++looks;
@@ -134,12 +140,13 @@ int main(int count, char** arguments) {
         for (const bool with : {false, true}) {
             files->dive.space = with ? space : nullptr;
             const Penetration p = swim(*files, *track, seeds);
-            std::printf(
-                "  %-7s fish %7.2f creature-seconds a minute, deepest %.2f m; shark %6.2f, %.2f m; fish "
-                "%.2f m from the eyes, at most %.1f m/s\n",
-                with ? "with" : "without", p.fish_s / minutes, static_cast<double>(p.fishDeepest_m),
-                p.shark_s / minutes, static_cast<double>(p.sharkDeepest_m), p.radius_m / p.looks,
-                static_cast<double>(p.fastest_mps));
+            std::printf("  %-7s fish %7.2f creature-seconds a minute, deepest %.2f m (%s, %.2f m from the "
+                        "eyes); shark %6.2f, %.2f m; fish "
+                        "%.2f m from the eyes, at most %.1f m/s\n",
+                        with ? "with" : "without", p.fish_s / minutes, static_cast<double>(p.fishDeepest_m),
+                        p.deepest ? p.deepest->name.c_str() : "none", static_cast<double>(p.deepestAt_m),
+                        p.shark_s / minutes, static_cast<double>(p.sharkDeepest_m), p.radius_m / p.looks,
+                        static_cast<double>(p.fastest_mps));
             if (playerSeeds > 0) play(*files, *rig, playerSeeds);
             std::fflush(stdout);
         }

@@ -110,7 +110,7 @@ int stream(HttpServer& server, int first, int count, cv::Size size = {256, 128})
 TEST_F(LiveProgram, APlaythroughPassesWhileItsStreamStallsBreaksAndReturns) {
     const std::string script = tests::sourceFolder().string() + "/tests/robustness/live/stream.toml";
     const std::vector<std::string> play = {
-        "play", "--headless", "--size",           "64x36",   "--fps",
+        "play", "--headless", "--no-depth",       "--size",  "64x36",         "--fps",
         "30",   "--hands",    "script:" + script, "--stats", stats().string()};
     ASSERT_EQ(run(play), 0) << textOf(err());
     const std::string undisturbed = valueOf("state_hash");

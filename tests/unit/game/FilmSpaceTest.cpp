@@ -30,11 +30,11 @@ float toPillar_m(glm::vec3 dir, double = 0) {
     return (along - std::sqrt(0.09f - squared)) / level;
 }
 
-// A sphere around the viewer that shrinks from 5.5 m within 8 s, 0.5 m/s, and grows again. At 1.5 m a shark that
+// A sphere around the viewer that shrinks from 5.6 m within 8 s, 0.5 m/s, and grows again. At 1.6 m a shark that
 // points away from the eyes still fits between them and it: 0.55 m of room, half of its core, its radius.
 float toShrinking_m(glm::vec3, double time_s) {
     const double share = time_s < 8 ? time_s / 8 : 2 - time_s / 8;
-    return 5.5f - 4 * static_cast<float>(share);
+    return 5.6f - 4 * static_cast<float>(share);
 }
 
 std::vector<glm::vec3> directions() {
