@@ -42,7 +42,8 @@ int depth(const DepthOptions& options) {
     if (shown) std::fputs("\r", stderr);
     if (!made) return failed(made.error());
     if (*made == depth::FilmDepth::CannotBeKnown) {
-        log::error("{}: its camera stands still or only turns, and it has one eye: how far away things are "
+        log::error("{}: it has one eye, and no movement of its camera was found (it stands still, only "
+                   "turns, or too little of the picture agrees): how far away things are "
                    "cannot be known",
                    options.video);
         return kCannotBeKnown;
