@@ -218,6 +218,14 @@ Result<GrowingFile> GrowingFile::create(const Path& file) {
     return GrowingFile(file, descriptor);
 }
 
+Result<GrowingFile> GrowingFile::extend(const Path& file, uint64_t bytes) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
+    if (descriptor < 0) return failed(file, kCannotWrite, errno);
+    GrowingFile extended(file, descriptor);
+    if (::ftruncate(descriptor, static_cast<off_t>(bytes)) != 0) return failed(file, kCannotWrite, errno);
+    return extended;
+}
+
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept
     : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
 

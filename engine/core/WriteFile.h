@@ -8,6 +8,7 @@
 
 #include "engine/core/Files.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ class GrowingFile {
   public:
     // Replaces what was there.
     static Result<GrowingFile> create(const Path& file);
+    // Goes on behind the first `bytes` of a file that is there; what it holds beyond them is dropped.
+    static Result<GrowingFile> extend(const Path& file, uint64_t bytes);
     GrowingFile(GrowingFile&&) noexcept;
     GrowingFile& operator=(GrowingFile&&) noexcept;
     ~GrowingFile();

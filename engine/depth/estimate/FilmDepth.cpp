@@ -14,6 +14,7 @@
 #include <cstring>
 #include <deque>
 #include <fstream>
+#include <optional>
 
 namespace shoal::depth {
 
@@ -185,19 +186,17 @@ class PartFile {
     int done() const { return done_; }
 
     Status begin() {
-        std::error_code failed;
-        if (done_ > 0)
-            std::filesystem::resize_file(file_, sizeof head_ + static_cast<uintmax_t>(done_) * sizeof(Record),
-                                         failed);
-        out_.open(file_, std::ios::binary | (done_ > 0 ? std::ios::app : std::ios::trunc));
-        if (done_ == 0) out_.write(reinterpret_cast<const char*>(head_), sizeof head_);
-        return out_.flush() && !failed ? Status(Done{}) : Status(Error{file_.string(), "cannot be written"});
+        const uint64_t kept = sizeof head_ + static_cast<uint64_t>(done_) * sizeof(Record);
+        if (Status s =
+                (done_ > 0 ? GrowingFile::extend(file_, kept) : GrowingFile::create(file_)).moveTo(out_);
+            !s)
+            return s;
+        return done_ > 0 ? Status(Done{}) : out_->write({reinterpret_cast<const char*>(head_), sizeof head_});
     }
     Status add(Record& record) {
         record.check = checkOf(record);
-        out_.write(reinterpret_cast<const char*>(&record), sizeof record);
         ++done_;
-        return out_.flush() ? Status(Done{}) : Status(Error{file_.string(), "cannot be written"});
+        return out_->write({reinterpret_cast<const char*>(&record), sizeof record});
     }
     bool read(int number, Record& record) {
         if (!in_.is_open()) in_.open(file_, std::ios::binary);
@@ -205,7 +204,7 @@ class PartFile {
         return in_.read(reinterpret_cast<char*>(&record), sizeof record) && record.check == checkOf(record);
     }
     void remove() {
-        in_.close(), out_.close();
+        in_.close(), out_.reset();
         std::error_code ignored;
         std::filesystem::remove(file_, ignored);
     }
@@ -215,7 +214,7 @@ class PartFile {
     Path file_;
     uint64_t head_[2];
     int done_ = 0;
-    std::ofstream out_;
+    std::optional<GrowingFile> out_;
     std::ifstream in_;
 };
 
