@@ -46,6 +46,7 @@ inline Status replay(const tests::Recorded& recording, const DiveFiles& files, c
         return Error{"", "the recording is of another dive or version of the game"};
     const auto rules = rulesOf(recording.header());
     if (!rules) return rules.error();
+    if (auto space = checkFilmSpace(recording.header(), files.dive.space.get()); !space) return space;
     Dive dive(files.species, files.dive, recording.header().seed, *rules);
     Events events;
     Snapshot snapshot;

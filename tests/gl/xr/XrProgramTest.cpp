@@ -4,6 +4,7 @@
 #include "game/app/Application.h"
 #include "game/rules/TickInput.h"
 #include "game/tools/Commands.h"
+#include "game/views/FilmSpaceOf.h"
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
@@ -194,8 +195,9 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     EXPECT_TRUE(last.hands[1].tracked);
     EXPECT_FALSE(last.hands[0].tracked);
 
-    const auto files = game::loadDiveFiles("reef");
+    auto files = game::loadDiveFiles("reef");
     ASSERT_TRUE(files);
+    files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
     const Status same = game::replay(*recording, *files);
     EXPECT_TRUE(same) << same.error().message();
 }
