@@ -8,7 +8,6 @@
 
 extern "C" {
 #include <libavutil/crc.h>
-#include <libavutil/mem.h>
 #include <libavutil/opt.h>
 }
 
@@ -63,16 +62,6 @@ bool isWhole(const AVPacket& packet) {
     const AVCRC* table = av_crc_get_table(AV_CRC_32_IEEE);
     return packet.size > 0 && av_crc(table, 0, packet.data, static_cast<size_t>(packet.size)) == 0;
 }
-
-struct CloseOutput {
-    void operator()(AVFormatContext* output) const {
-        uint8_t* bytes = nullptr;
-        if (output->pb) avio_close_dyn_buf(output->pb, &bytes);
-        av_free(bytes);
-        avformat_free_context(output);
-    }
-};
-using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
 
 } // namespace
 

@@ -16,17 +16,7 @@ namespace {
 constexpr float kCodes = 4095;
 constexpr std::array<int, 3> kPlaneOf = {2, 0, 1}; // FFmpeg keeps green, blue, red
 
-using media::Codec, media::Frame, media::Input, media::Packet;
-
-struct CloseOutput {
-    void operator()(AVFormatContext* output) const {
-        uint8_t* bytes = nullptr;
-        if (output->pb) avio_close_dyn_buf(output->pb, &bytes);
-        av_free(bytes);
-        avformat_free_context(output);
-    }
-};
-using Output = std::unique_ptr<AVFormatContext, CloseOutput>;
+using media::Codec, media::Frame, media::Input, media::Output, media::Packet;
 
 Codec encoder(int width, int height) {
     const AVCodec* ffv1 = avcodec_find_encoder(AV_CODEC_ID_FFV1);
