@@ -14,8 +14,6 @@ namespace shoal::depth {
 
 namespace {
 
-constexpr float kSteps = 255; // of an inverse distance of 1 / kNearest_m
-
 // Inverse distances that differ by more than this within neighbouring texels of a track are an edge: a slope
 // seen at a small angle differs less.
 constexpr int kEdge = 8;
@@ -145,7 +143,7 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
 
 void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
     coarse_.fit(depth.width, depth.height);
-    constexpr float kScale = media::kMaxInverse_perM / media::kMaxDepthCode * kNearest_m * kSteps;
+    constexpr float kScale = media::kMaxInverse_perM / media::kMaxDepthCode * kNearest_m * DepthMap::kSteps;
     for (int y = 0; y < depth.height; ++y)
         for (int x = 0; x < depth.width; ++x) {
             const size_t of = static_cast<size_t>(y / 2) * (depth.width / 2) + x / 2;
@@ -153,7 +151,7 @@ void DepthRefiner::readTrusted(const media::DepthFrame& depth) {
             const float trust =
                 std::clamp((confidence - kDoubted) / (kBelieved - kDoubted), 0.0f, 1.0f) * kScale;
             const auto code = static_cast<float>(depth.inverse[static_cast<size_t>(y) * depth.width + x]);
-            *coarse_.at(x, y) = static_cast<uint8_t>(std::min(code * trust + 0.5f, kSteps));
+            *coarse_.at(x, y) = static_cast<uint8_t>(std::min(code * trust + 0.5f, DepthMap::kSteps));
         }
 }
 

@@ -6,6 +6,7 @@
 #include "engine/light/FrameView.h"
 #include "engine/math/LatLong.h"
 #include "engine/media/DepthTrack.h"
+#include "shaders/render/Attributes.glsl"
 
 #include <glm/vec3.hpp>
 
@@ -15,16 +16,18 @@
 namespace shoal::depth {
 
 // Nothing is taken to be nearer: a hand that reaches so far is never hidden.
-constexpr float kNearest_m = 0.6f;
+constexpr auto kNearest_m = static_cast<float>(FILM_NEAREST_M);
 
 constexpr int kMapWidth = 1024; // tests/bench/figures/depth.md tells why
 
 struct DepthMap {
-    // Lat-long; inverse distance, 255 is 1 / kNearest_m: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or
+    static constexpr float kSteps = 255; // of an inverse distance of 1 / kNearest_m
+
+    // Lat-long; inverse distance in steps: within 1.2 % at 3 m, 4 % at 10 m. 0: far away, or
     // not known well enough.
     Image<uint8_t, 1> inverse;
 
-    static float perM(int code) { return static_cast<float>(code) / (255 * kNearest_m); }
+    static constexpr float perM(int code) { return static_cast<float>(code) / (kSteps * kNearest_m); }
 
     // 1/m, between the texels linear. dirEnv: unit length.
     float inverse_perM(const glm::vec3& dirEnv) const;

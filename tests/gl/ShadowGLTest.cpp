@@ -29,7 +29,7 @@ depth::DepthMap levelGround() {
             const glm::vec3 dir = directionFromLatLong(
                 glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
             const float inverse = std::max(dir.y / kGround_m, 0.0f); // never above 1 / kNearest_m
-            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(255 * inverse * depth::kNearest_m));
+            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(inverse / depth::DepthMap::perM(1)));
         }
     return map;
 }

@@ -67,7 +67,7 @@ void hiddenInMap(const depth::DepthMap& map, int width, Hidden& out) {
     }
     const auto& codes = map.inverse;
     const float scale = static_cast<float>(codes.width) / static_cast<float>(width);
-    const float perCode = 1 / (255 * depth::kNearest_m);
+    const float perCode = depth::DepthMap::perM(1);
     for (int y = 0; y < height; ++y) {
         const float v = (static_cast<float>(y) + 0.5f) * scale - 0.5f, top = std::floor(v);
         const uint8_t* above = codes.at(0, std::clamp(static_cast<int>(top), 0, codes.height - 1));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTrackWidth = 256, kTrackHeight = 128, kScale = kMapWidth / kTrackWidth;
 constexpr int kMapHeight = kMapWidth / 2, kFilmScale = 2; // film pixels to a texel of the map
-constexpr float kCode_perM = 1 / (255 * kNearest_m);      // of the map's codes
+constexpr float kCode_perM = DepthMap::perM(1);           // of the map's codes
 
 // Track codes for the map's.
 uint16_t trackCode(float mapCode) { return media::depthCode(mapCode * kCode_perM, media::kExactDepthSteps); }

@@ -21,7 +21,7 @@ DepthMap mapOf(const std::function<float(const glm::vec3&)>& inverseOf) {
         for (int x = 0; x < kWidth; ++x) {
             const glm::vec2 uv((static_cast<float>(x) + 0.5f) / kWidth,
                                (static_cast<float>(y) + 0.5f) / (kWidth / 2));
-            const float code = inverseOf(directionFromLatLong(uv)) * 255 * kNearest_m;
+            const float code = inverseOf(directionFromLatLong(uv)) / DepthMap::perM(1);
             *map.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(code + 0.5f, 0.0f, 255.0f));
         }
     return map;

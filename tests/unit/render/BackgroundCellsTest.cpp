@@ -26,7 +26,7 @@ depth::DepthMap step() {
             const glm::vec3 d = directionFromLatLong(
                 glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
             const float inverse = std::max(-d.z, 0.0f) / (d.x < 0 ? 1.0f : 4.0f);
-            *map.inverse.at(x, y) = static_cast<uint8_t>(inverse * 255 * depth::kNearest_m + 0.5f);
+            *map.inverse.at(x, y) = static_cast<uint8_t>(inverse / depth::DepthMap::perM(1) + 0.5f);
         }
     return map;
 }

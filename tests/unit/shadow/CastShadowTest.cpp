@@ -161,7 +161,7 @@ template <class Distance> depth::DepthMap mapOf(const Distance& distance_m) {
             const glm::vec3 dir = directionFromLatLong(
                 glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
             const float inverse = std::min(1 / distance_m(dir), 1 / depth::kNearest_m);
-            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(255 * inverse * depth::kNearest_m));
+            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(inverse / depth::DepthMap::perM(1)));
         }
     return map;
 }
@@ -181,7 +181,7 @@ ShadowGrid castBy(const Ellipsoid& body, const CastingLight& light, const depth:
 }
 
 // Half a step of the map's 8 bits, at this distance from its camera.
-float halfStep_m(float distance_m) { return distance_m * distance_m / (2 * 255 * depth::kNearest_m); }
+float halfStep_m(float distance_m) { return 0.5f * distance_m * distance_m * depth::DepthMap::perM(1); }
 
 // On planes, level and tilted, nodes lie where their distance says to within the map's half step, and take
 // what the closed form gives for the place times the share that the plane's slope towards the light leaves.
