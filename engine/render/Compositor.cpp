@@ -31,10 +31,11 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
     made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(setup, made.composition_);
-    if (Status s = BackgroundPass::make(setup.backend, made.intoTexels()).moveTo(made.background_); !s)
+    if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
     made.smoothsOutlines_ = !setup.frameIsCoded && made.samples_ > 1 && made.drawsObjects();
-    if (made.intoTexels() || made.composition_ == Composition::MatchedResolution || made.smoothsOutlines_)
+    if (made.mayDrawIntoTexels() || made.composition_ == Composition::MatchedResolution ||
+        made.smoothsOutlines_)
         for (LayerPass& layer : made.layers_)
             if (Status s = LayerPass::make().moveTo(layer); !s) return s.error();
     return made;
@@ -43,16 +44,16 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
 glm::ivec2 Compositor::layerSize(const EyePicture& picture) const {
     if (composition_ == Composition::Plain) return picture.size();
     auto rows = static_cast<float>(picture.environment.frameHeight());
-    if (filmed() && intoTexels(picture)) rows /= layerTexels(picture.filmed.response, samples_);
-    return sizeAsFine(intoTexels(picture) ? widened(picture.view, kLayerWidth) : picture.view, picture.size(),
-                      static_cast<int>(rows));
+    if (filmed() && drawsIntoTexels(picture)) rows /= layerTexels(picture.filmed.response, samples_);
+    return sizeAsFine(drawsIntoTexels(picture) ? widened(picture.view, kLayerWidth) : picture.view,
+                      picture.size(), static_cast<int>(rows));
 }
 
 // Else objects are drawn into the canvas: so too where the video is finer than that. Beside an HDR picture,
 // which no texel blurs, a canvas of one sample would leave stairs at their outlines.
 bool Compositor::usesLayer(const EyePicture& picture) const {
-    return intoTexels(picture) || (smoothsOutlines_ && picture.canvas.samples() == 1) ||
-           ((intoTexels() || composition_ == Composition::MatchedResolution) &&
+    return drawsIntoTexels(picture) || (smoothsOutlines_ && picture.canvas.samples() == 1) ||
+           ((mayDrawIntoTexels() || composition_ == Composition::MatchedResolution) &&
             layerSize(picture) != picture.size());
 }
 
@@ -64,7 +65,7 @@ void Compositor::chooseTiles(const EyePicture& picture, CompositorScene& scene) 
 // Objects, and particles in front of them.
 Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     const glm::ivec2 size = layerSize(picture);
-    if (intoTexels(picture)) {
+    if (drawsIntoTexels(picture)) {
         picture.view = widened(picture.view, kLayerWidth);
         picture.exposure = {.frames = picture.exposure.frames}; // objects in the frame are exposed with it
     }
@@ -83,11 +84,11 @@ Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& sc
         if (picture.skip == SkippedPass::Background) {
             glClearColor(0, 0, 0, 1);
             glClear(GL_COLOR_BUFFER_BIT);
-        } else if (Status s = background_->draw(picture, intoTexels(picture) ? &layer : nullptr); !s) {
+        } else if (Status s = background_->draw(picture, drawsIntoTexels(picture) ? &layer : nullptr); !s) {
             return s;
         }
     }
-    if (intoTexels(picture)) {
+    if (drawsIntoTexels(picture)) {
         const ShadowPass::Cover cover{layer.layer.layer().texture(), kLayerWidth, picture.size()};
         scene.drawShadows(picture, &cover);
     } else if (drawsObjects()) {
@@ -101,7 +102,8 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
     if (usesLayer(picture)) {
         // These particles lie behind the layer's objects; those before them are in it.
         if (Status s = scene.drawParticles(ParticlePass::On::Picture, picture); !s) return s;
-        if (!intoTexels(picture)) layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
+        if (!drawsIntoTexels(picture))
+            layerOf(picture).layOver(scene.visibleSpheres(picture.view), picture.view);
         return Done{};
     }
     glFlush(); // the background's pixels are drawn while the objects' vertices are shaded
@@ -114,16 +116,16 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
 }
 
 Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye) {
-    if (intoTexels(eyes[0])) chooseTiles(eyes[0], scene);
+    if (drawsIntoTexels(eyes[0])) chooseTiles(eyes[0], scene);
     if (eyes[0].skip != SkippedPass::Background)
-        background_->prepare(eyes[0], intoTexels(eyes[0]) ? &tiles_ : nullptr);
+        background_->prepare(eyes[0], drawsIntoTexels(eyes[0]) ? &tiles_ : nullptr);
     // Software renderers finish a framebuffer before they begin another, so layers come before all canvases.
     for (const EyePicture& eye : eyes)
         if (usesLayer(eye))
             if (Status s = drawLayer(eye, scene); !s) return s;
     for (const EyePicture& eye : eyes) {
         eye.canvas.bindColour();
-        if (&eye != eyes.data() && intoTexels(eye)) chooseTiles(eye, scene);
+        if (&eye != eyes.data() && drawsIntoTexels(eye)) chooseTiles(eye, scene);
         // First, though objects hide some of it: testing the depth of every pixel costs more than that.
         if (Status s = drawBackground(eye, scene); !s) return s;
         if (Status s = drawForeground(eye, scene); !s) return s;

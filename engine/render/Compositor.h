@@ -49,10 +49,12 @@ class Compositor {
 
   private:
     bool filmed() const { return composition_ == Composition::CameraResponse; }
-    bool intoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
+    bool mayDrawIntoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
     // An eye beside the film's camera sees the frame's texels moved by their distances, and objects by
     // theirs: they are in no texel then.
-    bool intoTexels(const EyePicture& picture) const { return intoTexels() && !picture.filmSpace().depth; }
+    bool drawsIntoTexels(const EyePicture& picture) const {
+        return mayDrawIntoTexels() && !picture.filmSpace().depth;
+    }
     glm::ivec2 layerSize(const EyePicture& picture) const;
     bool usesLayer(const EyePicture& picture) const;
     LayerPass& layerOf(const EyePicture& picture) { return layers_[static_cast<size_t>(picture.eye)]; }
