@@ -15,10 +15,19 @@ constexpr float kCube_m = 4.2f; // its side: eight specks a cubic metre
 constexpr glm::dvec3 kDrift_mps(0.023, -0.011, 0.015);
 constexpr double kSwell_s = 7; // a sway to and fro
 
-constexpr std::array kParticleDefines = {SHOAL_TONE_DEFINES, "SCALED_LIGHT"};
+constexpr std::array kParticleDefines = {SHOAL_TONE_DEFINES, "SCALED_LIGHT", "FILM_DEPTH"};
+constexpr unsigned kScaledLight = 1u << kToneFeatures, kFilmDepth = kScaledLight << 1;
 
-unsigned featuresOf(const Exposure& exposure, const EnvironmentGpu& environment) {
-    return toneFeatures(exposure) | (environment.lightIsScaled() ? 1u << kToneFeatures : 0u);
+// Whether anything of the film is as near as specks are.
+bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
+    if (!environment.depthRange()) return false;
+    const auto film = environment.depthRange()->around(glm::vec3(0, 1, 0), std::numbers::pi_v<float>);
+    return film.max_perM * (kCube_m / 2 + glm::length(eyeInFilm)) > 1;
+}
+
+unsigned featuresOf(const Exposure& exposure, const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
+    return toneFeatures(exposure) | (environment.lightIsScaled() ? kScaledLight : 0u) |
+           (hidesSpecks(environment, eyeInFilm) ? kFilmDepth : 0u);
 }
 
 } // namespace
@@ -33,12 +42,14 @@ Result<ParticlePass> ParticlePass::make() {
 
 Status ParticlePass::draw(On on, const EnvironmentGpu& environment, const View& view,
                           const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
-                          double time_s) {
-    auto found = programs_.get(featuresOf(exposure, environment));
+                          double time_s, const glm::vec3& eyeInFilm) {
+    const unsigned features = featuresOf(exposure, environment, eyeInFilm);
+    auto found = programs_.get(features);
     if (!found) return found.error();
     const gl::Program& program = **found;
     program.use();
     environment.bindLight(program);
+    if (features & kFilmDepth) environment.bindDepth(program, eyeInFilm);
     setWater(program, water);
     program.set("eyeWorld", view.eyeWorld);
     program.set("clipFromWorld", view.clipFromWorld());

@@ -19,9 +19,11 @@ class ParticlePass {
         Picture     // without depth: nothing hides specks
     };
 
-    // After all else. time_s places every speck, so equal times give equal pictures.
+    // After all else. time_s places every speck, so equal times give equal pictures. eyeInFilm: as EyePicture
+    // has it; what of the film is nearer than a speck hides it.
     Status draw(On on, const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
-                const Exposure& exposure, const water::Water& water, double time_s);
+                const Exposure& exposure, const water::Water& water, double time_s,
+                const glm::vec3& eyeInFilm = glm::vec3(0));
 
   private:
     gl::Variants programs_;

@@ -130,7 +130,7 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
     if (!passes_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
     const gl::PassTimers::Scope scope(timers_, "particles");
     return passes_.particles->draw(on, picture.environment, picture.view, picture.envFromWorld,
-                                   picture.exposure, water, time_s_);
+                                   picture.exposure, water, time_s_, picture.eyeInFilm);
 }
 
 void SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {

@@ -25,3 +25,9 @@ float inverseAlong(vec3 dirEnv) {
     }
     return before;
 }
+
+// Of a place seen from the eye, how much its inverse distance exceeds that of what the film shows there: negative where it is hidden.
+float inverseBeforeFilm(vec3 fromEyeEnv) {
+    float away = length(fromEyeEnv);
+    return 1.0 / away - inverseAlong(fromEyeEnv / away);
+}

@@ -241,9 +241,8 @@ vec3 litByVertex(vec3 baseExposed) {
 #ifdef FILM_DEPTH
 // 0 behind what the film shows to 1 before it, over about a pixel of its outline, or 2 % of the distance where a body lies against it.
 float filmVisibility(vec3 fromEyeEnv) {
-    float away = length(fromEyeEnv);
-    float before = 1.0 / away - inverseAlong(fromEyeEnv / away);
-    return clamp(before / max(fwidth(before), 0.02 / away) + 0.5, 0.0, 1.0);
+    float before = inverseBeforeFilm(fromEyeEnv);
+    return clamp(before / max(fwidth(before), 0.02 / length(fromEyeEnv)) + 0.5, 0.0, 1.0);
 }
 #endif
 

@@ -4,6 +4,9 @@
 #include "light/Environment.glsl"
 #include "render/Output.glsl"
 #include "render/Water.glsl"
+#ifdef FILM_DEPTH
+#include "render/FilmDepth.glsl"
+#endif
 
 uniform mat4 clipFromWorld;
 uniform mat3 envFromWorld;
@@ -41,6 +44,10 @@ void main() {
     // Out of the eye's focus near, and unseen where the cube ends.
     cover *= smoothstep(0.15, 0.45, away) * (1.0 - smoothstep(0.35, 0.5, away / cube_m));
     speckCover = 0.8 * cover;
+#ifdef FILM_DEPTH
+    // By its middle; over 2 % of the distance, so that none vanishes at once.
+    if (cover > 0.0) speckCover *= clamp(inverseBeforeFilm(envFromWorld * fromEye) * away / 0.02 + 0.5, 0.0, 1.0);
+#endif
 
     // Specks let light through as much as they send it back: from all sides they are as bright as from above.
     vec3 lit = displayValue(diffuseRadiance(envFromWorld * vec3(0.0, 1.0, 0.0)));

@@ -1,5 +1,6 @@
-// What of a film is nearer hides an object.
+// What of a film is nearer hides an object, and what drifts in the water.
 #include "Spheres.h"
+#include "engine/render/ParticlePass.h"
 
 #include <functional>
 
@@ -10,6 +11,19 @@ constexpr int kSize = 256;
 
 class FilmDepthGL : public WithContext {
   protected:
+    // A film with these inverse distances.
+    void setFilm(const std::function<float(const glm::vec3&)>& inverseOf) {
+        map_.inverse.fit(1024, 512);
+        for (int y = 0; y < 512; ++y)
+            for (int x = 0; x < 1024; ++x) {
+                const glm::vec2 uv((static_cast<float>(x) + 0.5f) / 1024,
+                                   (static_cast<float>(y) + 0.5f) / 512);
+                const float code = inverseOf(directionFromLatLong(uv)) / depth::DepthMap::perM(1);
+                *map_.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(code + 0.5f, 0.0f, 255.0f));
+            }
+        range_.make(map_);
+    }
+
     struct Drawn {
         ImageRgba8 picture;
         int draws = 0;
@@ -17,15 +31,7 @@ class FilmDepthGL : public WithContext {
     // A ball of radius 0.5 three metres ahead of the eye, in a film with these inverse distances.
     Drawn draw(const std::function<float(const glm::vec3&)>& inverseOf,
                const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
-        map_.inverse.fit(1024, 512);
-        for (int y = 0; y < 512; ++y)
-            for (int x = 0; x < 1024; ++x) {
-                const glm::vec2 uv((static_cast<float>(x) + 0.5f) / 1024,
-                                   (static_cast<float>(y) + 0.5f) / 512);
-                const float code = inverseOf(directionFromLatLong(uv)) * 255 * depth::kNearest_m;
-                *map_.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(code + 0.5f, 0.0f, 255.0f));
-            }
-        range_.make(map_);
+        setFilm(inverseOf);
         render::EnvironmentGpu environment;
         environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
         environment.setDepth(&map_, &range_);
@@ -50,6 +56,31 @@ class FilmDepthGL : public WithContext {
                                render::Glossy::Prefiltered, eyeInFilm));
         target.resolve();
         return {target.read(), pass->drawCount()};
+    }
+    // Marine snow before a film that stands this far ahead, as a wall; 0: a film without distances. It has
+    // been drawn with depth up to nearest, as the depth buffer holds it.
+    ImageRgba8 drawSnow(float wall_m, const glm::vec3& eye, float nearest = 1) {
+        render::EnvironmentGpu environment;
+        environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
+        if (wall_m > 0) {
+            setFilm([&](const glm::vec3& d) { return std::max(-d.z, 0.0f) / wall_m; });
+            environment.setDepth(&map_, &range_);
+        }
+        auto pass = render::ParticlePass::make();
+        EXPECT_TRUE(pass) << pass.error().message();
+        const gl::Target target(kSize, kSize, 1);
+        target.bind();
+        glClearColor(0, 0, 0, 0);
+        glClearDepth(static_cast<double>(nearest));
+        glDepthMask(GL_TRUE);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClearDepth(1);
+        EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything, environment, snowView(eye), glm::mat3(1),
+                               {}, {}, 3, eye));
+        return target.read();
+    }
+    static render::View snowView(const glm::vec3& eye) {
+        return {.eyeWorld = eye, .verticalFov = 1.5f, .aspect = 1, .heightPixels = kSize};
     }
     static render::View view(const glm::vec3& eye) {
         render::View view;
@@ -113,6 +144,24 @@ TEST_F(FilmDepthGL, AnEyeBesideTheCameraSeesPastAnEdge) {
     const double segment = radius * radius * std::acos(end / radius) - end * chord / 2;
     EXPECT_NEAR(covered(draw(wall, {0.1f, 0, 0}).picture), all - segment, 6 * chord);
     EXPECT_NEAR(covered(draw(wall, {-0.1f, 0, 0}).picture), segment, 6 * chord);
+}
+
+// A wall 1 m ahead hides specks as a depth buffer that holds it does, seen from the camera and from beside
+// it, but for those that it hides in part: within 1 % of it, and a step of the map, which is 0.7 % there.
+TEST_F(FilmDepthGL, WhatIsNearerHidesSnow) {
+    for (const glm::vec3& eye : {glm::vec3(0), glm::vec3(0.1f, 0.05f, 0)}) {
+        const glm::vec4 clip = snowView(eye).clipFromWorld() * glm::vec4(0, 0, -1, 1);
+        const double free = covered(drawSnow(0, eye)), hidden = covered(drawSnow(1, eye)),
+                     expected = covered(drawSnow(0, eye, 0.5f * clip.z / clip.w + 0.5f));
+        EXPECT_GT(expected, 3); // pixels in all, of some dozens of faint specks
+        EXPECT_GT(free, 1.5 * expected);
+        EXPECT_NEAR(hidden, expected, 0.1 * expected);
+    }
+}
+
+// Nothing of a film that is 5 m away is as near as specks are.
+TEST_F(FilmDepthGL, SnowBeforeTheFilmIsAsWithoutDistances) {
+    EXPECT_EQ(drawSnow(5, {}).pixels, drawSnow(0, {}).pixels);
 }
 
 } // namespace
