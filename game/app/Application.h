@@ -66,7 +66,6 @@ class Application {
     Status loadModels();
     EnvironmentSetup environmentSetup(float minRoughness);
     Status makeRenderer(CreatureModels models, render::Composition composition);
-    bool castsShadows() const;
     render::Detail detail() const;
     void openSound();
     void setIcon();

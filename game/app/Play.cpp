@@ -158,7 +158,7 @@ EnvironmentSetup Application::environmentSetup(float minRoughness) {
     const bool own = options_.environment.isOwnVideo();
     AnalysisOptions analysis{.pyramid = options_.look.glossy == render::Glossy::PhongRings,
                              .minRoughness = minRoughness,
-                             .lights = castsShadows(),
+                             .lights = options_.shadows == ShadowChoice::On,
                              .cameraResponse =
                                  compositionIn(options_) == render::Composition::CameraResponse};
     analysis.water = options_.water == WaterChoice::On ||
@@ -172,22 +172,19 @@ EnvironmentSetup Application::environmentSetup(float minRoughness) {
             .wait = [this](float share) { return drawLoading(share); }};
 }
 
-bool Application::castsShadows() const {
-    return options_.shadows == ShadowChoice::On && options_.environment.isOwnVideo();
-}
-
 Status Application::makeRenderer(CreatureModels models, render::Composition composition) {
-    return SceneRenderer::make(std::move(models),
-                               {.detail = detail(),
-                                .particles = options_.snow && !options_.reducedMotion,
-                                .shadows = castsShadows(),
-                                .occlusion = options_.look.occlusion == Occlusion::Ellipsoids,
-                                .shown = options_.look.shown,
-                                .skip = options_.look.skip,
-                                .compositor = {.composition = composition,
-                                               .backend = options_.look.backend,
-                                               .layerSamples = options_.look.samples,
-                                               .frameIsCoded = environment_->gpu(0).frameIsCoded()}})
+    return SceneRenderer::make(
+               std::move(models),
+               {.detail = detail(),
+                .particles = options_.snow && !options_.reducedMotion,
+                .shadows = options_.shadows == ShadowChoice::On && environment_->hasDepthTrack(),
+                .occlusion = options_.look.occlusion == Occlusion::Ellipsoids,
+                .shown = options_.look.shown,
+                .skip = options_.look.skip,
+                .compositor = {.composition = composition,
+                               .backend = options_.look.backend,
+                               .layerSamples = options_.look.samples,
+                               .frameIsCoded = environment_->gpu(0).frameIsCoded()}})
         .moveTo(sceneRenderer_);
 }
 

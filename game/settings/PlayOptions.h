@@ -125,7 +125,7 @@ struct PlayOptions {
     WaterChoice water = WaterChoice::Auto;
     bool snow = true; // specks that drift in the water
     FilmChoice film = FilmChoice::Auto;
-    ShadowChoice shadows = ShadowChoice::On; // on what the dive's own film shows
+    ShadowChoice shadows = ShadowChoice::On; // on what a film with distances shows
 
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
@@ -224,8 +224,9 @@ struct PlayOptions {
                      "Which version of a dive's film: best; small, for slow machines; auto: small without a "
                      "graphics card or with fewer than four processor cores")
             .shownAs(Picture, "Version of the film");
-        table.addKept("--shadows", choice(shadows),
-                      "Of what swims and of your hands, on what the dive's own film shows");
+        table.addKept(
+            "--shadows", choice(shadows),
+            "Of what swims and of your hands, on what the film shows, where it has a track of distances");
         table
             .addKept("--frame-times", &frameTimes,
                      "Shows frame times, and which light is used (F1 in the game)")

@@ -80,6 +80,7 @@ Result<std::unique_ptr<Environment>> Environment::open(const EnvironmentSetup& s
 Status Environment::openVideo(const std::string& name) {
     const auto address = media::liveAddress(name);
     if (!address) return address.error();
+    if (!*address && setup_.options.depth) openDepth(name);
     prepareFor(setup_.analysis.quality, media::kFrameSlots);
     media::PlayerOptions options{.layout = setup_.options.layout, .keepPixels = false};
     options.prepare = [this](const media::VideoFrame& frame) { prepare(frame); };
@@ -88,7 +89,6 @@ Status Environment::openVideo(const std::string& name) {
                                        [this] { return !setup_.wait || setup_.wait(-1); })
             .moveTo(live_);
     file_ = name;
-    if (setup_.options.depth) openDepth(file_);
     if (const Status opened = media::VideoPlayer::open(name, options).moveTo(player_); !opened) return opened;
     const media::VideoInfo& info = player_->info();
     if (info.layout != media::Layout::Mono && std::string_view(info.layoutSource) == "content")
@@ -149,6 +149,7 @@ Status Environment::openEnv(const Path& file) {
 void Environment::prepareFor(light::LightQuality quality, size_t slots) {
     setup_.analysis.quality = quality;
     setup_.analysis.frames = setup_.options.light;
+    setup_.analysis.lights = setup_.analysis.lights && hasDepthTrack();
     analysis_.emplace(setup_.analysis);
     found_.resize(slots);
     pictures_.resize(slots);

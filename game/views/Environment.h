@@ -59,13 +59,16 @@ class Environment {
 
     // As of the last update(). Water: none where the environment is dry.
     water::Water water() const { return water_.water(); }
-    // Light that casts shadows, env frame; none unless asked for.
+    // Light that casts shadows, env frame; none unless asked for, and where no distances are known on which
+    // they could fall.
     const light::ShadowLight& shadowLight() const { return casting_; }
     // Neutral unless asked for, and for an HDR picture.
     camera::CameraResponse cameraResponse() const { return cameraResponse_.response(); }
     // How far off what the frame shows is; null where nobody knows. Of a film with a picture for each eye, of
     // the left one's.
     const depth::DepthMap* depth() const { return gpu_[0].depth(); }
+    // Whether distances come with the film.
+    bool hasDepthTrack() const { return depthTrack_.has_value(); }
     // Of the video's frame, which counts on as the video repeats; -1: a still.
     int64_t frameIndex() const { return shownFrame_; }
     // Of the video, 0 for stills and what is live: what the last update() asked to be seen, counted from the

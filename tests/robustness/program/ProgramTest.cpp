@@ -417,5 +417,22 @@ TEST_F(Program, TheSameMomentGivesTheSamePicture) {
     EXPECT_EQ(readFile(a, 1u << 20).value(), readFile(b, 1u << 20).value());
 }
 
+// Shadows need the film's distances, and no more than these.
+TEST_F(Program, ShadowsFallWhereverAFilmHasADepthTrack) {
+    const Path film = folder_ / "own.mp4", content = tests::sourceFolder() / "content/video";
+    fs::create_symlink(content / "reef.small.mp4", film);
+    const auto picture = [&](const std::string& shadows) {
+        const Path file = folder_ / (shadows + ".png");
+        EXPECT_EQ(run("play --headless --size 320x180 --at 3 --fps 30 --video " + film.string() +
+                      " --shadows " + shadows + " --screenshot " + file.string())
+                      .status,
+                  0);
+        return readFile(file, 1u << 20).value();
+    };
+    EXPECT_EQ(picture("on"), picture("off"));
+    fs::create_symlink(content / "reef.depth.mkv", folder_ / "own.depth.mkv");
+    EXPECT_NE(picture("on"), picture("off"));
+}
+
 } // namespace
 } // namespace shoal
