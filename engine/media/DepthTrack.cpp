@@ -39,7 +39,7 @@ constexpr const char* kFilmsTag = "SHOAL_FILMS"; // identities, with blanks betw
 
 // Powers of two, so that maps of distances hold each texel a whole number of times.
 bool isTrack(const DepthTrackInfo& info) {
-    const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height * 2 == info.width;
+    const bool fits = info.width >= kMinWidth && info.width <= kMaxWidth && info.height == info.width / 2;
     return fits && std::has_single_bit(static_cast<unsigned>(info.width)) && info.frameCount > 0 &&
            info.duration_s > 0 && info.duration_s <= kMaxDuration_s &&
            info.frameCount <= std::max(info.duration_s * kMaxFps, 1.0);

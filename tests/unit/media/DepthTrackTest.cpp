@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shoal::media {
 namespace {
@@ -208,6 +209,7 @@ TEST_F(DepthTracks, OfImpossibleLengthsAreNotWritten) {
     EXPECT_FALSE(DepthTrackWriter::make({256, 100, 10, 1}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({300, 150, 10, 1}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({8192, 4096, 10, 1}, {}));
+    EXPECT_FALSE(DepthTrackWriter::make({16, std::numeric_limits<int>::min() + 8, 10, 1}, {})) << "twice it is 16";
     auto writer = DepthTrackWriter::make(kSmall, {});
     ASSERT_TRUE(writer);
     EXPECT_FALSE(writer->add(frameOf(0, 16)));
