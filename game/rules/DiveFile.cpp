@@ -1,5 +1,6 @@
 #include "game/rules/DiveFile.h"
 
+#include "engine/core/Log.h"
 #include "game/rules/TomlRead.h"
 
 #include <glm/geometric.hpp>
@@ -206,6 +207,8 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
         // Files written for earlier versions say [[shelter]].
         const char* enclosure = root.has("shelter") ? "shelter" : "enclosure";
         readMarks(root, enclosure, dive.enclosure);
+        // And how high level ground is, for shadows, which the film's distances now tell.
+        if (root.list("ground")) log::warn("{}: [[ground]] is no longer read", path.string());
     });
     if (!read) return read.error();
     return dive;
