@@ -293,6 +293,62 @@ TEST(CastShadow, WhereNothingCastsThereIsNoGrid) {
     EXPECT_EQ(lightAt(66, 16).raised(), 1);
 }
 
+// What is taken at a place of level ground, linear within the grid's triangles as it is drawn.
+float drawnAt(const ShadowGrid& grid, const glm::vec2& place) {
+    const size_t stride = static_cast<size_t>(grid.across) + 1;
+    const auto within = [&](size_t a, size_t b, size_t c) {
+        if (!grid.shades(a, b, c)) return 0.0f;
+        const auto at = [&](size_t i) { return glm::vec2(grid.nodes[i].place.x, grid.nodes[i].place.z); };
+        const glm::mat2 edges(at(b) - at(a), at(c) - at(a));
+        const glm::vec2 share = glm::inverse(edges) * (place - at(a));
+        if (share.x < 0 || share.y < 0 || share.x + share.y > 1) return 0.0f;
+        const auto taken = [&](size_t i) { return grid.nodes[i].taken.x; };
+        return taken(a) + share.x * (taken(b) - taken(a)) + share.y * (taken(c) - taken(a));
+    };
+    float found = 0;
+    for (size_t a = 0; a + stride + 1 < grid.nodes.size(); ++a)
+        if ((a + 1) % stride != 0)
+            found =
+                std::max({found, within(a, a + 1, a + stride), within(a + stride, a + 1, a + stride + 1)});
+    return found;
+}
+
+struct Steps {
+    float comingIn = 0, ever = 0,
+          most = 0; // largest change while little is taken, at all; most that is taken
+};
+
+// What is taken in the middle of a body's shadow as the body sinks, in a thousand steps.
+Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float to_m) {
+    const CastingLight light = lightAt(66, 16);
+    const auto ground = mapOf([&](const glm::vec3& dir) { return toPlane(dir, {0, 1, 0}, -ground_m); });
+    Steps steps;
+    float before = 0;
+    for (int step = 0; step <= 1000; ++step) {
+        const float height = from_m + (to_m - from_m) * static_cast<float>(step) / 1000;
+        const Ellipsoid body{.centre = {0, height, -1}, .half = half};
+        const glm::vec3 under = body.centre - light.towards * ((height - ground_m) / light.towards.y);
+        const float now = drawnAt(castBy(body, light, ground), {under.x, under.z});
+        steps.ever = std::max(steps.ever, std::abs(now - before));
+        if (before < 0.05f) steps.comingIn = steps.ever;
+        steps.most = std::max(steps.most, now);
+        before = now;
+    }
+    return steps;
+}
+
+// As a fish sinks its shadow comes in by less than a display value at a time; so does a shark's that comes
+// within the reach of shadows, 8 m. Where a shadow is seen, a grid that has one cell more or less may change
+// it by two display values: these are about square roots, and change half as much as the light.
+TEST(CastShadow, ComesInWithoutAStep) {
+    const glm::vec3 fish(0.03f, 0.05f, 0.1f), shark(0.2f, 0.22f, 1.1f);
+    for (const Steps& steps : {stepsOfSinking(fish, kGround_m, 1, -1.1f), stepsOfSinking(shark, -6, 2, -2)}) {
+        EXPECT_LT(steps.comingIn, 1 / 255.0f);
+        EXPECT_LT(steps.ever, 0.02f);
+        EXPECT_GT(steps.most, 0.05f);
+    }
+}
+
 TEST(CastShadow, LeavesNoMoreThanThereIs) {
     const CastingLight light = lightAt(66, 16);
     const water::Water clear{}, sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
