@@ -1,6 +1,7 @@
 // What of a film is nearer hides an object, and what drifts in the water.
 #include "Spheres.h"
 #include "engine/render/ParticlePass.h"
+#include "tests/unit/depth/MadeMap.h"
 
 #include <functional>
 
@@ -13,14 +14,7 @@ class FilmDepthGL : public WithContext {
   protected:
     // A film with these inverse distances.
     void setFilm(const std::function<float(const glm::vec3&)>& inverseOf) {
-        map_.inverse.fit(1024, 512);
-        for (int y = 0; y < 512; ++y)
-            for (int x = 0; x < 1024; ++x) {
-                const glm::vec2 uv((static_cast<float>(x) + 0.5f) / 1024,
-                                   (static_cast<float>(y) + 0.5f) / 512);
-                const float code = inverseOf(directionFromLatLong(uv)) / depth::DepthMap::perM(1);
-                *map_.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(code + 0.5f, 0.0f, 255.0f));
-            }
+        map_ = depth::mapOf(inverseOf);
         range_.make(map_);
     }
 

@@ -1,7 +1,7 @@
 // Shadows on the ground as drawn.
 #include "Spheres.h"
-#include "engine/math/LatLong.h"
 #include "engine/render/ShadowPass.h"
+#include "tests/unit/shadow/ShadowScene.h"
 
 #include <array>
 
@@ -13,25 +13,12 @@ class ShadowGL : public WithContext {};
 constexpr int kShadowSize = 200;
 constexpr uint8_t kBefore = 200;
 
+using tests::kGround_m, tests::levelGround;
+
 render::CastingLight sunlight() {
     return {.towards = glm::normalize(glm::vec3(-0.2f, 0.9f, 0.35f)),
             .tangent = 0.28f,
             .share = {0.5f, 0.4f, 0.3f}};
-}
-
-constexpr float kGround_m = -1.25f;
-
-depth::DepthMap levelGround() {
-    depth::DepthMap map;
-    map.inverse = Image<uint8_t, 1>(1024, 512);
-    for (int y = 0; y < 512; ++y)
-        for (int x = 0; x < 1024; ++x) {
-            const glm::vec3 dir = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
-            const float inverse = std::max(dir.y / kGround_m, 0.0f); // never above 1 / kNearest_m
-            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(inverse / depth::DepthMap::perM(1)));
-        }
-    return map;
 }
 
 std::vector<occlusion::Ellipsoid> shark() {

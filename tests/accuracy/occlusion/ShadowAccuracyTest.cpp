@@ -7,6 +7,7 @@
 #include "engine/scene/Spine.h"
 #include "engine/scene/Surface.h"
 #include "tests/TestPaths.h"
+#include "tests/unit/shadow/ShadowScene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -22,7 +23,9 @@ struct Animal {
     float length_m; // as in content/species.toml, about
 };
 
-constexpr float kGround_m = -1.25f, kAbove_m = 0.6f; // of the animal above the ground
+using tests::kGround_m;
+
+constexpr float kAbove_m = 0.6f; // of the animal above the ground
 
 // The share of the light's solid angle from which no ray gets through.
 float hiddenByRays(const occlusion::Bvh& body, const render::CastingLight& light, const glm::vec3& place) {
@@ -69,11 +72,7 @@ Compared compare(const Animal& animal, float bendLeft, float radius_deg) {
     const occlusion::Bvh bvh(surface.positions, surface.indices);
     std::vector<occlusion::Ellipsoid> ellipsoids;
     for (const auto& part : body.parts) ellipsoids.push_back(render::placed(part, pose, worldFromModel));
-    const float elevation = glm::radians(66.0f);
-    const render::CastingLight light{
-        .towards = {0.3f * std::cos(elevation), std::sin(elevation), std::sqrt(0.91f) * std::cos(elevation)},
-        .tangent = std::tan(glm::radians(radius_deg)),
-        .share = glm::vec3(0.4f)};
+    const render::CastingLight light = tests::lightAt(66, radius_deg);
     std::vector<render::FlatPiece> flat;
     render::flatten(ellipsoids, light, flat);
     glm::vec2 low(INFINITY), high(-INFINITY); // of the ground around what is shaded

@@ -1,11 +1,11 @@
 // What an eye beside the camera sees of a film with distances, against geometry.
 #include "engine/depth/DepthRange.h"
+#include "tests/unit/depth/MadeMap.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace shoal::depth {
 namespace {
@@ -14,18 +14,6 @@ constexpr int kWidth = 1024;
 // A step of the map's codes is 1 / (255 * 0.6) = 0.0065 / m, so a distance is half that off; an eye 0.3 m
 // beside sees that by 0.001 rad. The search stops within 0.0015 rad.
 constexpr float kOff_rad = 2.5e-3f;
-
-DepthMap mapOf(const std::function<float(const glm::vec3&)>& inverseOf) {
-    DepthMap map{Image<uint8_t, 1>(kWidth, kWidth / 2)};
-    for (int y = 0; y < kWidth / 2; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const glm::vec2 uv((static_cast<float>(x) + 0.5f) / kWidth,
-                               (static_cast<float>(y) + 0.5f) / (kWidth / 2));
-            const float code = inverseOf(directionFromLatLong(uv)) / DepthMap::perM(1);
-            *map.inverse.at(x, y) = static_cast<uint8_t>(std::clamp(code + 0.5f, 0.0f, 255.0f));
-        }
-    return map;
-}
 
 const std::array<glm::vec3, 4> kEyes = {
     {{0.032f, 0, 0}, {-0.1f, 0.05f, 0.05f}, {0.3f, 0, 0}, {0, -0.2f, -0.2f}}};

@@ -1,6 +1,6 @@
 #include "engine/render/BackgroundCells.h"
 
-#include "engine/math/LatLong.h"
+#include "tests/unit/depth/MadeMap.h"
 
 #include <gtest/gtest.h>
 
@@ -20,15 +20,7 @@ View ahead() {
 
 // A wall 1 m ahead left of the middle, 4 m right of it.
 depth::DepthMap step() {
-    depth::DepthMap map{Image<uint8_t, 1>(1024, 512)};
-    for (int y = 0; y < 512; ++y)
-        for (int x = 0; x < 1024; ++x) {
-            const glm::vec3 d = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
-            const float inverse = std::max(-d.z, 0.0f) / (d.x < 0 ? 1.0f : 4.0f);
-            *map.inverse.at(x, y) = static_cast<uint8_t>(inverse / depth::DepthMap::perM(1) + 0.5f);
-        }
-    return map;
+    return depth::mapOf([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / (d.x < 0 ? 1.0f : 4.0f); });
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // The shadow in closed form against rays to every part of the light.
 #include "engine/render/CastShadow.h"
-#include "engine/math/LatLong.h"
 #include "engine/render/ShadowPass.h"
+#include "tests/unit/shadow/ShadowScene.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -16,15 +16,9 @@
 namespace shoal::render {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kGround_m = -1.25f;
+using tests::kGround_m, tests::lightAt;
 
-CastingLight lightAt(float elevation_deg, float radius_deg) {
-    const float e = glm::radians(elevation_deg);
-    return {.towards = {0.3f * std::cos(e), std::sin(e), std::sqrt(0.91f) * std::cos(e)},
-            .tangent = std::tan(glm::radians(radius_deg)),
-            .share = glm::vec3(0.4f, 0.35f, 0.3f)};
-}
+constexpr float kPi = std::numbers::pi_v<float>;
 
 struct Ellipsoid {
     glm::vec3 centre{0}, along{0, 0, 1}, aside{1, 0, 0}; // unit
@@ -153,17 +147,8 @@ TEST(CastShadow, OfPartsIsThatOfTheirUnion) {
 }
 
 // What a camera at the world's origin sees of a solid: its distance by direction.
-template <class Distance> depth::DepthMap mapOf(const Distance& distance_m) {
-    depth::DepthMap map;
-    map.inverse = Image<uint8_t, 1>(1024, 512);
-    for (int y = 0; y < 512; ++y)
-        for (int x = 0; x < 1024; ++x) {
-            const glm::vec3 dir = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / 1024, (static_cast<float>(y) + 0.5f) / 512));
-            const float inverse = std::min(1 / distance_m(dir), 1 / depth::kNearest_m);
-            *map.inverse.at(x, y) = static_cast<uint8_t>(std::lround(inverse / depth::DepthMap::perM(1)));
-        }
-    return map;
+template <class Distance> depth::DepthMap filmOf(const Distance& distance_m) {
+    return depth::mapOf([&](const glm::vec3& dir) { return 1 / distance_m(dir); });
 }
 
 float toPlane(const glm::vec3& dir, const glm::vec3& normal, float distance_m) {
@@ -188,7 +173,7 @@ float halfStep_m(float distance_m) { return 0.5f * distance_m * distance_m * dep
 TEST(CastShadow, OnPlanesIsTheClosedForm) {
     const CastingLight light = lightAt(66, 12);
     for (const glm::vec3& normal : {glm::vec3(0, 1, 0), glm::normalize(glm::vec3(0.5f, 1, 0.2f))}) {
-        const auto map = mapOf([&](const glm::vec3& dir) { return toPlane(dir, normal, -kGround_m); });
+        const auto map = filmOf([&](const glm::vec3& dir) { return toPlane(dir, normal, -kGround_m); });
         const ShadowGrid grid = castBy(kShark, light, map);
         ASSERT_GT(grid.across, 0);
         const auto pieces = flat(kShark, light);
@@ -219,7 +204,7 @@ TEST(CastShadow, OfALevelPlaneLosesNothingOfItsShare) {
 }
 
 TEST(CastShadow, NothingIsHiddenBeyondTheGrid) {
-    const auto map = mapOf([](const glm::vec3& dir) { return toPlane(dir, {0, 1, 0}, -kGround_m); });
+    const auto map = tests::levelGround();
     for (const float radius_deg : {5.0f, 20.0f, 30.0f}) {
         const ShadowGrid grid = castBy(kShark, lightAt(60, radius_deg), map, 0);
         ASSERT_GT(grid.across, 0);
@@ -239,7 +224,7 @@ TEST(CastShadow, OverAStepNoTriangleSpansIt) {
         const float near_m = toPlane(dir, {0, 1, 0}, 1), far_m = toPlane(dir, {0, 1, 0}, 1.4f);
         return near_m * -dir.z < 1.6f ? near_m : far_m;
     };
-    const ShadowGrid grid = castBy(kShark, lightAt(90, 8), mapOf(distance));
+    const ShadowGrid grid = castBy(kShark, lightAt(90, 8), filmOf(distance));
     ASSERT_GT(grid.across, 0);
     int onNear = 0, onFar = 0, spanning = 0;
     for (const auto& node : grid.nodes) {
@@ -265,7 +250,7 @@ TEST(CastShadow, BendsOverASphere) {
         const float b = glm::dot(dir, centre), c = glm::dot(centre, centre) - kRadius_m * kRadius_m;
         return b > 0 && b * b > c ? b - std::sqrt(b * b - c) : INFINITY;
     };
-    const ShadowGrid grid = castBy({.centre = {0.3f, -0.4f, -1.5f}}, lightAt(90, 8), mapOf(distance));
+    const ShadowGrid grid = castBy({.centre = {0.3f, -0.4f, -1.5f}}, lightAt(90, 8), filmOf(distance));
     ASSERT_GT(grid.across, 0);
     int shaded = 0;
     for (const auto& node : grid.nodes)
@@ -278,8 +263,8 @@ TEST(CastShadow, BendsOverASphere) {
 
 TEST(CastShadow, WhereNothingCastsThereIsNoGrid) {
     const CastingLight light = lightAt(66, 16);
-    const auto ground = mapOf([](const glm::vec3& dir) { return toPlane(dir, {0, 1, 0}, -kGround_m); });
-    const auto unknown = mapOf([](const glm::vec3&) { return INFINITY; });
+    const auto ground = tests::levelGround();
+    const auto unknown = filmOf([](const glm::vec3&) { return INFINITY; });
     EXPECT_EQ(castBy({.half = {0.02f, 0.02f, 0.06f}}, light, ground, 0.05f).across, 0) << "a small fish";
     EXPECT_EQ(castBy(kShark, light, unknown, 0).across, 0) << "distances that nobody knows";
     EXPECT_EQ(castBy({.centre = {0, kGround_m - 1, 0}}, light, ground, 0).across, 0) << "below the ground";
@@ -321,7 +306,7 @@ struct Steps {
 // What is taken in the middle of a body's shadow as the body sinks, in a thousand steps.
 Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float to_m) {
     const CastingLight light = lightAt(66, 16);
-    const auto ground = mapOf([&](const glm::vec3& dir) { return toPlane(dir, {0, 1, 0}, -ground_m); });
+    const auto ground = tests::levelGround(ground_m);
     Steps steps;
     float before = 0;
     for (int step = 0; step <= 1000; ++step) {

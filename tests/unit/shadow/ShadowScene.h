@@ -1,0 +1,27 @@
+// Level ground below the film's camera, and a light above it.
+#pragma once
+
+#include "engine/render/CastShadow.h"
+#include "tests/unit/depth/MadeMap.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+
+namespace shoal::tests {
+
+constexpr float kGround_m = -1.25f;
+
+inline depth::DepthMap levelGround(float height_m = kGround_m) {
+    return depth::mapOf([&](const glm::vec3& dir) { return std::max(dir.y / height_m, 0.0f); });
+}
+
+// Its azimuth is that of no axis.
+inline render::CastingLight lightAt(float elevation_deg, float radius_deg) {
+    const float e = glm::radians(elevation_deg);
+    return {.towards = {0.3f * std::cos(e), std::sin(e), std::sqrt(0.91f) * std::cos(e)},
+            .tangent = std::tan(glm::radians(radius_deg)),
+            .share = glm::vec3(0.4f, 0.35f, 0.3f)};
+}
+
+} // namespace shoal::tests
