@@ -192,7 +192,7 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
 Status Application::findFilmSpace() {
     config_.dive.space.reset();
     const bool wanted = !config_.replay || game::needsFilmSpace(config_.replay->header());
-    if (wanted && options_.environment.depth && !environment_->file().empty())
+    if (wanted && environment_->hasDepthTrack())
         config_.dive.space = filmSpaceOf(environment_->file(), glm::radians(options_.environment.envYaw_deg));
     return config_.replay ? game::checkFilmSpace(config_.replay->header(), config_.dive.space.get()) : Done{};
 }
