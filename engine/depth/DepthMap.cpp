@@ -94,17 +94,20 @@ SHOAL_VECTORISE void vote(const Voters& voters, size_t begin, uint8_t* codes) {
 
 float DepthMap::inverse_perM(const glm::vec3& dirEnv) const {
     if (inverse.empty()) return 0;
-    const glm::vec2 at =
-        latLongFromDirection(dirEnv) * glm::vec2(inverse.width, inverse.height) - glm::vec2(0.5f);
-    const glm::vec2 low = glm::floor(at), part = at - low;
-    const int left = wrapped(static_cast<int>(low.x), inverse.width);
-    const int right = wrapped(left + 1, inverse.width);
-    const int top = std::clamp(static_cast<int>(low.y), 0, inverse.height - 1);
-    const int bottom = std::clamp(static_cast<int>(low.y) + 1, 0, inverse.height - 1);
-    const auto code = [&](int x, int y) { return static_cast<float>(*inverse.at(x, y)); };
-    const float above = glm::mix(code(left, top), code(right, top), part.x);
-    const float below = glm::mix(code(left, bottom), code(right, bottom), part.x);
-    return glm::mix(above, below, part.y) / (kSteps * kNearest_m);
+    const int width = inverse.width, height = inverse.height;
+    const glm::vec2 uv = latLongRoughly(dirEnv);
+    // From half a texel left of the map on: nothing is negative, so that it may be cut off to whole numbers.
+    const float x = uv.x * static_cast<float>(width) + 0.5f;
+    const float y =
+        std::clamp(uv.y * static_cast<float>(height) - 0.5f, 0.0f, static_cast<float>(height - 1));
+    const int wholeX = static_cast<int>(x), top = static_cast<int>(y);
+    const float partX = x - static_cast<float>(wholeX), partY = y - static_cast<float>(top);
+    const int left = wholeX == 0 ? width - 1 : wholeX - 1, right = wholeX >= width ? 0 : wholeX;
+    const int bottom = std::min(top + 1, height - 1);
+    const auto code = [&](int column, int row) { return static_cast<float>(*inverse.at(column, row)); };
+    const float above = glm::mix(code(left, top), code(right, top), partX);
+    const float below = glm::mix(code(left, bottom), code(right, bottom), partX);
+    return glm::mix(above, below, partY) * perM(1);
 }
 
 // The ray's point s metres from the eye lies towards dir + eye / s from the camera: only w = 1 / s is

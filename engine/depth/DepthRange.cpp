@@ -1,10 +1,22 @@
 #include "engine/depth/DepthRange.h"
 
+#include "engine/light/Vectorise.h"
 #include "engine/math/LatLongCap.h"
 
 #include <algorithm>
 
 namespace shoal::depth {
+
+namespace {
+
+SHOAL_VECTORISE void addRow(const uint8_t* codes, size_t count, uint8_t* min, uint8_t* max) {
+    for (size_t x = 0; x < count; ++x) {
+        min[x] = std::min(min[x], codes[x]);
+        max[x] = std::max(max[x], codes[x]);
+    }
+}
+
+} // namespace
 
 void DepthRange::make(const DepthMap& map) {
     const int width = map.inverse.width, height = map.inverse.height;
@@ -12,13 +24,8 @@ void DepthRange::make(const DepthMap& map) {
     for (int row = 0; row < kCells.y; ++row) {
         columnMin_.assign(static_cast<size_t>(width), 255);
         columnMax_.assign(static_cast<size_t>(width), 0);
-        for (int y = row * height / kCells.y; y < (row + 1) * height / kCells.y; ++y) {
-            const uint8_t* codes = map.inverse.at(0, y);
-            for (size_t x = 0; x < columnMin_.size(); ++x) {
-                columnMin_[x] = std::min(columnMin_[x], codes[x]);
-                columnMax_[x] = std::max(columnMax_[x], codes[x]);
-            }
-        }
+        for (int y = row * height / kCells.y; y < (row + 1) * height / kCells.y; ++y)
+            addRow(map.inverse.at(0, y), columnMin_.size(), columnMin_.data(), columnMax_.data());
         for (int x = 0; x < width; ++x) {
             Codes& cell = cells_[static_cast<size_t>(row) * kCells.x + x * kCells.x / width];
             cell.min = std::min(cell.min, columnMin_[static_cast<size_t>(x)]);

@@ -29,6 +29,22 @@ template <class T> glm::vec<2, T> latLongFromDirection(const glm::vec<3, T>& dir
             T(0.5) - std::asin(std::clamp(dir.y, T(-1), T(1))) * invPi};
 }
 
+// As latLongFromDirection(), within 4e-6 of the map's height, without calls and branches; for maps of few
+// texels. Abramowitz and Stegun 1964, 4.4.49, which is off by 1e-5 radians at most.
+inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
+    const auto angle = [](float y, float x) { // of a point of a plane, -pi to pi
+        const float ay = std::abs(y), ax = std::abs(x);
+        const float t = std::min(ax, ay) / std::max(std::max(ax, ay), 1e-30f), t2 = t * t;
+        float a = ((((0.0208351f * t2 - 0.085133f) * t2 + 0.180141f) * t2 - 0.3302995f) * t2 + 0.999866f) * t;
+        a = ay > ax ? std::numbers::pi_v<float> / 2 - a : a;
+        a = x < 0 ? std::numbers::pi_v<float> - a : a;
+        return std::copysign(a, y);
+    };
+    constexpr float kInvPi = std::numbers::inv_pi_v<float>;
+    return {0.5f + angle(dir.x, -dir.z) * 0.5f * kInvPi,
+            0.5f - angle(dir.y, std::sqrt(dir.x * dir.x + dir.z * dir.z)) * kInvPi};
+}
+
 // The inverse; uv may lie outside [0, 1] in u (it wraps). Result: unit length.
 template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv) {
     const T longitude = (uv.x - T(0.5)) * T(2) * std::numbers::pi_v<T>;

@@ -162,7 +162,8 @@ float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3&
     constexpr float kTouch_m = 0.3f; // so far within a surface a ray begins at it
     // A rise of the gap by this much for what a ray goes on is an edge: as of a surface seen at 4 degrees.
     constexpr float kEdge = 16;
-    constexpr int kHalvings = 6;
+    constexpr int kHalvings = 10;
+    constexpr float kHit_m = 0.004f; // less than the map's steps from 0.8 m on
     const glm::vec3 from = film.envFromWorld * fromWorld, dir = film.envFromWorld * dirWorld;
     // Metres that the surface lies behind the place, seen from the film's camera.
     const auto gapAt = [&](float s) {
@@ -177,8 +178,12 @@ float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3&
         float gapLow = gapBefore, gapHigh = gapAt(high);
         before = high, gapBefore = gapHigh;
         if (!(gapLow > 0 && gapHigh <= 0)) continue;
+        // False position, which finds a smooth surface at once; halves find an edge, and where what is
+        // known ends.
         for (int k = 0; k < kHalvings; ++k) {
-            const float middle = 0.5f * (low + high), gap = gapAt(middle);
+            const float part = k % 2 == 0 && std::isfinite(gapLow) ? gapLow / (gapLow - gapHigh) : 0.5f;
+            const float middle = low + part * (high - low), gap = gapAt(middle);
+            if (std::abs(gap) < kHit_m) return middle;
             (gap > 0 ? low : high) = middle;
             (gap > 0 ? gapLow : gapHigh) = gap;
         }
@@ -263,6 +268,25 @@ bool ShadowGrid::shades(size_t a, size_t b, size_t c) const {
     const auto [low, high] = std::minmax({first.fall_m, second.fall_m, third.fall_m});
     const glm::vec3 taken = glm::max(first.taken, glm::max(second.taken, third.taken));
     return low >= 0 && high - low < kSteepest * cell_m && std::max({taken.x, taken.y, taken.z}) > kUnseen;
+}
+
+// The shadow lies in a cone that is cut off, from around the body to where shadows end: it is out of view
+// where both its ends are beyond one side of the view, or behind the eye.
+bool mayBeSeen(std::span<const FlatPiece> body, const CastingLight& light, const View& eye) {
+    if (body.empty()) return false;
+    const Bundle bundle(body, light);
+    const float radius = std::hypot(bundle.halfAlong_m, bundle.halfAside_m);
+    const float furthest = radius + std::sqrt(2.0f) * tangentOf(light) * kReach_m;
+    const glm::quat eyeFromWorld = glm::conjugate(eye.worldFromEye);
+    const glm::vec3 top = eyeFromWorld * (bundle.middle - eye.eyeWorld);
+    const glm::vec3 bottom = top - kReach_m * (eyeFromWorld * light.towards);
+    const glm::vec2 half = eye.halfExtent(), low = eye.shift - half, high = eye.shift + half;
+    const std::array<glm::vec3, 5> inward{
+        {{1, 0, low.x}, {-1, 0, -high.x}, {0, 1, low.y}, {0, -1, -high.y}, {0, 0, -1}}};
+    return std::ranges::all_of(inward, [&](const glm::vec3& side) {
+        const float length = glm::length(side);
+        return glm::dot(side, top) > -radius * length || glm::dot(side, bottom) > -furthest * length;
+    });
 }
 
 void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,

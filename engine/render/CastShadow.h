@@ -20,6 +20,7 @@
 
 #include "engine/depth/DepthMap.h"
 #include "engine/occlusion/Ellipsoid.h"
+#include "engine/render/View.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -84,6 +85,9 @@ struct ShadowGrid {
     // Whether three nodes lie on one surface, with a shadow between them.
     bool shades(size_t a, size_t b, size_t c) const;
 };
+
+// Whether an eye may see where a body's shadow falls. body: flattened for this light.
+bool mayBeSeen(std::span<const FlatPiece> body, const CastingLight& light, const View& eye);
 
 // Replaces out. No cells where the body would take less than `minimum` of the light anywhere; a body that
 // takes a little more comes in faintly. body: flattened for this light.

@@ -5,6 +5,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace shoal::render {
@@ -34,8 +35,9 @@ void ShadowPass::begin() {
 }
 
 void ShadowPass::add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
-                     const FilmSurface& film) {
+                     const FilmSurface& film, std::span<const View> eyes) {
     flatten(body, light, body_);
+    if (std::ranges::none_of(eyes, [&](const View& eye) { return mayBeSeen(body_, light, eye); })) return;
     castOn(film, body_, light, kMin, grid_);
     if (grid_.across == 0) return;
     const size_t first = nodes_.size(), stride = static_cast<size_t>(grid_.across) + 1;

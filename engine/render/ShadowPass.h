@@ -29,8 +29,9 @@ class ShadowPass {
 
     // Once a frame: forgets the bodies of the last.
     void begin();
-    void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
-             const FilmSurface& film); // world frame
+    // body: world frame; eyes: that draw() is called for, as it has them.
+    void add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light, const FilmSurface& film,
+             std::span<const View> eyes);
 
     // Objects that are in the picture already, before the film: a texture whose alpha says where, seen so
     // much wider (1: not at all) than a picture of this many pixels.

@@ -54,7 +54,6 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     passes_.objects.begin();
     if (!passes_.compositor.drawsObjects()) return;
     creatureModels_.show(snapshot, passes_.objects);
-    if (passes_.shadows) castShadows();
     passes_.objects.upload(environment.envFromWorld());
 }
 
@@ -62,6 +61,7 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
 void SceneRenderer::castShadows() {
     constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
     passes_.shadows->begin();
+    if (!passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows) return;
     const depth::DepthMap* map = environment_->depth();
     if (!map) return;
     const light::ShadowLight& found = environment_->shadowLight();
@@ -73,9 +73,11 @@ void SceneRenderer::castShadows() {
     light.share = glm::clamp(found.light.irradiance * std::max(light.towards.y, 0.0f) / all, 0.0f, 1.0f);
     light.presence = found.presence * light.raised();
     if (light.presence == 0) return;
+    filmed_.clear();
+    for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
     const render::NearBodies& bodies = passes_.objects.bodies();
     for (size_t body = 0; body < bodies.count(); ++body)
-        passes_.shadows->add(bodies.ellipsoids(body), light, film);
+        passes_.shadows->add(bodies.ellipsoids(body), light, film, filmed_);
 }
 
 // A film with distances is drawn as if filmed from the world's origin; one without as if endlessly far. An
@@ -103,6 +105,7 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
 Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye) {
     pictures_.clear();
     for (const Eye& eye : eyes) pictures_.push_back(pictureOf(eye));
+    if (passes_.shadows) castShadows();
     Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
@@ -133,15 +136,19 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
                                    picture.exposure, water, time_s_, picture.eyeInFilm);
 }
 
+// As the background is drawn: from where the eye is in the film; where each eye has a picture of its own,
+// from beside its camera.
+render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const {
+    render::View view = picture.view;
+    view.eyeWorld = picture.sharesFrame ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm
+                                        : picture.view.eyeWorld - headWorld_;
+    return view;
+}
+
 void SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
-    if (!passes_.shadows || setup_.skip == render::SkippedPass::Shadows) return;
+    if (!passes_.shadows) return;
     const gl::PassTimers::Scope scope(timers_, "shadows");
-    // As the background is drawn: from where the eye is in the film; where each eye has a picture of its own,
-    // from beside its camera.
-    render::View filmed = picture.view;
-    filmed.eyeWorld = picture.sharesFrame ? glm::transpose(picture.envFromWorld) * picture.eyeInFilm
-                                          : picture.view.eyeWorld - headWorld_;
-    passes_.shadows->draw(filmed, exposure_.frames, environment_->water(), cover);
+    passes_.shadows->draw(filmedFrom(picture), exposure_.frames, environment_->water(), cover);
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {

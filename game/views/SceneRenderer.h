@@ -73,6 +73,7 @@ class SceneRenderer final : private render::CompositorScene {
     void castShadows();
     glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
+    render::View filmedFrom(const render::EyePicture& picture) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;
     void drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) override;
@@ -87,6 +88,7 @@ class SceneRenderer final : private render::CompositorScene {
     render::Exposure exposure_;
     render::Glossy glossy_ = render::Glossy::Prefiltered;
     std::vector<render::EyePicture> pictures_; // scratch
+    std::vector<render::View> filmed_;         // scratch: where each is filmed from
     double time_s_ = 0;
     glm::vec3 headWorld_{0};
 };

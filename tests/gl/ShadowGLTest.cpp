@@ -39,7 +39,7 @@ ImageRgba8 shaded(std::span<const occlusion::Ellipsoid> body, const render::Cast
     glClearColor(kBefore / 255.0f, kBefore / 255.0f, kBefore / 255.0f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    pass->add(body, light, {levelGround()});
+    pass->add(body, light, {levelGround()}, {&view, 1});
     pass->draw(view, render::FrameCoding::Srgb, water, cover);
     return target.read();
 }

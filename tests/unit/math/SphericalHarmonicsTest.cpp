@@ -38,6 +38,22 @@ TEST(LatLong, DirectionsAndTexelsAgree) {
     EXPECT_NEAR(sum, 4 * pi, 1e-12);
 }
 
+// The bound of the polynomial, 1e-5 radians, is 3.2e-6 of the map's height and half as much of its width.
+TEST(LatLong, RoughTexelsAreOffByLittle) {
+    for (int row = 0; row <= 200; ++row)
+        for (int column = 0; column < 400; ++column) {
+            const glm::vec2 uv((static_cast<float>(column) + 0.5f) / 400, static_cast<float>(row) / 200);
+            const glm::vec3 dir = directionFromLatLong(uv);
+            const glm::vec2 rough = latLongRoughly(dir);
+            EXPECT_NEAR(rough.y, uv.y, 4e-6f) << uv.x << ", " << uv.y;
+            // At the poles there is no longitude.
+            if (row > 0 && row < 200) {
+                EXPECT_NEAR(rough.x, uv.x, 4e-6f) << uv.x << ", " << uv.y;
+            }
+        }
+    for (const float y : {-1.0f, 1.0f}) EXPECT_EQ(latLongRoughly(glm::vec3(0, y, 0)).y, y < 0 ? 1 : 0);
+}
+
 // Midpoint rule in latitude: (pi / 128)^2 / 24 relative on each of up to 8 powers of sine and cosine.
 TEST(SphericalHarmonics, AreOrthonormal) {
     std::array<std::array<double, kShCount>, kShCount> gram{};

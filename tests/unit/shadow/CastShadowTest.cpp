@@ -5,9 +5,11 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -332,6 +334,40 @@ TEST(CastShadow, ComesInWithoutAStep) {
         EXPECT_LT(steps.ever, 0.02f);
         EXPECT_GT(steps.most, 0.05f);
     }
+}
+
+// Eyes all around, each of which looks past bodies all around: whoever sees a lit corner of a shadow is not
+// told that there is nothing to see, and most of those that see none are.
+TEST(CastShadow, WhereItFallsIsSoughtIfAnEyeMaySeeIt) {
+    const auto ground = tests::levelGround();
+    const CastingLight light = lightAt(66, 16);
+    int seen = 0, passedOver = 0, unseen = 0;
+    for (int k = 0; k < 12; ++k) {
+        const float turn = static_cast<float>(k) * kPi / 6;
+        const Ellipsoid body{.centre = {2 * std::cos(turn), -0.2f, 2 * std::sin(turn)},
+                             .half = {0.1f, 0.1f, k % 3 == 0 ? 0.9f : 0.2f}};
+        const std::vector<FlatPiece> pieces = flat(body, light);
+        const ShadowGrid grid = castBy(body, light, ground);
+        for (int yaw = 0; yaw < 24; ++yaw)
+            for (const float pitch : {-0.9f, 0.0f, 0.5f}) {
+                const View eye{.eyeWorld = {0.3f, 0.1f, -0.2f},
+                               .worldFromEye =
+                                   glm::angleAxis(static_cast<float>(yaw) * kPi / 12, glm::vec3(0, 1, 0)) *
+                                   glm::angleAxis(pitch, glm::vec3(1, 0, 0)),
+                               .verticalFov = 0.6f,
+                               .shift = {0.1f, -0.05f}};
+                const bool sees = std::ranges::any_of(grid.nodes, [&](const ShadowGrid::Node& node) {
+                    if (node.fall_m < 0 || node.taken == glm::vec3(0)) return false;
+                    const glm::vec4 clip = eye.clipFromWorld() * glm::vec4(node.place, 1);
+                    return clip.w > 0 && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w;
+                });
+                const bool told = mayBeSeen(pieces, light, eye);
+                EXPECT_TRUE(told || !sees) << k << ", " << yaw << ", " << pitch;
+                seen += sees, unseen += !sees, passedOver += !told;
+            }
+    }
+    EXPECT_GT(seen, 50);
+    EXPECT_GT(passedOver, unseen / 2);
 }
 
 TEST(CastShadow, LeavesNoMoreThanThereIs) {
