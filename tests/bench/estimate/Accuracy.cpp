@@ -1,0 +1,105 @@
+#include "tests/bench/estimate/Accuracy.h"
+
+#include "engine/media/DepthTrack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::bench {
+
+namespace {
+
+constexpr float kConfident = 0.6f * media::kMaxDepthCode;
+constexpr double kNear_perM = 0.1;     // 10 m
+constexpr double kBeyond_perM = 0.002; // half of the first code: where the truth has no distance
+
+struct Texel {
+    double truth_perM, estimated_perM, weight;
+    bool isConfident;
+};
+
+std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::DepthFrame& truth) {
+    std::vector<Texel> texels;
+    for (int y = 0; y < estimated.height; ++y) {
+        const double weight = std::cos((0.5 - (y + 0.5) / estimated.height) * std::numbers::pi);
+        for (int x = 0; x < estimated.width; ++x) {
+            const int tx = x * truth.width / estimated.width, ty = y * truth.height / estimated.height;
+            const auto sure = estimated.confidence[static_cast<size_t>(y / 2) * estimated.width / 2 +
+                                                   static_cast<size_t>(x / 2)];
+            texels.push_back({static_cast<double>(truth.inverse_perM(tx, ty)),
+                              static_cast<double>(estimated.inverse_perM(x, y)), weight,
+                              static_cast<float>(sure) >= kConfident});
+        }
+    }
+    return texels;
+}
+
+// Median of estimated over true distances, of all confident texels.
+double factorOf(const std::vector<std::vector<Texel>>& frames) {
+    std::vector<double> factors;
+    for (const auto& texels : frames)
+        for (const Texel& each : texels)
+            if (each.isConfident && each.truth_perM > kBeyond_perM && each.estimated_perM > 0)
+                factors.push_back(each.truth_perM / each.estimated_perM);
+    if (factors.empty()) return 1;
+    const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
+    std::nth_element(factors.begin(), middle, factors.end());
+    return *middle;
+}
+
+double rightShare(const std::vector<Texel>& texels, double factor) {
+    double right = 0, all = 0;
+    for (const Texel& each : texels) {
+        if (!each.isConfident) continue;
+        all += each.weight;
+        const double estimated = each.estimated_perM * factor;
+        if (each.truth_perM <= kBeyond_perM)
+            right += estimated < 2.5 * kBeyond_perM ? each.weight : 0; // beyond 200 m
+        else if (estimated > 0 && std::abs(each.truth_perM / estimated - 1) <= 0.1)
+            right += each.weight;
+    }
+    return all > 0 ? right / all : 0;
+}
+
+double coveredShare(const std::vector<Texel>& texels) {
+    double covered = 0, all = 0;
+    for (const Texel& each : texels) {
+        if (each.truth_perM < kNear_perM) continue;
+        all += each.weight;
+        covered += each.isConfident ? each.weight : 0;
+    }
+    return all > 0 ? covered / all : 0;
+}
+
+} // namespace
+
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s) {
+    auto made = media::DepthTrack::open(estimated);
+    if (!made) return made.error();
+    auto known = media::DepthTrack::open(truth);
+    if (!known) return known.error();
+    std::vector<std::vector<Texel>> frames;
+    Accuracy result;
+    media::DepthFrame ours, theirs;
+    for (int i = 0; i < made->info().frameCount; ++i) {
+        const double time_s = made->info().duration_s * i / made->info().frameCount;
+        if (!made->read(i, ours) || !known->read(known->frameAt(start_s + time_s), theirs))
+            return Error{estimated.string(), "cannot be compared: a frame of it or of the truth is damaged"};
+        frames.push_back(texelsOf(ours, theirs));
+        result.frames.push_back({});
+        result.frames.back().time_s = time_s;
+    }
+    result.factor = factorOf(frames);
+    for (size_t i = 0; i < frames.size(); ++i) {
+        const double own = factorOf({frames[i]});
+        FrameAccuracy& frame = result.frames[i];
+        frame.right = rightShare(frames[i], result.factor);
+        frame.rightOwn = rightShare(frames[i], own);
+        frame.covered = coveredShare(frames[i]);
+        frame.ownFactor = own / result.factor;
+    }
+    return result;
+}
+
+} // namespace shoal::bench

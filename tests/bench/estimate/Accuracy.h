@@ -1,0 +1,28 @@
+// How near an estimated depth track is to the true one.
+#pragma once
+
+#include "engine/core/Files.h"
+#include "engine/core/Result.h"
+
+#include <vector>
+
+namespace shoal::bench {
+
+// Shares are of solid angle. Confident: all of it is believed, from 0.6 on (content/README.md).
+struct FrameAccuracy {
+    double time_s = 0;    // of the clip
+    double right = 0;     // of what is confident: within 10 % of the truth, after one factor for the clip
+    double rightOwn = 0;  // the same after a factor of the frame's own
+    double covered = 0;   // of what is nearer than 10 m: confident
+    double ownFactor = 1; // median of estimated over true distances, over that of the clip
+};
+
+struct Accuracy {
+    double factor = 1; // median of estimated over true distances
+    std::vector<FrameAccuracy> frames;
+};
+
+// The clip begins at start_s of what the truth is of.
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s);
+
+} // namespace shoal::bench

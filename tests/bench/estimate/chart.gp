@@ -1,0 +1,22 @@
+# Draws the chart: gnuplot -c chart.gp FOLDER, where depth_estimate.tsv is. Colours: Okabe and Ito 2008.
+rows(film, method) = sprintf("< awk -F'\\t' '$1 == \"%s\" && $2 == \"%s\" && NF == 9' '%s/depth_estimate.tsv'", film, method, ARG1)
+set terminal svg size 900,1000 font "DejaVu Sans,11" background "white"
+set output ARG1 . "/depth_estimate.svg"
+set datafile separator "\t"
+set grid linecolor rgb "#d0d0d0" linewidth 0.7
+set border linecolor rgb "#606060"
+set tics scale 0.6
+set yrange [0:100]
+set key off
+films = "reef night kelp sideways forward caustics animal featureless darkness exposure 'seam and poles' stereo"
+set multiplot layout 4,3 title "Estimated depth: confident texels within 10 % of the truth (thick), and nearer than 10 m confident (thin), %, over seconds.\nOrange: pairs of frames by optical flow; blue: sweep over several frames; green: the two eyes. Rotation and a still camera: cannot be known" font ",12"
+do for [film in films] {
+    set title film
+    plot rows(film, "pairs") using 3:(100 * $4) with lines linewidth 2.5 linecolor rgb 0xD55E00, \
+        rows(film, "pairs") using 3:(100 * $6) with lines linewidth 1 linecolor rgb 0xD55E00, \
+        rows(film, "sweep") using 3:(100 * $4) with lines linewidth 2.5 linecolor rgb 0x0072B2, \
+        rows(film, "sweep") using 3:(100 * $6) with lines linewidth 1 linecolor rgb 0x0072B2, \
+        rows(film, "eyes") using 3:(100 * $4) with lines linewidth 2.5 linecolor rgb 0x009E73, \
+        rows(film, "eyes") using 3:(100 * $6) with lines linewidth 1 linecolor rgb 0x009E73
+}
+unset multiplot
