@@ -186,12 +186,13 @@ RelativePose relativePose(const std::vector<Correspondence>& points) {
     refine(best, points, kMinScale_rad * 2 + 0.3 * scale, 30);
     result.secondFromFirst = best.secondFromFirst;
     result.towards = best.towards;
-    // The sign: points lie in front of both cameras.
+    // The sign: points lie in front of both cameras. Those off their epipolar planes move by themselves.
     double forwards = 0, all = 0;
     moved.clear();
     for (const Correspondence& p : points) {
         const Triangulated t = triangulate(result, p);
-        const double bounded = std::clamp(t.parallax_rad, -0.02, 0.02);
+        const double still = cauchyWeight(t.offPlane_rad, kMinScale_rad * 2 + 0.3 * scale);
+        const double bounded = still * std::clamp(t.parallax_rad, -0.02, 0.02);
         forwards += bounded, all += std::abs(bounded);
         moved.push_back(std::abs(t.parallax_rad));
     }

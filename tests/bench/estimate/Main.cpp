@@ -1,8 +1,8 @@
 // bench_estimate make FOLDER : writes made films and their true depth there.
 // bench_estimate measure NAME METHOD FILM TRUTH START_S : estimates the depth of the film, which begins at
 // START_S of what the truth is of, and prints a line for each frame of the track: name, method, time, shares
-// and factors as Accuracy.h has them, and the processor's seconds a frame of the track. METHOD: pairs or
-// eyes. bench_estimate methods NAME : prints those that suit the film.
+// and factors as Accuracy.h has them, and the processor's seconds a frame of the track. METHOD: pairs,
+// sweep or eyes. bench_estimate methods NAME : prints those that suit the film.
 #include "engine/core/WriteFile.h"
 #include "engine/depth/estimate/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
@@ -43,6 +43,7 @@ Status measure(const std::string& name, const std::string& method, const Path& f
     const Path track = film.string() + "." + method + ".depth.mkv";
     depth::FilmDepthOptions options;
     if (isStereo(name)) options.layout = media::Layout::TopBottom;
+    options.method = method == "pairs" ? depth::MotionMethod::Pairs : depth::MotionMethod::Sweep;
     const double began_s = processor_s();
     const auto made = depth::makeFilmDepth(film, track, options);
     if (!made) return made.error();
@@ -64,7 +65,7 @@ int main(int argc, char** argv) {
     Status done = Error{"", "wrong arguments"};
     if (what == "make" && argc == 3) done = make(argv[2]);
     if (what == "methods" && argc == 3) {
-        std::puts(isStereo(argv[2]) ? "eyes" : "pairs");
+        std::puts(isStereo(argv[2]) ? "eyes" : "pairs\nsweep");
         done = Done{};
     }
     if (what == "measure" && argc == 7)

@@ -1,10 +1,10 @@
 # depth_estimate.tsv as a table.
 NR == 1 { next }
-!(($1, $2) in frames) { order[++count] = $1 SUBSEP $2 }
-$3 == "cannot be known" { frames[$1, $2] = 0; next }
+!(($1 SUBSEP $2) in frames) { order[++count] = $1 SUBSEP $2 }
+$3 == "cannot be known" { frames[$1 SUBSEP $2] = 0; next }
 {
     key = $1 SUBSEP $2
-    if (!frames[key]) least[key] = $7, most[key] = $7, worst[key] = $4
+    if (!frames[key]) { least[key] = $7; most[key] = $7; worst[key] = $4 }
     ++frames[key]
     right[key] += $4; own[key] += $5; covered[key] += $6
     if ($7 < least[key]) least[key] = $7

@@ -1,0 +1,66 @@
+#include "engine/depth/estimate/MotionPass.h"
+
+#include <algorithm>
+
+namespace shoal::depth {
+
+namespace {
+
+constexpr int kMaxGap = 32;            // film frames between the two of a pair
+constexpr double kGoodParallax = 0.02; // radians; more makes flow fail at edges
+
+double upperMedian(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+bool MotionPass::chooseGap() {
+    constexpr int kPlaces = 8;
+    bool moves = false;
+    const int64_t count = film_.info().frameCount;
+    for (gap_ = kFilmStep; gap_ <= kMaxGap && gap_ < count; gap_ *= 2) {
+        std::vector<double> parallaxes;
+        int moving = 0;
+        for (int place = 0; place < kPlaces; ++place) {
+            const int64_t at = (count - gap_ - 1) * place / kPlaces;
+            CubeFaces first, second;
+            readFaces(at, first), readFaces(at + gap_, second);
+            const PairDepth pair = estimatePair(flow_, first, second);
+            moving += isTranslation(pair.pose);
+            parallaxes.push_back(pair.pose.parallax_rad);
+        }
+        moves = moves || moving * 3 >= kPlaces;
+        if (moves && upperMedian(parallaxes) >= kGoodParallax) return true;
+    }
+    gap_ /= 2;
+    return moves;
+}
+
+const CubeFaces& MotionPass::facesAt(int number) {
+    if (faces_.empty()) firstFaces_ = number;
+    while (firstFaces_ + static_cast<int>(faces_.size()) <= number) {
+        faces_.emplace_back();
+        readFaces(int64_t{firstFaces_ + static_cast<int>(faces_.size()) - 1} * kFilmStep, faces_.back());
+    }
+    while (firstFaces_ < number - step()) faces_.pop_front(), ++firstFaces_;
+    return faces_[static_cast<size_t>(number - firstFaces_)];
+}
+
+FrameRecord MotionPass::frame(int number) {
+    if (nextPair_ < 0) firstPair_ = nextPair_ = std::max(number - step(), 0);
+    for (; nextPair_ <= number && nextPair_ + step() < film_.trackCount(); ++nextPair_) {
+        const CubeFaces& first = facesAt(nextPair_); // before the second: faces are read in order
+        pairs_.push_back(estimatePair(flow_, first, facesAt(nextPair_ + step())));
+    }
+    while (firstPair_ < number - step()) pairs_.pop_front(), ++firstPair_;
+    const auto pair = [&](int k) {
+        const int at = k - firstPair_;
+        return at >= 0 && at < static_cast<int>(pairs_.size()) ? &pairs_[static_cast<size_t>(at)] : nullptr;
+    };
+    return joined(pair(number), pair(number - step()));
+}
+
+} // namespace shoal::depth

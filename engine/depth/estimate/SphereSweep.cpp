@@ -1,0 +1,233 @@
+#include "engine/depth/estimate/SphereSweep.h"
+
+#include "engine/math/LatLong.h"
+
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace shoal::depth {
+
+namespace {
+
+constexpr int kPadding = 2;
+constexpr int kPaddedWidth = kSweepWidth + 2 * kPadding;
+constexpr int kNormalised = 9;         // pixels, of the window of mean and deviation
+constexpr float kNoise = 2.0f;         // grey values that are added to the deviation: of coded film
+constexpr float kMaxDifference = 1.2f; // more counts as much, whatever it is: something else is seen there
+constexpr int kDistances = 64;
+constexpr int kWidth = kSweepWidth / 2, kHeight = kSweepHeight / 2; // of the map
+constexpr int kAggregated = 5;                     // pixels, of the window that costs are averaged in
+constexpr float kCodes = 400;                      // of a cost
+constexpr int kPenaltyOne = 10, kPenaltyMore = 45; // codes: neighbours one distance apart, and more
+
+using Costs = std::vector<uint16_t>; // kDistances for each texel of the map
+
+// Denser far away, where a step of inverse distance is a larger share of it.
+float inverseAt(float number, float maxInverse) {
+    return maxInverse * std::pow(std::max(number, 0.0f) / (kDistances - 1), 1.7f);
+}
+
+// Within 2e-5.
+inline float arcTangent(float y, float x) {
+    const float ax = std::abs(x), ay = std::abs(y);
+    const float least = ax < ay ? ax : ay, most = ax < ay ? ay : ax;
+    const float a = least / (most + 1e-20f), s = a * a;
+    float angle =
+        a * (0.99997726f + s * (-0.33262347f +
+                                s * (0.19354346f + s * (-0.11643287f + s * (0.05265332f - s * 0.0117212f)))));
+    angle = ay > ax ? std::numbers::pi_v<float> / 2 - angle : angle;
+    angle = x < 0 ? std::numbers::pi_v<float> - angle : angle;
+    return y < 0 ? -angle : angle;
+}
+
+// Pixel of a padded image, corner of four, for a direction of any length.
+inline void pixelOf(float x, float y, float z, float& column, float& row) {
+    constexpr float kPerRadian = kSweepWidth / (2 * std::numbers::pi_v<float>);
+    column = kSweepWidth * 0.5f + kPerRadian * arcTangent(x, -z) - 0.5f + kPadding;
+    const float latitude = arcTangent(y, std::sqrt(x * x + z * z));
+    row = std::min(std::max(kSweepHeight * 0.5f - kPerRadian * latitude - 0.5f, 0.0f),
+                   static_cast<float>(kSweepHeight - 1));
+}
+
+struct Directions {
+    std::vector<float> x, y, z; // of the pixels of an image
+};
+
+Directions makeDirections() {
+    Directions result;
+    for (int row = 0; row < kSweepHeight; ++row)
+        for (int column = 0; column < kSweepWidth; ++column) {
+            const glm::vec3 dir =
+                directionFromLatLong(glm::vec2((static_cast<float>(column) + 0.5f) / kSweepWidth,
+                                               (static_cast<float>(row) + 0.5f) / kSweepHeight));
+            result.x.push_back(dir.x), result.y.push_back(dir.y), result.z.push_back(dir.z);
+        }
+    return result;
+}
+
+// Adds how much a view differs from the reference if everything has that inverse distance.
+void addDifferences(const SweepImage& reference, const SweepView& view, const Directions& all, float inverse,
+                    float weight, cv::Mat& sum) {
+    const glm::mat3& r = view.fromReference;
+    const glm::vec3 shift = r * view.at * inverse;
+    std::array<float, kSweepWidth> columns, rows;
+    for (int row = 0; row < kSweepHeight; ++row) {
+        const float* x = all.x.data() + static_cast<size_t>(row) * kSweepWidth;
+        const float* y = all.y.data() + static_cast<size_t>(row) * kSweepWidth;
+        const float* z = all.z.data() + static_cast<size_t>(row) * kSweepWidth;
+        for (size_t i = 0; i < kSweepWidth; ++i)
+            pixelOf(r[0][0] * x[i] + r[1][0] * y[i] + r[2][0] * z[i] - shift.x,
+                    r[0][1] * x[i] + r[1][1] * y[i] + r[2][1] * z[i] - shift.y,
+                    r[0][2] * x[i] + r[1][2] * y[i] + r[2][2] * z[i] - shift.z, columns[i], rows[i]);
+        const float* own = reference.values.data() + static_cast<size_t>(row) * kPaddedWidth + kPadding;
+        float* out = sum.ptr<float>(row);
+        for (size_t i = 0; i < kSweepWidth; ++i) {
+            const int column = static_cast<int>(columns[i]), line = static_cast<int>(rows[i]);
+            const float fx = columns[i] - static_cast<float>(column), fy = rows[i] - static_cast<float>(line);
+            const float* p = view.image->values.data() + static_cast<size_t>(line) * kPaddedWidth + column;
+            const float upper = p[0] + fx * (p[1] - p[0]);
+            const float lower = p[kPaddedWidth] + fx * (p[kPaddedWidth + 1] - p[kPaddedWidth]);
+            out[i] += weight * std::min(std::abs(upper + fy * (lower - upper) - own[i]), kMaxDifference);
+        }
+    }
+}
+
+// Costs along one line of texels, as semi-global matching has them, added to the sums.
+void addPath(const Costs& costs, size_t first, ptrdiff_t stride, int length, Costs& sums) {
+    std::array<uint16_t, kDistances + 2> before, now;
+    before.fill(0x3fff), now.fill(0x3fff);
+    int leastBefore = 0;
+    for (int i = 0; i < length; ++i) {
+        const size_t at = static_cast<size_t>(static_cast<ptrdiff_t>(first) + i * stride) * kDistances;
+        int least = 0xffff;
+        for (size_t k = 0; k < kDistances; ++k) {
+            int add = 0;
+            if (i > 0)
+                add = std::min(std::min<int>(before[k + 1], leastBefore + kPenaltyMore),
+                               std::min(before[k], before[k + 2]) + kPenaltyOne) -
+                      leastBefore;
+            const int value = costs[at + k] + add;
+            now[k + 1] = static_cast<uint16_t>(value);
+            sums[at + k] = static_cast<uint16_t>(sums[at + k] + value);
+            least = std::min(least, value);
+        }
+        std::swap(before, now);
+        leastBefore = least;
+    }
+}
+
+void addPaths(const Costs& costs, Costs& sums) {
+    for (int y = 0; y < kHeight; ++y) {
+        const size_t row = static_cast<size_t>(y) * kWidth;
+        addPath(costs, row, 1, kWidth, sums);
+        addPath(costs, row + kWidth - 1, -1, kWidth, sums);
+    }
+    for (size_t x = 0; x < kWidth; ++x) {
+        addPath(costs, x, kWidth, kHeight, sums);
+        addPath(costs, x + size_t{kWidth} * (kHeight - 1), -kWidth, kHeight, sums);
+    }
+}
+
+// Where a parabola through three costs is least, from the middle one.
+float parabola(float before, float at, float after) {
+    const float curvature = before - 2 * at + after;
+    return curvature > 0 ? std::clamp(0.5f * (before - after) / curvature, -0.5f, 0.5f) : 0;
+}
+
+// 1 where one distance is much better than those that are not beside it.
+float distinctness(const uint16_t* costs, int best) {
+    float sum = 0;
+    int other = 0xffff;
+    for (int k = 0; k < kDistances; ++k) {
+        sum += costs[k];
+        if (std::abs(k - best) > 4) other = std::min<int>(other, costs[k]);
+    }
+    const float mean = sum / kDistances;
+    return (static_cast<float>(other) - costs[best]) / std::max(mean, 1.0f);
+}
+
+} // namespace
+
+struct SphereSweep::Impl {
+    Directions directions = makeDirections();
+    Costs costs, sums;
+};
+
+SphereSweep::SphereSweep() : impl_(std::make_unique<Impl>()) {}
+SphereSweep::~SphereSweep() = default;
+
+void makeSweepImage(const light::FrameView& film, SweepImage& out) {
+    const cv::Mat3b source(film.height, film.width,
+                           reinterpret_cast<cv::Vec3b*>(const_cast<uint8_t*>(film.pixels)),
+                           static_cast<size_t>(film.rowStride));
+    cv::Mat1b grey, padded;
+    cv::cvtColor(source, grey, film.bgr ? cv::COLOR_BGR2GRAY : cv::COLOR_RGB2GRAY);
+    cv::resize(grey, grey, {kSweepWidth, kSweepHeight}, 0, 0, cv::INTER_AREA);
+    constexpr int kAround = kNormalised + kPadding;
+    cv::copyMakeBorder(grey, padded, 0, 0, kAround, kAround, cv::BORDER_WRAP);
+    cv::Mat1f values, mean, square;
+    padded.convertTo(values, CV_32F);
+    const cv::Size window(kNormalised, kNormalised);
+    cv::boxFilter(values, mean, CV_32F, window);
+    cv::boxFilter(values.mul(values), square, CV_32F, window);
+    cv::Mat1f deviation;
+    cv::sqrt(cv::max(square - mean.mul(mean), 0), deviation);
+    cv::Mat1f normalised;
+    cv::divide(values - mean, deviation + kNoise, normalised);
+    out.values.assign(size_t{kPaddedWidth} * (kSweepHeight + 1), 0);
+    cv::Mat1f kept(kSweepHeight, kPaddedWidth, out.values.data());
+    normalised(cv::Rect(kNormalised, 0, kPaddedWidth, kSweepHeight)).copyTo(kept);
+}
+
+void SphereSweep::estimate(const SweepImage& reference, std::span<const SweepView> views, float maxInverse,
+                           DepthEstimate& out) {
+    constexpr size_t kTexels = size_t{kWidth} * kHeight;
+    Impl& own = *impl_;
+    out.inverse.assign(kTexels, 0), out.confidence.assign(kTexels, 0);
+    const auto later =
+        std::count_if(views.begin(), views.end(), [](const SweepView& v) { return v.isLater; });
+    const auto earlier = static_cast<std::ptrdiff_t>(views.size()) - later;
+    if (views.empty()) return;
+    own.costs.resize(kTexels * kDistances), own.sums.assign(kTexels * kDistances, 0);
+    cv::parallel_for_(cv::Range(0, kDistances), [&](const cv::Range& range) {
+        cv::Mat1f averaged;
+        cv::Mat sums[2], least, most, cost;
+        for (int k = range.start; k < range.end; ++k) {
+            for (cv::Mat& sum : sums) sum.create(kSweepHeight, kSweepWidth, CV_32F), sum.setTo(0);
+            for (const SweepView& view : views)
+                addDifferences(reference, view, own.directions, inverseAt(static_cast<float>(k), maxInverse),
+                               1.0f / static_cast<float>(view.isLater ? later : earlier), sums[view.isLater]);
+            // What is hidden before is seen after, or the other way around.
+            if (later > 0 && earlier > 0) {
+                cv::min(sums[0], sums[1], least), cv::max(sums[0], sums[1], most);
+                cv::addWeighted(least, 0.7, most, 0.3, 0, cost);
+            } else
+                cost = sums[later > 0];
+            cv::boxFilter(cost, averaged, CV_32F, {kAggregated, kAggregated});
+            for (int y = 0; y < kHeight; ++y)
+                for (int x = 0; x < kWidth; ++x)
+                    own.costs[(static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)) * kDistances +
+                              static_cast<size_t>(k)] =
+                        static_cast<uint16_t>(kCodes * 0.25f *
+                                              (averaged(2 * y, 2 * x) + averaged(2 * y, 2 * x + 1) +
+                                               averaged(2 * y + 1, 2 * x) + averaged(2 * y + 1, 2 * x + 1)));
+        }
+    });
+    addPaths(own.costs, own.sums);
+    for (size_t i = 0; i < kTexels; ++i) {
+        const uint16_t* sums = own.sums.data() + i * kDistances;
+        const int best = static_cast<int>(std::min_element(sums, sums + kDistances) - sums);
+        const float off =
+            best > 0 && best + 1 < kDistances ? parabola(sums[best - 1], sums[best], sums[best + 1]) : 0;
+        out.inverse[i] = inverseAt(static_cast<float>(best) + off, maxInverse);
+        out.confidence[i] = std::clamp(3.5f * distinctness(sums, best) - 0.1f, 0.0f, 1.0f);
+    }
+}
+
+} // namespace shoal::depth

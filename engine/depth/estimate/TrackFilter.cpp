@@ -1,0 +1,82 @@
+#include "engine/depth/estimate/TrackFilter.h"
+
+#include "engine/math/LatLong.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::depth {
+
+namespace {
+
+constexpr float kUnknown = 0.2f; // less confidence says nothing
+
+size_t texelOf(const glm::vec3& dir) {
+    const glm::vec2 uv = latLongFromDirection(dir);
+    const int x = static_cast<int>(uv.x * kTrackWidth) % kTrackWidth;
+    const int y = std::min(static_cast<int>(uv.y * kTrackHeight), kTrackHeight - 1);
+    return static_cast<size_t>(y) * kTrackWidth + static_cast<size_t>(x);
+}
+
+} // namespace
+
+void requireAgreement(DepthEstimate& depth, std::span<const OtherFrame> others) {
+    if (others.empty()) return;
+    for (size_t i = 0; i < kTrackTexels; ++i) {
+        const float inverse = depth.inverse[i];
+        if (depth.confidence[i] <= 0.05f || inverse <= 0) continue;
+        float agree = 0, contradict = 0, sum = depth.confidence[i] * inverse, weights = depth.confidence[i];
+        const glm::vec3 dir = trackDirection(i);
+        for (const OtherFrame& other : others) {
+            // Scaled by the inverse distance.
+            const glm::vec3 there =
+                glm::mat3(other.pose.fromReference) * (dir - inverse * glm::vec3(other.pose.at));
+            const float length = glm::length(there);
+            const size_t texel = texelOf(there / length);
+            const float sure = other.depth.confidence[texel];
+            if (sure < kUnknown) continue;
+            const float ratio = other.depth.inverse[texel] / (inverse / length);
+            const float near = std::clamp(2 - 12 * std::abs(ratio - 1), 0.0f, 1.0f); // 1 to 8 %, 0 from 17 %
+            agree += sure * near;
+            // It may be hidden by something nearer there.
+            contradict += sure * (1 - near) * (ratio > 1 ? 0.5f : 1.0f);
+            sum += sure * near * ratio * inverse, weights += sure * near;
+        }
+        depth.inverse[i] = sum / weights;
+        const float share = agree / (agree + contradict + 0.3f);
+        depth.confidence[i] = std::clamp(
+            (depth.confidence[i] + 0.25f * agree) * std::clamp(2 * share - 0.4f, 0.0f, 1.0f), 0.0f, 1.0f);
+    }
+}
+
+void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const DepthEstimate& after,
+                    media::DepthFrame& out) {
+    out.width = kTrackWidth, out.height = kTrackHeight;
+    out.inverse.assign(kTrackTexels, 0);
+    out.confidence.assign(kTrackTexels / 4, 0);
+    std::vector<float> confidence(kTrackTexels);
+    for (size_t i = 0; i < kTrackTexels; ++i) {
+        const float a = before.inverse[i], b = now.inverse[i], c = after.inverse[i];
+        float value = b, sure = now.confidence[i];
+        if (std::min(before.confidence[i], after.confidence[i]) > 0.4f) {
+            value = std::max(std::min(a, b), std::min(std::max(a, b), c));
+            const float off = std::abs(b - value) / std::max(value, 1e-3f);
+            sure *= std::clamp(1.3f - 4 * off, 0.0f, 1.0f);
+        }
+        out.inverse[i] = media::depthCode(value);
+        confidence[i] = sure;
+    }
+    for (int y = 0; y < kTrackHeight / 2; ++y)
+        for (int x = 0; x < kTrackWidth / 2; ++x) {
+            float least = 1;
+            for (int k = 0; k < 4; ++k)
+                least = std::min(least, confidence[static_cast<size_t>(2 * y + k / 2) * kTrackWidth +
+                                                   static_cast<size_t>(2 * x + k % 2)]);
+            out.confidence[static_cast<size_t>(y) * kTrackWidth / 2 + static_cast<size_t>(x)] =
+                static_cast<uint16_t>(least * media::kMaxDepthCode);
+        }
+}
+
+} // namespace shoal::depth
