@@ -77,7 +77,7 @@ class Maker {
         DepthEstimate depth;
         while (records_.done() < count_) {
             const int64_t at = int64_t{records_.done()} * kFilmStep;
-            stereo.estimate(film_.eye(at, 0), film_.eye(at, 1), options_.baseline_m, kTrackWidth, depth);
+            stereo.estimate(film_.eye(at, 0), film_.eye(at, 1), options_.baseline_m, kEstimateWidth, depth);
             FrameRecord record;
             record.set(depth);
             if (Status s = add(record); !s) return s;
@@ -127,7 +127,7 @@ class Maker {
         for (int t = 0; t < count_; t += std::max(count_ / 64, 1)) {
             DepthEstimate depth;
             if (Status s = readMetres(t, depth); !s) return s;
-            for (size_t i = 0; i < kTrackTexels; ++i)
+            for (size_t i = 0; i < kEstimateTexels; ++i)
                 if (depth.confidence[i] > 0.5f) inverses.push_back(static_cast<double>(depth.inverse[i]));
         }
         const double nearest = inverses.empty() ? 1 : 1.3 * quantile(inverses, 0.995);
@@ -161,7 +161,7 @@ class Maker {
 
     Status writeTrack() {
         auto writer = media::DepthTrackWriter::make(
-            {kTrackWidth, kTrackHeight, count_, film_.info().duration_s}, {{identity_}});
+            {kEstimateWidth, kEstimateHeight, count_, film_.info().duration_s}, {{identity_}});
         if (!writer) return writer.error();
         std::array<DepthEstimate, 3>
             around; // of number - 1, number, number + 1, each at its number modulo three

@@ -20,22 +20,23 @@ uint64_t checkOf(const FrameRecord& record) {
 
 } // namespace
 
-glm::vec3 trackDirection(size_t texel) {
-    return directionFromLatLong(glm::vec2((static_cast<float>(texel % kTrackWidth) + 0.5f) / kTrackWidth,
-                                          (static_cast<float>(texel / kTrackWidth) + 0.5f) / kTrackHeight));
+glm::vec3 estimateDirection(size_t texel) {
+    return directionFromLatLong(
+        glm::vec2((static_cast<float>(texel % kEstimateWidth) + 0.5f) / kEstimateWidth,
+                  (static_cast<float>(texel / kEstimateWidth) + 0.5f) / kEstimateHeight));
 }
 
 void FrameRecord::set(const DepthEstimate& depth) {
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         inverse[i] = static_cast<uint16_t>(std::clamp(depth.inverse[i] * kCodes, 0.0f, 65535.0f));
         confidence[i] = static_cast<uint8_t>(depth.confidence[i] * 255 + 0.5f);
     }
 }
 
 void FrameRecord::get(double inverseFactor, DepthEstimate& depth) const {
-    depth.inverse.resize(kTrackTexels), depth.confidence.resize(kTrackTexels);
+    depth.inverse.resize(kEstimateTexels), depth.confidence.resize(kEstimateTexels);
     const auto factor = static_cast<float>(inverseFactor / static_cast<double>(kCodes));
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         depth.inverse[i] = static_cast<float>(inverse[i]) * factor;
         depth.confidence[i] = static_cast<float>(confidence[i]) / 255.0f;
     }

@@ -15,10 +15,10 @@
 
 namespace shoal::depth {
 
-constexpr int kTrackWidth = 256, kTrackHeight = kTrackWidth / 2;
-constexpr size_t kTrackTexels = size_t{kTrackWidth} * kTrackHeight;
+constexpr int kEstimateWidth = 256, kEstimateHeight = kEstimateWidth / 2;
+constexpr size_t kEstimateTexels = size_t{kEstimateWidth} * kEstimateHeight;
 
-glm::vec3 trackDirection(size_t texel);
+glm::vec3 estimateDirection(size_t texel);
 
 // Of a pair of frames: the one that it is kept with, and a later one.
 struct PairMotion {
@@ -33,8 +33,8 @@ struct PairMotion {
 // Plain bytes of this machine: a file of another is begun anew.
 struct FrameRecord {
     PairMotion motion;
-    uint16_t inverse[kTrackTexels] = {}; // in 16384ths; of the pair's baseline, or 1/m where eyes tell
-    uint8_t confidence[kTrackTexels] = {};
+    uint16_t inverse[kEstimateTexels] = {}; // in 16384ths; of the pair's baseline, or 1/m where eyes tell
+    uint8_t confidence[kEstimateTexels] = {};
     uint64_t check = 0; // FNV-1a of all before
 
     void set(const DepthEstimate& depth);

@@ -19,24 +19,30 @@ double upperMedian(std::vector<double> values) {
 
 bool MotionPass::chooseGap() {
     constexpr int kPlaces = 8;
-    bool moves = false;
     const int64_t count = film_.info().frameCount;
-    for (gap_ = kFilmStep; gap_ <= kMaxGap && gap_ < count; gap_ *= 2) {
+    double bestScore = 0;
+    int best = 0;
+    for (int gap = kFilmStep; gap <= kMaxGap && gap < count; gap *= 2) {
         std::vector<double> parallaxes;
         int moving = 0;
         for (int place = 0; place < kPlaces; ++place) {
-            const int64_t at = (count - gap_ - 1) * place / kPlaces;
+            const int64_t at = (count - gap - 1) * place / kPlaces;
             CubeFaces first, second;
-            readFaces(at, first), readFaces(at + gap_, second);
+            readFaces(at, first), readFaces(at + gap, second);
             const PairDepth pair = estimatePair(flow_, first, second);
             moving += isTranslation(pair.pose);
             parallaxes.push_back(pair.pose.parallax_rad);
         }
-        moves = moves || moving * 3 >= kPlaces;
-        if (moves && upperMedian(parallaxes) >= kGoodParallax) return true;
+        const double parallax = upperMedian(parallaxes);
+        if (moving * 3 >= kPlaces && moving * std::min(parallax, kGoodParallax) > bestScore)
+            bestScore = moving * std::min(parallax, kGoodParallax), best = gap;
+        if (best > 0 && parallax >= kGoodParallax) {
+            best = gap;
+            break;
+        }
     }
-    gap_ /= 2;
-    return moves;
+    gap_ = best > 0 ? best : kFilmStep;
+    return best > 0;
 }
 
 const CubeFaces& MotionPass::facesAt(int number) {

@@ -12,8 +12,9 @@ class MotionPass {
   public:
     explicit MotionPass(FilmFrames& film) : film_(film) {}
 
-    // How far the frames of a pair are apart: places over the whole film, wider and wider pairs. False: the
-    // camera stands still or only turns.
+    // How far the frames of a pair are apart: places over the whole film, wider and wider pairs, until points
+    // move far enough; where they never do, as far as most pairs show a movement. False: the camera stands
+    // still or only turns.
     bool chooseGap();
     // In frames of the track.
     int step() const { return gap_ / kFilmStep; }

@@ -15,11 +15,12 @@ double median(std::vector<double>& values) {
 }
 
 void triangulateAll(const RelativePose& pose, const std::vector<FlowPoint>& flow, DepthEstimate& out) {
-    out.inverse.assign(kTrackTexels, 0);
-    out.confidence.assign(kTrackTexels, 0);
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    out.inverse.assign(kEstimateTexels, 0);
+    out.confidence.assign(kEstimateTexels, 0);
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         if (flow[i].error_rad >= 1 || !isUsable(pose)) continue;
-        const Triangulated t = triangulate(pose, {glm::dvec3(trackDirection(i)), glm::dvec3(flow[i].second)});
+        const Triangulated t =
+            triangulate(pose, {glm::dvec3(estimateDirection(i)), glm::dvec3(flow[i].second)});
         if (t.parallax_rad <= 0) continue;
         out.inverse[i] = static_cast<float>(std::clamp(t.inverse, 0.0, 3.9));
         const double error_rad = 4e-4 + std::abs(t.offPlane_rad) + static_cast<double>(flow[i].error_rad);
@@ -32,8 +33,8 @@ void triangulateAll(const RelativePose& pose, const std::vector<FlowPoint>& flow
 
 double heightBelow(const DepthEstimate& depth) {
     std::vector<double> heights;
-    for (size_t i = 0; i < kTrackTexels; ++i) {
-        const glm::vec3 dir = trackDirection(i);
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
+        const glm::vec3 dir = estimateDirection(i);
         if (dir.y < -0.5f && depth.confidence[i] > 0.5f && depth.inverse[i] > 1e-4f)
             heights.push_back(static_cast<double>(-dir.y / depth.inverse[i]));
     }
@@ -46,18 +47,18 @@ PairDepth estimatePair(CubeFlow& flow, const CubeFaces& first, const CubeFaces& 
     constexpr size_t kEvery = 23; // texels for each that the pose is found from
     PairDepth result;
     std::vector<FlowPoint> there, back;
-    flow.match(first, second, kTrackWidth, there, back);
+    flow.match(first, second, kEstimateWidth, there, back);
     std::vector<Correspondence> points;
     size_t next = 0;
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         // As dense on the sphere everywhere.
         const double ring =
-            std::cos((0.5 - (static_cast<double>(i / kTrackWidth) + 0.5) / kTrackHeight) * 3.14159265);
+            std::cos((0.5 - (static_cast<double>(i / kEstimateWidth) + 0.5) / kEstimateHeight) * 3.14159265);
         const auto stride = static_cast<size_t>(static_cast<double>(kEvery) / std::max(ring, 0.05));
         if (i < next || there[i].error_rad > 0.004f) continue;
         next = i + stride;
         points.push_back(
-            {glm::normalize(glm::dvec3(trackDirection(i))), glm::normalize(glm::dvec3(there[i].second))});
+            {glm::normalize(glm::dvec3(estimateDirection(i))), glm::normalize(glm::dvec3(there[i].second))});
     }
     result.pose = relativePose(points);
     triangulateAll(result.pose, there, result.first);
@@ -68,11 +69,11 @@ PairDepth estimatePair(CubeFlow& flow, const CubeFaces& first, const CubeFaces& 
 FrameRecord joined(const PairDepth* begins, const PairDepth* ends) {
     FrameRecord record;
     const bool hasFirst = begins && isUsable(begins->pose), hasLast = ends && isUsable(ends->pose);
-    DepthEstimate depth{std::vector<float>(kTrackTexels), std::vector<float>(kTrackTexels)};
+    DepthEstimate depth{std::vector<float>(kEstimateTexels), std::vector<float>(kEstimateTexels)};
     double ratio = 1;
     if (hasFirst && hasLast) {
         std::vector<double> ratios;
-        for (size_t i = 0; i < kTrackTexels; ++i)
+        for (size_t i = 0; i < kEstimateTexels; ++i)
             if (std::min(begins->first.confidence[i], ends->second.confidence[i]) > 0.6f &&
                 ends->second.inverse[i] > 0)
                 ratios.push_back(
@@ -83,7 +84,7 @@ FrameRecord joined(const PairDepth* begins, const PairDepth* ends) {
         }
         ratio = std::exp(record.motion.logRatio);
     }
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         const float a = hasFirst ? begins->first.confidence[i] : 0,
                     b = hasLast ? ends->second.confidence[i] : 0;
         if (a + b <= 0) continue;

@@ -22,6 +22,8 @@ constexpr float kNoise = 2.0f;         // grey values that are added to the devi
 constexpr float kMaxDifference = 1.2f; // more counts as much, whatever it is: something else is seen there
 constexpr int kDistances = 64;
 constexpr int kWidth = kSweepWidth / 2, kHeight = kSweepHeight / 2; // of the map
+constexpr int kDetail = 3; // pixels, of the window of what a place has of its own
+constexpr float kLeastDetail = 0.15f, kEnoughDetail = 0.25f; // shares, see SweepImage
 constexpr int kAggregated = 5;                     // pixels, of the window that costs are averaged in
 constexpr float kCodes = 400;                      // of a cost
 constexpr int kPenaltyOne = 10, kPenaltyMore = 45; // codes: neighbours one distance apart, and more
@@ -152,6 +154,21 @@ float distinctness(const uint16_t* costs, int best) {
     return (static_cast<float>(other) - costs[best]) / std::max(mean, 1.0f);
 }
 
+// In a square window of that many pixels.
+void deviationOf(const cv::Mat1f& values, int window, cv::Mat1f& mean, cv::Mat1f& deviation) {
+    cv::Mat1f square;
+    cv::boxFilter(values, mean, CV_32F, {window, window});
+    cv::boxFilter(values.mul(values), square, CV_32F, {window, window});
+    cv::sqrt(cv::max(square - mean.mul(mean), 0), deviation);
+}
+
+// Of the four pixels of a texel of the map, the most; 0 to 1.
+float ownDetail(const SweepImage& image, size_t texel) {
+    const float* at = image.detail.data() + 2 * (texel / kWidth) * kSweepWidth + 2 * (texel % kWidth);
+    const float most = std::max({at[0], at[1], at[kSweepWidth], at[kSweepWidth + 1]});
+    return std::clamp((most - kLeastDetail) / (kEnoughDetail - kLeastDetail), 0.0f, 1.0f);
+}
+
 } // namespace
 
 struct SphereSweep::Impl {
@@ -171,18 +188,18 @@ void makeSweepImage(const light::FrameView& film, SweepImage& out) {
     cv::resize(grey, grey, {kSweepWidth, kSweepHeight}, 0, 0, cv::INTER_AREA);
     constexpr int kAround = kNormalised + kPadding;
     cv::copyMakeBorder(grey, padded, 0, 0, kAround, kAround, cv::BORDER_WRAP);
-    cv::Mat1f values, mean, square;
+    cv::Mat1f values, mean, deviation, unused, small, normalised, detail;
     padded.convertTo(values, CV_32F);
-    const cv::Size window(kNormalised, kNormalised);
-    cv::boxFilter(values, mean, CV_32F, window);
-    cv::boxFilter(values.mul(values), square, CV_32F, window);
-    cv::Mat1f deviation;
-    cv::sqrt(cv::max(square - mean.mul(mean), 0), deviation);
-    cv::Mat1f normalised;
+    deviationOf(values, kNormalised, mean, deviation);
+    deviationOf(values, kDetail, unused, small);
     cv::divide(values - mean, deviation + kNoise, normalised);
+    cv::divide(small, deviation + kNoise, detail);
     out.values.assign(size_t{kPaddedWidth} * (kSweepHeight + 1), 0);
-    cv::Mat1f kept(kSweepHeight, kPaddedWidth, out.values.data());
-    normalised(cv::Rect(kNormalised, 0, kPaddedWidth, kSweepHeight)).copyTo(kept);
+    cv::Mat1f keptValues(kSweepHeight, kPaddedWidth, out.values.data());
+    normalised(cv::Rect(kNormalised, 0, kPaddedWidth, kSweepHeight)).copyTo(keptValues);
+    out.detail.resize(size_t{kSweepWidth} * kSweepHeight);
+    cv::Mat1f keptDetail(kSweepHeight, kSweepWidth, out.detail.data());
+    detail(cv::Rect(kAround, 0, kSweepWidth, kSweepHeight)).copyTo(keptDetail);
 }
 
 void SphereSweep::estimate(const SweepImage& reference, std::span<const SweepView> views, float maxInverse,
@@ -226,7 +243,8 @@ void SphereSweep::estimate(const SweepImage& reference, std::span<const SweepVie
         const float off =
             best > 0 && best + 1 < kDistances ? parabola(sums[best - 1], sums[best], sums[best + 1]) : 0;
         out.inverse[i] = inverseAt(static_cast<float>(best) + off, maxInverse);
-        out.confidence[i] = std::clamp(3.5f * distinctness(sums, best) - 0.1f, 0.0f, 1.0f);
+        out.confidence[i] =
+            std::clamp(3.5f * distinctness(sums, best) - 0.1f, 0.0f, 1.0f) * ownDetail(reference, i);
     }
 }
 

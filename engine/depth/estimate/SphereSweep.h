@@ -19,6 +19,9 @@ namespace shoal::depth {
 // Grey values less their local mean, over their local deviation: alike in any exposure.
 struct SweepImage {
     std::vector<float> values; // lat-long, kSweepWidth around, padded left and right; a row more at the end
+    // Deviation within three pixels over that of the large window, without padding: little of it is beside an
+    // edge, and has nothing of its own.
+    std::vector<float> detail;
 };
 constexpr int kSweepWidth = 512, kSweepHeight = kSweepWidth / 2;
 

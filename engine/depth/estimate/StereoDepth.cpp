@@ -40,6 +40,7 @@ void StereoDepth::estimate(const light::FrameView& left, const light::FrameView&
     const int wide = std::min(left.width, kMaxWidth) / 4 * 4, padding = wide / 16;
     Impl& own = *impl_;
     greyOf(left, wide, padding, own.left), greyOf(right, wide, padding, own.right);
+    own.there.release(), own.back.release(); // what they hold would be where the flow begins
     own.flow->calc(own.left, own.right, own.there);
     own.flow->calc(own.right, own.left, own.back);
     const int height = width / 2;

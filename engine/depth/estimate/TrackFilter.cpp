@@ -15,20 +15,20 @@ constexpr float kUnknown = 0.2f; // less confidence says nothing
 
 size_t texelOf(const glm::vec3& dir) {
     const glm::vec2 uv = latLongFromDirection(dir);
-    const int x = static_cast<int>(uv.x * kTrackWidth) % kTrackWidth;
-    const int y = std::min(static_cast<int>(uv.y * kTrackHeight), kTrackHeight - 1);
-    return static_cast<size_t>(y) * kTrackWidth + static_cast<size_t>(x);
+    const int x = static_cast<int>(uv.x * kEstimateWidth) % kEstimateWidth;
+    const int y = std::min(static_cast<int>(uv.y * kEstimateHeight), kEstimateHeight - 1);
+    return static_cast<size_t>(y) * kEstimateWidth + static_cast<size_t>(x);
 }
 
 } // namespace
 
 void requireAgreement(DepthEstimate& depth, std::span<const OtherFrame> others) {
     if (others.empty()) return;
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         const float inverse = depth.inverse[i];
         if (depth.confidence[i] <= 0.05f || inverse <= 0) continue;
         float agree = 0, contradict = 0, sum = depth.confidence[i] * inverse, weights = depth.confidence[i];
-        const glm::vec3 dir = trackDirection(i);
+        const glm::vec3 dir = estimateDirection(i);
         for (const OtherFrame& other : others) {
             // Scaled by the inverse distance.
             const glm::vec3 there =
@@ -53,11 +53,11 @@ void requireAgreement(DepthEstimate& depth, std::span<const OtherFrame> others) 
 
 void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const DepthEstimate& after,
                     media::DepthFrame& out) {
-    out.width = kTrackWidth, out.height = kTrackHeight;
-    out.inverse.assign(kTrackTexels, 0);
-    out.confidence.assign(kTrackTexels / 4, 0);
-    std::vector<float> confidence(kTrackTexels);
-    for (size_t i = 0; i < kTrackTexels; ++i) {
+    out.width = kEstimateWidth, out.height = kEstimateHeight;
+    out.inverse.assign(kEstimateTexels, 0);
+    out.confidence.assign(kEstimateTexels / 4, 0);
+    std::vector<float> confidence(kEstimateTexels);
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
         const float a = before.inverse[i], b = now.inverse[i], c = after.inverse[i];
         float value = b, sure = now.confidence[i];
         if (std::min(before.confidence[i], after.confidence[i]) > 0.4f) {
@@ -68,14 +68,14 @@ void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const
         out.inverse[i] = media::depthCode(value);
         confidence[i] = sure;
     }
-    for (int y = 0; y < kTrackHeight / 2; ++y)
-        for (int x = 0; x < kTrackWidth / 2; ++x) {
-            float least = 1;
+    for (int y = 0; y < kEstimateHeight / 2; ++y)
+        for (int x = 0; x < kEstimateWidth / 2; ++x) {
+            float mean = 0;
             for (int k = 0; k < 4; ++k)
-                least = std::min(least, confidence[static_cast<size_t>(2 * y + k / 2) * kTrackWidth +
-                                                   static_cast<size_t>(2 * x + k % 2)]);
-            out.confidence[static_cast<size_t>(y) * kTrackWidth / 2 + static_cast<size_t>(x)] =
-                static_cast<uint16_t>(least * media::kMaxDepthCode);
+                mean += 0.25f * confidence[static_cast<size_t>(2 * y + k / 2) * kEstimateWidth +
+                                           static_cast<size_t>(2 * x + k % 2)];
+            out.confidence[static_cast<size_t>(y) * kEstimateWidth / 2 + static_cast<size_t>(x)] =
+                static_cast<uint16_t>(mean * media::kMaxDepthCode);
         }
 }
 

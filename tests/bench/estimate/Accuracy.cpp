@@ -10,7 +10,6 @@ namespace shoal::bench {
 
 namespace {
 
-constexpr float kConfident = 0.6f * media::kMaxDepthCode;
 constexpr double kNear_perM = 0.1;     // 10 m
 constexpr double kBeyond_perM = 0.002; // half of the first code: where the truth has no distance
 
@@ -19,7 +18,8 @@ struct Texel {
     bool isConfident;
 };
 
-std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::DepthFrame& truth) {
+std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::DepthFrame& truth,
+                            double confident) {
     std::vector<Texel> texels;
     for (int y = 0; y < estimated.height; ++y) {
         const double weight = std::cos((0.5 - (y + 0.5) / estimated.height) * std::numbers::pi);
@@ -29,7 +29,7 @@ std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::Dep
                                                    static_cast<size_t>(x / 2)];
             texels.push_back({static_cast<double>(truth.inverse_perM(tx, ty)),
                               static_cast<double>(estimated.inverse_perM(x, y)), weight,
-                              static_cast<float>(sure) >= kConfident});
+                              sure >= confident * media::kMaxDepthCode});
         }
     }
     return texels;
@@ -74,7 +74,7 @@ double coveredShare(const std::vector<Texel>& texels) {
 
 } // namespace
 
-Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s) {
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s, double confident) {
     auto made = media::DepthTrack::open(estimated);
     if (!made) return made.error();
     auto known = media::DepthTrack::open(truth);
@@ -86,7 +86,7 @@ Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double sta
         const double time_s = made->info().duration_s * i / made->info().frameCount;
         if (!made->read(i, ours) || !known->read(known->frameAt(start_s + time_s), theirs))
             return Error{estimated.string(), "cannot be compared: a frame of it or of the truth is damaged"};
-        frames.push_back(texelsOf(ours, theirs));
+        frames.push_back(texelsOf(ours, theirs, confident));
         result.frames.push_back({});
         result.frames.back().time_s = time_s;
     }

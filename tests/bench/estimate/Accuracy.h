@@ -8,7 +8,10 @@
 
 namespace shoal::bench {
 
-// Shares are of solid angle. Confident: all of it is believed, from 0.6 on (content/README.md).
+// From here on all is believed (content/README.md).
+constexpr double kConfident = 0.6;
+
+// Shares are of solid angle.
 struct FrameAccuracy {
     double time_s = 0;    // of the clip
     double right = 0;     // of what is confident: within 10 % of the truth, after one factor for the clip
@@ -23,6 +26,7 @@ struct Accuracy {
 };
 
 // The clip begins at start_s of what the truth is of.
-Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s);
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s,
+                            double confident = kConfident);
 
 } // namespace shoal::bench

@@ -3,6 +3,8 @@
 // START_S of what the truth is of, and prints a line for each frame of the track: name, method, time, shares
 // and factors as Accuracy.h has them, and the processor's seconds a frame of the track. METHOD: pairs,
 // sweep or eyes. bench_estimate methods NAME : prints those that suit the film.
+// bench_estimate curve TRACK TRUTH START_S : prints what is believed, and how much of it is right and covered
+// in the mean of all frames.
 #include "engine/core/WriteFile.h"
 #include "engine/depth/estimate/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
@@ -58,12 +60,26 @@ Status measure(const std::string& name, const std::string& method, const Path& f
     return Done{};
 }
 
+// How many texels would be right, and how many covered, if other confidences were believed.
+Status curve(const Path& track, const Path& truth, double start_s) {
+    for (const double confident : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+        const auto accuracy = accuracyOf(track, truth, start_s, confident);
+        if (!accuracy) return accuracy.error();
+        double right = 0, covered = 0;
+        for (const FrameAccuracy& frame : accuracy->frames) right += frame.right, covered += frame.covered;
+        const auto count = static_cast<double>(accuracy->frames.size());
+        std::printf("%.1f\t%.4f\t%.4f\n", confident, right / count, covered / count);
+    }
+    return Done{};
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     const std::string what = argc > 1 ? argv[1] : "";
     Status done = Error{"", "wrong arguments"};
     if (what == "make" && argc == 3) done = make(argv[2]);
+    if (what == "curve" && argc == 5) done = curve(argv[2], argv[3], std::atof(argv[4]));
     if (what == "methods" && argc == 3) {
         std::puts(isStereo(argv[2]) ? "eyes" : "pairs\nsweep");
         done = Done{};

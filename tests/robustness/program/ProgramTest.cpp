@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
 
 #include <algorithm>
 #include <array>
@@ -138,6 +140,44 @@ TEST_F(Program, WhatIsToBeWrittenMustHaveAPlace) {
     expectOneMessage(run("view m.glb --out " + file + ".png"), "/none");
     expectOneMessage(run("panorama p.jpg -o " + file + ".png"), "/none");
     EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+// A film of noise that stays as it is: a camera that stands still.
+void writeStillFilm(const Path& file) {
+    cv::Mat picture(128, 256, CV_8UC3);
+    cv::RNG(3).fill(picture, cv::RNG::UNIFORM, 0, 255);
+    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 24,
+                           picture.size());
+    for (int i = 0; i < 12; ++i) writer.write(picture);
+}
+
+TEST_F(Program, DepthOfAStillCameraCannotBeKnown) {
+    const Path film = folder_ / "still.avi", out = folder_ / "still.depth.mkv";
+    writeStillFilm(film);
+    expectOneMessage(run("depth " + film.string() + " -o " + out.string()), "cannot be known", 3);
+    EXPECT_FALSE(fs::exists(out));
+    EXPECT_FALSE(fs::exists(out.string() + ".part"));
+}
+
+// Before a frame is read: of the two things that are wrong here, the message names the output.
+TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
+    const std::string out = " -o " + folder_.string() + "/out.mkv";
+    expectOneMessage(run("depth rtsp://localhost/live" + out), "depth is made of files");
+    expectOneMessage(run("depth camera:0" + out), "depth is made of files");
+    expectOneMessage(run("depth " + folder_.string() + out), "depth is made of files");
+    expectOneMessage(run("depth " + (folder_ / "none.mp4").string() + out), "none.mp4");
+    const Path text = write("film.mp4", "no film, but text");
+    expectOneMessage(run("depth " + text.string() + out), "film.mp4");
+    const std::string nowhere = folder_.string() + "/none/out.mkv";
+    expectOneMessage(run("depth " + text.string() + " -o " + nowhere), "/none");
+    expectOneMessage(run("depth " + text.string() + " -o " + folder_.string()), "it is a folder");
+    expectOneMessage(run("depth " + text.string() + " -o " + text.string()), "film.mp4");
+    expectOneMessage(run("depth " + text.string() + out + " --preview " + folder_.string() + "/x.gif"),
+                     "x.gif");
+    EXPECT_FALSE(fs::exists(folder_ / "none"));
+    EXPECT_FALSE(fs::exists(folder_ / "out.mkv"));
+    EXPECT_FALSE(fs::exists(folder_ / "out.mkv.part"));
+    EXPECT_EQ(readText(text).value(), "no film, but text");
 }
 
 // Each choice changes the picture, and its older name means the same.

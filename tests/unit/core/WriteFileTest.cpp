@@ -173,6 +173,25 @@ TEST_F(WriteFile, AFolderAppearsWholeOrNotAtAll) {
     EXPECT_FALSE(writeFolderWhole(folder_ / "out/mine", later)) << "a file is no folder";
 }
 
+// What a killed program may have left behind the bytes that are known to be good goes.
+TEST_F(WriteFile, AGrowingFileGoesOnBehindWhatIsGood) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "a", "good, and half of a rec"));
+    auto file = GrowingFile::extend(folder_ / "a", 4);
+    ASSERT_TRUE(file) << file.error().message();
+    ASSERT_TRUE(file->write(" and more"));
+    EXPECT_EQ(text("a"), "good and more");
+    ASSERT_TRUE(file->write(", whole"));
+    ASSERT_TRUE(file->finish());
+    EXPECT_EQ(text("a"), "good and more, whole");
+}
+
+TEST_F(WriteFile, OnlyAFileThatIsThereCanBeExtended) {
+    const auto file = GrowingFile::extend(folder_ / "a", 0);
+    ASSERT_FALSE(file);
+    EXPECT_THAT(file.error().message(), HasSubstr("cannot be written"));
+    EXPECT_TRUE(names().empty());
+}
+
 // Killed 200 times at moments that the kill itself chooses: the file is one of those that were written.
 TEST_F(WriteFile, AKilledWriterLeavesAWholeFile) {
     const auto textOf = [](int i) {
