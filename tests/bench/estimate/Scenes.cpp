@@ -220,7 +220,7 @@ const std::array<NamedScene, 11> kScenes = {{{Hardship::Sideways, "sideways"},
                                              {Hardship::Featureless, "featureless"},
                                              {Hardship::Darkness, "darkness"},
                                              {Hardship::Exposure, "exposure"},
-                                             {Hardship::SeamPoles, "seam and poles"},
+                                             {Hardship::SeamPoles, "seam_poles"},
                                              {Hardship::Stereo, "stereo"}}};
 
 } // namespace

@@ -8,10 +8,11 @@ set border linecolor rgb "#606060"
 set tics scale 0.6
 set yrange [0:100]
 set key off
-films = "reef night kelp sideways forward caustics animal featureless darkness exposure 'seam and poles' stereo"
-set multiplot layout 4,3 title "Estimated depth: confident texels within 10 % of the truth (thick), and nearer than 10 m confident (thin), %, over seconds.\nOrange: pairs of frames by optical flow; blue: sweep over several frames; green: the two eyes. Rotation and a still camera: cannot be known" font ",12"
+films = "reef night kelp sideways forward caustics animal featureless darkness exposure seam_poles stereo"
+set multiplot layout 4,3 title "Thick: of confident texels within 10 % of the truth, %; thin: of what is nearer than 10 m confident, %; over seconds\nOrange: pairs of frames; blue: sweep over six frames; green: two eyes" font ",12"
 do for [film in films] {
-    set title film
+    set title film noenhanced
+    set xrange [0:(film eq "reef" || film eq "night" || film eq "kelp" ? 4 : 2)]
     plot rows(film, "pairs") using 3:(100 * $4) with lines linewidth 2.5 linecolor rgb 0xD55E00, \
         rows(film, "pairs") using 3:(100 * $6) with lines linewidth 1 linecolor rgb 0xD55E00, \
         rows(film, "sweep") using 3:(100 * $4) with lines linewidth 2.5 linecolor rgb 0x0072B2, \
