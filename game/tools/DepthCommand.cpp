@@ -42,9 +42,8 @@ int depth(const DepthOptions& options) {
     if (shown) std::fputs("\r", stderr);
     if (!made) return failed(made.error());
     if (*made == depth::FilmDepth::CannotBeKnown) {
-        log::error("{}: it has one eye, and no movement of its camera was found (it stands still, only "
-                   "turns, or too little of the picture agrees): how far away things are "
-                   "cannot be known",
+        log::error("{}: how far away things are cannot be known: its camera stands still or only turns, or "
+                   "too little of the picture agrees",
                    options.video);
         return kCannotBeKnown;
     }

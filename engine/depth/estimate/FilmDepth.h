@@ -30,7 +30,8 @@ struct FilmDepthOptions {
 enum class FilmDepth { Written, CannotBeKnown };
 
 // Results per frame are kept in OUT.part until the track is written; an interrupted run goes on from there.
-// CannotBeKnown: the film has one eye and its camera stands still, or only turns. Nothing is written then.
+// CannotBeKnown: the film has one eye and its camera stands still or only turns, or of all frames together
+// less than a fiftieth of the sphere is believed. Nothing is written then.
 Result<FilmDepth> makeFilmDepth(const Path& film, const Path& out, const FilmDepthOptions& options);
 
 } // namespace shoal::depth

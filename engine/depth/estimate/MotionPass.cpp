@@ -1,5 +1,7 @@
 #include "engine/depth/estimate/MotionPass.h"
 
+#include "engine/depth/estimate/Quantile.h"
+
 #include <algorithm>
 
 namespace shoal::depth {
@@ -8,12 +10,6 @@ namespace {
 
 constexpr int kMaxGap = 32;            // film frames between the two of a pair
 constexpr double kGoodParallax = 0.02; // radians; more makes flow fail at edges
-
-double upperMedian(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 } // namespace
 
@@ -33,7 +29,7 @@ bool MotionPass::chooseGap() {
             moving += isTranslation(pair.pose);
             parallaxes.push_back(pair.pose.parallax_rad);
         }
-        const double parallax = upperMedian(parallaxes);
+        const double parallax = median(parallaxes);
         if (moving * 3 >= kPlaces && moving * std::min(parallax, kGoodParallax) > bestScore)
             bestScore = moving * std::min(parallax, kGoodParallax), best = gap;
         if (best > 0 && parallax >= kGoodParallax) {

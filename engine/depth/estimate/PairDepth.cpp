@@ -1,18 +1,13 @@
 #include "engine/depth/estimate/PairDepth.h"
 
+#include "engine/depth/estimate/Quantile.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace shoal::depth {
 
 namespace {
-
-double median(std::vector<double>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 void triangulateAll(const RelativePose& pose, const std::vector<FlowPoint>& flow, DepthEstimate& out) {
     out.inverse.assign(kEstimateTexels, 0);

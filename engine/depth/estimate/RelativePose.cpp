@@ -1,5 +1,7 @@
 #include "engine/depth/estimate/RelativePose.h"
 
+#include "engine/depth/estimate/Quantile.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
@@ -18,13 +20,6 @@ glm::dmat3 rotation(const glm::dvec3& axisTimesAngle) {
     const double angle = glm::length(axisTimesAngle);
     if (angle < 1e-12) return glm::dmat3(1);
     return glm::mat3_cast(glm::angleAxis(angle, axisTimesAngle / angle));
-}
-
-double median(std::vector<double>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 double cauchyWeight(double error, double scale) { return 1 / (1 + (error / scale) * (error / scale)); }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace shoal::depth {
 
@@ -77,6 +78,20 @@ void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const
             out.confidence[static_cast<size_t>(y) * kEstimateWidth / 2 + static_cast<size_t>(x)] =
                 static_cast<uint16_t>(mean * media::kMaxDepthCode);
         }
+}
+
+double believedShare(const media::DepthFrame& frame) {
+    constexpr int kRows = kEstimateHeight / 2, kColumns = kEstimateWidth / 2;
+    constexpr int kBelieved = media::kMaxDepthCode * 6 / 10;
+    double believed = 0, all = 0;
+    for (int y = 0; y < kRows; ++y) {
+        const double weight = std::sin((y + 0.5) / kRows * std::numbers::pi);
+        const auto row = frame.confidence.begin() + static_cast<ptrdiff_t>(y) * kColumns;
+        all += weight * kColumns;
+        believed += weight * static_cast<double>(std::count_if(
+                                 row, row + kColumns, [](uint16_t sure) { return sure > kBelieved; }));
+    }
+    return believed / all;
 }
 
 } // namespace shoal::depth

@@ -22,4 +22,7 @@ void requireAgreement(DepthEstimate& depth, std::span<const OtherFrame> others);
 void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const DepthEstimate& after,
                     media::DepthFrame& out);
 
+// Of solid angle: what is of a confidence from which on all is believed (content/README.md).
+double believedShare(const media::DepthFrame& frame);
+
 } // namespace shoal::depth

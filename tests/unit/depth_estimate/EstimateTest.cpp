@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace shoal::depth {
 namespace {
 
@@ -117,6 +115,14 @@ TEST(TrackFilter, WhatOtherFramesContradictIsNotBelieved) {
     EXPECT_EQ(believedWrong, 0);
     // Texels at the corners of the room may see another wall from beside.
     EXPECT_GT(believedRight, static_cast<int>(0.97 * kEstimateTexels / 2));
+}
+
+// From the zenith 45 degrees down: (1 - cos 45 degrees) / 2 of the sphere.
+TEST(TrackFilter, WhatIsBelievedIsCountedBySolidAngle) {
+    media::DepthFrame frame;
+    frame.confidence.assign(kEstimateTexels / 4, media::kMaxDepthCode / 2);
+    std::fill_n(frame.confidence.begin(), kEstimateTexels / 16, media::kMaxDepthCode * 3 / 4);
+    EXPECT_NEAR(believedShare(frame), 0.1464, 0.001);
 }
 
 } // namespace shoal::depth

@@ -16,8 +16,10 @@ constexpr int kFrames = 12;
 
 class FilmDepths : public testing::Test {
   protected:
-    // 256 around; the camera moves by that much each frame.
-    void film(const glm::vec3& pace_m, int frames = kFrames) {
+    // 256 around; the camera moves by that much each frame. gain: of all light; noise: standard deviation in
+    // grey values, of each pixel.
+    void film(const glm::vec3& pace_m, int frames = kFrames, double gain = 1, double noise = 0) {
+        cv::RNG random(7);
         cv::VideoWriter writer(film_.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
                                24, {256, 128});
         ASSERT_TRUE(writer.isOpened());
@@ -26,6 +28,11 @@ class FilmDepths : public testing::Test {
             const cv::Mat large(picture.height, picture.width, CV_8UC3, picture.pixels.data());
             cv::Mat small;
             cv::resize(large, small, {256, 128}, 0, 0, cv::INTER_AREA);
+            cv::Mat sensor(128, 256, CV_32F), filmed;
+            random.fill(sensor, cv::RNG::NORMAL, 0, noise);
+            cv::cvtColor(sensor, sensor, cv::COLOR_GRAY2BGR);
+            small.convertTo(filmed, CV_32F, gain);
+            cv::Mat(filmed + sensor).convertTo(small, CV_8U);
             writer.write(small);
         }
     }
@@ -59,6 +66,21 @@ TEST_F(FilmDepths, AStillCameraIsNotKnownAndWritesNothing) {
     EXPECT_EQ(*made, FilmDepth::CannotBeKnown);
     EXPECT_FALSE(fs::exists(out_));
     EXPECT_FALSE(fs::exists(part_));
+}
+
+// Its texture has a deviation of a grey value or two, as the noise has: enough to find a movement, but hardly
+// any distance that several frames agree in.
+TEST_F(FilmDepths, AFilmDarkerThanItsNoiseIsNotKnownAndWritesNothing) {
+    film({0.04f, 0, 0}, kFrames, 0.05, 1.5);
+    int reports = 0;
+    FilmDepthOptions options;
+    options.preview = folder_ / "film.png";
+    options.progress = [&](double) { ++reports; };
+    const auto made = make(options);
+    ASSERT_TRUE(made) << made.error().message();
+    EXPECT_EQ(*made, FilmDepth::CannotBeKnown);
+    EXPECT_EQ(reports, 2 * kFrames / 2) << "a movement was found";
+    for (const Path& file : {out_, part_, options.preview}) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 // In either pass, and in the middle of a record.
