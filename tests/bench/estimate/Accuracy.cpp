@@ -10,6 +10,7 @@ namespace shoal::bench {
 
 namespace {
 
+constexpr double kConfident = 0.6;     // from here on all is believed (content/README.md)
 constexpr double kNear_perM = 0.1;     // 10 m
 constexpr double kBeyond_perM = 0.002; // half of the first code: where the truth has no distance
 
@@ -18,8 +19,7 @@ struct Texel {
     bool isConfident;
 };
 
-std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::DepthFrame& truth,
-                            double confident) {
+std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::DepthFrame& truth) {
     std::vector<Texel> texels;
     for (int y = 0; y < estimated.height; ++y) {
         const double weight = std::cos((0.5 - (y + 0.5) / estimated.height) * std::numbers::pi);
@@ -29,7 +29,7 @@ std::vector<Texel> texelsOf(const media::DepthFrame& estimated, const media::Dep
                                                    static_cast<size_t>(x / 2)];
             texels.push_back({static_cast<double>(truth.inverse_perM(tx, ty)),
                               static_cast<double>(estimated.inverse_perM(x, y)), weight,
-                              sure >= confident * media::kMaxDepthCode});
+                              sure >= kConfident * media::kMaxDepthCode});
         }
     }
     return texels;
@@ -74,7 +74,7 @@ double coveredShare(const std::vector<Texel>& texels) {
 
 } // namespace
 
-Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s, double confident) {
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth) {
     auto made = media::DepthTrack::open(estimated);
     if (!made) return made.error();
     auto known = media::DepthTrack::open(truth);
@@ -84,9 +84,9 @@ Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double sta
     media::DepthFrame ours, theirs;
     for (int i = 0; i < made->info().frameCount; ++i) {
         const double time_s = made->info().duration_s * i / made->info().frameCount;
-        if (!made->read(i, ours) || !known->read(known->frameAt(start_s + time_s), theirs))
+        if (!made->read(i, ours) || !known->read(known->frameAt(time_s), theirs))
             return Error{estimated.string(), "cannot be compared: a frame of it or of the truth is damaged"};
-        frames.push_back(texelsOf(ours, theirs, confident));
+        frames.push_back(texelsOf(ours, theirs));
         result.frames.push_back({});
         result.frames.back().time_s = time_s;
     }

@@ -8,16 +8,13 @@
 
 namespace shoal::bench {
 
-// From here on all is believed (content/README.md).
-constexpr double kConfident = 0.6;
-
 // Shares are of solid angle.
 struct FrameAccuracy {
-    double time_s = 0;    // of the clip
-    double right = 0;     // of what is confident: within 10 % of the truth, after one factor for the clip
+    double time_s = 0;    // of the film
+    double right = 0;     // of what is confident: within 10 % of the truth, after one factor for the film
     double rightOwn = 0;  // the same after a factor of the frame's own
     double covered = 0;   // of what is nearer than 10 m: confident
-    double ownFactor = 1; // median of estimated over true distances, over that of the clip
+    double ownFactor = 1; // median of estimated over true distances, over that of the film
 };
 
 struct Accuracy {
@@ -25,8 +22,7 @@ struct Accuracy {
     std::vector<FrameAccuracy> frames;
 };
 
-// The clip begins at start_s of what the truth is of.
-Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double start_s,
-                            double confident = kConfident);
+// The truth may be longer.
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth);
 
 } // namespace shoal::bench

@@ -1,16 +1,11 @@
 // bench_estimate make FOLDER : writes made films and their true depth there.
-// bench_estimate measure NAME METHOD FILM TRUTH START_S : estimates the depth of the film, which begins at
-// START_S of what the truth is of, and prints a line for each frame of the track: name, method, time, shares
-// and factors as Accuracy.h has them, and the processor's seconds a frame of the track. METHOD: pairs,
-// sweep or eyes. bench_estimate methods NAME : prints those that suit the film.
-// bench_estimate curve TRACK TRUTH START_S : prints what is believed, and how much of it is right and covered
-// in the mean of all frames.
-#include "engine/core/WriteFile.h"
+// bench_estimate measure NAME METHOD FILM TRUTH : estimates the depth of the film and prints a line for each
+// frame of the track: name, method, time, shares and factors as Accuracy.h has them, and the processor's
+// seconds a frame of the track. METHOD: pairs, sweep or eyes. bench_estimate methods NAME : prints those that
+// suit the film.
 #include "engine/depth/estimate/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
 #include "tests/bench/estimate/Scenes.h"
-
-#include <fmt/core.h>
 
 #include <cstdio>
 #include <ctime>
@@ -40,8 +35,7 @@ void print(const std::string& name, const std::string& method, const Accuracy& a
                     f.time_s, f.right, f.rightOwn, f.covered, f.ownFactor, accuracy.factor, each_s);
 }
 
-Status measure(const std::string& name, const std::string& method, const Path& film, const Path& truth,
-               double start_s) {
+Status measure(const std::string& name, const std::string& method, const Path& film, const Path& truth) {
     const Path track = film.string() + "." + method + ".depth.mkv";
     depth::FilmDepthOptions options;
     if (isStereo(name)) options.layout = media::Layout::TopBottom;
@@ -54,22 +48,9 @@ Status measure(const std::string& name, const std::string& method, const Path& f
         return Done{};
     }
     const double all_s = processor_s() - began_s;
-    const auto accuracy = accuracyOf(track, truth, start_s);
+    const auto accuracy = accuracyOf(track, truth);
     if (!accuracy) return accuracy.error();
     print(name, method, *accuracy, all_s / static_cast<double>(accuracy->frames.size()));
-    return Done{};
-}
-
-// How many texels would be right, and how many covered, if other confidences were believed.
-Status curve(const Path& track, const Path& truth, double start_s) {
-    for (const double confident : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
-        const auto accuracy = accuracyOf(track, truth, start_s, confident);
-        if (!accuracy) return accuracy.error();
-        double right = 0, covered = 0;
-        for (const FrameAccuracy& frame : accuracy->frames) right += frame.right, covered += frame.covered;
-        const auto count = static_cast<double>(accuracy->frames.size());
-        std::printf("%.1f\t%.4f\t%.4f\n", confident, right / count, covered / count);
-    }
     return Done{};
 }
 
@@ -79,13 +60,11 @@ int main(int argc, char** argv) {
     const std::string what = argc > 1 ? argv[1] : "";
     Status done = Error{"", "wrong arguments"};
     if (what == "make" && argc == 3) done = make(argv[2]);
-    if (what == "curve" && argc == 5) done = curve(argv[2], argv[3], std::atof(argv[4]));
     if (what == "methods" && argc == 3) {
         std::puts(isStereo(argv[2]) ? "eyes" : "pairs\nsweep");
         done = Done{};
     }
-    if (what == "measure" && argc == 7)
-        done = measure(argv[2], argv[3], argv[4], argv[5], std::atof(argv[6]));
+    if (what == "measure" && argc == 6) done = measure(argv[2], argv[3], argv[4], argv[5]);
     if (!done) std::fprintf(stderr, "bench_estimate: %s\n", done.error().message().c_str());
     return done ? 0 : 1;
 }

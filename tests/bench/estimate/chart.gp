@@ -8,7 +8,7 @@ set border linecolor rgb "#606060"
 set tics scale 0.6
 set yrange [0:100]
 set key off
-films = "reef night kelp sideways forward caustics animal featureless darkness exposure seam_poles stereo"
+films = "reef night kelp sideways forward caustics animal featureless exposure seam_poles stereo"
 set multiplot layout 4,3 title "Thick: of confident texels within 10 % of the truth, %; thin: of what is nearer than 10 m confident, %; over seconds\nOrange: pairs of frames; blue: sweep over six frames; green: two eyes" font ",12"
 do for [film in films] {
     set title film noenhanced
