@@ -18,6 +18,11 @@ constexpr float kCell = 0.04f;
 // a texel of a 2048 wide video); and the side in pixels of what a cell is then divided into.
 constexpr float kCrooked_rad = 1.5e-3f;
 constexpr int kSmallCell = 8;
+// Corners whose shifts differ by more than this (two texels) lie on both sides of an edge in the film.
+// Between them nothing is drawn out, and no line of the film is drawn twice, if pieces of the cell, pixels
+// wide, show what is seen in their middles.
+constexpr float kTorn_rad = 6e-3f;
+constexpr int kPiece = 2;
 constexpr float kPolarV = 0.3234f; // of the map's height, from its middle: a latitude whose sine is 0.85
 
 // Where cells meet: whole pixels, of larger pictures eight at a time, which are sampled together.
@@ -39,17 +44,24 @@ glm::vec2 rounded(const glm::vec2& uv) {
 
 } // namespace
 
-BackgroundCells::Corner BackgroundCells::Rays::at(const glm::vec2& pixel) const {
-    const glm::vec2 place = 2.0f * pixel / size - 1.0f;
-    const glm::vec3 direction = envFromRay * glm::vec3(place * half + shift, -1);
-    const float length = glm::length(direction);
-    if (!film.depth) return {direction, latLongFromDirection(direction / length)};
-    const glm::vec3 seen = depth::searchAlong(*film.depth, film.eyeInFilm, direction / length).dirEnv;
-    return {seen * length, latLongFromDirection(seen)};
+glm::vec3 BackgroundCells::Rays::direction(const glm::vec2& pixel) const {
+    return envFromRay * glm::vec3((2.0f * pixel / size - 1.0f) * half + shift, -1);
 }
 
-BackgroundCell BackgroundCells::cellOf(const std::array<Corner, 4>& corners, glm::ivec2 low,
-                                       glm::ivec2 high) {
+BackgroundCells::Corner BackgroundCells::Rays::at(const glm::vec2& pixel) const {
+    const glm::vec3 towards = direction(pixel);
+    const float length = glm::length(towards);
+    if (!film.depth) return {towards, latLongFromDirection(towards / length)};
+    const glm::vec3 seen = depth::searchAlong(*film.depth, film.eyeInFilm, towards / length).dirEnv;
+    return {seen * length, latLongFromDirection(seen), seen * length - towards};
+}
+
+BackgroundCells::Corner BackgroundCells::Rays::shiftedAt(const glm::vec2& pixel, const glm::vec3& by) const {
+    const glm::vec3 towards = direction(pixel) + by;
+    return {towards, latLongFromDirection(glm::normalize(towards)), by};
+}
+
+BackgroundCell BackgroundCells::cellOf(const Corners& corners, glm::ivec2 low, glm::ivec2 high) {
     BackgroundCell cell{low, high};
     std::array<glm::vec2, 4> uv;
     for (size_t i = 0; i < 4; ++i) {
@@ -84,8 +96,26 @@ void BackgroundCells::divide(const BackgroundCell& cell, const Rays& rays) {
         for (int x = 0; x < parts.x; ++x) {
             const size_t at = static_cast<size_t>(y * (parts.x + 1) + x),
                          above = at + static_cast<size_t>(parts.x) + 1;
-            cells_.push_back(cellOf({within_[at], within_[at + 1], within_[above], within_[above + 1]},
-                                    {edge(x, 0), edge(y, 1)}, {edge(x + 1, 0), edge(y + 1, 1)}));
+            const Corners corners{within_[at], within_[at + 1], within_[above], within_[above + 1]};
+            const glm::ivec2 low(edge(x, 0), edge(y, 1)), high(edge(x + 1, 0), edge(y + 1, 1));
+            const bool torn = std::ranges::any_of(corners, [&](const Corner& corner) {
+                return glm::distance(corner.shift, corners[0].shift) > kTorn_rad;
+            });
+            if (torn)
+                addPieces(low, high, rays);
+            else
+                cells_.push_back(cellOf(corners, low, high));
+        }
+}
+
+void BackgroundCells::addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& rays) {
+    for (int y = low.y; y < high.y; y += kPiece)
+        for (int x = low.x; x < high.x; x += kPiece) {
+            const glm::ivec2 end = glm::min(glm::ivec2(x, y) + kPiece, high);
+            const glm::vec3 shift = rays.at(0.5f * glm::vec2(x + end.x, y + end.y)).shift;
+            const auto corner = [&](int cx, int cy) { return rays.shiftedAt({cx, cy}, shift); };
+            cells_.push_back(cellOf({corner(x, y), corner(end.x, y), corner(x, end.y), corner(end.x, end.y)},
+                                    {x, y}, end));
         }
 }
 

@@ -55,17 +55,22 @@ class BackgroundCells {
     struct Corner {
         glm::vec3 directionEnv{0}; // as long as from the eye to the image plane
         glm::vec2 uv{0};
+        glm::vec3 shift{0}; // of the direction, by the film's distance
     };
-    struct Rays { // of the picture being made
+    using Corners = std::array<Corner, 4>; // lower left, lower right, upper left, upper right
+    struct Rays {                          // of the picture being made
         glm::vec2 half{1}, shift{0};
         glm::mat3 envFromRay{1};
         glm::vec2 size{1};
         FilmSpace film;
+        glm::vec3 direction(const glm::vec2& pixel) const;
         Corner at(const glm::vec2& pixel) const;
+        Corner shiftedAt(const glm::vec2& pixel, const glm::vec3& shift) const;
     };
-    static BackgroundCell cellOf(const std::array<Corner, 4>& corners, glm::ivec2 low, glm::ivec2 high);
+    static BackgroundCell cellOf(const Corners& corners, glm::ivec2 low, glm::ivec2 high);
     bool isStraight(const BackgroundCell& cell, const Rays& rays) const;
     void divide(const BackgroundCell& cell, const Rays& rays);
+    void addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& rays);
 
     std::vector<BackgroundCell> cells_;
     std::vector<size_t> rowBegins_;

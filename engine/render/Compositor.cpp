@@ -33,7 +33,9 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(setup, made.composition_);
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
-    made.smoothsOutlines_ = !setup.frameIsCoded && made.samples_ > 1 && made.drawsObjects();
+    // Objects in a frame's texels are filtered with them, but not those beside which an eye moves.
+    made.smoothsOutlines_ =
+        made.samples_ > 1 && made.drawsObjects() && (!setup.frameIsCoded || made.mayDrawIntoTexels());
     if (made.mayDrawIntoTexels() || made.composition_ == Composition::MatchedResolution ||
         made.smoothsOutlines_)
         for (LayerPass& layer : made.layers_)

@@ -64,4 +64,23 @@ TEST(BackgroundCells, ShowWhatAnEyeBesideTheCameraSees) {
     EXPECT_GT(compared, 200);
 }
 
+// A cell across the step would draw the film between its two sides out by 24 texels, and show it twice. A
+// pixel is at most 1.1 texels wide here, and a wall that is seen from aside a little more.
+TEST(BackgroundCells, DrawNothingOutOverAnEdge) {
+    const depth::DepthMap map = step();
+    for (const float aside_m : {-0.1f, 0.1f}) {
+        BackgroundCells cells;
+        cells.make(ahead(), glm::mat3(1), kSize, {&map, nullptr, {aside_m, 0, 0}});
+        for (const BackgroundCell& cell : cells.all()) {
+            if (cell.polar) continue;
+            const auto pixels = glm::vec2(cell.high - cell.low);
+            constexpr glm::vec2 kTexels(2048, 1024);
+            EXPECT_LT(glm::length(cell.right * kTexels), 1.3f * pixels.x + 3)
+                << cell.low.x << ", " << cell.low.y;
+            EXPECT_LT(glm::length(cell.up * kTexels), 1.3f * pixels.y + 3)
+                << cell.low.x << ", " << cell.low.y;
+        }
+    }
+}
+
 } // namespace shoal::render
