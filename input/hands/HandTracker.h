@@ -83,13 +83,13 @@ struct LeapOptions {
     std::string host = "127.0.0.1";
     uint16_t port = 6437;
     LeapMount mount = LeapMount::Desk;
+    int retry_ms = 500; // from one attempt to connect to the next, at least
 };
 
-// Its thread connects, and connects again whenever the service goes: at once if it was there a moment ago,
-// else every kLeapRetry_ms. A service that closes with code 1001 is asked for the protocol one version older;
-// one that was gone is asked for the newest again.
+// Its thread connects, and connects again whenever the service goes: at once if the connection has held for
+// retry_ms, else when so much time has passed since it was tried last. A service that closes with code 1001
+// is asked at once for the protocol one version older; one that was gone is asked for the newest again.
 constexpr int kNewestLeapVersion = 6;
-constexpr int kLeapRetry_ms = 500;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
 // A webcam, or a clip of one.

@@ -24,10 +24,10 @@ using tests::rig;
 
 using Tracker = std::unique_ptr<HandTracker>;
 
-Tracker connectTo(const Server& server, bool onHeadset = false) {
-    return makeLeapTracker(
-        {"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset ? LeapMount::Head : LeapMount::Desk},
-        rig());
+Tracker connectTo(const Server& server, bool onHeadset = false, int retry_ms = 500) {
+    return makeLeapTracker({"127.0.0.1", static_cast<uint16_t>(server.port()),
+                            onHeadset ? LeapMount::Head : LeapMount::Desk, retry_ms},
+                           rig());
 }
 
 // The next frame; fails the test where none comes.
@@ -188,9 +188,23 @@ TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
     EXPECT_NE(identities[0], identities[1]) << "hand 1 of another service need not be the same hand";
 }
 
+// A service that takes whoever comes, sends a frame and closes: within the time that is to be waited, here an
+// hour, it is asked once by each tracker, and nobody takes what is meant for the next.
+TEST(LeapHands, AServiceThatClosesAtOnceIsNotAskedAgainAtOnce) {
+    Server server;
+    std::vector<Tracker> all;
+    for (int i = 0; i < 5; ++i) {
+        all.push_back(connectTo(server, false, 3'600'000));
+        server.say(frameAt(i));
+        server.close(1000);
+        EXPECT_EQ(next(all.back()).time_us, i);
+    }
+    EXPECT_EQ(server.paths().size(), all.size());
+}
+
 TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
     Server server;
-    const Tracker hands = connectTo(server);
+    const Tracker hands = connectTo(server, false, 1);
     for (int round = 0; round < 1000; ++round) {
         server.say(frameAt(round));
         ASSERT_EQ(next(hands).time_us, round);
