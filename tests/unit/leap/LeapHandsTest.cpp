@@ -1,5 +1,6 @@
 // The client against a real WebSocket server on a loopback port. Nothing here sleeps: the tests wait for
 // frames and messages to come.
+#include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandTracker.h"
 #include "tests/TestRig.h"
 #include "tests/unit/leap_service/Recordings.h"
@@ -213,6 +214,42 @@ TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
         else
             server.drop();
         ASSERT_TRUE(server.waitForPaths(static_cast<size_t>(round) + 2));
+    }
+}
+
+// Services on slow machines give 5 frames a second, fast ones 200: a hand that moves is solid, and moves from
+// tick to tick as it does in between frames.
+TEST(LeapHands, AMovingHandIsSolidAndSteadyAtAnyRate) {
+    constexpr float kTick_s = 1.0f / 120, kSpeed_mps = 0.3f;
+    for (const int rate_Hz : {5, 7, 9, 15, 30, 37, 60, 110, 200}) {
+        Server server;
+        const Tracker tracker = connectTo(server);
+        const int64_t interval_us = 1'000'000 / rate_Hz;
+        for (int i = 0; i < 3 * rate_Hz; ++i) {
+            const float x = -0.4f + kSpeed_mps * static_cast<float>(i) / static_cast<float>(rate_Hz);
+            server.say(test::madeFrame(
+                6, i, i * interval_us,
+                {{Side::Right, 1, rig().pose(Side::Right, {}, {{x, 0.2f, 0.1f}, {1, 0, 0, 0}})}}));
+        }
+        DeviceHands device(DeviceTime::Stamps);
+        HandSourceSelector selector;
+        std::array<HandPose, 2> hands{};
+        float before = 0;
+        for (int frame = 0; frame < 150; ++frame) { // 2.5 s
+            device.advance(tracker->stream(), 1.0 / 60);
+            for (int left = 2; left > 0; --left) {
+                selector.tick(device, hands, left, kTick_s);
+                const float x = hands[1].joints[kPalmJoint].position.x;
+                const float shown_mps = (x - before) / kTick_s;
+                before = x;
+                if (frame < 48) continue; // it appears, and the filter takes up its speed
+                ASSERT_TRUE(hands[1].tracked && hands[1].solid) << rate_Hz << " Hz, frame " << frame;
+                // Samples of the display and the device do not fall together: a display's frame may bring one
+                // more of the device's than the mean, or one of the device's begin a display's frame late.
+                EXPECT_GT(shown_mps, 0.4f * kReach * kSpeed_mps) << rate_Hz << " Hz, frame " << frame;
+                EXPECT_LT(shown_mps, 2.1f * kReach * kSpeed_mps) << rate_Hz << " Hz, frame " << frame;
+            }
+        }
     }
 }
 
