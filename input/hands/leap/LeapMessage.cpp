@@ -187,8 +187,10 @@ HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
     HandFrame frame;
     frame.time_us = time_us;
     std::array<int64_t, 2> found{-1, -1};
-    for (const PartialHand& hand : seen.hands) {
-        const Side side = sideOf(hand, seen);
+    for (PartialHand hand : seen.hands) {
+        hand.side = sideOf(hand, seen);
+        if (!agreesWithJoints(hand)) continue;
+        const Side side = *hand.side;
         const size_t i = side == Side::Left ? 0 : 1;
         // Of two hands said to be the same, the one that was there before, then the surer one.
         const bool known = hand.identity == identity_[i];

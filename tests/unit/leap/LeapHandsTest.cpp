@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <limits>
@@ -214,6 +215,66 @@ TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
         else
             server.drop();
         ASSERT_TRUE(server.waitForPaths(static_cast<size_t>(round) + 2));
+    }
+}
+
+std::string changed(const std::string& message, bool otherLabel, bool otherNormal) {
+    auto frame = nlohmann::json::parse(message);
+    for (auto& hand : frame["hands"]) {
+        if (otherLabel) hand["type"] = hand["type"] == "left" ? "right" : "left";
+        if (otherNormal)
+            for (auto& v : hand["palmNormal"]) v = -v.get<double>();
+    }
+    return frame.dump();
+}
+
+// A service that takes the right hand for the left, or the palm for the back: the joints know better.
+TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    int64_t id = 0;
+    for (const Side side : {Side::Left, Side::Right})
+        for (const float curl : {0.0f, 0.3f, 0.6f, 0.9f})
+            for (const int wrong : {1, 2, 3}) {          // label, normal, both
+                if (wrong == 3 && curl < 0.3f) continue; // a flat hand looks like the other hand's back
+                HandShape shape;
+                shape.curl.fill(curl);
+                const glm::quat turn = glm::normalize(glm::quat(0.8f, 0.3f, -0.4f, 0.2f));
+                const test::MadeHand made{side, ++id, rig().pose(side, shape, {{0.05f, 0.2f, 0.1f}, turn})};
+                server.say(test::madeFrame(6, id, id * 500'000, {made}));
+                server.say(changed(test::madeFrame(6, id, id * 500'000, {made}), wrong & 1, wrong & 2));
+                const HandFrame right = next(hands), seen = next(hands);
+                const size_t i = side == Side::Left ? 0 : 1;
+                ASSERT_TRUE(right.hands[i].tracked && seen.hands[i].tracked) << curl << " " << wrong;
+                EXPECT_FALSE(right.hands[1 - i].tracked || seen.hands[1 - i].tracked);
+                for (size_t j = 0; j < kJointCount; ++j) {
+                    EXPECT_LT(
+                        glm::distance(right.hands[i].joints[j].position, seen.hands[i].joints[j].position),
+                        1e-5f);
+                    EXPECT_GT(std::fabs(glm::dot(right.hands[i].joints[j].orientation,
+                                                 seen.hands[i].joints[j].orientation)),
+                              0.9999f)
+                        << kJointNames[j] << " " << curl << " " << wrong;
+                }
+            }
+}
+
+// Fingers as straight as rulers do not tell which of the two is wrong: such a hand is not shown.
+TEST(LeapHands, WhereNothingTellsWhatIsWrongTheHandIsDropped) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    test::MadeHand made{Side::Right, 1, rig().pose(Side::Right, {}, {{0.05f, 0.2f, 0.1f}, {1, 0, 0, 0}})};
+    for (size_t f = 1; f < kFingerCount; ++f)
+        for (int j = kFingerJoints[f].proximal + 1; j <= kFingerJoints[f].tip; ++j) {
+            const auto at = static_cast<size_t>(j);
+            made.pose.joints[at].position = made.pose.joints[at - 1].position + glm::vec3(0, 0, -0.03f);
+        }
+    const std::string frame = test::madeFrame(6, 1, 1, {made});
+    for (const int wrong : {0, 1, 2}) {
+        server.say(changed(frame, wrong & 1, wrong & 2));
+        const HandFrame seen = next(hands);
+        EXPECT_EQ(seen.hands[1].tracked, wrong == 0);
+        EXPECT_FALSE(seen.hands[0].tracked);
     }
 }
 
