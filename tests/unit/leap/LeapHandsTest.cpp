@@ -15,6 +15,7 @@
 
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 namespace shoal::hands {
 namespace {
@@ -216,6 +217,76 @@ TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
             server.drop();
         ASSERT_TRUE(server.waitForPaths(static_cast<size_t>(round) + 2));
     }
+}
+
+// Two flat hands, fingers ahead and palms towards each other, whose palm joints are so far apart; device's
+// frame, the middle between them where a player's hands meet.
+std::vector<test::MadeHand> facingHands(float apart_m) {
+    std::vector<test::MadeHand> hands;
+    for (const Side side : {Side::Left, Side::Right}) {
+        const float outwards = side == Side::Left ? -1.0f : 1.0f;
+        // The back of the hand, +Y, is turned outwards.
+        const glm::quat roll = glm::angleAxis(-outwards * std::numbers::pi_v<float> / 2, glm::vec3(0, 0, 1));
+        test::MadeHand made{side, side == Side::Left ? 1 : 2, rig().pose(side, {}, {{}, roll})};
+        const glm::vec3 by =
+            glm::vec3(0.05f + outwards * apart_m / 2, 0.25f, 0.1f) - made.pose.joints[kPalmJoint].position;
+        for (Joint& joint : made.pose.joints) joint.position += by;
+        hands.push_back(made);
+    }
+    return hands;
+}
+
+// Where a tracker's hands touch they touch in the game: there all that lies between their joints is as the
+// device sees it. Far apart the distance is lengthened as the desk's reach says, and between it only grows.
+TEST(LeapHands, ClappingPalmsMeet) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    constexpr int kFrames = 140;
+    std::vector<float> palms_m;
+    for (int i = 0; i < kFrames; ++i) {
+        const float apart_m = 0.036f + 0.005f * static_cast<float>(i); // from skin on skin to 0.73 m
+        const auto made = facingHands(apart_m);
+        server.say(test::madeFrame(6, i, i * 10000, made));
+        const HandFrame frame = next(hands);
+        ASSERT_TRUE(frame.hands[0].tracked && frame.hands[1].tracked) << i;
+        const auto between = [](const HandPose& a, const HandPose& b, size_t joint) {
+            return b.joints[joint].position - a.joints[joint].position;
+        };
+        palms_m.push_back(glm::length(between(frame.hands[0], frame.hands[1], kPalmJoint)));
+        const glm::vec3 middle =
+            (frame.hands[0].joints[kPalmJoint].position + frame.hands[1].joints[kPalmJoint].position) / 2.0f;
+        EXPECT_LT(glm::distance(middle, kDeskMount.place({0.05f, 0.25f, 0.1f})), 1e-5f);
+        if (apart_m > 2 * 0.137f) continue; // fingertip to fingertip: 0.131 m from the palm, and its flesh
+        for (size_t j = 0; j < kJointCount; ++j)
+            EXPECT_LT(glm::distance(between(frame.hands[0], frame.hands[1], j),
+                                    between(made[0].pose, made[1].pose, j)),
+                      1e-5f)
+                << apart_m;
+    }
+    EXPECT_NEAR(palms_m.back(), kReach * (0.036f + 0.005f * (kFrames - 1)), 1e-4f);
+    for (size_t i = 1; i < palms_m.size(); ++i) EXPECT_GT(palms_m[i], palms_m[i - 1]) << i;
+}
+
+TEST(LeapHands, ASecondHandThatComesOrGoesLetsTheFirstNotLeap) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    const auto both = facingHands(0.1f);
+    glm::vec3 before(0), alone(0);
+    for (int i = 0; i < 150; ++i) {
+        const bool second = i >= 50 && i < 100;
+        server.say(test::madeFrame(6, i, i * 10000, second ? both : std::vector{both[1]}));
+        const glm::vec3 palm = next(hands).hands[1].joints[kPalmJoint].position;
+        if (i == 0) alone = palm;
+        // 0.3 of the 0.1 m between them, within kEase_s.
+        if (i > 0) {
+            EXPECT_LT(glm::distance(palm, before), 1.01f * 0.03f * 0.01f / HandPlacement::kEase_s) << i;
+        }
+        if (i == 99) {
+            EXPECT_NEAR(glm::distance(palm, alone), 0.03f, 1e-5f);
+        }
+        before = palm;
+    }
+    EXPECT_LT(glm::distance(before, alone), 1e-6f);
 }
 
 std::string changed(const std::string& message, bool otherLabel, bool otherNormal) {
