@@ -125,7 +125,14 @@ Instance Instance::open(bool withHeadset) {
     info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
     info.enabledExtensionCount = static_cast<uint32_t>(wanted.size());
     info.enabledExtensionNames = wanted.data();
-    SHOAL_XR(xrCreateInstance(&info, instance.handle.fresh()));
+    const XrResult created = xrCreateInstance(&info, instance.handle.fresh());
+    // What the runtime's library says whose service does not answer (Monado: RUNTIME_FAILURE).
+    if (created == XR_ERROR_RUNTIME_UNAVAILABLE || created == XR_ERROR_RUNTIME_FAILURE ||
+        created == XR_ERROR_INITIALIZATION_FAILED || created == XR_ERROR_INSTANCE_LOST)
+        throw Failure("a headset runtime is installed and does not answer; start its service "
+                      "(monado-service, SteamVR ...) (xrCreateInstance says " +
+                      std::string(nameOf(created)) + ")");
+    check(created, "xrCreateInstance");
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     SHOAL_XR(xrGetInstanceProperties(instance.handle.name(), &properties));
     instance.runtimeName = textOf(properties.runtimeName);

@@ -403,6 +403,15 @@ TEST_F(XrProgram, OpenXrHandsNeedAHeadset) {
     expectOneMessage(run(o), "--xr");
 }
 
+TEST_F(XrProgram, ARuntimeWhoseServiceDoesNotRunSaysToStartIt) {
+    for (const XrResult result : {XR_ERROR_RUNTIME_UNAVAILABLE, XR_ERROR_RUNTIME_FAILURE}) {
+        // The validation layer itself stumbles over an instance that could not be made.
+        unsetenv("XR_ENABLE_API_LAYERS");
+        fake.failing["xrCreateInstance"] = result;
+        expectOneMessage(run(options()), "start its service");
+    }
+}
+
 // What may happen in the middle of a dive.
 TEST_F(XrProgram, AHeadsetPulledOutEndsTheGameWithASentence) {
     fake.onWait = [](FakeRuntime& f) {
