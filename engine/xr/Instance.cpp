@@ -47,7 +47,6 @@ void findHeadset(Instance& instance) {
     SHOAL_XR(xrGetSystemProperties(instance.handle.name(), instance.system, &properties));
     instance.systemName = textOf(properties.systemName);
     instance.bareHands &= hands.supportsHandTracking == XR_TRUE;
-    instance.tracksPosition = properties.trackingProperties.positionTracking == XR_TRUE;
 
     const auto views =
         enumerate(XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
@@ -95,7 +94,7 @@ XrResult check(XrResult result, const char* call) {
     const std::string_view text(call);
     const std::string name(text.substr(0, text.find('(')));
     if (result == XR_ERROR_INSTANCE_LOST || result == XR_ERROR_SESSION_LOST)
-        throw Failure("the headset's runtime is gone (" + name + " says " + nameOf(result) + ")");
+        throw Failure("the headset's runtime is gone (" + name + " says " + nameOf(result) + ")", true);
     throw Failure(name + " says " + nameOf(result));
 }
 
