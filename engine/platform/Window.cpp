@@ -161,6 +161,8 @@ void Window::setIcon(const ImageRgba8& icon) {
 
 void Window::present() { glfwSwapBuffers(state_->window); }
 
+void Window::setVsync(bool on) { glfwSwapInterval(on ? 1 : 0); }
+
 void Window::toggleFullscreen() {
     GLFWwindow* window = state_->window;
     if (glfwGetWindowMonitor(window)) {

@@ -63,6 +63,7 @@ class Window {
     void present();
     void setTitle(const std::string& title);
     void setIcon(const ImageRgba8& icon);
+    void setVsync(bool on); // whether present() waits for the monitor
     void toggleFullscreen();
     void holdCursor(bool hold); // hides it and lets it move without bounds
     void close();

@@ -162,10 +162,17 @@ struct Headset::State {
 
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
+    bool lost = false;    // runtime or headset are gone
     bool centring = true;
+    bool positionTracked = false; // has ever been, not merely valid
+    bool everPlaced = false;      // a position was ever known
+    bool centredBlind = false;    // the dive was centred without one: again as soon as there is one
+    // Positions of the eyes in the head's frame, as last known; at first the mean of people.
+    std::array<glm::vec3, 2> headFromEye{glm::vec3(-0.0315f, 0, 0), glm::vec3(0.0315f, 0, 0)};
     Frame frame;
     Tracking tracking;
 
+    template <class Work> Status guard(Work&& work) { return statusOf(work, &lost); }
     void enter(XrSessionState next);
     void locateEyes();
     Swapchain& picture(Picture p) { return pictures[static_cast<size_t>(p)]; }
@@ -199,7 +206,7 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
 }
 
 Status Headset::poll() {
-    return statusOf([&] {
+    return state_->guard([&] {
         for (;;) {
             XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
             if (SHOAL_XR(xrPollEvent(state_->instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
@@ -208,7 +215,7 @@ Status Headset::poll() {
                 state_->enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
                 break;
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-                throw Failure("the headset's runtime is going away");
+                throw Failure("the headset's runtime is going away", true);
             case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: // the player has pressed "recentre"
                 state_->centring = true;
                 break;
@@ -229,13 +236,13 @@ void Headset::State::enter(XrSessionState next) {
         running = false;
         SHOAL_XR(xrEndSession(session.name()));
     } else if (state == XR_SESSION_STATE_LOSS_PENDING) {
-        throw Failure("the headset was lost; is its cable in place?");
+        throw Failure("the headset was lost; is its cable in place?", true);
     }
 }
 
 Result<Frame> Headset::waitFrame() {
     State& s = *state_;
-    Status waited = statusOf([&] {
+    Status waited = s.guard([&] {
         const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
         XrFrameState next{XR_TYPE_FRAME_STATE};
         SHOAL_XR(xrWaitFrame(s.session.name(), &wait, &next));
@@ -250,9 +257,14 @@ Result<Frame> Headset::waitFrame() {
     return s.frame;
 }
 
+// The pose is drawn from wherever the runtime holds it for valid: TRACKED says only that it is measured now,
+// and some headsets never claim that (Monado's simulated one). Where a position that was tracked before is
+// merely guessed, or none is given, the head stays at its place and turns.
 void Headset::State::locateEyes() {
     std::array<Eye, 2> eyes;
-    const auto locate = [&](const Space& space) { // whether the head is tracked
+    bool placed = false; // the eyes' positions are known
+    const auto middle = [&] { return between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f); };
+    const auto locate = [&](const Space& space) { // whether it is known which way the head looks
         const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, kStereo, frame.display_ns,
                                     space.name()};
         XrViewState viewState{XR_TYPE_VIEW_STATE};
@@ -261,25 +273,37 @@ void Headset::State::locateEyes() {
         SHOAL_XR(xrLocateViews(session.name(), &info, &viewState, static_cast<uint32_t>(views.size()), &count,
                                views.data()));
         const XrViewStateFlags flags = viewState.viewStateFlags;
-        bool tracked = count == 2 && (flags & XR_VIEW_STATE_POSITION_VALID_BIT) &&
-                       (flags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) &&
-                       (flags & XR_VIEW_STATE_ORIENTATION_TRACKED_BIT) &&
-                       // A headset that only turns has no position to lose.
-                       (!instance.tracksPosition || (flags & XR_VIEW_STATE_POSITION_TRACKED_BIT));
+        const bool measured = flags & XR_VIEW_STATE_POSITION_TRACKED_BIT;
+        placed = (flags & XR_VIEW_STATE_POSITION_VALID_BIT) && (measured || !positionTracked);
+        bool turns = count == 2 && (flags & XR_VIEW_STATE_ORIENTATION_VALID_BIT);
         for (size_t i = 0; i < 2; ++i) {
             const XrFovf& fov = views[i].fov;
             eyes[i] = {poseFrom(views[i].pose), {fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown}};
-            tracked = tracked && believable(eyes[i].worldFromEye) && believable(eyes[i].fov);
+            if (!placed) eyes[i].worldFromEye.position = glm::vec3(0);
+            turns = turns && believable(eyes[i].worldFromEye) && believable(eyes[i].fov);
         }
-        return tracked;
+        positionTracked |= turns && placed && measured;
+        return turns;
     };
-    const auto middle = [&] { return between(eyes[0].worldFromEye, eyes[1].worldFromEye, 0.5f); };
-    if (centring && locate(local)) {
+    // Where a position was known, the dive is centred at one that is known, not at the last.
+    if (centring && locate(local) && (placed || !everPlaced)) {
         world = makeSpace(session.name(), originAt(middle()));
         centring = false;
+        centredBlind = !placed;
     }
     tracking.headTracked = locate(world);
     if (!tracking.headTracked) return;
+    tracking.positionLost = !placed;
+    if (placed) {
+        everPlaced = true;
+        centring |= std::exchange(centredBlind, false);
+        const Pose headFromWorld = inverse(middle());
+        for (size_t i = 0; i < 2; ++i) headFromEye[i] = (headFromWorld * eyes[i].worldFromEye).position;
+    } else {
+        const glm::quat turn = middle().orientation;
+        for (size_t i = 0; i < 2; ++i)
+            eyes[i].worldFromEye.position = tracking.worldFromHead.position + turn * headFromEye[i];
+    }
     tracking.eyes = eyes;
     tracking.worldFromHead = middle();
 }
@@ -287,7 +311,7 @@ void Headset::State::locateEyes() {
 Status Headset::begin() {
     const XrFrameBeginInfo info{XR_TYPE_FRAME_BEGIN_INFO};
     // XR_FRAME_DISCARDED is a success.
-    return statusOf([&] { SHOAL_XR(xrBeginFrame(state_->session.name(), &info)); });
+    return state_->guard([&] { SHOAL_XR(xrBeginFrame(state_->session.name(), &info)); });
 }
 
 Status Headset::end(const Shown& shown) {
@@ -318,7 +342,7 @@ Status Headset::end(const Shown& shown) {
     if (shown.panel) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&panel);
     const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, s.frame.display_ns,
                               s.instance.blend,       count,   count ? layers.data() : nullptr};
-    return statusOf([&] { SHOAL_XR(xrEndFrame(s.session.name(), &info)); });
+    return s.guard([&] { SHOAL_XR(xrEndFrame(s.session.name(), &info)); });
 }
 
 Headset::Headset(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -326,16 +350,17 @@ Headset::Headset(Headset&&) noexcept = default;
 
 // As the runtime wants it: empty frames until it says that the session may end. Whatever fails ends it too.
 Headset::~Headset() {
-    if (!state_ || !state_->running) return;
+    if (!state_ || !state_->running || state_->lost) return;
     constexpr int kMaxFrames = 120;
     for (int hand = 0; hand < 2; ++hand) (void)vibrate(hand, 0, 0);
-    if (!statusOf([&] { SHOAL_XR(xrRequestExitSession(state_->session.name())); })) return;
+    if (!state_->guard([&] { SHOAL_XR(xrRequestExitSession(state_->session.name())); })) return;
     for (int i = 0; i < kMaxFrames && state_->running; ++i) {
         if (!poll()) return;
         if (state_->running && (!waitFrame() || !begin() || !end({}))) return;
     }
 }
 
+bool Headset::lost() const { return state_->lost; }
 bool Headset::wantsFrames() const { return state_->running; }
 bool Headset::plays() const { return state_->state == XR_SESSION_STATE_FOCUSED; }
 bool Headset::leaving() const { return state_->state == XR_SESSION_STATE_EXITING; }
@@ -344,16 +369,17 @@ const Tracking& Headset::tracking() const { return state_->tracking; }
 
 Result<GLuint> Headset::acquire(Picture picture) {
     GLuint framebuffer = 0;
-    Status acquired = statusOf([&] { framebuffer = state_->picture(picture).acquire(); });
+    Status acquired = state_->guard([&] { framebuffer = state_->picture(picture).acquire(); });
     return acquired ? Result<GLuint>(framebuffer) : acquired.error();
 }
 
 Status Headset::release(Picture picture) {
-    return statusOf([&] { state_->picture(picture).release(); });
+    return state_->guard([&] { state_->picture(picture).release(); });
 }
 
 Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {
-    return statusOf([&] { state_->actions.vibrate(state_->session.name(), hand, amplitude, frequency_Hz); });
+    return state_->guard(
+        [&] { state_->actions.vibrate(state_->session.name(), hand, amplitude, frequency_Hz); });
 }
 
 glm::ivec2 Headset::eyeSize() const { return state_->instance.eyeSize; }

@@ -47,6 +47,7 @@ class Headset {
     // Handles the runtime's events: begins or ends the session as they demand. Fails when the headset is
     // lost.
     Status poll();
+    bool lost() const;        // a call failed because runtime or headset went: another open() may find them
     bool wantsFrames() const; // else no waitFrame(), begin(), end(); empty frames are frames too
     bool plays() const;       // the headset is worn, and no menu of the runtime lies over the game
     bool leaving() const;     // the player told the runtime to end the game

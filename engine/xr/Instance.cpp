@@ -47,7 +47,6 @@ void findHeadset(Instance& instance) {
     SHOAL_XR(xrGetSystemProperties(instance.handle.name(), instance.system, &properties));
     instance.systemName = textOf(properties.systemName);
     instance.bareHands &= hands.supportsHandTracking == XR_TRUE;
-    instance.tracksPosition = properties.trackingProperties.positionTracking == XR_TRUE;
 
     const auto views =
         enumerate(XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
@@ -95,7 +94,7 @@ XrResult check(XrResult result, const char* call) {
     const std::string_view text(call);
     const std::string name(text.substr(0, text.find('(')));
     if (result == XR_ERROR_INSTANCE_LOST || result == XR_ERROR_SESSION_LOST)
-        throw Failure("the headset's runtime is gone (" + name + " says " + nameOf(result) + ")");
+        throw Failure("the headset's runtime is gone (" + name + " says " + nameOf(result) + ")", true);
     throw Failure(name + " says " + nameOf(result));
 }
 
@@ -125,7 +124,14 @@ Instance Instance::open(bool withHeadset) {
     info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
     info.enabledExtensionCount = static_cast<uint32_t>(wanted.size());
     info.enabledExtensionNames = wanted.data();
-    SHOAL_XR(xrCreateInstance(&info, instance.handle.fresh()));
+    const XrResult created = xrCreateInstance(&info, instance.handle.fresh());
+    // What the runtime's library says whose service does not answer (Monado: RUNTIME_FAILURE).
+    if (created == XR_ERROR_RUNTIME_UNAVAILABLE || created == XR_ERROR_RUNTIME_FAILURE ||
+        created == XR_ERROR_INITIALIZATION_FAILED || created == XR_ERROR_INSTANCE_LOST)
+        throw Failure("a headset runtime is installed and does not answer; start its service "
+                      "(monado-service, SteamVR ...) (xrCreateInstance says " +
+                      std::string(nameOf(created)) + ")");
+    check(created, "xrCreateInstance");
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     SHOAL_XR(xrGetInstanceProperties(instance.handle.name(), &properties));
     instance.runtimeName = textOf(properties.runtimeName);

@@ -29,17 +29,21 @@
 namespace shoal::xr {
 
 struct Failure : std::exception {
-    explicit Failure(std::string reason) : error{"OpenXR", std::move(reason)} {}
+    explicit Failure(std::string reason, bool runtimeLost = false)
+        : error{"OpenXR", std::move(reason)}, lost(runtimeLost) {}
     Error error;
+    bool lost; // runtime or headset are gone: everything made from them is of no use, a new one may come
 };
 
 XrResult check(XrResult result, const char* call);
 const char* nameOf(XrResult result);
 
-template <class Work> Status statusOf(Work&& work) {
+// lost: set to true where the failure is a loss.
+template <class Work> Status statusOf(Work&& work, bool* lost = nullptr) {
     try {
         work();
     } catch (const Failure& failure) {
+        if (lost && failure.lost) *lost = true;
         return failure.error;
     }
     return Done{};
@@ -95,9 +99,8 @@ struct Instance {
     Handle<XrInstance, xrDestroyInstance> handle;
     XrSystemId system = XR_NULL_SYSTEM_ID;
     std::string runtimeName, systemName;
-    bool bareHands = false;     // XR_EXT_hand_tracking, and the headset can
-    bool tracksPosition = true; // else the head only turns
-    glm::ivec2 eyeSize{0};      // as the runtime recommends, pixels
+    bool bareHands = false; // XR_EXT_hand_tracking, and the headset can
+    glm::ivec2 eyeSize{0};  // as the runtime recommends, pixels
     XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
 
     // withHeadset: false only finds out which runtime there is.

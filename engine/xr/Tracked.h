@@ -54,7 +54,8 @@ struct Controller {
 
 // Everything of one moment.
 struct Tracking {
-    bool headTracked = false;  // else what follows is the last that was known
+    bool headTracked = false;  // which way it looks is known; else what follows is the last that was known
+    bool positionLost = false; // the head turns where it was last known to be
     Pose worldFromHead;        // between the eyes
     std::array<Eye, 2> eyes{}; // left, right
     // Left, right; bare hands, joints in the world's frame, without grip and pinch. Tracked if all joints are

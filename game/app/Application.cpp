@@ -29,6 +29,10 @@ Status Application::run(bool measured) {
     Status played = Done{};
     while (!leaving_ && played) {
         played = frame(measured);
+        if (!played && display_->lost() && play_->states.byPerson()) {
+            leaveHeadset(played.error());
+            played = Done{};
+        }
         if (!played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
@@ -299,7 +303,8 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const ProgramStates& states = play_->states;
     const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
     if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
-    const game::Notice* notice = environment_->notice();
+    const game::Notice* notice = display_->notice();
+    if (!notice) notice = environment_->notice();
     if (!notice && session.tracked) notice = session.tracked->notice();
     const auto* mouse = std::get_if<MouseSource>(&session.source);
     std::vector<std::string> goals;

@@ -85,6 +85,8 @@ class Application {
     Status startDive(const std::string& name, Mode mode);
     Status openFilm(const std::string& file);
     Status startHeadset();
+    void leaveHeadset(const Error& why);
+    void takeHandsFrom(HandSourceKind kind);
     Status reopen(const PlayOptions& wanted, Mode mode, Screen asker);
     Status goBack(const PlayOptions& before, const Error& why, Screen asker);
     Status endFirstSteps();

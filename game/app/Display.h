@@ -37,6 +37,8 @@ class Display {
     virtual std::optional<double> elapsed_s() const { return std::nullopt; }
     virtual double period_s() const = 0;           // from one picture to the next; 0: not known yet
     virtual bool leaving() const { return false; } // the player has ended the game in the display's own menu
+    virtual bool lost() const { return false; } // a step failed because the device is gone; it may come back
+    virtual const game::Notice* notice() const { return nullptr; } // to be told to the player now
 
     // The head and hands that the display itself tracks, and whether it is worn.
     virtual void feed(GameSession&) {}

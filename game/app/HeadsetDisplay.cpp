@@ -92,6 +92,12 @@ void HeadsetDisplay::feed(GameSession& session) {
     if (auto* source = std::get_if<OpenXrSource>(&session.source)) source->frame(poses);
 }
 
+const game::Notice* HeadsetDisplay::notice() const {
+    static const game::Notice kPositionLost{"The headset does not see where you are: you can look around"};
+    const xr::Tracking& tracking = headset_.tracking();
+    return tracking.headTracked && tracking.positionLost ? &kPositionLost : nullptr;
+}
+
 MenuSurface HeadsetDisplay::menuSurface() const { return {kPanelPixels, 1, false}; }
 
 // Where the line from the head through the fingertip meets the panel. Of a hand that holds a controller it is

@@ -27,6 +27,8 @@ class HeadsetDisplay : public Display {
     std::optional<double> elapsed_s() const override { return elapsed_s_; }
     double period_s() const override { return frame_.period_s; }
     bool leaving() const override { return headset_.leaving(); }
+    bool lost() const override { return headset_.lost(); }
+    const game::Notice* notice() const override;
     void feed(GameSession& session) override;
     Status vibrate(const haptics::HapticFrame& frame, bool paused) override;
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;

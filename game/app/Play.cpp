@@ -105,6 +105,9 @@ Status Application::openContext() {
 
 Status Application::openDisplay() {
     const int samples = options_.look.samples > 0 ? options_.look.samples : software_ ? 1 : 4;
+    quality_.reset(); // another display, another rate
+    // A headset sets the pace; its onlookers' window does not.
+    if (window_) window_->setVsync(options_.vsync && !options_.timedemo && !options_.xr);
     if (!options_.xr) {
         display_ = std::make_unique<FlatDisplay>(window_ ? &*window_ : nullptr, options_, samples);
         return Done{};

@@ -66,10 +66,46 @@ Status Application::openFilm(const std::string& file) {
     return reopen(wanted, Mode::Title, Screen::Films);
 }
 
+// From the title screen, or in mid-dive where the headset was lost: that dive then goes on in it.
 Status Application::startHeadset() {
+    if (play_->states.mode() != Mode::Title) {
+        options_.xr = true;
+        if (Status opened = openDisplay(); !opened) {
+            options_.xr = false;
+            screens_.showError(opened.error().message());
+            return Done{};
+        }
+        takeHandsFrom(HandSourceKind::OpenXr);
+        return Done{};
+    }
     PlayOptions wanted = options_;
     wanted.xr = true;
     return reopen(wanted, Mode::Title, Screen::Title);
+}
+
+// The headset or its runtime has gone while somebody played: the dive pauses and is shown in the window,
+// where the mouse goes on with it.
+void Application::leaveHeadset(const Error& why) {
+    log::warn("{}", why.message());
+    options_.xr = false;
+    if (options_.hands.source == "openxr") options_.hands.source.clear();
+    (void)openDisplay(); // in the window; that does not fail
+    if (std::holds_alternative<OpenXrSource>(play_->session.source)) takeHandsFrom(HandSourceKind::Mouse);
+    play_->session.head.reset(); // a headset feeds it
+    play_->session.paused = true;
+    screens_.facts.headsetLost = true;
+    play_->states.update();
+    screens_.showError(why.message());
+}
+
+// Of this session and the next ones, while everything else of them stays.
+void Application::takeHandsFrom(HandSourceKind kind) {
+    GameSession& session = play_->session;
+    if (kind == HandSourceKind::OpenXr)
+        session.source.emplace<OpenXrSource>();
+    else
+        session.source.emplace<MouseSource>(config_.rig, config_.species);
+    config_.handSource = {kind, {}};
 }
 
 // The dive begins, and every later one begins at once.

@@ -114,6 +114,11 @@ void Screens::openWithError(Screen screen, std::string error) {
     refresh();
 }
 
+void Screens::showError(std::string error) {
+    error_ = std::move(error);
+    if (isOpen()) refresh();
+}
+
 void Screens::keep(std::string_view key) {
     for (size_t row = 0; row < table_.rows.size(); ++row)
         if (table_.rows[row].key() == key) changed(row);
@@ -445,6 +450,7 @@ MenuPage Screens::pausedPage() {
         button("Skip the first steps", [this] { ask(Request::Kind::SkipFirstSteps); });
     else
         button("Start again", [this] { ask(Request::Kind::Restart); });
+    if (facts.headsetLost && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
     if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
     button("Settings", [this] { push(Screen::Settings); });
     button("How to play", [this] { push(Screen::HowToPlay); });

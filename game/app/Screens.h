@@ -64,6 +64,7 @@ struct ScreenFacts {
     const game::DiveFile* dive = nullptr;
     std::vector<DiveName> dives;
     bool headset = false;         // there is one
+    bool headsetLost = false;     // in mid-dive, and what is played is in the window since
     bool ownFilm = true;          // the dive's own film is shown
     uint64_t seed = 0;            // of the last dive
     DiveScores scores;            // of this dive, before the last one
@@ -80,6 +81,7 @@ class Screens {
     void open(Screen screen); // and no other below it
     void close() { stack_.clear(); }
     void openWithError(Screen screen, std::string error);                         // above the title screen
+    void showError(std::string error);                                            // on the page that is open
     void dropped(const std::string& file) { ask(Request::Kind::OpenFilm, file); } // onto the window
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;

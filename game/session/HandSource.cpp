@@ -158,10 +158,10 @@ void TrackedHands::showElbows(game::Snapshot& shown) const {
 }
 
 std::array<hands::HandPose, 2> TrackedHands::seen() const {
-    constexpr float kRecent_s = 0.2f;
     std::array<hands::HandPose, 2> poses{};
     for (int side = 0; side < 2; ++side)
-        if (hands_.notSeen_s(side) < kRecent_s) poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
+        if (hands_.notSeen_s(side) <= hands::tuning::kBridge_s)
+            poses[static_cast<size_t>(side)] = hands_.hand(side).pose();
     return poses;
 }
 

@@ -1,5 +1,6 @@
 // Pause control for a dive in a headset, whose player may have bare hands only: pauses when the headset is
-// taken off or loses track of the head, and reads closed hands as answers. Has no clock of its own.
+// taken off or no longer knows which way the head looks, and reads closed hands as answers. Has no clock of
+// its own.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@ namespace shoal::app {
 
 struct HeadsetMoment {
     bool plays = false;                // the headset is worn and the runtime's own menus are away
-    bool headTracked = false;          // it is known where the head is
+    bool headTracked = false;          // it is known which way the head looks
     bool menu = false;                 // a controller's menu button is down
     bool results = false;              // the dive is over
     std::array<float, 2> grip{-1, -1}; // 0 open to 1 fist; negative: that hand is not seen

@@ -25,6 +25,40 @@ glm::quat rotationBetween(const glm::vec3& from, const glm::vec3& to) {
 
 } // namespace
 
+bool agreesWithJoints(PartialHand& hand) {
+    const auto &index = hand.joints[static_cast<size_t>(kFingerJoints[1].proximal)],
+               &little = hand.joints[static_cast<size_t>(kFingerJoints[4].proximal)];
+    if (!index || !little || !(glm::distance(*index, *little) > 1e-3f)) return true;
+    const glm::vec3 thumbwards = glm::normalize(*index - *little);
+    // The axis about which fingers bend leads to the thumb's side of a right hand, away from it of a left
+    // one. Sum of the sines of the outer two bends of four fingers: bends at the roots go either way.
+    float bend = 0;
+    for (int finger = 1; finger < kFingerCount; ++finger) {
+        const int proximal = kFingerJoints[finger].proximal;
+        std::array<glm::vec3, 3> bones{};
+        for (int i = 0; i < 3; ++i) {
+            const auto &from = hand.joints[proximal + i], &to = hand.joints[proximal + i + 1];
+            if (!from || !to) return true;
+            bones[i] = *to - *from;
+            bones[i] /= std::max(glm::length(bones[i]), 1e-4f);
+        }
+        bend += glm::dot(glm::cross(bones[0], bones[1]) + glm::cross(bones[1], bones[2]), thumbwards);
+    }
+    // Recorded flat hands have 0.12 and more: the service's model never straightens fingers quite.
+    constexpr float kTells = 0.1f;
+    // Against both, side and normal, it takes fingers clearly bent; 15 degrees a joint.
+    constexpr float kOverrules = 2;
+    const Side byBend = bend > 0 ? Side::Right : Side::Left;
+    const Side byNormal =
+        glm::dot(glm::cross(hand.direction, hand.normal), thumbwards) > 0 ? Side::Right : Side::Left;
+    const bool disagree = byNormal != *hand.side;
+    if (disagree && std::fabs(bend) < kTells) return false;
+    if (!disagree && std::fabs(bend) < kOverrules) return true;
+    hand.side = byBend;
+    if (byNormal != byBend) hand.normal = -hand.normal;
+    return true;
+}
+
 HandCompleter::HandCompleter(const HandRig& rig)
     : rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {}
 

@@ -26,6 +26,12 @@ struct PartialHand {
     int looseTipCount = 0;
 };
 
+// Checks the hand's side and normal against its finger joints, where those are known: a service that takes
+// one hand for the other, or the palm for the back, would bend the fingers backwards. Index to little finger
+// run across the palm the way that side and normal say, and fingers bend towards the palm. Corrects what is
+// wrong; false where something is wrong and fingers too straight to tell what. The hand has a side.
+bool agreesWithJoints(PartialHand& hand);
+
 class HandCompleter {
   public:
     explicit HandCompleter(const HandRig& rig);

@@ -101,6 +101,7 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
     float dt_s = static_cast<float>(time_us - raw_.time_us) * 1e-6f;
     const bool goesOn = continues(seen, identity, dt_s);
     if (!goesOn) dt_s = 0; // every filter begins anew
+    interval_s_ = dt_s;
     raw_ = seen;
     raw_.time_us = time_us;
     identity_ = identity;

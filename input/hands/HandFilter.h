@@ -31,7 +31,8 @@ constexpr OneEuroTuning kOrientation{4.0f, 3.0f, 4.0f}; // rad/s; of every joint
 constexpr float kBridge_s = 0.3f;     // a hand not seen for so long is still where it was
 constexpr float kFastest_mps = 25.0f; // a palm that seems faster than this is another hand
 constexpr float kJump_m = 0.10f;      // besides what kFastest_mps allows
-constexpr float kGap_s = 0.1f;        // frames farther apart than this are not filtered together
+constexpr float kGap_s =
+    kBridge_s; // frames farther apart are not filtered together; devices give 5 to 200 Hz
 
 constexpr float kMouseReturns_s = 1; // a device that sees no hand for so long leaves the game to the mouse
 
@@ -111,6 +112,9 @@ class HandFilter {
     Gesture gesture() const { return gesture_; }
     // Counts stretches of unbroken tracking: another number, another place.
     int stretch() const { return stretch_; }
+    // From the frame before to the last one in which it was seen, seconds, at most kGap_s; 0: the stretch
+    // begins with that one.
+    float interval_s() const { return interval_s_; }
 
   private:
     bool continues(const HandPose& seen, int64_t identity, float dt_s) const;
@@ -124,6 +128,7 @@ class HandFilter {
     Gesture gesture_ = Gesture::Open;
     int64_t identity_ = 0;
     int stretch_ = 0;
+    float interval_s_ = 0;
 };
 
 } // namespace shoal::hands

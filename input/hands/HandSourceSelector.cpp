@@ -105,8 +105,12 @@ void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>
         const int stretch = fromDevice_ ? device.hand(side).stretch() : kMouse;
         const HandPose& newest = fromDevice_ ? device.hand(side).pose() : pose;
         const bool goesOn = fromDevice_ && stretch == hand.targetStretch;
-        hand.target =
-            goesOn ? between(hand.target, newest, 1.0f / static_cast<float>(std::max(ticksLeft, 1))) : newest;
+        // What came last is reached when the display's frame ends, or the device's, if that is longer.
+        const float deviceLeft_s =
+            device.hand(side).interval_s() - device.notSeen_s(side) - hand.sinceFrame_s;
+        const float left = std::max(static_cast<float>(std::max(ticksLeft, 1)), deviceLeft_s / dt_s);
+        hand.sinceFrame_s = ticksLeft > 1 ? hand.sinceFrame_s + dt_s : 0;
+        hand.target = goesOn ? between(hand.target, newest, 1 / left) : newest;
         hand.targetStretch = stretch;
         pose = hand.continuity.step(hand.target, stretch, fromDevice_ ? device.notSeen_s(side) : 0, dt_s);
     }

@@ -71,7 +71,8 @@ class HandSourceSelector {
   public:
     // Once a tick, after the device has advanced for the frame: takes the mouse's hands and gives those
     // chosen. ticksLeft: of this frame, this one among them; what came since the last frame is spread over
-    // them, so that a hand moves evenly.
+    // them, or over as much time as lies between the frames of a device slower than the display, so that a
+    // hand moves evenly.
     void tick(const DeviceHands& device, std::array<HandPose, 2>& hands, int ticksLeft, float dt_s);
 
     bool fromDevice() const { return fromDevice_; } // else the mouse's
@@ -80,6 +81,7 @@ class HandSourceSelector {
     struct Hand {
         HandPose target; // on the way to the newest of the device
         int targetStretch = 0;
+        float sinceFrame_s = 0; // since the first tick of the display's frame
         PoseBlend continuity;
     };
     bool fromDevice_ = false;

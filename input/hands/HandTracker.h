@@ -10,6 +10,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace shoal::hands {
@@ -83,13 +84,13 @@ struct LeapOptions {
     std::string host = "127.0.0.1";
     uint16_t port = 6437;
     LeapMount mount = LeapMount::Desk;
+    int retry_ms = 500; // from one attempt to connect to the next, at least
 };
 
-// Its thread connects, and connects again whenever the service goes: at once if it was there a moment ago,
-// else every kLeapRetry_ms. A service that closes with code 1001 is asked for the protocol one version older;
-// one that was gone is asked for the newest again.
+// Its thread connects, and connects again whenever the service goes: at once if the connection has held for
+// retry_ms, else when so much time has passed since it was tried last. A service that closes with code 1001
+// is asked at once for the protocol one version older; one that was gone is asked for the newest again.
 constexpr int kNewestLeapVersion = 6;
-constexpr int kLeapRetry_ms = 500;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
 // A webcam, or a clip of one.
@@ -108,7 +109,7 @@ std::unique_ptr<HandTracker> makeWebcamTracker(const WebcamOptions& options, con
 //   desk    Leap on the desk: x to the right, y up, z towards the player: the viewer's own axes. The hands
 //           move in a box around 0.2 m above the device, but fish swim farther off than the desk is wide:
 //           the middle of that box is put before the eyes, and distances from it are scaled by kReach. The
-//           hands themselves keep their size.
+//           hands themselves keep their size; hands that come near each other do so less (HandPlacement).
 //   head    Leap on a headset, looking ahead: its y points where the viewer looks, its x to the viewer's
 //           left and its z down. 0.08 m before the eyes. Nothing is scaled: hands are where they are.
 //   camera  A webcam on the screen that looks back at the player: x to the right of its own picture (the
@@ -123,7 +124,8 @@ struct Mount {
         return centreViewer_m + viewerFromDevice * (pDevice - centreDevice_m) * reach;
     }
 
-    // In place: from the device's frame to the viewer's. The palm is moved, the hand keeps its size.
+    // In place: one hand, from the device's frame to the viewer's. The palm is moved, the hand keeps its
+    // size.
     void apply(HandPose& hand) const {
         const glm::vec3 palm = hand.joints[0].position, placed = place(palm);
         for (Joint& joint : hand.joints) {
@@ -132,6 +134,41 @@ struct Mount {
         }
     }
 };
+
+// Puts both hands of a device's frames into the viewer's frame. If a reach longer than the player's were
+// applied to each hand alone, hands that touch would stay apart: by 0.6 of the distance of their palms. So
+// the distance between the hands is lengthened less the nearer they are, and not at all where they could
+// touch; the middle between them goes where the mount puts it.
+class HandPlacement {
+  public:
+    explicit HandPlacement(const Mount& mount) : mount_(mount) {}
+
+    const Mount& mount() const { return mount_; }
+
+    // What is to be added to where the mount alone puts each hand; viewer's frame, metres. palmsDevice: of
+    // the hands that are seen. touching_m: palms nearer than this may belong to hands that touch. Where a
+    // second hand comes or goes, the first is moved within kEase_s, not at once.
+    std::array<glm::vec3, 2> shifts(const std::array<std::optional<glm::vec3>, 2>& palmsDevice,
+                                    float touching_m, int64_t time_us);
+
+    // In place, from the device's frame to the viewer's, those hands that are tracked.
+    void apply(std::array<HandPose, 2>& hands, int64_t time_us);
+
+    // From there on farther apart, by so much, distances are lengthened in full.
+    static constexpr float kFull_m = 0.4f;
+    static constexpr float kEase_s = 0.3f;
+
+  private:
+    Mount mount_;
+    std::array<glm::vec3, 2> shifts_{}; // whole, of the last time that both were seen
+    float share_ = 0;                   // of them that is applied, 0 to 1
+    bool seen_ = false;                 // any hand, in the last frame
+    int64_t time_us_ = 0;
+};
+
+// From the palm joint to the tip of the stretched middle finger, metres: hands whose palms are farther apart
+// than the sum of theirs do not touch.
+float spanOf(const HandPose& hand);
 
 constexpr float kReach = 1.6f;
 const inline Mount kDeskMount{{1, 0, 0, 0}, {0, 0.20f, 0}, {0, -0.12f, -0.75f}, kReach};

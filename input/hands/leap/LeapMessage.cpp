@@ -166,7 +166,7 @@ Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
     if (const auto shown = completer_.sideOfTips(hand)) return *shown;
     for (const PartialHand& other : seen.hands)
         if (other.identity != hand.identity) return hand.palm.x < other.palm.x ? Side::Left : Side::Right;
-    const float viewerX = (mount_.viewerFromDevice * hand.palm).x;
+    const float viewerX = (placement_.mount().viewerFromDevice * hand.palm).x;
     return viewerX < 0 ? Side::Left : Side::Right;
 }
 
@@ -187,8 +187,10 @@ HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
     HandFrame frame;
     frame.time_us = time_us;
     std::array<int64_t, 2> found{-1, -1};
-    for (const PartialHand& hand : seen.hands) {
-        const Side side = sideOf(hand, seen);
+    for (PartialHand hand : seen.hands) {
+        hand.side = sideOf(hand, seen);
+        if (!agreesWithJoints(hand)) continue;
+        const Side side = *hand.side;
         const size_t i = side == Side::Left ? 0 : 1;
         // Of two hands said to be the same, the one that was there before, then the surer one.
         const bool known = hand.identity == identity_[i];
@@ -197,13 +199,13 @@ HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
             continue;
         frame.hands[i] = completer_.complete(hand, side);
         frame.hands[i].time_us = time_us;
-        frame.towardsElbow[i] =
-            mount_.viewerFromDevice * towardsElbow(hand, frame.hands[i].joints[kWristJoint].position);
-        mount_.apply(frame.hands[i]);
+        frame.towardsElbow[i] = placement_.mount().viewerFromDevice *
+                                towardsElbow(hand, frame.hands[i].joints[kWristJoint].position);
         found[i] = hand.identity;
         frame.identity[i] = (connection_ << 40) + hand.identity;
     }
     identity_ = found;
+    placement_.apply(frame.hands, time_us);
     return frame;
 }
 

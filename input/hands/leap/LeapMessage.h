@@ -38,7 +38,7 @@ Result<LeapMessage> readLeapMessage(std::string_view text);
 // Assignment of the hands in a service's frame to left and right, completed and in the viewer's frame.
 class LeapTracks {
   public:
-    LeapTracks(const HandRig& rig, const Mount& mount) : completer_(rig), mount_(mount) {}
+    LeapTracks(const HandRig& rig, const Mount& mount) : completer_(rig), placement_(mount) {}
 
     // A service that starts anew counts its hands anew: another connection, another identity.
     void connected() { ++connection_; }
@@ -48,7 +48,7 @@ class LeapTracks {
     Side sideOf(const PartialHand& hand, const LeapFrame& seen) const;
 
     HandCompleter completer_;
-    Mount mount_;
+    HandPlacement placement_;
     int64_t connection_ = 0;
     std::array<int64_t, 2> identity_{-1, -1}; // as the service gave them, of the last frame
 };

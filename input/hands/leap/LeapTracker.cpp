@@ -4,6 +4,7 @@
 
 #include <libwebsockets.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -55,7 +56,7 @@ class LeapTracker final : public HandTracker {
     } retry_;
     int version_ = kNewestLeapVersion;
     bool greeted_ = false; // the service has sent a message on this connection
-    bool framed_ = false;  // ...and a frame of hands, or of none
+    int64_t tried_us_ = 0; // when it was connected to, or tried
     uint16_t closeCode_ = 0;
     std::vector<const char*> unsent_;
     std::string message_; // so far
@@ -84,7 +85,8 @@ void LeapTracker::connect() {
     info.retry_and_idle_policy = &kLiveness;
     info.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT; // a program on its port names no other
     info.pwsi = &socket_;
-    greeted_ = framed_ = tooLong_ = false;
+    greeted_ = tooLong_ = false;
+    tried_us_ = now_us();
     closeCode_ = 0;
     message_.clear();
     unsent_.clear();
@@ -126,10 +128,8 @@ void LeapTracker::handleMessage() {
         device_ = event->attached ? (event->type.empty() ? "device" : event->type) +
                                         (event->streaming ? " attached" : " attached but not streaming")
                                   : "no device attached";
-    if (const auto* frame = std::get_if<LeapFrame>(&*read)) {
-        framed_ = true;
+    if (const auto* frame = std::get_if<LeapFrame>(&*read))
         stream().push(tracks_.frame(*frame, frame->time_us.value_or(now_us())));
-    }
     const bool unplugged = device_ == "no device attached";
     setState(!unplugged, "protocol " + std::to_string(version_) + " at " + address() +
                              (device_.empty() ? "" : ", " + device_));
@@ -146,7 +146,8 @@ void LeapTracker::disconnected() {
         return;
     }
     version_ = kNewestLeapVersion;
-    connectIn(framed_ ? 1 : kLeapRetry_ms * 1000);
+    // At most one attempt in so much time: whoever accepts and closes at once keeps nobody busy.
+    connectIn(std::max<int64_t>(1, tried_us_ + int64_t{options_.retry_ms} * 1000 - now_us()));
 }
 
 int LeapTracker::callback(lws* wsi, lws_callback_reasons reason, void* in, size_t length) {

@@ -197,12 +197,19 @@ HandFrame HandDetector::detect(const cv::Mat& bgr, double time_s) {
     cv::morphologyEx(mask_, mask_, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
     cv::morphologyEx(mask_, mask_, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
     assign(findHands(mask_), time_s);
+    std::array<std::optional<glm::vec3>, 2> palms;
+    float touching_m = 0;
     for (size_t side = 0; side < 2; ++side) {
         if (!hands_[side]) continue;
         frame.hands[side] = poseOf(*hands_[side], side == 0 ? Side::Left : Side::Right);
         frame.hands[side].time_us = frame.time_us;
         frame.identity[side] = tracked_[side].identity;
+        palms[side] = hands_[side]->palm;
+        touching_m += spanOf(frame.hands[side]);
     }
+    const auto by = placement_.shifts(palms, touching_m, frame.time_us);
+    for (size_t side = 0; side < 2; ++side)
+        for (Joint& joint : frame.hands[side].joints) joint.position += by[side];
     return frame;
 }
 

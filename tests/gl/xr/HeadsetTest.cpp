@@ -105,14 +105,25 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
     EXPECT_LT(glm::length(headset.tracking().worldFromHead.position), 1e-5f);
 }
 
+// Valid is all that a runtime promises; Monado's simulated headset never says that it is tracked.
+TEST_F(HeadsetGL, PosesThatAreOnlyValidAreTaken) {
+    fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
+    Headset headset = open();
+    untilFocused(headset);
+    emptyFrame(headset);
+    for (XrView& view : fake.views) view.pose.position.y += 0.25f;
+    emptyFrame(headset);
+    EXPECT_TRUE(headset.tracking().headTracked);
+    EXPECT_FALSE(headset.tracking().positionLost);
+    EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.25f, 1e-5f);
+}
+
 TEST_F(HeadsetGL, KnowsWhenTheHeadIsLost) {
     Headset headset = open();
     untilFocused(headset);
     emptyFrame(headset);
     const glm::vec3 known = headset.tracking().worldFromHead.position;
-    for (const XrViewStateFlags flags :
-         {XrViewStateFlags(0), XrViewStateFlags(XR_VIEW_STATE_ORIENTATION_VALID_BIT),
-          XrViewStateFlags(0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT)}) {
+    for (const XrViewStateFlags flags : {XrViewStateFlags(0), XR_VIEW_STATE_POSITION_VALID_BIT}) {
         fake.viewFlags = flags;
         fake.views[0].pose.position.x = 7;
         emptyFrame(headset);
@@ -128,13 +139,52 @@ TEST_F(HeadsetGL, KnowsWhenTheHeadIsLost) {
     EXPECT_TRUE(headset.tracking().headTracked);
 }
 
-TEST_F(HeadsetGL, AHeadsetThatOnlyTurnsIsNeverLostForItsPosition) {
-    fake.tracksPosition = false;
-    fake.viewFlags = 0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT;
+// Without a position, or with a guess where it was measured before, the head turns where it was.
+TEST_F(HeadsetGL, AHeadWhosePositionIsLostTurnsWhereItWas) {
+    Headset headset = open();
+    untilFocused(headset);
+    for (XrView& view : fake.views) view.pose.position.y += 0.25f;
+    emptyFrame(headset);
+    const glm::vec3 known = headset.tracking().worldFromHead.position;
+    float yaw = 0;
+    for (const XrViewStateFlags flags :
+         {XrViewStateFlags(XR_VIEW_STATE_ORIENTATION_VALID_BIT),
+          XrViewStateFlags(0xf & ~XR_VIEW_STATE_POSITION_VALID_BIT & ~XR_VIEW_STATE_POSITION_TRACKED_BIT),
+          XrViewStateFlags(0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT)}) {
+        fake.viewFlags = flags;
+        yaw += 0.3f;
+        for (XrView& view : fake.views)
+            view.pose = {{0, std::sin(yaw / 2), 0, std::cos(yaw / 2)},
+                         {std::numeric_limits<float>::quiet_NaN(), 3, 3}};
+        emptyFrame(headset);
+        const Tracking& now = headset.tracking();
+        EXPECT_TRUE(now.headTracked) << flags;
+        EXPECT_TRUE(now.positionLost) << flags;
+        EXPECT_LT(glm::distance(now.worldFromHead.position, known), 1e-6f) << flags;
+        const glm::vec3 ahead = now.worldFromHead.orientation * glm::vec3(0, 0, -1);
+        EXPECT_LT(glm::distance(ahead, glm::vec3(-std::sin(yaw), 0, -std::cos(yaw))), 1e-5f) << flags;
+        const glm::vec3 apart = now.eyes[1].worldFromEye.position - now.eyes[0].worldFromEye.position;
+        EXPECT_LT(glm::distance(apart, 0.064f * glm::vec3(std::cos(yaw), 0, -std::sin(yaw))), 1e-5f) << flags;
+    }
+    fake.viewFlags = 0xf;
+    for (size_t eye = 0; eye < 2; ++eye)
+        fake.views[eye].pose = {{0, 0, 0, 1}, {eye == 0 ? -0.032f : 0.032f, 0.5f, 0}};
+    emptyFrame(headset);
+    EXPECT_FALSE(headset.tracking().positionLost);
+    EXPECT_NEAR(headset.tracking().worldFromHead.position.y, 0.5f, 1e-5f);
+}
+
+// Of a headset that only turns; the eyes are as far apart as those of people.
+TEST_F(HeadsetGL, AHeadThatOnlyTurnsIsDrawnFrom) {
+    fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
     Headset headset = open();
     untilFocused(headset);
     emptyFrame(headset);
-    EXPECT_TRUE(headset.tracking().headTracked);
+    const Tracking& now = headset.tracking();
+    EXPECT_TRUE(now.headTracked);
+    EXPECT_EQ(now.worldFromHead.position, glm::vec3(0));
+    EXPECT_NEAR(glm::distance(now.eyes[0].worldFromEye.position, now.eyes[1].worldFromEye.position), 0.063f,
+                1e-5f);
 }
 
 // Every pixel as it was written, in the poses and angles that were given.

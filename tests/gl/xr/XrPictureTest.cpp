@@ -45,7 +45,6 @@ class XrPicture : public test::WithFakeRuntime {
         // The eyes, canted, askew and apart, in LOCAL; the dive is centred there, so that only this is known:
         // what each eye's pose is to the other's.
         fake.keepPictures = true;
-        fake.tracksPosition = true;
     }
     void TearDown() override {
         run_.reset();

@@ -10,6 +10,7 @@
 #include "tests/gl/xr/Fixture.h"
 #include "tests/playthrough/Play.h"
 
+#include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -83,6 +84,15 @@ class XrProgram : public test::WithFakeRuntime {
         EXPECT_EQ(outcome.status, 1);
         EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
         EXPECT_NE(outcome.said.find(about), std::string::npos) << outcome.said;
+    }
+
+    // Mean of the left eye's picture, display values up to 191; 0 where there is none.
+    static double brightness(const FakeRuntime& f) {
+        if (!f.last.eyes) return 0;
+        double sum = 0;
+        const auto& rgba = (*f.last.eyes)[0].picture.rgba;
+        for (size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
+        return sum / static_cast<double>(rgba.size());
     }
 
     void closeHand(size_t side, float closed) {
@@ -355,13 +365,6 @@ TEST_F(XrProgram, ThePagesStandOnThePanelAndAPokeChooses) {
 
 TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {
     fake.keepPictures = true;
-    const auto brightness = [](const FakeRuntime& f) {
-        if (!f.last.eyes) return 0.0;
-        double sum = 0;
-        const auto& rgba = (*f.last.eyes)[0].picture.rgba;
-        for (size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
-        return sum / static_cast<double>(rgba.size());
-    };
     double before = 0, half = 0, lost = -1, after = 0;
     fake.onWait = [&](FakeRuntime& f) {
         if (f.framesWaited == 120) before = brightness(f), f.viewFlags = 0;
@@ -403,24 +406,119 @@ TEST_F(XrProgram, OpenXrHandsNeedAHeadset) {
     expectOneMessage(run(o), "--xr");
 }
 
-// What may happen in the middle of a dive.
-TEST_F(XrProgram, AHeadsetPulledOutEndsTheGameWithASentence) {
+TEST_F(XrProgram, ARuntimeWhoseServiceDoesNotRunSaysToStartIt) {
+    for (const XrResult result : {XR_ERROR_RUNTIME_UNAVAILABLE, XR_ERROR_RUNTIME_FAILURE}) {
+        // The validation layer itself stumbles over an instance that could not be made.
+        unsetenv("XR_ENABLE_API_LAYERS");
+        fake.failing["xrCreateInstance"] = result;
+        expectOneMessage(run(options()), "start its service");
+    }
+}
+
+// As Monado's simulated headset: poses are valid and never said to be tracked.
+TEST_F(XrProgram, PosesThatAreOnlyValidArePlayedAndSeen) {
+    fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
+    fake.keepPictures = true;
+    double seen = 0;
+    fake.onWait = [&](FakeRuntime& f) {
+        if (f.framesWaited == 120) seen = brightness(f);
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    EXPECT_EQ(run(o, 130).status, 0);
+    EXPECT_GT(seen, 40);
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(pauses(*recording).size(), 2u) << "once worn, it plays";
+}
+
+// The dive goes on, nothing fades, and the panel says so.
+TEST_F(XrProgram, ALostPositionIsSaidAndTheDiveGoesOn) {
+    const auto written = [](const FakeRuntime& f) {
+        size_t solid = 0;
+        if (f.last.panel)
+            for (size_t i = 3; i < f.last.panel->picture.rgba.size(); i += 4)
+                solid += f.last.panel->picture.rgba[i] > 200;
+        return solid;
+    };
+    size_t before = 0, lost = 0, after = 0;
+    double light = 0, lightLost = 0;
+    fake.onWait = [&](FakeRuntime& f) {
+        f.keepPictures = f.framesWaited >= 890; // the goals have gone from the panel
+        if (f.framesWaited == 900)
+            before = written(f), light = brightness(f),
+            f.viewFlags = 0xf & ~XR_VIEW_STATE_POSITION_TRACKED_BIT;
+        if (f.framesWaited == 930) lost = written(f), lightLost = brightness(f), f.viewFlags = 0xf;
+        if (f.framesWaited == 940) after = written(f);
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    EXPECT_EQ(run(o, 960).status, 0);
+    std::printf("opaque pixels of the panel: %zu, %zu, %zu\n", before, lost, after);
+    EXPECT_GT(lost, before + 400) << "a line of text";
+    EXPECT_LT(after, before + 400);
+    EXPECT_NEAR(lightLost, light, 0.2 * light);
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(pauses(*recording).size(), 2u);
+}
+
+// What may happen in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
+// pauses, is shown in the window, and all of it is in its recording.
+class LostRuntime : public XrProgram {
+  protected:
+    void loseIt(const std::function<void(FakeRuntime&)>& how, const std::string& about) {
+        fake.onWait = [how](FakeRuntime& f) {
+            if (f.framesWaited == 90) how(f);
+        };
+        // Whoever sits before the window closes it after a look.
+        fake.onGone = [](FakeRuntime&) { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); };
+        PlayOptions o = options();
+        o.record = folder_ / "a.replay";
+        testing::internal::CaptureStderr();
+        log::setUp(false);
+        {
+            Application application(o);
+            const Status opened = application.open();
+            ASSERT_TRUE(opened) << opened.error().message();
+            const Status played = application.run(true);
+            EXPECT_TRUE(played) << played.error().message();
+            EXPECT_EQ(application.screens().top(), Screen::Paused);
+            const MenuPage& page = application.screens().menu().page();
+            EXPECT_NE(page.error.find(about), std::string::npos) << page.error;
+            EXPECT_NE(std::ranges::find(page.items, "Headset", &MenuItem::label), page.items.end())
+                << "to go on in it when it is back";
+            EXPECT_TRUE(application.hasPicture());
+        }
+        const std::string said = testing::internal::GetCapturedStderr();
+        EXPECT_NE(said.find(about), std::string::npos) << said;
+        const auto recording = tests::readRecorded(o.record);
+        ASSERT_TRUE(recording) << recording.error().message();
+        EXPECT_GE(recording->ticks(), 89u * 120 / 90);
+        auto files = game::loadDiveFiles("reef");
+        ASSERT_TRUE(files);
+        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
+        const Status same = game::replay(*recording, *files);
+        EXPECT_TRUE(same) << same.error().message();
+    }
+};
+TEST_F(LostRuntime, AHeadsetPulledOut) {
+    loseIt([](FakeRuntime& f) { f.say(XR_SESSION_STATE_LOSS_PENDING); }, "headset was lost");
+}
+TEST_F(LostRuntime, ARuntimeThatGoes) {
+    loseIt([](FakeRuntime& f) { f.sayInstanceLoss(); }, "going away");
+}
+TEST_F(LostRuntime, ARuntimeThatHasCrashed) {
+    loseIt([](FakeRuntime& f) { f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST; },
+           "xrEndFrame says XR_ERROR_INSTANCE_LOST");
+}
+TEST_F(XrProgram, AScriptEndsWithASentenceWhereTheHeadsetIsPulledOut) {
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 60) f.say(XR_SESSION_STATE_LOSS_PENDING);
     };
-    expectOneMessage(run(options()), "headset was lost");
-}
-TEST_F(XrProgram, ARuntimeThatGoesEndsTheGameWithASentence) {
-    fake.onWait = [](FakeRuntime& f) {
-        if (f.framesWaited == 60) f.sayInstanceLoss();
-    };
-    expectOneMessage(run(options()), "going away");
-}
-TEST_F(XrProgram, ARuntimeThatHasCrashedEndsTheGameWithASentence) {
-    fake.onWait = [](FakeRuntime& f) {
-        if (f.framesWaited == 60) f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST;
-    };
-    expectOneMessage(run(options()), "xrEndFrame says XR_ERROR_INSTANCE_LOST");
+    PlayOptions o = options();
+    o.hands.source = kFirstCatch;
+    expectOneMessage(run(o), "headset was lost");
 }
 TEST_F(XrProgram, FramesThatTheRuntimeDiscardsDoNotMatter) {
     fake.shouldRender = false; // runs, and nobody looks

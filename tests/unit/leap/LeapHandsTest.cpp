@@ -1,5 +1,6 @@
 // The client against a real WebSocket server on a loopback port. Nothing here sleeps: the tests wait for
 // frames and messages to come.
+#include "input/hands/HandSourceSelector.h"
 #include "input/hands/HandTracker.h"
 #include "tests/TestRig.h"
 #include "tests/unit/leap_service/Recordings.h"
@@ -10,9 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 namespace shoal::hands {
 namespace {
@@ -24,10 +27,10 @@ using tests::rig;
 
 using Tracker = std::unique_ptr<HandTracker>;
 
-Tracker connectTo(const Server& server, bool onHeadset = false) {
-    return makeLeapTracker(
-        {"127.0.0.1", static_cast<uint16_t>(server.port()), onHeadset ? LeapMount::Head : LeapMount::Desk},
-        rig());
+Tracker connectTo(const Server& server, bool onHeadset = false, int retry_ms = 500) {
+    return makeLeapTracker({"127.0.0.1", static_cast<uint16_t>(server.port()),
+                            onHeadset ? LeapMount::Head : LeapMount::Desk, retry_ms},
+                           rig());
 }
 
 // The next frame; fails the test where none comes.
@@ -188,9 +191,23 @@ TEST(LeapHands, ComesBackWhenTheServiceRestartsAndLosesNoFrame) {
     EXPECT_NE(identities[0], identities[1]) << "hand 1 of another service need not be the same hand";
 }
 
+// A service that takes whoever comes, sends a frame and closes: within the time that is to be waited, here an
+// hour, it is asked once by each tracker, and nobody takes what is meant for the next.
+TEST(LeapHands, AServiceThatClosesAtOnceIsNotAskedAgainAtOnce) {
+    Server server;
+    std::vector<Tracker> all;
+    for (int i = 0; i < 5; ++i) {
+        all.push_back(connectTo(server, false, 3'600'000));
+        server.say(frameAt(i));
+        server.close(1000);
+        EXPECT_EQ(next(all.back()).time_us, i);
+    }
+    EXPECT_EQ(server.paths().size(), all.size());
+}
+
 TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
     Server server;
-    const Tracker hands = connectTo(server);
+    const Tracker hands = connectTo(server, false, 1);
     for (int round = 0; round < 1000; ++round) {
         server.say(frameAt(round));
         ASSERT_EQ(next(hands).time_us, round);
@@ -199,6 +216,172 @@ TEST(LeapHands, CutConnectionsAndOrderlyEndsAreFollowedByNewOnes) {
         else
             server.drop();
         ASSERT_TRUE(server.waitForPaths(static_cast<size_t>(round) + 2));
+    }
+}
+
+// Two flat hands, fingers ahead and palms towards each other, whose palm joints are so far apart; device's
+// frame, the middle between them where a player's hands meet.
+std::vector<test::MadeHand> facingHands(float apart_m) {
+    std::vector<test::MadeHand> hands;
+    for (const Side side : {Side::Left, Side::Right}) {
+        const float outwards = side == Side::Left ? -1.0f : 1.0f;
+        // The back of the hand, +Y, is turned outwards.
+        const glm::quat roll = glm::angleAxis(-outwards * std::numbers::pi_v<float> / 2, glm::vec3(0, 0, 1));
+        test::MadeHand made{side, side == Side::Left ? 1 : 2, rig().pose(side, {}, {{}, roll})};
+        const glm::vec3 by =
+            glm::vec3(0.05f + outwards * apart_m / 2, 0.25f, 0.1f) - made.pose.joints[kPalmJoint].position;
+        for (Joint& joint : made.pose.joints) joint.position += by;
+        hands.push_back(made);
+    }
+    return hands;
+}
+
+// Where a tracker's hands touch they touch in the game: there all that lies between their joints is as the
+// device sees it. Far apart the distance is lengthened as the desk's reach says, and between it only grows.
+TEST(LeapHands, ClappingPalmsMeet) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    constexpr int kFrames = 140;
+    std::vector<float> palms_m;
+    for (int i = 0; i < kFrames; ++i) {
+        const float apart_m = 0.036f + 0.005f * static_cast<float>(i); // from skin on skin to 0.73 m
+        const auto made = facingHands(apart_m);
+        server.say(test::madeFrame(6, i, i * 10000, made));
+        const HandFrame frame = next(hands);
+        ASSERT_TRUE(frame.hands[0].tracked && frame.hands[1].tracked) << i;
+        const auto between = [](const HandPose& a, const HandPose& b, size_t joint) {
+            return b.joints[joint].position - a.joints[joint].position;
+        };
+        palms_m.push_back(glm::length(between(frame.hands[0], frame.hands[1], kPalmJoint)));
+        const glm::vec3 middle =
+            (frame.hands[0].joints[kPalmJoint].position + frame.hands[1].joints[kPalmJoint].position) / 2.0f;
+        EXPECT_LT(glm::distance(middle, kDeskMount.place({0.05f, 0.25f, 0.1f})), 1e-5f);
+        if (apart_m > 2 * 0.137f) continue; // fingertip to fingertip: 0.131 m from the palm, and its flesh
+        for (size_t j = 0; j < kJointCount; ++j)
+            EXPECT_LT(glm::distance(between(frame.hands[0], frame.hands[1], j),
+                                    between(made[0].pose, made[1].pose, j)),
+                      1e-5f)
+                << apart_m;
+    }
+    EXPECT_NEAR(palms_m.back(), kReach * (0.036f + 0.005f * (kFrames - 1)), 1e-4f);
+    for (size_t i = 1; i < palms_m.size(); ++i) EXPECT_GT(palms_m[i], palms_m[i - 1]) << i;
+}
+
+TEST(LeapHands, ASecondHandThatComesOrGoesLetsTheFirstNotLeap) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    const auto both = facingHands(0.1f);
+    glm::vec3 before(0), alone(0);
+    for (int i = 0; i < 150; ++i) {
+        const bool second = i >= 50 && i < 100;
+        server.say(test::madeFrame(6, i, i * 10000, second ? both : std::vector{both[1]}));
+        const glm::vec3 palm = next(hands).hands[1].joints[kPalmJoint].position;
+        if (i == 0) alone = palm;
+        // 0.3 of the 0.1 m between them, within kEase_s.
+        if (i > 0) {
+            EXPECT_LT(glm::distance(palm, before), 1.01f * 0.03f * 0.01f / HandPlacement::kEase_s) << i;
+        }
+        if (i == 99) {
+            EXPECT_NEAR(glm::distance(palm, alone), 0.03f, 1e-5f);
+        }
+        before = palm;
+    }
+    EXPECT_LT(glm::distance(before, alone), 1e-6f);
+}
+
+std::string changed(const std::string& message, bool otherLabel, bool otherNormal) {
+    auto frame = nlohmann::json::parse(message);
+    for (auto& hand : frame["hands"]) {
+        if (otherLabel) hand["type"] = hand["type"] == "left" ? "right" : "left";
+        if (otherNormal)
+            for (auto& v : hand["palmNormal"]) v = -v.get<double>();
+    }
+    return frame.dump();
+}
+
+// A service that takes the right hand for the left, or the palm for the back: the joints know better.
+TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    int64_t id = 0;
+    for (const Side side : {Side::Left, Side::Right})
+        for (const float curl : {0.0f, 0.3f, 0.6f, 0.9f})
+            for (const int wrong : {1, 2, 3}) {          // label, normal, both
+                if (wrong == 3 && curl < 0.3f) continue; // a flat hand looks like the other hand's back
+                HandShape shape;
+                shape.curl.fill(curl);
+                const glm::quat turn = glm::normalize(glm::quat(0.8f, 0.3f, -0.4f, 0.2f));
+                const test::MadeHand made{side, ++id, rig().pose(side, shape, {{0.05f, 0.2f, 0.1f}, turn})};
+                server.say(test::madeFrame(6, id, id * 500'000, {made}));
+                server.say(changed(test::madeFrame(6, id, id * 500'000, {made}), wrong & 1, wrong & 2));
+                const HandFrame right = next(hands), seen = next(hands);
+                const size_t i = side == Side::Left ? 0 : 1;
+                ASSERT_TRUE(right.hands[i].tracked && seen.hands[i].tracked) << curl << " " << wrong;
+                EXPECT_FALSE(right.hands[1 - i].tracked || seen.hands[1 - i].tracked);
+                for (size_t j = 0; j < kJointCount; ++j) {
+                    EXPECT_LT(
+                        glm::distance(right.hands[i].joints[j].position, seen.hands[i].joints[j].position),
+                        1e-5f);
+                    EXPECT_GT(std::fabs(glm::dot(right.hands[i].joints[j].orientation,
+                                                 seen.hands[i].joints[j].orientation)),
+                              0.9999f)
+                        << kJointNames[j] << " " << curl << " " << wrong;
+                }
+            }
+}
+
+// Fingers as straight as rulers do not tell which of the two is wrong: such a hand is not shown.
+TEST(LeapHands, WhereNothingTellsWhatIsWrongTheHandIsDropped) {
+    Server server;
+    const Tracker hands = connectTo(server);
+    test::MadeHand made{Side::Right, 1, rig().pose(Side::Right, {}, {{0.05f, 0.2f, 0.1f}, {1, 0, 0, 0}})};
+    for (size_t f = 1; f < kFingerCount; ++f)
+        for (int j = kFingerJoints[f].proximal + 1; j <= kFingerJoints[f].tip; ++j) {
+            const auto at = static_cast<size_t>(j);
+            made.pose.joints[at].position = made.pose.joints[at - 1].position + glm::vec3(0, 0, -0.03f);
+        }
+    const std::string frame = test::madeFrame(6, 1, 1, {made});
+    for (const int wrong : {0, 1, 2}) {
+        server.say(changed(frame, wrong & 1, wrong & 2));
+        const HandFrame seen = next(hands);
+        EXPECT_EQ(seen.hands[1].tracked, wrong == 0);
+        EXPECT_FALSE(seen.hands[0].tracked);
+    }
+}
+
+// Services on slow machines give 5 frames a second, fast ones 200: a hand that moves is solid, and moves from
+// tick to tick as it does in between frames.
+TEST(LeapHands, AMovingHandIsSolidAndSteadyAtAnyRate) {
+    constexpr float kTick_s = 1.0f / 120, kSpeed_mps = 0.3f;
+    for (const int rate_Hz : {5, 7, 9, 15, 30, 37, 60, 110, 200}) {
+        Server server;
+        const Tracker tracker = connectTo(server);
+        const int64_t interval_us = 1'000'000 / rate_Hz;
+        for (int i = 0; i < 3 * rate_Hz; ++i) {
+            const float x = -0.4f + kSpeed_mps * static_cast<float>(i) / static_cast<float>(rate_Hz);
+            server.say(test::madeFrame(
+                6, i, i * interval_us,
+                {{Side::Right, 1, rig().pose(Side::Right, {}, {{x, 0.2f, 0.1f}, {1, 0, 0, 0}})}}));
+        }
+        DeviceHands device(DeviceTime::Stamps);
+        HandSourceSelector selector;
+        std::array<HandPose, 2> hands{};
+        float before = 0;
+        for (int frame = 0; frame < 150; ++frame) { // 2.5 s
+            device.advance(tracker->stream(), 1.0 / 60);
+            for (int left = 2; left > 0; --left) {
+                selector.tick(device, hands, left, kTick_s);
+                const float x = hands[1].joints[kPalmJoint].position.x;
+                const float shown_mps = (x - before) / kTick_s;
+                before = x;
+                if (frame < 48) continue; // it appears, and the filter takes up its speed
+                ASSERT_TRUE(hands[1].tracked && hands[1].solid) << rate_Hz << " Hz, frame " << frame;
+                // Samples of the display and the device do not fall together: a display's frame may bring one
+                // more of the device's than the mean, or one of the device's begin a display's frame late.
+                EXPECT_GT(shown_mps, 0.4f * kReach * kSpeed_mps) << rate_Hz << " Hz, frame " << frame;
+                EXPECT_LT(shown_mps, 2.1f * kReach * kSpeed_mps) << rate_Hz << " Hz, frame " << frame;
+            }
+        }
     }
 }
 

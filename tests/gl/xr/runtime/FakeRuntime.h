@@ -73,7 +73,6 @@ struct FakeRuntime {
     std::vector<int64_t> formats = {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8};
     uint32_t eyeWidth = 200, eyeHeight = 240;
     XrVersion minOpenGl = XR_MAKE_VERSION(3, 3, 0);
-    bool tracksPosition = true;
     std::array<XrView, 2> views; // in LOCAL's frame
     XrViewStateFlags viewFlags = 0xf;
     std::array<FakeHand, 2> hands;
@@ -83,6 +82,7 @@ struct FakeRuntime {
     bool focusesByItself = true;              // after the first frame
     bool keepPictures = false;                // of the eyes and the panel, each frame anew
     std::function<void(FakeRuntime&)> onWait; // in each xrWaitFrame, before it answers
+    std::function<void(FakeRuntime&)> onGone; // when the last instance has been destroyed
 
     // News for the next xrPollEvent.
     void say(XrSessionState state);

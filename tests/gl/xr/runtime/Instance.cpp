@@ -91,7 +91,8 @@ XrResult xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance
 }
 XrResult xrDestroyInstance(XrInstance) {
     FAKE_XR(xrDestroyInstance);
-    --shoalFakeRuntime().instances;
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (--fake.instances == 0 && fake.onGone) fake.onGone(fake);
     return XR_SUCCESS;
 }
 XrResult xrGetInstanceProperties(XrInstance, XrInstanceProperties* out) {
@@ -140,7 +141,7 @@ XrResult xrGetSystemProperties(XrInstance, XrSystemId, XrSystemProperties* out) 
     out->systemId = 1;
     strncpy(out->systemName, "Fake headset", XR_MAX_SYSTEM_NAME_SIZE - 1);
     out->graphicsProperties = {4096, 4096, 16};
-    out->trackingProperties = {XR_TRUE, shoalFakeRuntime().tracksPosition};
+    out->trackingProperties = {XR_TRUE, XR_TRUE};
     for (auto* next = static_cast<XrBaseOutStructure*>(out->next); next; next = next->next)
         if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
             reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking = XR_TRUE;
