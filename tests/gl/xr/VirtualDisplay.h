@@ -25,8 +25,10 @@ class VirtualDisplay {
             const std::string number = std::to_string(ready[1]);
             close(ready[0]);
             if (!freopen("/dev/null", "w", stderr)) _exit(126);
-            execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1024x768x24", "-nolisten",
-                   "tcp", static_cast<char*>(nullptr));
+            // Without -noreset it starts over once its last client is gone, and whoever connects in that
+            // moment is turned away: a test that opens one window after another would fail now and then.
+            execlp("Xvfb", "Xvfb", "-noreset", "-displayfd", number.c_str(), "-screen", "0", "1024x768x24",
+                   "-nolisten", "tcp", static_cast<char*>(nullptr));
             _exit(127);
         }
         close(ready[1]);
