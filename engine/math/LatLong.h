@@ -30,7 +30,7 @@ template <class T> glm::vec<2, T> latLongFromDirection(const glm::vec<3, T>& dir
 }
 
 // As latLongFromDirection(), within 4e-6 of the map's height, without calls and branches; for maps of few
-// texels. Abramowitz and Stegun 1964, 4.4.49, which is off by 1e-5 radians at most.
+// texels; dir may have any length. Abramowitz and Stegun 1964, 4.4.49, which is off by 1e-5 radians at most.
 inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
     const auto angle = [](float y, float x) { // of a point of a plane, -pi to pi
         const float ay = std::abs(y), ax = std::abs(x);

@@ -35,26 +35,11 @@ float inverseAt(float number, float maxInverse) {
     return maxInverse * std::pow(std::max(number, 0.0f) / (kDistances - 1), 1.7f);
 }
 
-// Within 2e-5.
-inline float arcTangent(float y, float x) {
-    const float ax = std::abs(x), ay = std::abs(y);
-    const float least = ax < ay ? ax : ay, most = ax < ay ? ay : ax;
-    const float a = least / (most + 1e-20f), s = a * a;
-    float angle =
-        a * (0.99997726f + s * (-0.33262347f +
-                                s * (0.19354346f + s * (-0.11643287f + s * (0.05265332f - s * 0.0117212f)))));
-    angle = ay > ax ? std::numbers::pi_v<float> / 2 - angle : angle;
-    angle = x < 0 ? std::numbers::pi_v<float> - angle : angle;
-    return y < 0 ? -angle : angle;
-}
-
 // Pixel of a padded image, corner of four, for a direction of any length.
-inline void pixelOf(float x, float y, float z, float& column, float& row) {
-    constexpr float kPerRadian = kSweepWidth / (2 * std::numbers::pi_v<float>);
-    column = kSweepWidth * 0.5f + kPerRadian * arcTangent(x, -z) - 0.5f + kPadding;
-    const float latitude = arcTangent(y, std::sqrt(x * x + z * z));
-    row = std::min(std::max(kSweepHeight * 0.5f - kPerRadian * latitude - 0.5f, 0.0f),
-                   static_cast<float>(kSweepHeight - 1));
+inline void pixelOf(const glm::vec3& dir, float& column, float& row) {
+    const glm::vec2 uv = latLongRoughly(dir);
+    column = kSweepWidth * uv.x - 0.5f + kPadding;
+    row = std::min(std::max(kSweepHeight * uv.y - 0.5f, 0.0f), static_cast<float>(kSweepHeight - 1));
 }
 
 struct Directions {
@@ -84,9 +69,10 @@ void addDifferences(const SweepImage& reference, const SweepView& view, const Di
         const float* y = all.y.data() + static_cast<size_t>(row) * kSweepWidth;
         const float* z = all.z.data() + static_cast<size_t>(row) * kSweepWidth;
         for (size_t i = 0; i < kSweepWidth; ++i)
-            pixelOf(r[0][0] * x[i] + r[1][0] * y[i] + r[2][0] * z[i] - shift.x,
-                    r[0][1] * x[i] + r[1][1] * y[i] + r[2][1] * z[i] - shift.y,
-                    r[0][2] * x[i] + r[1][2] * y[i] + r[2][2] * z[i] - shift.z, columns[i], rows[i]);
+            pixelOf({r[0][0] * x[i] + r[1][0] * y[i] + r[2][0] * z[i] - shift.x,
+                     r[0][1] * x[i] + r[1][1] * y[i] + r[2][1] * z[i] - shift.y,
+                     r[0][2] * x[i] + r[1][2] * y[i] + r[2][2] * z[i] - shift.z},
+                    columns[i], rows[i]);
         const float* own = reference.values.data() + static_cast<size_t>(row) * kPaddedWidth + kPadding;
         float* out = sum.ptr<float>(row);
         for (size_t i = 0; i < kSweepWidth; ++i) {
