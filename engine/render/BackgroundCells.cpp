@@ -18,7 +18,7 @@ constexpr float kCell = 0.04f;
 // a texel of a 2048 wide video); and the side in pixels of what a cell is then divided into.
 constexpr float kCrooked_rad = 1.5e-3f;
 constexpr int kSmallCell = 8;
-// Corners whose shifts differ by more than this (two texels) lie on both sides of an edge in the film.
+// Corners whose parallaxes differ by more than this (two texels) lie on both sides of an edge in the film.
 // Between them nothing is drawn out, and no line of the film is drawn twice, if pieces of the cell, pixels
 // wide, show what is seen in their middles.
 constexpr float kTorn_rad = 6e-3f;
@@ -56,9 +56,9 @@ BackgroundCells::Corner BackgroundCells::Rays::at(const glm::vec2& pixel) const 
     return {seen * length, latLongFromDirection(seen), seen * length - towards};
 }
 
-BackgroundCells::Corner BackgroundCells::Rays::shiftedAt(const glm::vec2& pixel, const glm::vec3& by) const {
-    const glm::vec3 towards = direction(pixel) + by;
-    return {towards, latLongFromDirection(glm::normalize(towards)), by};
+BackgroundCells::Corner BackgroundCells::Rays::at(const glm::vec2& pixel, const glm::vec3& parallax) const {
+    const glm::vec3 towards = direction(pixel) + parallax;
+    return {towards, latLongFromDirection(glm::normalize(towards)), parallax};
 }
 
 BackgroundCell BackgroundCells::cellOf(const Corners& corners, glm::ivec2 low, glm::ivec2 high) {
@@ -99,7 +99,7 @@ void BackgroundCells::divide(const BackgroundCell& cell, const Rays& rays) {
             const Corners corners{within_[at], within_[at + 1], within_[above], within_[above + 1]};
             const glm::ivec2 low(edge(x, 0), edge(y, 1)), high(edge(x + 1, 0), edge(y + 1, 1));
             const bool torn = std::ranges::any_of(corners, [&](const Corner& corner) {
-                return glm::distance(corner.shift, corners[0].shift) > kTorn_rad;
+                return glm::distance(corner.parallax, corners[0].parallax) > kTorn_rad;
             });
             if (torn)
                 addPieces(low, high, rays);
@@ -112,8 +112,8 @@ void BackgroundCells::addPieces(glm::ivec2 low, glm::ivec2 high, const Rays& ray
     for (int y = low.y; y < high.y; y += kPiece)
         for (int x = low.x; x < high.x; x += kPiece) {
             const glm::ivec2 end = glm::min(glm::ivec2(x, y) + kPiece, high);
-            const glm::vec3 shift = rays.at(0.5f * glm::vec2(x + end.x, y + end.y)).shift;
-            const auto corner = [&](int cx, int cy) { return rays.shiftedAt({cx, cy}, shift); };
+            const glm::vec3 parallax = rays.at(0.5f * glm::vec2(x + end.x, y + end.y)).parallax;
+            const auto corner = [&](int cx, int cy) { return rays.at({cx, cy}, parallax); };
             cells_.push_back(cellOf({corner(x, y), corner(end.x, y), corner(x, end.y), corner(end.x, end.y)},
                                     {x, y}, end));
         }

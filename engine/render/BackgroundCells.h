@@ -55,7 +55,7 @@ class BackgroundCells {
     struct Corner {
         glm::vec3 directionEnv{0}; // as long as from the eye to the image plane
         glm::vec2 uv{0};
-        glm::vec3 shift{0}; // of the direction, by the film's distance
+        glm::vec3 parallax{0}; // by which the film's distance moves the direction
     };
     using Corners = std::array<Corner, 4>; // lower left, lower right, upper left, upper right
     struct Rays {                          // of the picture being made
@@ -64,8 +64,8 @@ class BackgroundCells {
         glm::vec2 size{1};
         FilmSpace film;
         glm::vec3 direction(const glm::vec2& pixel) const;
-        Corner at(const glm::vec2& pixel) const;
-        Corner shiftedAt(const glm::vec2& pixel, const glm::vec3& shift) const;
+        Corner at(const glm::vec2& pixel) const; // with the parallax found there
+        Corner at(const glm::vec2& pixel, const glm::vec3& parallax) const;
     };
     static BackgroundCell cellOf(const Corners& corners, glm::ivec2 low, glm::ivec2 high);
     bool isStraight(const BackgroundCell& cell, const Rays& rays) const;
