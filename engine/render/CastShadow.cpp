@@ -157,32 +157,44 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
     return std::min(hidden, 1.0f);
 }
 
-float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m) {
+namespace {
+
+constexpr float kHit_m = 0.004f; // gap that counts as none: less than the map's steps from 0.8 m on
+
+// A ray before what a film shows.
+struct FilmRay {
+    const depth::DepthMap& map;
+    glm::vec3 from, dir; // frame of the film
+
+    FilmRay(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld)
+        : map(film.map), from(film.envFromWorld * fromWorld), dir(film.envFromWorld * dirWorld) {}
+
+    // Metres that the surface lies behind the place s along the ray, seen from the film's camera.
+    float gapAt(float s) const {
+        const glm::vec3 place = from + s * dir;
+        const float distance = glm::length(place);
+        return distance > 1e-4f ? map.distance_m(place / distance) - distance : INFINITY;
+    }
+};
+
+float meet(const FilmRay& ray, float reach_m) {
     constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;
     constexpr float kTouch_m = 0.3f; // so far within a surface a ray begins at it
     // A rise of the gap by this much for what a ray goes on is an edge: as of a surface seen at 4 degrees.
     constexpr float kEdge = 16;
     constexpr int kHalvings = 10;
-    constexpr float kHit_m = 0.004f; // less than the map's steps from 0.8 m on
-    const glm::vec3 from = film.envFromWorld * fromWorld, dir = film.envFromWorld * dirWorld;
-    // Metres that the surface lies behind the place, seen from the film's camera.
-    const auto gapAt = [&](float s) {
-        const glm::vec3 place = from + s * dir;
-        const float distance = glm::length(place);
-        return distance > 1e-4f ? film.map.distance_m(place / distance) - distance : INFINITY;
-    };
-    float before = 0, gapBefore = gapAt(0);
+    float before = 0, gapBefore = ray.gapAt(0);
     if (gapBefore <= 0 && gapBefore > -kTouch_m) return 0;
     while (before < reach_m) {
         float low = before, high = before + std::clamp(0.5f * gapBefore, kMinStep_m, kMaxStep_m);
-        float gapLow = gapBefore, gapHigh = gapAt(high);
+        float gapLow = gapBefore, gapHigh = ray.gapAt(high);
         before = high, gapBefore = gapHigh;
         if (!(gapLow > 0 && gapHigh <= 0)) continue;
         // False position, which finds a smooth surface at once; halves find an edge, and where what is
         // known ends.
         for (int k = 0; k < kHalvings; ++k) {
             const float part = k % 2 == 0 && std::isfinite(gapLow) ? gapLow / (gapLow - gapHigh) : 0.5f;
-            const float middle = low + part * (high - low), gap = gapAt(middle);
+            const float middle = low + part * (high - low), gap = ray.gapAt(middle);
             if (std::abs(gap) < kHit_m) return middle;
             (gap > 0 ? low : high) = middle;
             (gap > 0 ? gapLow : gapHigh) = gap;
@@ -190,6 +202,26 @@ float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3&
         if (gapLow - gapHigh < kEdge * (high - low)) return low + (high - low) * gapLow / (gapLow - gapHigh);
     }
     return -1;
+}
+
+// The same where a ray close by meets the surface at guess: looks there first, no further off than within_m.
+// What only this ray meets before that is passed over.
+float meetNear(const FilmRay& ray, float guess, float within_m, float reach_m) {
+    constexpr int kLooks = 4;
+    float at = guess, gap = ray.gapAt(at), next = at + gap;
+    for (int k = 1; k < kLooks && std::abs(gap) >= kHit_m && std::abs(next - guess) < within_m; ++k) {
+        // The secant method.
+        const float gapNext = ray.gapAt(next);
+        const float after = next - gapNext * (next - at) / (gapNext - gap);
+        at = next, gap = gapNext, next = after;
+    }
+    return std::abs(gap) < kHit_m && at >= 0 ? at : meet(ray, reach_m);
+}
+
+} // namespace
+
+float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m) {
+    return meet(FilmRay(film, fromWorld, dirWorld), reach_m);
 }
 
 namespace {
@@ -291,14 +323,22 @@ bool mayBeSeen(std::span<const FlatPiece> body, const CastingLight& light, const
 
 void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
             float minimum, ShadowGrid& out) {
+    constexpr int kApart = 4;   // nodes that are looked for without a guess
+    constexpr float kLevel = 1; // rise of the surface that a guess allows for, by what it goes aside
     out.across = out.down = 0;
     if (body.empty() || light.share == glm::vec3(0)) return;
     const float tangent = tangentOf(light);
     const Bundle bundle(body, light);
     float cell = INFINITY, hidden = 0, furthest = 0;
+    float ground = -INFINITY; // where the last piece's shadow falls, along the light's way
     for (const FlatPiece& piece : body) {
-        const float away = meet(film, piece.middle, -light.towards, kReach_m);
+        const float from = -glm::dot(piece.middle, light.towards);
+        const FilmRay ray(film, piece.middle, -light.towards);
+        const float away = ground > from
+                               ? meetNear(ray, ground - from, kLevel * 2 * piece.halfAlong_m, kReach_m)
+                               : meet(ray, kReach_m);
         if (away < 0) continue;
+        ground = from + away;
         const float disc = std::max(tangent * away, 1e-3f);
         cell = std::min(cell, 0.35f * (disc + piece.halfAside_m));
         furthest = std::max(furthest, away + glm::dot(bundle.middle - piece.middle, light.towards));
@@ -319,28 +359,49 @@ void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const Cast
     out.cell_m =
         2 * std::max(halfAlong / static_cast<float>(out.across), halfAside / static_cast<float>(out.down));
     out.nodes.assign(static_cast<size_t>((out.across + 1) * (out.down + 1)), {});
-    for (int y = 0; y <= out.down; ++y)
-        for (int x = 0; x <= out.across; ++x) {
-            const float u = 2 * static_cast<float>(x) / static_cast<float>(out.across) - 1,
-                        v = 2 * static_cast<float>(y) / static_cast<float>(out.down) - 1;
-            const glm::vec3 from =
-                bundle.middle + u * bundle.halfAlong_m * bundle.along + v * bundle.halfAside_m * bundle.aside;
-            const glm::vec3 way = tangent * (u * bundle.along + v * bundle.aside) - light.towards;
-            const float start = depthOfPiece(body, bundle, light, from);
-            const float away = meet(film, from + start * way, way, kReach_m);
-            if (away < 0) continue;
-            ShadowGrid::Node& node = out.nodes[static_cast<size_t>(y * (out.across + 1) + x)];
-            node.fall_m = start + away;
-            node.place = from + node.fall_m * way;
+    const auto node = [&](int x, int y) -> ShadowGrid::Node& {
+        return out.nodes[static_cast<size_t>(y * (out.across + 1) + x)];
+    };
+    // (dx, dy): to the neighbours on both sides that have been found, from which this one differs little.
+    const auto find = [&](int x, int y, int dx, int dy) {
+        const float u = 2 * static_cast<float>(x) / static_cast<float>(out.across) - 1,
+                    v = 2 * static_cast<float>(y) / static_cast<float>(out.down) - 1;
+        const glm::vec3 from =
+            bundle.middle + u * bundle.halfAlong_m * bundle.along + v * bundle.halfAside_m * bundle.aside;
+        const glm::vec3 way = tangent * (u * bundle.along + v * bundle.aside) - light.towards;
+        const float start = depthOfPiece(body, bundle, light, from);
+        const FilmRay ray(film, from + start * way, way);
+        float guess = -1, within = 0;
+        if (dx + dy > 0) {
+            const bool both = x + dx <= out.across && y + dy <= out.down;
+            const float before = node(x - dx, y - dy).fall_m,
+                        after = both ? node(x + dx, y + dy).fall_m : before;
+            within = kLevel * static_cast<float>(dx + dy) * out.cell_m;
+            if (before >= 0 && after >= 0 && std::abs(before - after) < 2 * within)
+                guess = 0.5f * (before + after) - start;
         }
+        const float away = guess >= 0 ? meetNear(ray, guess, within, kReach_m) : meet(ray, kReach_m);
+        if (away < 0) return;
+        node(x, y).fall_m = start + away;
+        node(x, y).place = from + node(x, y).fall_m * way;
+    };
+    // Every fourth node is looked for along the whole ray, then those in between.
+    for (int y = 0; y <= out.down; y += kApart)
+        for (int x = 0; x <= out.across; x += kApart) find(x, y, 0, 0);
+    for (int step = kApart / 2; step > 0; step /= 2) {
+        for (int y = 0; y <= out.down; y += 2 * step)
+            for (int x = step; x <= out.across; x += 2 * step) find(x, y, step, 0);
+        for (int y = step; y <= out.down; y += 2 * step)
+            for (int x = 0; x <= out.across; x += step) find(x, y, 0, step);
+    }
     for (int y = 0; y <= out.down; ++y)
         for (int x = 0; x <= out.across; ++x) {
-            ShadowGrid::Node& node = out.nodes[static_cast<size_t>(y * (out.across + 1) + x)];
-            if (node.fall_m < 0) continue;
-            const float here = covered(body, light, node.place);
+            ShadowGrid::Node& shaded = node(x, y);
+            if (shaded.fall_m < 0) continue;
+            const float here = covered(body, light, shaded.place);
             if (!(here > 0)) continue;
-            const float fade = 1 - glm::smoothstep(0.67f * kReach_m, kReach_m, node.fall_m);
-            node.taken = strength * fade * here * light.shareAt(cosineAt(out, x, y, light));
+            const float fade = 1 - glm::smoothstep(0.67f * kReach_m, kReach_m, shaded.fall_m);
+            shaded.taken = strength * fade * here * light.shareAt(cosineAt(out, x, y, light));
         }
 }
 
