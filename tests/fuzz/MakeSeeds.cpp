@@ -3,6 +3,9 @@
 #include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
+#ifdef SHOAL_HAND_LANDMARKS
+#include "tests/accuracy/webcam/TinyModel.h"
+#endif
 
 #include <cstdio>
 #include <span>
@@ -189,6 +192,10 @@ void devices() {
     std::string bytes = {static_cast<char>(sizeof descriptor), 0};
     bytes.append(reinterpret_cast<const char*>(descriptor), sizeof descriptor);
     put("HidReports", "pad", bytes + std::string(32, '\x55'));
+#ifdef SHOAL_HAND_LANDMARKS
+    const std::vector<uint8_t> model = hands::test::TinyModel().make();
+    put("HandModel", "tiny.tflite", {reinterpret_cast<const char*>(model.data()), model.size()});
+#endif
 }
 
 void ticks() {
