@@ -5,6 +5,8 @@
 
 namespace shoal::hands {
 
+Path handModelFolder() { return scoreFolder() / "models"; }
+
 HandStream::HandStream(size_t capacity, Full full) : capacity_(capacity), full_(full) {}
 
 void HandStream::push(const HandFrame& frame) {

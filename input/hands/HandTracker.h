@@ -2,6 +2,7 @@
 // hands reach the game's thread.
 #pragma once
 
+#include "engine/core/Files.h"
 #include "input/hands/HandRig.h"
 
 #include <array>
@@ -93,11 +94,15 @@ struct LeapOptions {
 constexpr int kNewestLeapVersion = 6;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
+// Where input/hands/webcam/get_models puts the models of hands.
+Path handModelFolder();
+
 // A webcam, or a clip of one.
 struct WebcamOptions {
-    std::string file; // a clip; empty: the camera
-    int index = 0;    // which camera, as the system counts them
-    bool live = true; // a clip keeps its own rate; else it waits for whoever takes its frames
+    std::string file;                // a clip; empty: the camera
+    int index = 0;                   // which camera, as the system counts them
+    bool live = true;                // a clip keeps its own rate; else it waits for whoever takes its frames
+    Path models = handModelFolder(); // where they are missing, hands are found by their colour
 };
 
 // A camera that is not there, or goes, is tried again every second.

@@ -1,10 +1,10 @@
 // Detection of hands in the pictures of a webcam: segmentation by a colour that is calibrated on the player,
-// and the geometry of outlines. No learned weights.
+// and the geometry of outlines. No learned weights: for players who have not fetched the models.
 #pragma once
 
 #include "input/hands/HandFilter.h"
 #include "input/hands/HandRig.h"
-#include "input/hands/HandTracker.h"
+#include "input/hands/webcam/HandFinder.h"
 
 #include <opencv2/core.hpp>
 
@@ -52,9 +52,6 @@ class SkinColour {
     cv::Mat likely_; // 0 to 1, by bin
 };
 
-// Typical of webcams, which do not report it. An error in it scales all distances alike.
-constexpr float kWebcamFov = 1.05f; // horizontal, radians
-
 struct WebcamHand {
     glm::vec3 palm{0}; // metres, camera's frame: x right in the picture, y up, the camera looks along -z
     cv::Point2f palm_px;
@@ -62,7 +59,7 @@ struct WebcamHand {
     Gesture gesture = Gesture::Open;
 };
 
-class HandDetector {
+class HandDetector final : public HandFinder {
   public:
     static constexpr int kWidth = 320; // pictures are reduced to this before anything else
     static constexpr double kBackground_s = 0.5;
@@ -70,11 +67,10 @@ class HandDetector {
 
     explicit HandDetector(const HandRig& rig) : rig_(rig) {}
 
-    // The next picture, blue first, of any size. time_s rises.
-    HandFrame detect(const cv::Mat& bgr, double time_s);
+    HandFrame detect(const cv::Mat& bgr, double time_s) override;
 
     bool calibrated() const { return skin_.learnt(); }
-    Instruction instruction() const; // for the player, while it learns
+    Instruction instruction() const override;                                        // while it learns
     const std::array<std::optional<WebcamHand>, 2>& hands() const { return hands_; } // left, right
 
   private:

@@ -1,9 +1,13 @@
 #include "input/hands/HandTracker.h"
 
+#include "engine/core/Log.h"
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
 #include "input/hands/webcam/HandDetector.h"
+#ifdef SHOAL_HAND_LANDMARKS
+#include "input/hands/webcam/landmarks/LandmarkFinder.h"
+#endif
 
 #include <chrono>
 #include <condition_variable>
@@ -16,6 +20,21 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{1};
+
+#ifndef SHOAL_HAND_LANDMARKS
+Result<std::unique_ptr<HandFinder>> makeLandmarkFinder(const Path&, const HandRig&) {
+    return Error{"", "this build lacks XNNPACK; install libxnnpack-dev, libpthreadpool-dev and "
+                     "libflatbuffers-dev, and build it anew"};
+}
+#endif
+
+// By landmarks where that is possible; else by colour, and why and what to do is said.
+std::unique_ptr<HandFinder> makeFinder(const Path& models, const HandRig& rig) {
+    auto finder = makeLandmarkFinder(models, rig);
+    if (finder) return std::move(*finder);
+    log::info("Webcam: hands are found by their colour alone: {}", finder.error().message());
+    return std::make_unique<HandDetector>(rig);
+}
 
 class WebcamTracker final : public HandTracker {
   public:
@@ -44,17 +63,19 @@ class WebcamTracker final : public HandTracker {
     std::string place() const {
         return options_.file.empty() ? "camera " + std::to_string(options_.index) : options_.file;
     }
-    void detect(HandDetector& detector, const cv::Mat& picture, double time_s) {
-        stream().push(detector.detect(picture, time_s));
-        stream().setState({true, detector.calibrated() ? place() : place() + ", learning your hand's colour",
-                           detector.instruction()});
+    void detect(HandFinder& finder, const cv::Mat& picture, double time_s) {
+        stream().push(finder.detect(picture, time_s));
+        const Instruction instruction = finder.instruction();
+        stream().setState(
+            {true, instruction == Instruction::None ? place() : place() + ", learning your hand's colour",
+             instruction});
     }
 
     // Returns why it ended.
     std::string watchClip(const std::stop_token& ending) {
         auto source = media::VideoSource::open(options_.file, media::Layout::Mono);
         if (!source) return source.error().message();
-        HandDetector detector(rig_);
+        const auto finder = makeFinder(options_.models, rig_);
         const Clock::time_point began = Clock::now();
         ImageRgb8 picture(source->info().width, source->info().height);
         for (int64_t number = 0; !ending.stop_requested() && source->grab() && source->retrieve(picture);
@@ -63,7 +84,7 @@ class WebcamTracker final : public HandTracker {
             if (options_.live &&
                 !waitUntil(ending, began + std::chrono::duration_cast<Clock::duration>(time)))
                 break;
-            detect(detector, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()),
+            detect(*finder, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()),
                    time.count());
         }
         return options_.file + " is over";
@@ -75,11 +96,11 @@ class WebcamTracker final : public HandTracker {
         try {
             const auto camera = (*with)->openCamera(options_.index, {.width = 640, .height = 480});
             if (!camera) return place() + " is not there, or lets nobody in";
-            HandDetector detector(rig_);
+            const auto finder = makeFinder(options_.models, rig_);
             const Clock::time_point began = Clock::now();
             cv::Mat picture;
             while (!ending.stop_requested() && camera(nullptr) && camera(&picture))
-                detect(detector, picture, std::chrono::duration<double>(Clock::now() - began).count());
+                detect(*finder, picture, std::chrono::duration<double>(Clock::now() - began).count());
         } catch (const cv::Exception&) { // of a driver: as good as unplugged
         }
         return place() + " gives no pictures";

@@ -154,8 +154,9 @@ ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) 
     return target_->read();
 }
 
-cv::Mat HandClip::picture(const ImageRgba8& hands, Behind behind) {
+cv::Mat HandClip::picture(const ImageRgba8& hands, Behind behind, void (*paint)(cv::Mat&)) {
     cv::Mat out = behind_[static_cast<size_t>(behind)].clone(), noise(out.size(), CV_16SC3);
+    if (paint) paint(out);
     for (int y = 0; y < out.rows; ++y)
         for (int x = 0; x < out.cols; ++x) {
             const uint8_t* hand = hands.at(x, y);

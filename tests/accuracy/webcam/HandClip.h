@@ -34,8 +34,8 @@ class HandClip {
 
     // The hands alone, with their cover in alpha.
     ImageRgba8 hands(const std::array<std::optional<HandPose>, 2>& poses);
-    // Before a background, blue first, with a little sensor noise.
-    cv::Mat picture(const ImageRgba8& hands, Behind behind);
+    // Before a background, blue first, with a little sensor noise. paint: adds to the background.
+    cv::Mat picture(const ImageRgba8& hands, Behind behind, void (*paint)(cv::Mat&) = nullptr);
 
   private:
     HandClip() = default;

@@ -1,5 +1,5 @@
 // Hands before a webcam, drawn by ourselves, so that the truth is known: where the palm is, and which
-// gesture. Prints a table.
+// gesture, found by colour. Prints a table. LandmarksTest.cpp has hands that are found by landmarks.
 #include "HandClip.h"
 #include "engine/core/WriteFile.h"
 #include "engine/sim/Recording.h"
@@ -200,7 +200,7 @@ class WebcamClip : public testing::Test {
 };
 
 TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
-    const auto hands = makeWebcamTracker({clipFile().string(), 0, false}, rig());
+    const auto hands = makeWebcamTracker({clipFile().string(), 0, false, folder_.path()}, rig());
     HandFrame frame;
     size_t frames = 0, rights = 0, lefts = 0, fists = 0, pinches = 0;
     std::vector<Instruction> asked;
@@ -232,7 +232,8 @@ TEST_F(WebcamClip, PlaysTheGame) {
     char at[16];
     std::snprintf(at, sizeof at, "%.2f", static_cast<double>(frames_) / kRate_Hz);
     const std::string command =
-        std::string("env -u DISPLAY -u WAYLAND_DISPLAY timeout 250 '") + tests::program() +
+        "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME='" + folder_.path().string() + "' timeout 250 '" +
+        tests::program() +
         "' play --headless --size 64x36 --backdrop-only --hands webcam:" + clipFile().string() + " --at " +
         at + " --record " + replay.string() + " 2>" + (folder_ / "err.txt").string();
     ASSERT_EQ(std::system(command.c_str()), 0);
@@ -253,7 +254,7 @@ TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
     const tests::ScratchFolder folder;
     const Path file = folder / "no_clip.avi";
     ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));
-    const auto hands = makeWebcamTracker({file.string(), 0, false}, rig());
+    const auto hands = makeWebcamTracker({file.string(), 0, false, folder.path()}, rig());
     HandFrame frame;
     EXPECT_FALSE(hands->stream().take(frame, std::chrono::seconds(20)));
     EXPECT_FALSE(hands->stream().state().present);

@@ -1,0 +1,58 @@
+// The two networks of MediaPipe Hands: a detector of palms, and the landmarks of the hand in a square around
+// one. Zhang et al. 2020, "MediaPipe Hands: On-device Real-time Hand Tracking".
+#pragma once
+
+#include "engine/core/Files.h"
+#include "input/hands/webcam/landmarks/NeuralNet.h"
+
+#include <glm/vec3.hpp>
+#include <opencv2/core.hpp>
+
+#include <array>
+#include <vector>
+
+namespace shoal::hands {
+
+// In the networks' order: the wrist, then four of each finger from the thumb on, root to tip.
+constexpr int kLandmarkCount = 21;
+
+// A square in a picture, pixels. turn: radians from upright, clockwise in the picture.
+struct Crop {
+    cv::Point2f middle;
+    float size = 0, turn = 0;
+};
+
+struct Palm {
+    Crop hand; // around the whole hand
+    cv::Rect2f box;
+    float score = 0; // 0 to 1
+};
+
+struct Landmarks {
+    std::array<cv::Point2f, kLandmarkCount> at; // pixels of the picture
+    // The hand's shape, metres as the network takes them, from the hand's middle: x right and y down in the
+    // picture, z away from the camera.
+    std::array<glm::vec3, kLandmarkCount> shape;
+    float presence = 0, right = 0; // 0 to 1: that there is a hand; that it is a right one
+};
+
+// Where the hand is to be looked for in the next picture.
+Crop cropAround(const Landmarks& hand);
+
+class HandNets {
+  public:
+    // From the files that get_models puts into a folder; of these, no others.
+    static Result<HandNets> load(const Path& folder);
+
+    // bgr: 8 bits, not empty. The surest palm first.
+    std::vector<Palm> findPalms(const cv::Mat& bgr);
+    Landmarks findLandmarks(const cv::Mat& bgr, const Crop& crop);
+
+  private:
+    HandNets(NeuralNet palms, NeuralNet landmarks)
+        : palms_(std::move(palms)), landmarks_(std::move(landmarks)) {}
+
+    NeuralNet palms_, landmarks_;
+};
+
+} // namespace shoal::hands

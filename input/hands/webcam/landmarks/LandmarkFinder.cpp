@@ -1,0 +1,338 @@
+#include "input/hands/webcam/landmarks/LandmarkFinder.h"
+
+#include "engine/math/Trigonometry.h"
+#include "input/hands/CompleteHand.h"
+#include "input/hands/webcam/landmarks/HandNets.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::hands {
+
+namespace {
+
+constexpr float kPresent = 0.5f;   // a hand is followed while the network is so sure that there is one...
+constexpr float kNew = 0.7f;       // ...and taken for one when it is so sure...
+constexpr int kNewPictures = 2;    // ...in so many pictures in a row
+constexpr int kLookEvery = 3;      // pictures: for a second hand, which costs more than to follow one
+constexpr float kSameHand = 0.6f;  // palms nearer than this, in lengths of a palm, are one
+constexpr float kSideShare = 0.1f; // of the newest picture in what is known of a hand's side
+constexpr float kNear_m = 0.1f, kFar_m = 3; // where hands are believed
+
+constexpr double kDark = 70, kBright = 110, kMostGain = 6; // of a picture's mean, of 255
+
+constexpr int kWrist = 0, kIndexKnuckle = 5, kMiddleKnuckle = 9, kRingKnuckle = 13, kLittleKnuckle = 17;
+
+// The joint at each landmark; the fingers' metacarpals have none.
+constexpr std::array<int, kLandmarkCount> kJointAt = [] {
+    std::array<int, kLandmarkCount> joints{kWristJoint};
+    for (int finger = 0; finger < kFingerCount; ++finger)
+        for (int i = 0; i < 4; ++i)
+            joints[static_cast<size_t>(1 + 4 * finger + i)] =
+                kFingerJoints[static_cast<size_t>(finger)].tip - 3 + i;
+    return joints;
+}();
+
+// Bones of the palm, by which a hand's size is known: they do not bend.
+constexpr std::array kPalmBones = {std::pair{kWrist, kIndexKnuckle}, std::pair{kWrist, kMiddleKnuckle},
+                                   std::pair{kWrist, kRingKnuckle}, std::pair{kWrist, kLittleKnuckle},
+                                   std::pair{kIndexKnuckle, kLittleKnuckle}};
+
+// Where the network puts its marks on a hand: not at the tips' ends, and a little before the wrist joint.
+glm::vec3 landmarkOf(const HandPose& hand, size_t landmark) {
+    constexpr float kWristMark_m = 0.009f, kTipMark_m = -0.006f; // towards the fingertips
+    const Joint& joint = hand.joints[static_cast<size_t>(kJointAt[landmark])];
+    const float ahead = landmark == kWrist ? kWristMark_m : landmark % 4 == 0 ? kTipMark_m : 0.0f;
+    return joint.position + joint.orientation * glm::vec3(0, 0, -ahead);
+}
+
+cv::Point2f palmOf(const Landmarks& hand) {
+    return 0.2f * (hand.at[kWrist] + hand.at[kIndexKnuckle] + hand.at[kMiddleKnuckle] +
+                   hand.at[kRingKnuckle] + hand.at[kLittleKnuckle]);
+}
+
+float palmLength(const Landmarks& hand) {
+    return static_cast<float>(cv::norm(hand.at[kMiddleKnuckle] - hand.at[kWrist]));
+}
+
+struct Track {
+    Landmarks hand;
+    int pictures = 0; // in a row
+    float right = 0.5f;
+    Side side = Side::Right;
+    int64_t identity = 0;
+
+    bool isSure() const { return pictures >= kNewPictures; }
+};
+
+bool same(const Landmarks& a, const Landmarks& b) {
+    return cv::norm(palmOf(a) - palmOf(b)) <
+           static_cast<double>(kSameHand * std::max(palmLength(a), palmLength(b)));
+}
+
+class LandmarkFinder final : public HandFinder {
+  public:
+    LandmarkFinder(HandNets nets, const HandRig& rig);
+    HandFrame detect(const cv::Mat& bgr, double time_s) override;
+
+  private:
+    void follow(const cv::Mat& bgr);
+    void lookForNew(const cv::Mat& bgr);
+    void decideSides();
+    std::optional<HandPose> poseOf(const Track& track, cv::Size picture) const;
+
+    // In the camera's frame: x right, y up, z towards the camera.
+    struct Seen {
+        std::array<glm::vec3, kLandmarkCount> ray;   // z is -1
+        std::array<glm::vec3, kLandmarkCount> shape; // metres, in the size of the rig's hand
+    };
+    struct Fit {
+        glm::quat turn;
+        glm::vec3 wrist;
+        HandShape hand;
+    };
+    static constexpr int kResiduals = 3 * kLandmarkCount + 1 + kFingerCount, kUnknowns = 12;
+    using Residuals = cv::Vec<float, kResiduals>;
+    using Step = cv::Vec<float, kUnknowns>; // radians, metres, five curls, spread
+    Fit firstFit(const Seen& seen, const std::array<glm::vec3, kLandmarkCount>& rest) const;
+    Residuals residuals(const Fit& fit, const Seen& seen, Side side) const;
+    static Fit moved(Fit fit, const Step& by);
+    HandPose fitted(const Seen& seen, Side side) const;
+
+    HandNets nets_;
+    HandCompleter completer_;
+    HandRig rig_;
+    std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
+    float palmBones_m_ = 0;        // the rig's sum of kPalmBones
+    std::vector<Track> tracks_;    // two at most, the older first
+    int64_t identities_ = 0, pictures_ = 0;
+};
+
+// The axes of a palm: across to the index finger's side, ahead to the fingers, and their product.
+glm::mat3 palmAxes(const std::array<glm::vec3, kLandmarkCount>& at) {
+    const glm::vec3 ahead = glm::normalize(at[kMiddleKnuckle] - at[kWrist]);
+    const glm::vec3 across = at[kIndexKnuckle] - at[kLittleKnuckle];
+    const glm::vec3 side = glm::normalize(across - ahead * glm::dot(across, ahead));
+    return {side, ahead, glm::cross(side, ahead)};
+}
+
+LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
+    : nets_(std::move(nets)), completer_(rig),
+      rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {
+    const auto at = [&](int landmark) {
+        return rest_[1].joints[static_cast<size_t>(kJointAt[static_cast<size_t>(landmark)])].position;
+    };
+    for (const auto& [a, b] : kPalmBones) palmBones_m_ += glm::distance(at(a), at(b));
+}
+
+void LandmarkFinder::follow(const cv::Mat& bgr) {
+    for (Track& track : tracks_) {
+        track.hand = nets_.findLandmarks(bgr, cropAround(track.hand));
+        ++track.pictures;
+    }
+    std::erase_if(tracks_, [](const Track& track) {
+        return !(track.hand.presence >= (track.isSure() ? kPresent : kNew));
+    });
+    // Where hands cross, both tracks may end up on the one in front.
+    if (tracks_.size() == 2 && same(tracks_[0].hand, tracks_[1].hand)) tracks_.pop_back();
+}
+
+void LandmarkFinder::lookForNew(const cv::Mat& bgr) {
+    for (const Palm& palm : nets_.findPalms(bgr)) {
+        if (tracks_.size() == 2) return;
+        const auto isFollowed = [&](const Landmarks& hand) {
+            return std::any_of(tracks_.begin(), tracks_.end(),
+                               [&](const Track& track) { return same(track.hand, hand); });
+        };
+        const Landmarks hand = nets_.findLandmarks(bgr, palm.hand);
+        if (hand.presence >= kNew && !isFollowed(hand))
+            tracks_.push_back({.hand = hand, .pictures = 1, .right = hand.right, .identity = ++identities_});
+    }
+}
+
+// One hand is right and the other left, whichever way round the network finds likelier.
+void LandmarkFinder::decideSides() {
+    for (Track& track : tracks_) track.right = std::lerp(track.right, track.hand.right, kSideShare);
+    const auto decide = [&](Track& track, bool right) {
+        const Side side = right ? Side::Right : Side::Left;
+        if (side != track.side && track.isSure()) track.identity = ++identities_;
+        track.side = side;
+    };
+    if (tracks_.size() == 2) {
+        const bool firstIsRight = tracks_[0].right > tracks_[1].right;
+        decide(tracks_[0], firstIsRight);
+        decide(tracks_[1], !firstIsRight);
+    } else if (tracks_.size() == 1) {
+        decide(tracks_[0], tracks_[0].right > 0.5f);
+    }
+}
+
+// The landmarks are sure across the picture, within a few pixels, but not in depth: the network bends the
+// fingers of an open hand by 40 mm at their tips. So the rig's hand is fitted to them, by Levenberg and
+// Marquardt's method from the network's shape: depth decides where the picture leaves two ways open.
+LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
+                                             const std::array<glm::vec3, kLandmarkCount>& rest) const {
+    // Least squares for the place p of the shape: (p + shape).xy = ray.xy (p + shape).z / ray.z at every
+    // landmark.
+    glm::mat3 normal(0);
+    glm::vec3 right(0);
+    for (size_t i = 0; i < kLandmarkCount; ++i)
+        for (int axis = 0; axis < 2; ++axis) {
+            glm::vec3 row(0, 0, seen.ray[i][axis]); // ray.z is -1
+            row[axis] = 1;
+            normal += glm::outerProduct(row, row);
+            right -= row * (seen.ray[i][axis] * seen.shape[i].z + seen.shape[i][axis]);
+        }
+    Fit fit;
+    fit.wrist = glm::inverse(normal) * right + seen.shape[kWrist];
+    fit.turn = glm::normalize(glm::quat_cast(palmAxes(seen.shape) * glm::transpose(palmAxes(rest))));
+    for (int finger = 0; finger < kFingerCount; ++finger) {
+        const auto root = static_cast<size_t>(1 + 4 * finger);
+        float bend = 0;
+        for (size_t i = root; i < root + 3; ++i) {
+            const glm::vec3 before = seen.shape[i] - seen.shape[i == root ? kWrist : i - 1],
+                            after = seen.shape[i + 1] - seen.shape[i];
+            bend += math::arcCosine(glm::dot(before, after) /
+                                    std::max(glm::length(before) * glm::length(after), 1e-9f));
+        }
+        fit.hand.curl[static_cast<size_t>(finger)] =
+            std::clamp(bend / (finger == 0 ? 2.0f : 4.1f), 0.0f, 1.0f); // of the rig's fist
+    }
+    return fit;
+}
+
+LandmarkFinder::Residuals LandmarkFinder::residuals(const Fit& fit, const Seen& seen, Side side) const {
+    constexpr float kAcross_m = 0.003f, kDepth_m = 0.3f, kSpread = 2, kCurl = 0.3f; // standard deviations
+    const HandPose pose = rig_.pose(side, fit.hand, {fit.wrist, fit.turn});
+    Residuals out;
+    for (int i = 0; i < kLandmarkCount; ++i) {
+        const auto at = static_cast<size_t>(i);
+        const glm::vec3 p = landmarkOf(pose, at);
+        out(3 * i) = (p.x + seen.ray[at].x * p.z) / kAcross_m;
+        out(3 * i + 1) = (p.y + seen.ray[at].y * p.z) / kAcross_m;
+        out(3 * i + 2) = (p.z - fit.wrist.z - seen.shape[at].z + seen.shape[kWrist].z) / kDepth_m;
+    }
+    out(3 * kLandmarkCount) = fit.hand.spread / kSpread;
+    for (int finger = 0; finger < kFingerCount; ++finger)
+        out(3 * kLandmarkCount + 1 + finger) = fit.hand.curl[static_cast<size_t>(finger)] / kCurl;
+    return out;
+}
+
+LandmarkFinder::Fit LandmarkFinder::moved(Fit fit, const Step& by) {
+    fit.turn = glm::normalize(glm::quat(1, by(0) / 2, by(1) / 2, by(2) / 2) * fit.turn);
+    fit.wrist += glm::vec3(by(3), by(4), by(5));
+    for (int finger = 0; finger < kFingerCount; ++finger) {
+        float& curl = fit.hand.curl[static_cast<size_t>(finger)];
+        curl = std::clamp(curl + by(6 + finger), 0.0f, 1.0f);
+    }
+    fit.hand.spread = std::clamp(fit.hand.spread + by(11), -1.0f, 1.0f);
+    return fit;
+}
+
+HandPose LandmarkFinder::fitted(const Seen& seen, Side side) const {
+    const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
+    std::array<glm::vec3, kLandmarkCount> restAt;
+    for (size_t i = 0; i < kLandmarkCount; ++i)
+        restAt[i] = rest.joints[static_cast<size_t>(kJointAt[i])].position;
+    Fit fit = firstFit(seen, restAt);
+    Residuals off = residuals(fit, seen, side);
+    float damping = 1e-3f;
+    for (int round = 0; round < 10; ++round) {
+        constexpr float kDelta = 1e-3f; // radians, metres, shares
+        cv::Matx<float, kResiduals, kUnknowns> slope;
+        for (int k = 0; k < kUnknowns; ++k) {
+            Step delta;
+            delta(k) = kDelta;
+            // Away from the end of a range, beyond which nothing changes.
+            if (k >= 6 && k < 11 && fit.hand.curl[static_cast<size_t>(k - 6)] > 0.5f) delta(k) = -kDelta;
+            if (k == 11 && fit.hand.spread > 0) delta(k) = -kDelta;
+            const Residuals changed = (residuals(moved(fit, delta), seen, side) - off) * (1 / delta(k));
+            for (int i = 0; i < kResiduals; ++i) slope(i, k) = changed(i);
+        }
+        auto normal = slope.t() * slope;
+        for (int k = 0; k < kUnknowns; ++k) normal(k, k) *= 1 + damping;
+        const Step step = normal.solve(slope.t() * off, cv::DECOMP_CHOLESKY) * -1.0f;
+        const Fit next = moved(fit, step);
+        const Residuals nextOff = residuals(next, seen, side);
+        const bool better = nextOff.dot(nextOff) < off.dot(off);
+        damping *= better ? 0.3f : 10.0f;
+        if (!better) continue;
+        fit = next;
+        off = nextOff;
+    }
+    return rig_.pose(side, fit.hand, {fit.wrist, fit.turn});
+}
+
+std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size picture) const {
+    const Landmarks& hand = track.hand;
+    const cv::Point2f middle(0.5f * static_cast<float>(picture.width),
+                             0.5f * static_cast<float>(picture.height));
+    const float focal_px = middle.x / std::tan(kWebcamFov / 2);
+    const auto rayTo = [&](const cv::Point2f& p) {
+        return glm::vec3((p.x + 0.5f - middle.x) / focal_px, (middle.y - p.y - 0.5f) / focal_px, -1);
+    };
+    float bones = 0;
+    for (const auto& [a, b] : kPalmBones) bones += glm::distance(hand.shape[a], hand.shape[b]);
+    const float scale = palmBones_m_ / std::max(bones, 1e-3f);
+    // The network sees a crop as if its middle were straight ahead.
+    const glm::quat turn(glm::vec3(0, 0, -1), glm::normalize(rayTo(palmOf(hand))));
+    Seen seen;
+    for (size_t i = 0; i < kLandmarkCount; ++i) {
+        seen.ray[i] = rayTo(hand.at[i]);
+        seen.shape[i] = turn * (hand.shape[i] * glm::vec3(scale, -scale, -scale));
+    }
+    const HandPose fit = fitted(seen, track.side);
+    PartialHand partial;
+    for (size_t i = 0; i < kLandmarkCount; ++i) {
+        const auto joint = static_cast<size_t>(kJointAt[i]);
+        const float depth = -landmarkOf(fit, i).z;
+        if (!(depth > kNear_m && depth < kFar_m)) return std::nullopt;
+        partial.joints[joint] = seen.ray[i] * depth + fit.joints[joint].position - landmarkOf(fit, i);
+    }
+    partial.palm = fit.joints[kPalmJoint].position;
+    partial.direction = fit.joints[kPalmJoint].orientation * glm::vec3(0, 0, -1);
+    partial.normal = fit.joints[kPalmJoint].orientation * glm::vec3(0, -1, 0);
+    partial.confidence = hand.presence;
+    HandPose pose = completer_.complete(partial, track.side);
+    kCameraMount.apply(pose);
+    if (!plausible(pose)) return std::nullopt;
+    return pose;
+}
+
+HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
+    HandFrame frame;
+    frame.time_us = static_cast<int64_t>(time_s * 1e6);
+    if (given.empty() || given.type() != CV_8UC3) return frame;
+    // The networks see little in the dark.
+    const cv::Scalar mean = cv::mean(given);
+    const double light = (mean[0] + mean[1] + mean[2]) / 3;
+    cv::Mat bgr = given;
+    if (light < kDark) given.convertTo(bgr, -1, std::min(kBright / std::max(light, 1.0), kMostGain));
+    follow(bgr);
+    if (tracks_.empty() || (tracks_.size() == 1 && ++pictures_ % kLookEvery == 0)) lookForNew(bgr);
+    decideSides();
+    for (const Track& track : tracks_) {
+        if (!track.isSure()) continue;
+        const auto pose = poseOf(track, bgr.size());
+        if (!pose) continue;
+        const size_t side = track.side == Side::Left ? 0 : 1;
+        frame.hands[side] = *pose;
+        frame.hands[side].time_us = frame.time_us;
+        frame.identity[side] = track.identity;
+    }
+    return frame;
+}
+
+} // namespace
+
+Result<std::unique_ptr<HandFinder>> makeLandmarkFinder(const Path& folder, const HandRig& rig) {
+    auto nets = HandNets::load(folder);
+    if (!nets) return nets.error();
+    return std::unique_ptr<HandFinder>(std::make_unique<LandmarkFinder>(std::move(*nets), rig));
+}
+
+} // namespace shoal::hands

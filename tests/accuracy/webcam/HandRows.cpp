@@ -1,0 +1,192 @@
+#include "HandRows.h"
+
+#include <glm/geometric.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace shoal::hands::test {
+
+namespace {
+
+constexpr double kPicture_s = 1 / 30.0;
+constexpr int kAway = 18, kLearning = 66; // pictures, for the method that learns the hand's colour
+
+const float kFocal_px = kRowWidth / 2.0f / std::tan(kWebcamFov / 2);
+
+// A head with hair, eyes and mouth, a neck, and a shirt of nearly the same colour, 0.6 m away.
+void drawPerson(cv::Mat& picture) {
+    const cv::Scalar skin(132, 162, 205), darker(105, 130, 178), shirt(120, 150, 190), hair(35, 45, 60);
+    const cv::Point middle(picture.cols / 2, picture.rows * 2 / 5);
+    const int r = picture.rows / 6;
+    cv::ellipse(picture, middle + cv::Point(0, 4 * r), {3 * r, 2 * r + r / 3}, 0, 0, 360, shirt, cv::FILLED,
+                cv::LINE_AA);
+    cv::rectangle(picture, middle + cv::Point(-r / 2, r / 2), middle + cv::Point(r / 2, 2 * r), darker,
+                  cv::FILLED);
+    cv::ellipse(picture, middle - cv::Point(0, r / 5), {r + r / 12, r + r / 2}, 0, 180, 360, hair, cv::FILLED,
+                cv::LINE_AA);
+    cv::ellipse(picture, middle, {r, r + r / 3}, 0, 0, 360, skin, cv::FILLED, cv::LINE_AA);
+    for (const int side : {-1, 1}) {
+        const cv::Point eye = middle + cv::Point(side * r * 2 / 5, -r / 5);
+        cv::ellipse(picture, eye, {r / 5, r / 9}, 0, 0, 360, {235, 235, 235}, cv::FILLED, cv::LINE_AA);
+        cv::circle(picture, eye, r / 10, {50, 40, 30}, cv::FILLED, cv::LINE_AA);
+        cv::ellipse(picture, eye - cv::Point(0, r / 5), {r / 4, r / 12}, 0, 180, 360, hair, 3, cv::LINE_AA);
+        cv::ellipse(picture, middle + cv::Point(side * r, 0), {r / 6, r / 3}, 0, 0, 360, darker, cv::FILLED,
+                    cv::LINE_AA);
+    }
+    cv::ellipse(picture, middle + cv::Point(0, r / 4), {r / 7, r / 4}, 0, 0, 180, darker, 3, cv::LINE_AA);
+    cv::ellipse(picture, middle + cv::Point(0, r * 7 / 10), {r / 3, r / 7}, 0, 0, 180, {90, 90, 170},
+                cv::FILLED, cv::LINE_AA);
+    cv::GaussianBlur(picture, picture, {}, 1.2);
+}
+
+// What the hands do: gestures change every half second, hands sway and turn.
+Shown shownAt(const Row& row, Side side, int number) {
+    const float t = static_cast<float>(number) / 30, sign = side == Side::Left ? 1.0f : -1.0f;
+    Shown shown;
+    shown.gesture = static_cast<Gesture>((number / 15 + (side == Side::Left ? 1 : 0)) % 3);
+    const float apart =
+        row.left && row.right ? 0.24f : 0.1f; // of the distance: the width of a picture is 1.16
+    shown.palm = {row.distance_m * (sign * apart + 0.06f * std::sin(1.7f * t)),
+                  row.distance_m * 0.05f * std::sin(2.3f * t),
+                  -row.distance_m * (1 + 0.08f * std::sin(1.3f * t))};
+    shown.roll = sign * -row.turn * std::sin(2.1f * t);
+    shown.tilt = 0.6f * row.turn * std::sin(1.5f * t);
+    return shown;
+}
+
+cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<HandPose>, 2>& poses,
+              bool learning) {
+    cv::Mat picture = clip.picture(clip.hands(poses), row.behind, row.face ? drawPerson : nullptr);
+    if (row.blur_px > 1 && !learning) cv::blur(picture, picture, {row.blur_px, 1});
+    if (row.light < 1) {
+        cv::Mat noise(picture.size(), CV_16SC3);
+        static cv::RNG random(3);
+        random.fill(noise, cv::RNG::NORMAL, 0, 5);
+        picture.convertTo(picture, -1, static_cast<double>(row.light));
+        cv::add(picture, noise, picture, {}, CV_8U);
+    }
+    return picture;
+}
+
+HandPose inCamera(HandPose hand) { // what Mount::apply() does, undone
+    const glm::quat back = glm::conjugate(kCameraMount.viewerFromDevice);
+    const glm::vec3 palm = hand.joints[0].position;
+    const glm::vec3 at =
+        kCameraMount.centreDevice_m + back * (palm - kCameraMount.centreViewer_m) / kCameraMount.reach;
+    for (Joint& joint : hand.joints) joint.position = at + back * (joint.position - palm);
+    return hand;
+}
+
+double apart_mm(const HandPose& a, const HandPose& b) { // of palms, across
+    return 1e3 * static_cast<double>(
+                     glm::distance(glm::vec2(a.joints[0].position), glm::vec2(b.joints[0].position)));
+}
+
+void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame& frame, RowResult& result) {
+    std::array<std::optional<HandPose>, 2> seen;
+    std::array<bool, 2> used{};
+    for (size_t side = 0; side < 2; ++side)
+        if (frame.hands[side].tracked) seen[side] = inCamera(frame.hands[side]);
+    for (size_t side = 0; side < 2; ++side) {
+        if (!shown[side]) continue;
+        ++result.shown;
+        for (const size_t as : {side, 1 - side}) {
+            if (!seen[as] || used[as] || apart_mm(*shown[side], *seen[as]) > 60) continue;
+            used[as] = true;
+            ++result.found;
+            result.otherSide += as != side;
+            for (const FingerJoints& finger : kFingerJoints) {
+                const auto reach = [&](const HandPose& hand) {
+                    return hand.joints[static_cast<size_t>(finger.tip)].position -
+                           hand.joints[kWristJoint].position;
+                };
+                result.tips_mm.push_back(
+                    1e3 * static_cast<double>(glm::distance(reach(*shown[side]), reach(*seen[as]))));
+            }
+            break;
+        }
+    }
+    for (size_t side = 0; side < 2; ++side) result.phantoms += seen[side] && !used[side];
+}
+
+} // namespace
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> kRows = {
+        {"one hand at 0.5 m"},
+        {"both hands", Behind::Room, 0.5f, true},
+        {"left hand", Behind::Gradient, 0.5f, true, false},
+        {"near, 0.3 m", Behind::Room, 0.3f},
+        {"far, 0.9 m", Behind::Room, 0.9f},
+        {"before wood", Behind::Wood},
+        {"beside a face", Behind::Room, 0.5f, true, true, true},
+        {"blurred by 25 pixels", Behind::Room, 0.5f, false, true, false, 25},
+        {"dark, a quarter", Behind::Room, 0.5f, false, true, false, 0, 0.25f},
+        {"turned by a radian", Behind::Grey, 0.5f, false, true, false, 0, 1, 1.0f},
+        {"a face, no hands", Behind::Room, 0.5f, false, false, true},
+    };
+    return kRows;
+}
+
+double RowResult::tipMedian_mm() const {
+    if (tips_mm.empty()) return 1e9;
+    std::vector<double> sorted = tips_mm;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
+    return sorted[sorted.size() / 2];
+}
+
+std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
+                               const std::vector<HandFinder*>& methods, const Look& look) {
+    std::vector<RowResult> results(methods.size());
+    for (int number = -kAway - kLearning; number < pictures; ++number) {
+        const bool learning = number < 0;
+        if (learning && number > -kAway - kLearning &&
+            !std::ranges::any_of(
+                methods, [](const HandFinder* method) { return method->instruction() != Instruction::None; }))
+            continue;
+        std::array<std::optional<HandPose>, 2> shown;
+        if (learning && number >= -kLearning)
+            shown[1] = shownHand(rig, Side::Right, {.palm = {0, -0.01f, -0.5f}});
+        for (const Side side : {Side::Left, Side::Right})
+            if (!learning && (side == Side::Left ? row.left : row.right))
+                shown[static_cast<size_t>(side)] = shownHand(rig, side, shownAt(row, side, number));
+        const cv::Mat picture = taken(clip, row, shown, learning);
+        std::vector<HandFrame> frames;
+        for (size_t i = 0; i < methods.size(); ++i) {
+            const auto began = std::chrono::steady_clock::now();
+            frames.push_back(methods[i]->detect(picture, (number + kAway + kLearning) * kPicture_s));
+            const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+            // What was there while it learnt may take some pictures to go.
+            if (number < 5) continue;
+            judge(shown, frames.back(), results[i]);
+            results[i].ms.push_back(took.count());
+        }
+        if (look && !learning) look(number, picture, frames);
+    }
+    return results;
+}
+
+void drawHands(cv::Mat& picture, const HandFrame& frame) {
+    for (size_t side = 0; side < 2; ++side) {
+        if (!frame.hands[side].tracked) continue;
+        const HandPose hand = inCamera(frame.hands[side]);
+        const auto at = [&](int joint) {
+            const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
+            return cv::Point(cvRound(kRowWidth / 2.0f - p.x / p.z * kFocal_px),
+                             cvRound(kRowHeight / 2.0f + p.y / p.z * kFocal_px));
+        };
+        const cv::Scalar colour = side == 0 ? cv::Scalar(255, 80, 0) : cv::Scalar(0, 60, 255); // left: blue
+        for (int joint = 0; joint < kJointCount; ++joint) {
+            if (kJointParent[static_cast<size_t>(joint)] >= 0)
+                cv::line(picture, at(joint), at(kJointParent[static_cast<size_t>(joint)]), colour, 1,
+                         cv::LINE_AA);
+            cv::circle(picture, at(joint), 2, colour, cv::FILLED, cv::LINE_AA);
+        }
+    }
+}
+
+} // namespace shoal::hands::test

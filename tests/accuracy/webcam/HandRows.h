@@ -1,0 +1,45 @@
+// What makes hands hard to find, a row each, and how well a method does there: for tests and the bench.
+#pragma once
+
+#include "HandClip.h"
+#include "input/hands/webcam/HandFinder.h"
+
+#include <functional>
+
+namespace shoal::hands::test {
+
+struct Row {
+    const char* name;
+    Behind behind = Behind::Room;
+    float distance_m = 0.5f;
+    bool left = false, right = true; // which hands are there
+    bool face = false;               // the player's, and skin-coloured clothes
+    int blur_px = 0;                 // of motion
+    float light = 1;                 // of what the camera gets; noise stays
+    float turn = 0.25f;              // how far hands are turned to and fro, radians
+};
+
+// All but the last with hands.
+const std::vector<Row>& rows();
+
+struct RowResult {
+    int shown = 0, found = 0;    // hands; found: with its palm within 60 mm, across, of where one is
+    int otherSide = 0;           // of these, taken for the other hand
+    int phantoms = 0;            // hands where none is
+    std::vector<double> tips_mm; // how far fingertips are off, from the wrist
+    std::vector<double> ms;      // for each picture
+    double tipMedian_mm() const;
+};
+
+// Seen by one method after the other, each of which has learnt the hand first. pictures: at 30 a second.
+// look: is shown every picture, and each method's hands.
+using Look = std::function<void(int number, const cv::Mat& picture, const std::vector<HandFrame>& found)>;
+std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
+                               const std::vector<HandFinder*>& methods, const Look& look = {});
+
+// Draws found hands into a picture.
+void drawHands(cv::Mat& picture, const HandFrame& frame);
+
+constexpr int kRowWidth = 640, kRowHeight = 480; // of pictures
+
+} // namespace shoal::hands::test
