@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     fuzz::expect(net->inputShape().size() == 4 && net->outputs() >= 1);
     std::ranges::fill(net->input(), 0.5f);
     if (!net->run()) return 0;
-    static volatile float last;
+    [[maybe_unused]] static volatile float last;
     for (size_t i = 0; i < net->outputs(); ++i)
         for (const float number : net->output(i)) last = number;
     return 0;
