@@ -132,10 +132,21 @@ struct Mount {
     // In place: one hand, from the device's frame to the viewer's. The palm is moved, the hand keeps its
     // size.
     void apply(HandPose& hand) const {
-        const glm::vec3 palm = hand.joints[0].position, placed = place(palm);
+        move(hand, place(hand.joints[kPalmJoint].position), viewerFromDevice);
+    }
+    // The inverse: from the viewer's frame to the device's.
+    void undo(HandPose& hand) const {
+        const glm::quat deviceFromViewer = glm::conjugate(viewerFromDevice);
+        const glm::vec3 palm = hand.joints[kPalmJoint].position;
+        move(hand, centreDevice_m + deviceFromViewer * (palm - centreViewer_m) / reach, deviceFromViewer);
+    }
+
+  private:
+    static void move(HandPose& hand, const glm::vec3& palm, const glm::quat& turn) {
+        const glm::vec3 before = hand.joints[kPalmJoint].position;
         for (Joint& joint : hand.joints) {
-            joint.position = placed + viewerFromDevice * (joint.position - palm);
-            joint.orientation = viewerFromDevice * joint.orientation;
+            joint.position = palm + turn * (joint.position - before);
+            joint.orientation = turn * joint.orientation;
         }
     }
 };
@@ -150,13 +161,8 @@ class HandPlacement {
 
     const Mount& mount() const { return mount_; }
 
-    // What is to be added to where the mount alone puts each hand; viewer's frame, metres. palmsDevice: of
-    // the hands that are seen. touching_m: palms nearer than this may belong to hands that touch. Where a
-    // second hand comes or goes, the first is moved within kEase_s, not at once.
-    std::array<glm::vec3, 2> shifts(const std::array<std::optional<glm::vec3>, 2>& palmsDevice,
-                                    float touching_m, int64_t time_us);
-
-    // In place, from the device's frame to the viewer's, those hands that are tracked.
+    // In place, from the device's frame to the viewer's, those hands that are tracked. Where a second hand
+    // comes or goes, the first is moved within kEase_s, not at once.
     void apply(std::array<HandPose, 2>& hands, int64_t time_us);
 
     // From there on farther apart, by so much, distances are lengthened in full.
@@ -164,6 +170,11 @@ class HandPlacement {
     static constexpr float kEase_s = 0.3f;
 
   private:
+    // What is to be added to where the mount alone puts each hand; viewer's frame, metres. palmsDevice: of
+    // the hands that are seen. touching_m: palms nearer than this may belong to hands that touch.
+    std::array<glm::vec3, 2> shifts(const std::array<std::optional<glm::vec3>, 2>& palmsDevice,
+                                    float touching_m, int64_t time_us);
+
     Mount mount_;
     std::array<glm::vec3, 2> shifts_{}; // whole, of the last time that both were seen
     float share_ = 0;                   // of them that is applied, 0 to 1

@@ -153,7 +153,7 @@ void HandDetector::assign(const std::vector<Outline>& outlines, double time_s) {
     }
 }
 
-// Only the palm's place and the gesture are seen; the rest is how a hand reaches there.
+// Only the palm's place and the gesture are seen; the rest is how a viewer's hand reaches there.
 HandPose HandDetector::poseOf(const WebcamHand& hand, Side side) const {
     const glm::vec3 palm = kCameraMount.place(hand.palm);
     HandPose pose = reachingHand(rig_, side, palm, hand.gesture == Gesture::Fist ? 1.0f : 0.0f);
@@ -164,6 +164,7 @@ HandPose HandDetector::poseOf(const WebcamHand& hand, Side side) const {
     pose.confidence = 0.6f;
     pose.grip = hand.gesture == Gesture::Fist ? 1.0f : 0.0f;
     pose.pinch = hand.gesture == Gesture::Pinch ? 1.0f : 0.0f;
+    kCameraMount.undo(pose);
     return pose;
 }
 
@@ -197,19 +198,12 @@ HandFrame HandDetector::detect(const cv::Mat& bgr, double time_s) {
     cv::morphologyEx(mask_, mask_, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
     cv::morphologyEx(mask_, mask_, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
     assign(findHands(mask_), time_s);
-    std::array<std::optional<glm::vec3>, 2> palms;
-    float touching_m = 0;
     for (size_t side = 0; side < 2; ++side) {
         if (!hands_[side]) continue;
         frame.hands[side] = poseOf(*hands_[side], side == 0 ? Side::Left : Side::Right);
         frame.hands[side].time_us = frame.time_us;
         frame.identity[side] = tracked_[side].identity;
-        palms[side] = hands_[side]->palm;
-        touching_m += spanOf(frame.hands[side]);
     }
-    const auto by = placement_.shifts(palms, touching_m, frame.time_us);
-    for (size_t side = 0; side < 2; ++side)
-        for (Joint& joint : frame.hands[side].joints) joint.position += by[side];
     return frame;
 }
 

@@ -93,7 +93,6 @@ class HandDetector final : public HandFinder {
         int votes = 0; // pictures in a row that propose it
     };
     std::array<Tracked, 2> tracked_; // left, right
-    HandPlacement placement_{kCameraMount};
 };
 
 } // namespace shoal::hands

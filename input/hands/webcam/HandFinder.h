@@ -14,7 +14,7 @@ class HandFinder {
   public:
     virtual ~HandFinder() = default;
 
-    // The next picture, blue first, of any size. time_s rises.
+    // The next picture, blue first, of any size. time_s rises. Hands are returned in the camera's frame.
     virtual HandFrame detect(const cv::Mat& bgr, double time_s) = 0;
     virtual Instruction instruction() const { return Instruction::None; } // for the player
 };

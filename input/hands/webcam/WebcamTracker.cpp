@@ -23,8 +23,8 @@ constexpr std::chrono::seconds kRetry{1};
 
 #ifndef SHOAL_HAND_LANDMARKS
 Result<std::unique_ptr<HandFinder>> makeLandmarkFinder(const Path&, const HandRig&) {
-    return Error{"", "this build lacks XNNPACK; install libxnnpack-dev, libpthreadpool-dev and "
-                     "libflatbuffers-dev, and build it anew"};
+    return Error{"", "this build lacks XNNPACK; install libxnnpack-dev, libpthreadpool-dev, "
+                     "libflatbuffers-dev and flatbuffers-compiler, and build it anew"};
 }
 #endif
 
@@ -64,7 +64,9 @@ class WebcamTracker final : public HandTracker {
         return options_.file.empty() ? "camera " + std::to_string(options_.index) : options_.file;
     }
     void detect(HandFinder& finder, const cv::Mat& picture, double time_s) {
-        stream().push(finder.detect(picture, time_s));
+        HandFrame frame = finder.detect(picture, time_s);
+        placement_.apply(frame.hands, frame.time_us);
+        stream().push(frame);
         const Instruction instruction = finder.instruction();
         stream().setState(
             {true, instruction == Instruction::None ? place() : place() + ", learning your hand's colour",
@@ -119,6 +121,7 @@ class WebcamTracker final : public HandTracker {
 
     WebcamOptions options_;
     HandRig rig_;
+    HandPlacement placement_{kCameraMount};
     std::jthread thread_; // last: it uses all of the above
 };
 

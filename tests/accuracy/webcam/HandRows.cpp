@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPicture_s = 1 / 30.0;
 constexpr int kAway = 18, kLearning = 66; // pictures, for the method that learns the hand's colour
+constexpr int kSettling = 10;             // pictures, in which the hand that was learnt may be followed yet
 
 const float kFocal_px = kRowWidth / 2.0f / std::tan(kWebcamFov / 2);
 
@@ -58,26 +59,16 @@ Shown shownAt(const Row& row, Side side, int number) {
 }
 
 cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<HandPose>, 2>& poses,
-              bool learning) {
+              bool learning, cv::RNG& random) {
     cv::Mat picture = clip.picture(clip.hands(poses), row.behind, row.face ? drawPerson : nullptr);
     if (row.blur_px > 1 && !learning) cv::blur(picture, picture, {row.blur_px, 1});
     if (row.light < 1) {
         cv::Mat noise(picture.size(), CV_16SC3);
-        static cv::RNG random(3);
         random.fill(noise, cv::RNG::NORMAL, 0, 5);
         picture.convertTo(picture, -1, static_cast<double>(row.light));
         cv::add(picture, noise, picture, {}, CV_8U);
     }
     return picture;
-}
-
-HandPose inCamera(HandPose hand) { // what Mount::apply() does, undone
-    const glm::quat back = glm::conjugate(kCameraMount.viewerFromDevice);
-    const glm::vec3 palm = hand.joints[0].position;
-    const glm::vec3 at =
-        kCameraMount.centreDevice_m + back * (palm - kCameraMount.centreViewer_m) / kCameraMount.reach;
-    for (Joint& joint : hand.joints) joint.position = at + back * (joint.position - palm);
-    return hand;
 }
 
 double apart_mm(const HandPose& a, const HandPose& b) { // of palms, across
@@ -86,15 +77,13 @@ double apart_mm(const HandPose& a, const HandPose& b) { // of palms, across
 }
 
 void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame& frame, RowResult& result) {
-    std::array<std::optional<HandPose>, 2> seen;
+    const std::array<HandPose, 2>& seen = frame.hands;
     std::array<bool, 2> used{};
-    for (size_t side = 0; side < 2; ++side)
-        if (frame.hands[side].tracked) seen[side] = inCamera(frame.hands[side]);
     for (size_t side = 0; side < 2; ++side) {
         if (!shown[side]) continue;
         ++result.shown;
         for (const size_t as : {side, 1 - side}) {
-            if (!seen[as] || used[as] || apart_mm(*shown[side], *seen[as]) > 60) continue;
+            if (!seen[as].tracked || used[as] || apart_mm(*shown[side], seen[as]) > 60) continue;
             used[as] = true;
             ++result.found;
             result.otherSide += as != side;
@@ -104,12 +93,12 @@ void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame&
                            hand.joints[kWristJoint].position;
                 };
                 result.tips_mm.push_back(
-                    1e3 * static_cast<double>(glm::distance(reach(*shown[side]), reach(*seen[as]))));
+                    1e3 * static_cast<double>(glm::distance(reach(*shown[side]), reach(seen[as]))));
             }
             break;
         }
     }
-    for (size_t side = 0; side < 2; ++side) result.phantoms += seen[side] && !used[side];
+    for (size_t side = 0; side < 2; ++side) result.phantoms += seen[side].tracked && !used[side];
 }
 
 } // namespace
@@ -142,6 +131,7 @@ double RowResult::tipMedian_mm() const {
 std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
                                const std::vector<HandFinder*>& methods, const Look& look) {
     std::vector<RowResult> results(methods.size());
+    cv::RNG random(3);
     for (int number = -kAway - kLearning; number < pictures; ++number) {
         const bool learning = number < 0;
         if (learning && number > -kAway - kLearning &&
@@ -154,14 +144,13 @@ std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& ro
         for (const Side side : {Side::Left, Side::Right})
             if (!learning && (side == Side::Left ? row.left : row.right))
                 shown[static_cast<size_t>(side)] = shownHand(rig, side, shownAt(row, side, number));
-        const cv::Mat picture = taken(clip, row, shown, learning);
+        const cv::Mat picture = taken(clip, row, shown, learning, random);
         std::vector<HandFrame> frames;
         for (size_t i = 0; i < methods.size(); ++i) {
             const auto began = std::chrono::steady_clock::now();
             frames.push_back(methods[i]->detect(picture, (number + kAway + kLearning) * kPicture_s));
             const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-            // What was there while it learnt may take some pictures to go.
-            if (number < 5) continue;
+            if (number < kSettling) continue;
             judge(shown, frames.back(), results[i]);
             results[i].ms.push_back(took.count());
         }
@@ -173,7 +162,7 @@ std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& ro
 void drawHands(cv::Mat& picture, const HandFrame& frame) {
     for (size_t side = 0; side < 2; ++side) {
         if (!frame.hands[side].tracked) continue;
-        const HandPose hand = inCamera(frame.hands[side]);
+        const HandPose& hand = frame.hands[side];
         const auto at = [&](int joint) {
             const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
             return cv::Point(cvRound(kRowWidth / 2.0f - p.x / p.z * kFocal_px),

@@ -38,6 +38,17 @@ TEST(NeuralNet, EveryOperatorDoesWhatItsDefinitionSays) {
     EXPECT_NEAR(sure[2], sigmoid(1), 1e-5f);
 }
 
+// A small file may ask for much: operators share weights, and pictures are resized.
+TEST(NeuralNet, WhatNeedsTooMuchMemoryIsRefused) {
+    EXPECT_TRUE(NeuralNet::read(test::TinyModel().makeLayers(2), "small"));
+    EXPECT_TRUE(NeuralNet::read(test::TinyModel().makePictures(1), "small"));
+    for (const auto& file : {test::TinyModel().makeLayers(9), test::TinyModel().makePictures(3)}) {
+        const auto net = NeuralNet::read(file, "large");
+        ASSERT_FALSE(net);
+        EXPECT_EQ(net.error().reason, "is too large");
+    }
+}
+
 TEST(NeuralNet, DamagedFilesAreRefusedOrRun) {
     const std::vector<uint8_t> whole = test::TinyModel().make();
     EXPECT_FALSE(NeuralNet::read({}, "empty"));

@@ -13,8 +13,9 @@ namespace shoal::hands::test {
 
 // Of a picture of 4 by 4 pixels of two channels that are everywhere a and b, with v = (a + 2b + 0.25, b / 2 -
 // a), its negative parts times a half and a quarter:
-//   output 0  28 rows of 2: 10v, 7v, 7v, 5v; then these as 2 by 2 pixels, resized to 4 by 4 and with a third
-//   channel of 0 output 1  three numbers: sigmoid of 7.25 v.x, of 7.25 v.y, and of 1
+//   output 0: 28 rows of 2: 10v, 7v, 7v, 5v; then these as 2 by 2 pixels, resized to 4 by 4 and with a third
+//   channel of 0;
+//   output 1: three numbers: sigmoid of 7.25 v.x, of 7.25 v.y, and of 1.
 class TinyModel {
   public:
     std::vector<uint8_t> make() {
@@ -51,14 +52,44 @@ class TinyModel {
         add(Operation::Concatenation, {small, rest}, joined, Options::ConcatenationOptions,
             CreateConcatenationOptions(to_, 1).Union());
 
-        const std::vector<int32_t> ins{picture}, outs{joined, sure};
-        const auto graph = CreateSubGraphDirect(to_, &tensors_, &ins, &outs, &operators_);
-        const std::vector graphs{graph};
-        FinishModelBuffer(to_, CreateModelDirect(to_, 3, &codes_, &graphs, "made", &buffers_));
-        return {to_.GetBufferPointer(), to_.GetBufferPointer() + to_.GetSize()};
+        return finish(picture, {joined, sure});
+    }
+
+    // Layers of 1024 by 1024 weights, all of one tensor.
+    std::vector<uint8_t> makeLayers(int count) {
+        const auto picture = tensor({1, 1, 1, 1024}),
+                   weights = floats({1024, 1024}, std::vector<float>(1024 * 1024)),
+                   bias = floats({1024}, std::vector<float>(1024));
+        auto last = tensor({1, 1024});
+        add(tflite::Operation::Reshape, {picture}, last);
+        for (int i = 0; i < count; ++i) {
+            const auto next = tensor({1, 1024});
+            add(tflite::Operation::FullyConnected, {last, weights, bias}, next);
+            last = next;
+        }
+        return finish(picture, {last});
+    }
+
+    // A pixel, resized to so many pictures of 1024 by 1024.
+    std::vector<uint8_t> makePictures(int count) {
+        const auto picture = tensor({1, 1, 1, 1}), size = integers({2}, {1024, 1024});
+        std::vector<int32_t> outs;
+        for (int i = 0; i < count; ++i) {
+            outs.push_back(tensor({1, 1024, 1024, 1}));
+            add(tflite::Operation::ResizeBilinear, {picture, size}, outs.back(),
+                tflite::Options::ResizeOptions, tflite::CreateResizeOptions(to_, 0, 0, false, true).Union());
+        }
+        return finish(picture, outs);
     }
 
   private:
+    std::vector<uint8_t> finish(int32_t in, const std::vector<int32_t>& outs) {
+        const std::vector<int32_t> ins{in};
+        const auto graph = tflite::CreateSubGraphDirect(to_, &tensors_, &ins, &outs, &operators_);
+        const std::vector graphs{graph};
+        FinishModelBuffer(to_, tflite::CreateModelDirect(to_, 3, &codes_, &graphs, "made", &buffers_));
+        return {to_.GetBufferPointer(), to_.GetBufferPointer() + to_.GetSize()};
+    }
     int32_t tensor(const std::vector<int32_t>& shape, tflite::TensorType type = tflite::TensorType::Float32,
                    uint32_t buffer = 0) {
         if (buffers_.empty())

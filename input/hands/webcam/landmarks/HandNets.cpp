@@ -20,6 +20,9 @@ constexpr int kPalmPicture = 192, kHandPicture = 224; // the networks' inputs, p
 constexpr size_t kAnchors = 2016, kPerAnchor = 18;
 constexpr float kPalmThreshold = 0.5f, kSamePalm = 0.3f; // score; overlap of boxes
 constexpr size_t kMostPalms = 8;
+// The networks' outputs, in their files' order.
+enum PalmOutput : size_t { kBoxes, kScores };
+enum LandmarkOutput : size_t { kPlaces, kPresence, kRight, kShape };
 
 struct ModelFile {
     const char* name;
@@ -60,15 +63,6 @@ Result<NeuralNet> loadNet(const Path& folder, const ModelFile& model, size_t pic
     for (size_t i = 0; fits && i < outputs.size(); ++i) fits = net->output(i).size() == outputs[i];
     if (!fits) return Error{file.string(), "has other inputs or outputs than expected"};
     return net;
-}
-
-// Part of the picture that the affine map takes to a network's input: red first, 0 to 1.
-void takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
-                 std::span<float> input) {
-    cv::Mat part, rgb(size, size, CV_32FC3, input.data());
-    cv::warpAffine(bgr, part, inputFromPicture, {size, size}, cv::INTER_LINEAR, border);
-    cv::cvtColor(part, part, cv::COLOR_BGR2RGB);
-    part.convertTo(rgb, CV_32F, 1.0 / 255);
 }
 
 cv::Point2f turned(const cv::Point2f& v, float turn) {
@@ -124,26 +118,39 @@ Result<HandNets> HandNets::load(const Path& folder) {
     return HandNets(std::move(*palms), std::move(*landmarks));
 }
 
-std::vector<Palm> HandNets::findPalms(const cv::Mat& bgr) {
-    static const std::vector<cv::Point2f> anchors = makeAnchors();
+HandNets::HandNets(NeuralNet palms, NeuralNet landmarks)
+    : palms_(std::move(palms)), landmarks_(std::move(landmarks)), anchors_(makeAnchors()) {
+    found_.reserve(kAnchors);
+}
+
+// Part of the picture that the affine map takes to a network's input: red first, 0 to 1.
+void HandNets::takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
+                           std::span<float> input) {
+    cv::Mat to(size, size, CV_32FC3, input.data());
+    cv::warpAffine(bgr, part_, inputFromPicture, {size, size}, cv::INTER_LINEAR, border);
+    cv::cvtColor(part_, rgb_, cv::COLOR_BGR2RGB);
+    rgb_.convertTo(to, CV_32F, 1.0 / 255);
+}
+
+std::span<const Palm> HandNets::findPalms(const cv::Mat& bgr) {
     // The whole picture, in the middle of a black square.
     const cv::Point2f size(static_cast<float>(bgr.cols), static_cast<float>(bgr.rows));
     const float side = std::max(size.x, size.y), scale = kPalmPicture / side;
     const cv::Point2f margin(0.5f * (side - size.x), 0.5f * (side - size.y));
-    cv::Mat small;
-    cv::resize(bgr, small, {std::max(1, cvRound(size.x * scale)), std::max(1, cvRound(size.y * scale))}, 0, 0,
-               cv::INTER_AREA);
-    takePicture(small, {1, 0, margin.x * scale, 0, 1, margin.y * scale}, kPalmPicture, cv::BORDER_CONSTANT,
+    cv::resize(bgr, small_, {std::max(1, cvRound(size.x * scale)), std::max(1, cvRound(size.y * scale))}, 0,
+               0, cv::INTER_AREA);
+    takePicture(small_, {1, 0, margin.x * scale, 0, 1, margin.y * scale}, kPalmPicture, cv::BORDER_CONSTANT,
                 palms_.input());
     if (!palms_.run()) return {};
-    const std::span<const float> numbers = palms_.output(0), scores = palms_.output(1);
-    std::vector<Palm> found;
+    const std::span<const float> numbers = palms_.output(kBoxes), scores = palms_.output(kScores);
+    found_.clear();
     for (size_t i = 0; i < kAnchors; ++i) {
         const float score = 1 / (1 + std::exp(-std::clamp(scores[i], -100.0f, 100.0f)));
         if (!(score >= kPalmThreshold)) continue;
         const float* of = &numbers[i * kPerAnchor];
         const auto point = [&](size_t k) { // pixels of the picture
-            return cv::Point2f(of[k] / kPalmPicture + anchors[i].x, of[k + 1] / kPalmPicture + anchors[i].y) *
+            return cv::Point2f(of[k] / kPalmPicture + anchors_[i].x,
+                               of[k + 1] / kPalmPicture + anchors_[i].y) *
                        side -
                    margin;
         };
@@ -152,20 +159,22 @@ std::vector<Palm> HandNets::findPalms(const cv::Mat& bgr) {
         if (!(extent.x > 1 && extent.y > 1 && extent.x < 4 * side && extent.y < 4 * side)) continue;
         const float turn = turnOf(knuckle - wrist);
         constexpr float kScale = 2.6f, kTowardsFingers = 0.5f;
-        found.push_back({{middle + turned({0, -kTowardsFingers * extent.y}, turn),
-                          kScale * std::max(extent.x, extent.y), turn},
-                         cv::Rect2f(middle - 0.5f * extent, cv::Size2f(extent.x, extent.y)),
-                         score});
+        found_.push_back({{middle + turned({0, -kTowardsFingers * extent.y}, turn),
+                           kScale * std::max(extent.x, extent.y), turn},
+                          cv::Rect2f(middle - 0.5f * extent, cv::Size2f(extent.x, extent.y)),
+                          score});
     }
-    // Non-maximum suppression.
-    std::sort(found.begin(), found.end(), [](const Palm& a, const Palm& b) { return a.score > b.score; });
-    std::vector<Palm> kept;
-    for (const Palm& palm : found)
-        if (kept.size() < kMostPalms && std::none_of(kept.begin(), kept.end(), [&](const Palm& other) {
-                return overlap(other.box, palm.box) > kSamePalm;
-            }))
-            kept.push_back(palm);
-    return kept;
+    // Non-maximum suppression, in place.
+    std::sort(found_.begin(), found_.end(), [](const Palm& a, const Palm& b) { return a.score > b.score; });
+    size_t kept = 0;
+    for (const Palm& palm : found_) {
+        const std::span before(found_.data(), kept);
+        const bool known = std::any_of(before.begin(), before.end(), [&](const Palm& other) {
+            return overlap(other.box, palm.box) > kSamePalm;
+        });
+        if (!known && kept < kMostPalms) found_[kept++] = palm;
+    }
+    return {found_.data(), kept};
 }
 
 Landmarks HandNets::findLandmarks(const cv::Mat& bgr, const Crop& crop) {
@@ -178,15 +187,15 @@ Landmarks HandNets::findLandmarks(const cv::Mat& bgr, const Crop& crop) {
                 kHandPicture, cv::BORDER_REPLICATE, landmarks_.input());
     Landmarks out;
     if (!landmarks_.run()) return out;
-    const std::span<const float> at = landmarks_.output(0), shape = landmarks_.output(3);
+    const std::span<const float> at = landmarks_.output(kPlaces), shape = landmarks_.output(kShape);
     for (size_t i = 0; i < kLandmarkCount; ++i) {
         out.at[i] =
             crop.middle + turned(cv::Point2f(at[3 * i] - half, at[3 * i + 1] - half) / scale, crop.turn);
         const cv::Point2f across = turned({shape[3 * i], shape[3 * i + 1]}, crop.turn);
         out.shape[i] = {across.x, across.y, shape[3 * i + 2]};
     }
-    out.presence = landmarks_.output(1)[0];
-    out.right = landmarks_.output(2)[0]; // in a picture that is not mirrored
+    out.presence = landmarks_.output(kPresence)[0];
+    out.right = landmarks_.output(kRight)[0]; // in a picture that is not mirrored
     return out;
 }
 

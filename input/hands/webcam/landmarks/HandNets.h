@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace shoal::hands {
@@ -44,15 +45,20 @@ class HandNets {
     // From the files that get_models puts into a folder; of these, no others.
     static Result<HandNets> load(const Path& folder);
 
-    // bgr: 8 bits, not empty. The surest palm first.
-    std::vector<Palm> findPalms(const cv::Mat& bgr);
+    // bgr: 8 bits, not empty. The surest palm first; valid until the next call.
+    std::span<const Palm> findPalms(const cv::Mat& bgr);
     Landmarks findLandmarks(const cv::Mat& bgr, const Crop& crop);
 
   private:
-    HandNets(NeuralNet palms, NeuralNet landmarks)
-        : palms_(std::move(palms)), landmarks_(std::move(landmarks)) {}
+    HandNets(NeuralNet palms, NeuralNet landmarks);
+    void takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPicture, int size, int border,
+                     std::span<float> input);
 
     NeuralNet palms_, landmarks_;
+    std::vector<cv::Point2f> anchors_;
+    // Kept from picture to picture for their memory.
+    cv::Mat small_, part_, rgb_;
+    std::vector<Palm> found_;
 };
 
 } // namespace shoal::hands

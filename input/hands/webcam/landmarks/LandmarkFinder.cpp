@@ -109,6 +109,7 @@ class LandmarkFinder final : public HandFinder {
     std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
     float palmBones_m_ = 0;        // the rig's sum of kPalmBones
     std::vector<Track> tracks_;    // two at most, the older first
+    cv::Mat brightened_;
     int64_t identities_ = 0, pictures_ = 0;
 };
 
@@ -123,6 +124,7 @@ glm::mat3 palmAxes(const std::array<glm::vec3, kLandmarkCount>& at) {
 LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
     : nets_(std::move(nets)), completer_(rig),
       rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {
+    tracks_.reserve(2);
     const auto at = [&](int landmark) {
         return rest_[1].joints[static_cast<size_t>(kJointAt[static_cast<size_t>(landmark)])].position;
     };
@@ -298,7 +300,6 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
     partial.normal = fit.joints[kPalmJoint].orientation * glm::vec3(0, -1, 0);
     partial.confidence = hand.presence;
     HandPose pose = completer_.complete(partial, track.side);
-    kCameraMount.apply(pose);
     if (!plausible(pose)) return std::nullopt;
     return pose;
 }
@@ -310,8 +311,9 @@ HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
     // The networks see little in the dark.
     const cv::Scalar mean = cv::mean(given);
     const double light = (mean[0] + mean[1] + mean[2]) / 3;
-    cv::Mat bgr = given;
-    if (light < kDark) given.convertTo(bgr, -1, std::min(kBright / std::max(light, 1.0), kMostGain));
+    const bool dark = light < kDark;
+    if (dark) given.convertTo(brightened_, -1, std::min(kBright / std::max(light, 1.0), kMostGain));
+    const cv::Mat& bgr = dark ? brightened_ : given;
     follow(bgr);
     if (tracks_.empty() || (tracks_.size() == 1 && ++pictures_ % kLookEvery == 0)) lookForNew(bgr);
     decideSides();

@@ -18,10 +18,13 @@ namespace {
 
 using Shape = std::vector<size_t>;
 
-constexpr size_t kMostTensors = 1024;             // of a network, and as many operators
-constexpr size_t kMostNumbers = size_t{1} << 21;  // of a tensor
-constexpr size_t kMostInAll = size_t{1} << 25;    // of all tensors
-constexpr double kMostMultiplications = 1 << 30;  // of a run
+constexpr size_t kMostTensors = 1024;                    // of a network, and as many operators
+constexpr size_t kMostNumbers = size_t{1} << 21;         // of a tensor
+constexpr size_t kMostInAll = size_t{1} << 25;           // of all tensors
+constexpr size_t kMostMultiplications = size_t{1} << 30; // of a run
+// XNNPACK keeps weights for each operator that uses them, though these share a tensor, and a pointer for each
+// pixel that a pixel of a result is made from.
+constexpr size_t kMostWeights = size_t{1} << 23, kMostPointers = size_t{1} << 23;
 constexpr size_t kMostWide = 1 << 14;             // of a dimension
 constexpr int kMostKernel = 16, kMostStride = 16; // pixels
 constexpr size_t kExtra = XNN_EXTRA_BYTES / sizeof(float);
@@ -102,13 +105,15 @@ class NeuralNet::Builder {
     bool finish(Tensor& made, xnn_status status);
     std::optional<Limits> limitsOf(tflite::Activation activation);
     bool fits(const Window& window, const Tensor& in, const Tensor& out);
+    bool mayMultiply(const Tensor& weights, size_t times);
+    bool mayPoint(size_t count);
 
     std::vector<Tensor> tensors_;
     std::vector<tflite::Operation> codes_;
     std::vector<xnn_external_value> externals_;
     std::vector<Tensor*> externalOutputs_;
     xnn_subgraph_t graph_ = nullptr;
-    double multiplications_ = 0;
+    size_t multiplications_ = 0, weights_ = 0, pointers_ = 0;
     const char* fault_ = nullptr;
 };
 
@@ -123,7 +128,7 @@ bool NeuralNet::Builder::readTensors(const tflite::Model& model, const tflite::S
         if (from->shape())
             for (const int32_t size : *from->shape()) {
                 if (!require(size > 0 && static_cast<size_t>(size) <= kMostWide && tensor.shape.size() < 4,
-                             "has a tensor of a size that is none"))
+                             "has a tensor of a size that is not supported"))
                     return false;
                 tensor.shape.push_back(static_cast<size_t>(size));
             }
@@ -161,7 +166,7 @@ bool NeuralNet::Builder::placeInputAndOutputs(const tflite::SubGraph& graph) {
     const auto place = [&](Tensor* part, float* at) {
         if (!require(part && part->bytes.empty() && part->externalId == XNN_INVALID_VALUE_ID &&
                          externals_.size() < 64,
-                     "has an output that is none"))
+                     "has an output that cannot be one"))
             return false;
         part->externalId = static_cast<uint32_t>(externals_.size());
         part->flags = XNN_VALUE_FLAG_EXTERNAL_OUTPUT;
@@ -171,7 +176,7 @@ bool NeuralNet::Builder::placeInputAndOutputs(const tflite::SubGraph& graph) {
     };
     for (uint32_t number = 0; number < graph.outputs()->size(); ++number) {
         Tensor* out = tensor(graph.outputs(), number);
-        if (!require(out, "has an output that is none")) return false;
+        if (!require(out, "lacks an output")) return false;
         net.outputCounts_.push_back(out->count);
         float* at = net.outputs_.emplace_back(out->count + kExtra).data();
         const Operator* joins = nullptr;
@@ -268,15 +273,27 @@ std::optional<Limits> NeuralNet::Builder::limitsOf(tflite::Activation activation
 bool NeuralNet::Builder::fits(const Window& window, const Tensor& in, const Tensor& out) {
     const auto within = [](int stride) { return stride >= 1 && stride <= kMostStride; };
     return require(
-        in.shape.size() == 4 && out.shape.size() == 4 && in.shape[0] == 1 && out.shape[0] == 1 &&
-            within(window.strideHeight) && within(window.strideWidth) && window.height >= 1 &&
-            window.width >= 1 && window.height <= kMostKernel && window.width <= kMostKernel &&
-            (window.padding == tflite::Padding::Same || window.padding == tflite::Padding::Valid) &&
-            out.shape[1] == outputSize(in.shape[1], window.height, static_cast<size_t>(window.strideHeight),
-                                       window.padding) &&
-            out.shape[2] == outputSize(in.shape[2], window.width, static_cast<size_t>(window.strideWidth),
-                                       window.padding),
-        "has a convolution whose sizes do not fit");
+               in.shape.size() == 4 && out.shape.size() == 4 && in.shape[0] == 1 && out.shape[0] == 1 &&
+                   within(window.strideHeight) && within(window.strideWidth) && window.height >= 1 &&
+                   window.width >= 1 && window.height <= kMostKernel && window.width <= kMostKernel &&
+                   (window.padding == tflite::Padding::Same || window.padding == tflite::Padding::Valid) &&
+                   out.shape[1] == outputSize(in.shape[1], window.height,
+                                              static_cast<size_t>(window.strideHeight), window.padding) &&
+                   out.shape[2] == outputSize(in.shape[2], window.width,
+                                              static_cast<size_t>(window.strideWidth), window.padding),
+               "has a convolution whose sizes do not fit") &&
+           mayPoint(window.height * window.width * out.shape[1] * out.shape[2]);
+}
+
+bool NeuralNet::Builder::mayMultiply(const Tensor& weights, size_t times) {
+    weights_ += weights.count;
+    multiplications_ += weights.count * times;
+    return require(weights_ <= kMostWeights && multiplications_ <= kMostMultiplications, "is too large");
+}
+
+bool NeuralNet::Builder::mayPoint(size_t count) {
+    pointers_ += count;
+    return require(pointers_ <= kMostPointers, "is too large");
 }
 
 bool NeuralNet::Builder::addDequantize(const Operator& op) {
@@ -320,8 +337,7 @@ bool NeuralNet::Builder::addConvolution(const Operator& op, bool depthwise) {
                                 : filter->shape[0] == to && filter->shape[3] == from),
                  "has a convolution whose channels do not fit"))
         return false;
-    multiplications_ +=
-        static_cast<double>(filter->count) * static_cast<double>(out->shape[1] * out->shape[2]);
+    if (!mayMultiply(*filter, out->shape[1] * out->shape[2])) return false;
     const auto height = static_cast<uint32_t>(window.height), width = static_cast<uint32_t>(window.width),
                down = static_cast<uint32_t>(window.strideHeight),
                across = static_cast<uint32_t>(window.strideWidth),
@@ -367,8 +383,8 @@ bool NeuralNet::Builder::addFullyConnected(const Operator& op) {
                                 bias->shape == Shape{out->count} && out->shape == Shape{1, out->count},
                             "has a layer whose sizes do not fit"))
         return false;
-    multiplications_ += static_cast<double>(filter->count);
-    return finish(*out, xnn_define_fully_connected(graph_, limits->low, limits->high, in->id, filter->id,
+    return mayMultiply(*filter, 1) &&
+           finish(*out, xnn_define_fully_connected(graph_, limits->low, limits->high, in->id, filter->id,
                                                    bias->id, out->id, 0));
 }
 
@@ -434,6 +450,7 @@ bool NeuralNet::Builder::addOther(const Operator& op) {
                            from.size() == 4 && to.size() == 4 && from[0] == 1 && to[0] == 1 &&
                            from[3] == to[3],
                        kMisfit) &&
+               mayPoint(4 * to[1] * to[2]) &&
                finish(*out, xnn_define_static_resize_bilinear_2d(graph_, to[1], to[2], in->id, out->id, 0));
     }
     default:
@@ -495,7 +512,6 @@ bool NeuralNet::Builder::build(std::span<const uint8_t> file) {
         if (!require(!each.made || each.weights || each.used || each.flags == XNN_VALUE_FLAG_EXTERNAL_OUTPUT,
                      "makes what nothing uses"))
             return false;
-    if (!require(multiplications_ <= kMostMultiplications, "takes too long to run")) return false;
     xnn_runtime_t runtime = nullptr;
     const bool made = xnn_create_runtime(graph_, &runtime) == xnn_status_success;
     net.runtime_.reset(runtime);
