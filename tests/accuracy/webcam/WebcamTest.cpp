@@ -214,9 +214,10 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
         fists += frame.hands[1].grip > 0.5f;
         pinches += frame.hands[1].pinch > 0.5f;
         EXPECT_FALSE(frame.hands[1].grip > 0.5f && frame.hands[1].pinch > 0.5f);
-        if (frame.hands[0].tracked && frame.hands[1].tracked) // as the viewer sees them, not the camera
+        if (frame.hands[0].tracked && frame.hands[1].tracked) { // as the viewer sees them, not the camera
             EXPECT_LT(frame.hands[0].joints[kPalmJoint].position.x,
                       frame.hands[1].joints[kPalmJoint].position.x);
+        }
         const Instruction asks = hands->stream().state().instruction;
         if (asks != Instruction::None && (asked.empty() || asked.back() != asks)) asked.push_back(asks);
     }

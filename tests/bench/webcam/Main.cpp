@@ -46,11 +46,10 @@ int main(int count, char** arguments) {
             std::vector<double> ms = result.ms;
             std::nth_element(ms.begin(), ms.begin() + static_cast<ptrdiff_t>(ms.size() / 2), ms.end());
             std::printf("| %s | %s | ", row.name, i == 0 ? "landmarks" : "colour");
-            if (result.shown)
-                std::printf("%.1f | %d | %d | %.1f | %.1f |\n", 100.0 * result.found / result.shown,
-                            result.otherSide, result.phantoms, result.tipMedian_mm(), ms[ms.size() / 2]);
-            else
-                std::printf("| | %d | | %.1f |\n", result.phantoms, ms[ms.size() / 2]);
+            if (result.shown) std::printf("%.1f", 100.0 * result.found / result.shown);
+            std::printf(" | %d | %d | ", result.otherSide, result.phantoms);
+            if (result.found) std::printf("%.1f", result.tipMedian_mm());
+            std::printf(" | %.1f |\n", ms[ms.size() / 2]);
             std::fflush(stdout);
         }
     }

@@ -25,7 +25,7 @@ constexpr float kNear_m = 0.1f, kFar_m = 3; // where hands are believed
 
 constexpr double kDark = 70, kBright = 110, kMostGain = 6; // of a picture's mean, of 255
 
-constexpr int kWrist = 0, kIndexKnuckle = 5, kMiddleKnuckle = 9, kRingKnuckle = 13, kLittleKnuckle = 17;
+constexpr size_t kWrist = 0, kIndexKnuckle = 5, kMiddleKnuckle = 9, kRingKnuckle = 13, kLittleKnuckle = 17;
 
 // The joint at each landmark; the fingers' metacarpals have none.
 constexpr std::array<int, kLandmarkCount> kJointAt = [] {
@@ -42,12 +42,21 @@ constexpr std::array kPalmBones = {std::pair{kWrist, kIndexKnuckle}, std::pair{k
                                    std::pair{kWrist, kRingKnuckle}, std::pair{kWrist, kLittleKnuckle},
                                    std::pair{kIndexKnuckle, kLittleKnuckle}};
 
-// Where the network puts its marks on a hand: not at the tips' ends, and a little before the wrist joint.
+// How far the network's landmarks lie beyond the joints, towards the fingertips, metres: the mean over
+// pictures of the rig's hand, open and pinching, of which the joints are known. Of fingers from the root to
+// the tip.
+constexpr float kWristBeyond_m = 0.0025f;
+constexpr std::array<float, 4> kThumbBeyond_m = {0.008f, 0.003f, 0.001f, -0.0025f},
+                               kFingerBeyond_m = {0.003f, -0.001f, -0.002f, -0.0035f};
+
 glm::vec3 landmarkOf(const HandPose& hand, size_t landmark) {
-    constexpr float kWristMark_m = 0.009f, kTipMark_m = -0.006f; // towards the fingertips
     const Joint& joint = hand.joints[static_cast<size_t>(kJointAt[landmark])];
-    const float ahead = landmark == kWrist ? kWristMark_m : landmark % 4 == 0 ? kTipMark_m : 0.0f;
-    return joint.position + joint.orientation * glm::vec3(0, 0, -ahead);
+    float beyond = kWristBeyond_m;
+    if (landmark != kWrist) {
+        const auto& finger = landmark < kIndexKnuckle ? kThumbBeyond_m : kFingerBeyond_m;
+        beyond = finger[(landmark - 1) % 4];
+    }
+    return joint.position + joint.orientation * glm::vec3(0, 0, -beyond);
 }
 
 cv::Point2f palmOf(const Landmarks& hand) {
@@ -125,10 +134,8 @@ LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
     : nets_(std::move(nets)), completer_(rig),
       rig_(rig), rest_{rig.pose(Side::Left, {}, {}), rig.pose(Side::Right, {}, {})} {
     tracks_.reserve(2);
-    const auto at = [&](int landmark) {
-        return rest_[1].joints[static_cast<size_t>(kJointAt[static_cast<size_t>(landmark)])].position;
-    };
-    for (const auto& [a, b] : kPalmBones) palmBones_m_ += glm::distance(at(a), at(b));
+    for (const auto& [a, b] : kPalmBones)
+        palmBones_m_ += glm::distance(landmarkOf(rest_[1], a), landmarkOf(rest_[1], b));
 }
 
 void LandmarkFinder::follow(const cv::Mat& bgr) {
