@@ -299,9 +299,11 @@ TextOptions Application::textOptions() const {
 }
 
 void Application::drawHud(HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
-    const GameSession& session = play_->session;
+    GameSession& session = play_->session;
     const ProgramStates& states = play_->states;
     const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
+    const bool showTimes = options_.frameTimes && !onHeadsetsEye;
+    const bool newPicture = showTimes && session.tracked && session.tracked->look(cameraPicture_);
     if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
     const game::Notice* notice = display_->notice();
     if (!notice) notice = environment_->notice();
@@ -328,11 +330,13 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .text = textOptions(),
          .vignette = options_.vignette && mouse ? mouse->turning_radps() : 0.0f,
          .finger = menuControls_.finger(),
-         .showTimes = options_.frameTimes && !onHeadsetsEye,
+         .showTimes = showTimes,
          .statistics = &statistics_,
          .quality = quality_ ? quality_->quality() : Quality(),
          .passes = sceneRenderer_->timers().times(),
          .environment = &*environment_,
+         .camera = newPicture ? &cameraPicture_ : nullptr,
+         .hasCamera = session.tracked.has_value(),
          .notice = notice,
          .volume = options_.volume,
          .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},

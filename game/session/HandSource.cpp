@@ -157,6 +157,11 @@ void TrackedHands::showElbows(game::Snapshot& shown) const {
         shown.hands[side].towardsElbow = shown.worldFromView * towardsElbow_[side];
 }
 
+bool TrackedHands::look(ImageRgba8& out) {
+    hands::CameraPreview* preview = tracker_ ? tracker_->preview() : nullptr;
+    return preview && preview->look(out);
+}
+
 std::array<hands::HandPose, 2> TrackedHands::seen() const {
     std::array<hands::HandPose, 2> poses{};
     for (int side = 0; side < 2; ++side)

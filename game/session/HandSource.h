@@ -91,6 +91,10 @@ class TrackedHands {
     // Of the hands that the device sees now, viewer's frame; the others are not tracked.
     std::array<hands::HandPose, 2> seen() const;
 
+    // What its camera sees: true where there is a picture newer than `out`, which it replaces. Is to be
+    // called once a frame while the picture is shown.
+    bool look(ImageRgba8& out);
+
     // To be shown now: which device is used, or what it asks of the player. Null: nothing.
     const game::Notice* notice() const;
 

@@ -149,6 +149,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "mit {} % der Größe gezeichnet, Licht mit jedem {}. Bild des Videos",
      "dessiné à {} % de la taille, lumière toutes les {} images"},
     {"light: {}", "Licht: {}", "lumière : {}"},
+    {"What the webcam sees; it stays on this machine", "Was die Webcam sieht; es bleibt auf diesem Gerät",
+     "Ce que voit la webcam ; rien ne quitte cet appareil"},
     {"as measured, GGX prefiltered", "wie gemessen, GGX-vorgefiltert", "telle que mesurée, préfiltrée GGX"},
     {"decoded sRGB, clipped light estimated, GGX prefiltered",
      "sRGB dekodiert, abgeschnittenes Licht geschätzt, GGX-vorgefiltert",

@@ -107,6 +107,21 @@ void drawCaptions(const Pen& pen, const HudInfo& info) {
     }
 }
 
+constexpr ImGuiWindowFlags kPanelFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs;
+
+// What a hand tracker's camera sees, at the lower left.
+void drawCamera(const Pen& pen, const Pictures::Picture& camera) {
+    const float scale = std::min(1.0f, pen.size.y / 3 / camera.size.y);
+    ImGui::SetNextWindowPos(ImVec2(12, pen.size.y - 12), ImGuiCond_Always, ImVec2(0, 1));
+    ImGui::SetNextWindowBgAlpha(0.85f);
+    ImGui::Begin("Camera", nullptr, kPanelFlags);
+    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(camera.texture.name())),
+                 ImVec2(scale * camera.size.x, scale * camera.size.y));
+    ImGui::TextUnformatted(pen.in("What the webcam sees; it stays on this machine"));
+    ImGui::End();
+}
+
 void drawTimes(const Pen& pen, const HudInfo& info) {
     const Statistics& statistics = *info.statistics;
     const Environment& environment = *info.environment;
@@ -114,9 +129,7 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     const ImVec2 corner(ImGui::GetIO().DisplaySize.x - 12, 110);
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1, 0));
     ImGui::SetNextWindowBgAlpha(0.85f);
-    ImGui::Begin("Frame", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoInputs);
+    ImGui::Begin("Frame", nullptr, kPanelFlags);
     const std::span<const float> recent = statistics.frame_ms.last(120);
     std::vector<float> sorted(recent.begin(), recent.end());
     std::sort(sorted.begin(), sorted.end());
@@ -140,7 +153,7 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     ImGui::End();
 }
 
-void drawText(const Pen& pen, const HudInfo& info) {
+void drawText(const Pen& pen, const HudInfo& info, const Pictures::Picture& camera) {
     if (info.inDive) {
         drawScore(pen, info);
         if (!info.snapshot->paused) drawCaptions(pen, info);
@@ -155,6 +168,7 @@ void drawText(const Pen& pen, const HudInfo& info) {
     if (info.finger)
         pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
     if (info.showTimes) drawTimes(pen, info);
+    if (info.showTimes && info.hasCamera && camera.texture) drawCamera(pen, camera);
 }
 
 } // namespace
@@ -207,13 +221,14 @@ void Hud::endFrame() {
 }
 
 void Hud::draw(const HudInfo& info, glm::ivec2 size) {
+    if (info.camera) camera_.show(*info.camera);
     const Pen pen = beginFrame(info.audience, info.part != HudPart::Marks, info.text, size);
     if (info.part != HudPart::Panel) {
         if (info.vignette > 0) drawVignette(pen, info.vignette);
         drawHold(pen, info);
         drawPopups(pen, info);
     }
-    if (info.part != HudPart::Marks) drawText(pen, info);
+    if (info.part != HudPart::Marks) drawText(pen, info, camera_);
     endFrame();
 }
 

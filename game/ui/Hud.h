@@ -53,6 +53,9 @@ struct HudInfo {
     Quality quality;
     std::span<const gl::PassTimers::Time> passes; // what the graphics side took for each
     const Environment* environment = nullptr;
+    const ImageRgba8* camera =
+        nullptr;            // a newer picture of a hand tracker's camera, to be shown with the times
+    bool hasCamera = false; // else the last picture is not shown
     const game::Notice* notice = nullptr; // null: none
     float volume = 0;
     bool showVolume = false;
@@ -79,6 +82,7 @@ class Hud {
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Fonts fonts_;
     Pictures pictures_;
+    Pictures::Picture camera_; // of a hand tracker
 };
 
 } // namespace shoal::app

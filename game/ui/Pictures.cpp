@@ -22,6 +22,14 @@ Result<ImageRgba8> readSmallPicture(const Path& file) {
     return image;
 }
 
+void Pictures::Picture::show(const ImageRgba8& image) {
+    if (!texture) texture = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    size = {image.width, image.height};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.pixels.data());
+}
+
 const Pictures::Picture& Pictures::get(const std::string& file) {
     const auto [entry, isNew] = read_.try_emplace(file);
     Picture& picture = entry->second;
@@ -31,10 +39,7 @@ const Pictures::Picture& Pictures::get(const std::string& file) {
         log::warn("{}", image.error().message());
         return picture;
     }
-    picture.texture = gl::makeTexture(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
-    picture.size = {image->width, image->height};
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image->width, image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 image->pixels.data());
+    picture.show(*image);
     return picture;
 }
 

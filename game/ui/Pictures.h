@@ -22,6 +22,8 @@ class Pictures {
     struct Picture {
         gl::Texture texture; // empty: there is no such picture
         glm::vec2 size{0};   // pixels
+
+        void show(const ImageRgba8& image); // instead of what it was
     };
     // file: in content; read when it is first asked for. Needs the OpenGL context.
     const Picture& get(const std::string& file);

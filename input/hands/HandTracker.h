@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "input/hands/CameraPreview.h"
 #include "input/hands/HandRig.h"
 
 #include <array>
@@ -68,6 +69,7 @@ class HandTracker {
 
     const char* name() const { return name_; } // "Leap Motion"
     HandStream& stream() { return stream_; }
+    virtual CameraPreview* preview() { return nullptr; } // null: of a tracker without pictures
 
   protected:
     explicit HandTracker(const char* name, size_t capacity = 1024,

@@ -9,7 +9,11 @@
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #endif
 
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -50,6 +54,7 @@ class WebcamTracker final : public HandTracker {
         thread_.request_stop();
         stream().close();
     }
+    CameraPreview* preview() override { return &preview_; }
 
   private:
     // False: the tracker is being destroyed.
@@ -67,10 +72,30 @@ class WebcamTracker final : public HandTracker {
         HandFrame frame = finder.detect(picture, time_s);
         placement_.apply(frame.hands, frame.time_us);
         stream().push(frame);
+        if (preview_.isWatched()) showPreview(picture, finder.marks());
         const Instruction instruction = finder.instruction();
         stream().setState(
             {true, instruction == Instruction::None ? place() : place() + ", learning your hand's colour",
              instruction});
+    }
+
+    // As in a mirror.
+    void showPreview(const cv::Mat& bgr, std::span<const cv::Point2f> marks) {
+        if (bgr.empty() || bgr.type() != CV_8UC3) return;
+        const float scale = static_cast<float>(CameraPreview::kWidth) / static_cast<float>(bgr.cols);
+        const int height = std::max(1, static_cast<int>(std::lround(scale * static_cast<float>(bgr.rows))));
+        shown_.fit(CameraPreview::kWidth, height);
+        cv::Mat rgba(height, CameraPreview::kWidth, CV_8UC4, shown_.pixels.data());
+        cv::resize(bgr, small_, rgba.size(), 0, 0, cv::INTER_AREA);
+        cv::flip(small_, small_, 1);
+        cv::cvtColor(small_, rgba, cv::COLOR_BGR2RGBA);
+        for (const cv::Point2f& mark : marks) {
+            const cv::Point at(CameraPreview::kWidth - 1 - static_cast<int>(scale * mark.x),
+                               static_cast<int>(scale * mark.y));
+            cv::circle(rgba, at, 3, cv::Scalar(0, 0, 0, 255), cv::FILLED);
+            cv::circle(rgba, at, 2, cv::Scalar(255, 200, 60, 255), cv::FILLED);
+        }
+        preview_.show(shown_);
     }
 
     // Returns why it ended.
@@ -122,6 +147,9 @@ class WebcamTracker final : public HandTracker {
     WebcamOptions options_;
     HandRig rig_;
     HandPlacement placement_{kCameraMount};
+    CameraPreview preview_;
+    cv::Mat small_;       // scratch of showPreview()
+    ImageRgba8 shown_;    // the same
     std::jthread thread_; // last: it uses all of the above
 };
 

@@ -264,6 +264,36 @@ TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
     EXPECT_FALSE(hands->stream().state().present);
 }
 
+TEST(WebcamHands, ThePlayerIsShownAsInAMirrorWhileSomebodyLooks) {
+    CameraPreview preview;
+    ImageRgba8 picture;
+    EXPECT_FALSE(preview.isWatched()) << "nobody has looked yet";
+    EXPECT_FALSE(preview.look(picture));
+    EXPECT_TRUE(preview.isWatched());
+    preview.show(ImageRgba8(2, 2));
+    EXPECT_FALSE(preview.isWatched());
+    EXPECT_TRUE(preview.look(picture));
+    EXPECT_FALSE(preview.look(picture)) << "the same again";
+
+    const tests::ScratchFolder folder;
+    const Path file = folder / "half.avi";
+    cv::VideoWriter writer(file.string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), kRate_Hz, {320, 200});
+    if (!writer.isOpened()) GTEST_SKIP() << "needs a codec to write clips with";
+    cv::Mat half(200, 320, CV_8UC3, cv::Scalar::all(0));
+    half.colRange(0, 160).setTo(cv::Scalar::all(255));
+    for (int i = 0; i < 40; ++i) writer.write(half);
+    writer.release();
+    const auto hands = makeWebcamTracker({file.string(), 0, false, folder.path()}, rig());
+    bool shown = hands->preview()->look(picture);
+    for (HandFrame frame; hands->stream().take(frame, std::chrono::seconds(20));)
+        shown |= hands->preview()->look(picture);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(picture.width, CameraPreview::kWidth);
+    EXPECT_EQ(picture.height, 150);
+    EXPECT_LT(picture.at(30, 75)[0], 40);
+    EXPECT_GT(picture.at(210, 75)[0], 215);
+}
+
 TEST(WebcamEye, OddPicturesAreSurvived) {
     HandDetector eye(rig());
     double t = 0;

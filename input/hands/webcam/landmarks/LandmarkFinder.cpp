@@ -87,6 +87,7 @@ class LandmarkFinder final : public HandFinder {
   public:
     LandmarkFinder(HandNets nets, const HandRig& rig);
     HandFrame detect(const cv::Mat& bgr, double time_s) override;
+    std::span<const cv::Point2f> marks() const override { return marks_; }
 
   private:
     void follow(const cv::Mat& bgr);
@@ -118,6 +119,7 @@ class LandmarkFinder final : public HandFinder {
     std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
     float palmBones_m_ = 0;        // the rig's sum of kPalmBones
     std::vector<Track> tracks_;    // two at most, the older first
+    std::vector<cv::Point2f> marks_;
     cv::Mat brightened_;
     int64_t identities_ = 0, pictures_ = 0;
 };
@@ -314,6 +316,7 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
 HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
     HandFrame frame;
     frame.time_us = static_cast<int64_t>(time_s * 1e6);
+    marks_.clear();
     if (given.empty() || given.type() != CV_8UC3) return frame;
     // The networks see little in the dark.
     const cv::Scalar mean = cv::mean(given);
@@ -326,6 +329,7 @@ HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
     decideSides();
     for (const Track& track : tracks_) {
         if (!track.isSure()) continue;
+        marks_.insert(marks_.end(), track.hand.at.begin(), track.hand.at.end());
         const auto pose = poseOf(track, bgr.size());
         if (!pose) continue;
         const size_t side = track.side == Side::Left ? 0 : 1;
