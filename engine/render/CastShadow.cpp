@@ -268,7 +268,7 @@ float cosineAt(const ShadowGrid& grid, int x, int y, const CastingLight& light) 
     const int widest = std::max(1, static_cast<int>(std::lround(kSpan_m / grid.cell_m)));
     const auto node = [&](int nx, int ny) -> const ShadowGrid::Node* {
         if (nx < 0 || ny < 0 || nx > grid.across || ny > grid.down) return nullptr;
-        const ShadowGrid::Node& found = grid.nodes[static_cast<size_t>(ny * (grid.across + 1) + nx)];
+        const ShadowGrid::Node& found = grid.at(nx, ny);
         return found.fall_m < 0 ? nullptr : &found;
     };
     const ShadowGrid::Node& here = *node(x, y);
@@ -359,9 +359,6 @@ void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const Cast
     out.cell_m =
         2 * std::max(halfAlong / static_cast<float>(out.across), halfAside / static_cast<float>(out.down));
     out.nodes.assign(static_cast<size_t>((out.across + 1) * (out.down + 1)), {});
-    const auto node = [&](int x, int y) -> ShadowGrid::Node& {
-        return out.nodes[static_cast<size_t>(y * (out.across + 1) + x)];
-    };
     // (dx, dy): to the neighbours on both sides that have been found, from which this one differs little.
     const auto find = [&](int x, int y, int dx, int dy) {
         const float u = 2 * static_cast<float>(x) / static_cast<float>(out.across) - 1,
@@ -374,16 +371,16 @@ void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const Cast
         float guess = -1, within = 0;
         if (dx + dy > 0) {
             const bool both = x + dx <= out.across && y + dy <= out.down;
-            const float before = node(x - dx, y - dy).fall_m,
-                        after = both ? node(x + dx, y + dy).fall_m : before;
+            const float before = out.at(x - dx, y - dy).fall_m,
+                        after = both ? out.at(x + dx, y + dy).fall_m : before;
             within = kLevel * static_cast<float>(dx + dy) * out.cell_m;
             if (before >= 0 && after >= 0 && std::abs(before - after) < 2 * within)
                 guess = 0.5f * (before + after) - start;
         }
         const float away = guess >= 0 ? meetNear(ray, guess, within, kReach_m) : meet(ray, kReach_m);
         if (away < 0) return;
-        node(x, y).fall_m = start + away;
-        node(x, y).place = from + node(x, y).fall_m * way;
+        out.at(x, y).fall_m = start + away;
+        out.at(x, y).place = from + out.at(x, y).fall_m * way;
     };
     // Every fourth node is looked for along the whole ray, then those in between.
     for (int y = 0; y <= out.down; y += kApart)
@@ -396,7 +393,7 @@ void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const Cast
     }
     for (int y = 0; y <= out.down; ++y)
         for (int x = 0; x <= out.across; ++x) {
-            ShadowGrid::Node& shaded = node(x, y);
+            ShadowGrid::Node& shaded = out.at(x, y);
             if (shaded.fall_m < 0) continue;
             const float here = covered(body, light, shaded.place);
             if (!(here > 0)) continue;

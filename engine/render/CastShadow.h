@@ -82,6 +82,10 @@ struct ShadowGrid {
     float cell_m = 0;         // largest extent of one, at right angles to the light
     std::vector<Node> nodes;  // rows of across + 1
 
+    // x from 0 to across, y to down.
+    Node& at(int x, int y) { return nodes[static_cast<size_t>(y * (across + 1) + x)]; }
+    const Node& at(int x, int y) const { return nodes[static_cast<size_t>(y * (across + 1) + x)]; }
+
     // Whether three nodes lie on one surface, with a shadow between them.
     bool shades(size_t a, size_t b, size_t c) const;
 };

@@ -120,12 +120,11 @@ const std::vector<Row>& rows() {
     return kRows;
 }
 
-double RowResult::tipMedian_mm() const {
-    if (tips_mm.empty()) return 1e9;
-    std::vector<double> sorted = tips_mm;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2),
-                     sorted.end());
-    return sorted[sorted.size() / 2];
+double medianOf(std::vector<double> values) {
+    if (values.empty()) return 1e9;
+    const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,

@@ -22,13 +22,15 @@ struct Row {
 // All but the last with hands.
 const std::vector<Row>& rows();
 
+double medianOf(std::vector<double> values); // 1e9 of none
+
 struct RowResult {
     int shown = 0, found = 0;    // hands; found: with its palm within 60 mm, across, of where one is
     int otherSide = 0;           // of these, taken for the other hand
     int phantoms = 0;            // hands where none is
     std::vector<double> tips_mm; // how far fingertips are off, from the wrist
     std::vector<double> ms;      // for each picture
-    double tipMedian_mm() const;
+    double tipMedian_mm() const { return medianOf(tips_mm); }
 };
 
 // Seen by one method after the other, each of which has learnt the hand first. pictures: at 30 a second.

@@ -1,5 +1,6 @@
 #include "tests/bench/estimate/Accuracy.h"
 
+#include "engine/depth/estimate/Quantile.h"
 #include "engine/media/DepthTrack.h"
 
 #include <algorithm>
@@ -42,10 +43,7 @@ double factorOf(const std::vector<std::vector<Texel>>& frames) {
         for (const Texel& each : texels)
             if (each.isConfident && each.truth_perM > kBeyond_perM && each.estimated_perM > 0)
                 factors.push_back(each.truth_perM / each.estimated_perM);
-    if (factors.empty()) return 1;
-    const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
-    std::nth_element(factors.begin(), middle, factors.end());
-    return *middle;
+    return factors.empty() ? 1 : depth::median(factors);
 }
 
 double rightShare(const std::vector<Texel>& texels, double factor) {

@@ -43,13 +43,11 @@ int main(int count, char** arguments) {
         const auto results = test::measure(*clip, *rig, row, pictures, {landmarks->get(), &colour}, look);
         for (size_t i = 0; i < results.size(); ++i) {
             const test::RowResult& result = results[i];
-            std::vector<double> ms = result.ms;
-            std::nth_element(ms.begin(), ms.begin() + static_cast<ptrdiff_t>(ms.size() / 2), ms.end());
             std::printf("| %s | %s | ", row.name, i == 0 ? "landmarks" : "colour");
             if (result.shown) std::printf("%.1f", 100.0 * result.found / result.shown);
             std::printf(" | %d | %d | ", result.otherSide, result.phantoms);
             if (result.found) std::printf("%.1f", result.tipMedian_mm());
-            std::printf(" | %.1f |\n", ms[ms.size() / 2]);
+            std::printf(" | %.1f |\n", test::medianOf(result.ms));
             std::fflush(stdout);
         }
     }
