@@ -303,7 +303,8 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const ProgramStates& states = play_->states;
     const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
     const bool showTimes = options_.frameTimes && !onHeadsetsEye;
-    const bool newPicture = showTimes && session.tracked && session.tracked->look(cameraPicture_);
+    if (showTimes && session.tracked && session.tracked->look(cameraImage_))
+        cameraPicture_.show(cameraImage_);
     if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
     const game::Notice* notice = display_->notice();
     if (!notice) notice = environment_->notice();
@@ -335,8 +336,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .quality = quality_ ? quality_->quality() : Quality(),
          .passes = sceneRenderer_->timers().times(),
          .environment = &*environment_,
-         .camera = newPicture ? &cameraPicture_ : nullptr,
-         .hasCamera = session.tracked.has_value(),
+         .camera = session.tracked && cameraPicture_.texture ? &cameraPicture_ : nullptr,
          .notice = notice,
          .volume = options_.volume,
          .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},

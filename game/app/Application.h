@@ -120,9 +120,10 @@ class Application {
     std::optional<Play> play_;
     std::optional<PhotoMode> photo_; // while the camera is free
     Popups popups_;
-    ImageRgba8 cameraPicture_; // scratch: what a hand tracker's camera sees
-    Statistics statistics_;    // of the present session
-    int recordings_ = 0;       // begun
+    Pictures::Picture cameraPicture_; // what a hand tracker's camera sees
+    ImageRgba8 cameraImage_;          // scratch: the same
+    Statistics statistics_;           // of the present session
+    int recordings_ = 0;              // begun
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input
     bool leaving_ = false;

@@ -153,7 +153,7 @@ void drawTimes(const Pen& pen, const HudInfo& info) {
     ImGui::End();
 }
 
-void drawText(const Pen& pen, const HudInfo& info, const Pictures::Picture& camera) {
+void drawText(const Pen& pen, const HudInfo& info) {
     if (info.inDive) {
         drawScore(pen, info);
         if (!info.snapshot->paused) drawCaptions(pen, info);
@@ -168,7 +168,7 @@ void drawText(const Pen& pen, const HudInfo& info, const Pictures::Picture& came
     if (info.finger)
         pen.list->AddCircleFilled(ImVec2(info.finger->x, info.finger->y), 0.4f * pen.line, kGold);
     if (info.showTimes) drawTimes(pen, info);
-    if (info.showTimes && info.hasCamera && camera.texture) drawCamera(pen, camera);
+    if (info.showTimes && info.camera) drawCamera(pen, *info.camera);
 }
 
 } // namespace
@@ -221,14 +221,13 @@ void Hud::endFrame() {
 }
 
 void Hud::draw(const HudInfo& info, glm::ivec2 size) {
-    if (info.camera) camera_.show(*info.camera);
     const Pen pen = beginFrame(info.audience, info.part != HudPart::Marks, info.text, size);
     if (info.part != HudPart::Panel) {
         if (info.vignette > 0) drawVignette(pen, info.vignette);
         drawHold(pen, info);
         drawPopups(pen, info);
     }
-    if (info.part != HudPart::Marks) drawText(pen, info, camera_);
+    if (info.part != HudPart::Marks) drawText(pen, info);
     endFrame();
 }
 

@@ -8,6 +8,7 @@
 #include "game/feedback/SoundCues.h"
 #include "game/session/Statistics.h"
 #include "game/ui/Pen.h"
+#include "game/ui/Pictures.h"
 #include "game/ui/Popups.h"
 #include "game/views/DynamicQuality.h"
 #include "game/views/Environment.h"
@@ -53,10 +54,8 @@ struct HudInfo {
     Quality quality;
     std::span<const gl::PassTimers::Time> passes; // what the graphics side took for each
     const Environment* environment = nullptr;
-    const ImageRgba8* camera =
-        nullptr;            // a newer picture of a hand tracker's camera, to be shown with the times
-    bool hasCamera = false; // else the last picture is not shown
-    const game::Notice* notice = nullptr; // null: none
+    const Pictures::Picture* camera = nullptr; // of a hand tracker, to be shown with the times
+    const game::Notice* notice = nullptr;      // null: none
     float volume = 0;
     bool showVolume = false;
 };
@@ -82,7 +81,6 @@ class Hud {
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Fonts fonts_;
     Pictures pictures_;
-    Pictures::Picture camera_; // of a hand tracker
 };
 
 } // namespace shoal::app
