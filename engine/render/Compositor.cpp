@@ -10,8 +10,7 @@ namespace {
 // beyond its edge.
 constexpr float kLayerWidth = 1.02f;
 
-// Four samples cost half a frame where the driver renders on the processor; and what is painted into texels
-// is filtered by them anyway.
+// Four samples cost two frames where the driver renders on the processor: there outlines are smoothed.
 int defaultSamples(const CompositorSetup& setup, Composition composition) {
     const bool filtered = setup.frameIsCoded && composition != Composition::MatchedResolution;
     return gl::rendersInSoftware() && filtered ? 1 : 4;
@@ -31,6 +30,7 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
     Compositor made;
     made.composition_ = possible(setup);
     made.samples_ = setup.layerSamples > 0 ? setup.layerSamples : defaultSamples(setup, made.composition_);
+    made.smoothsLayers_ = setup.layerSamples == 0 && made.samples_ == 1;
     if (Status s = BackgroundPass::make(setup.backend, made.mayDrawIntoTexels()).moveTo(made.background_); !s)
         return s.error();
     // Objects in a frame's texels are filtered with them, but not those beside which an eye moves.
@@ -76,6 +76,7 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
     if (Status s = scene.drawObjects(picture); !s) return s;
     if (Status s = scene.drawParticles(ParticlePass::On::Objects, picture); !s) return s;
     layerOf(picture).end();
+    if (smoothsLayers_) layerOf(picture).smoothOutlines();
     return Done{};
 }
 

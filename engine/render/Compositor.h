@@ -67,6 +67,7 @@ class Compositor {
     std::unique_ptr<BackgroundPass> background_;
     std::array<LayerPass, 2> layers_; // of the eyes; of objects in their own resolution or in texels
     int samples_ = 1;                 // of the layers
+    bool smoothsLayers_ = false;      // outlines in layers that have one sample
     bool smoothsOutlines_ = false;    // of objects in a canvas that has one sample
     FrameTiles tiles_;                // of the eye drawn last
 };

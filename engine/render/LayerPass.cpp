@@ -67,6 +67,15 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+void LayerPass::smoothOutlines() {
+    const glm::ivec2 size(layer_->width(), layer_->height());
+    layer_->readBgra(pixels_);
+    smoother_.smooth(pixels_, size);
+    glBindTexture(GL_TEXTURE_2D, layer_->texture());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, pixels_.data());
+}
+
 void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const scene::Sphere& sphere : spheres) {

@@ -6,6 +6,7 @@
 #include "engine/gl/Target.h"
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/View.h"
+#include "engine/render/software/SmoothOutlines.h"
 #include "engine/scene/Model.h"
 
 #include <optional>
@@ -40,6 +41,10 @@ class LayerPass {
     // Nothing more is drawn into it; leaves another framebuffer bound.
     void end() const { layer_->resolve(); }
 
+    // Instead of more samples a pixel, after end(): what is in it with smoother outlines. Waits until it is
+    // drawn: for software renderers.
+    void smoothOutlines();
+
     // Over the bound framebuffer, wherever one of the spheres is seen: there must be nothing in the layer
     // beside them.
     void layOver(std::span<const scene::Sphere> spheres, const View& view);
@@ -51,6 +56,8 @@ class LayerPass {
     TriangleBatch drawn_;
     std::optional<gl::Target> layer_;
     int samples_ = 0;
+    OutlineSmoother smoother_;
+    std::vector<uint32_t> pixels_;   // scratch: of the layer
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
     std::vector<glm::vec2> corners_; // scratch: of their triangles
 };

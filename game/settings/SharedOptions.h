@@ -50,7 +50,7 @@ struct LookOptions {
     Tone tone = Tone::Auto;
     render::Glossy glossy = render::Glossy::Prefiltered;
     Occlusion occlusion = Occlusion::Ellipsoids;
-    int samples = 0; // for anti-aliasing; 0: 4, or 1 on a software renderer
+    int samples = 0; // for anti-aliasing; 0: 4, or 1 and smoothed outlines on a software renderer
     render::Backend backend = render::Backend::Auto;
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
@@ -80,7 +80,8 @@ struct LookOptions {
                       occlusionHelp);
         table
             .addKept("--samples", &samples,
-                     "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or 1 without a graphics card")
+                     "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or without a graphics card 1 and "
+                     "smoothed outlines")
             .between(0, 16);
         table.add("--backend", choice(backend),
                   "What samples the background and puts objects into it: opengl; software, on the processor, "

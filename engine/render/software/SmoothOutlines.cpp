@@ -1,0 +1,94 @@
+#include "engine/render/software/SmoothOutlines.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr int kStep = 64;     // of alpha, of 255: less is no outline
+constexpr int kFurthest = 24; // pixels that an end of a step is looked for
+
+int alphaOf(uint32_t pixel) { return static_cast<int>(pixel >> 24); }
+bool differ(uint32_t a, uint32_t b) { return std::abs(alphaOf(a) - alphaOf(b)) >= kStep; }
+
+// An end of a step between two lines of pixels.
+struct End {
+    int away = 0;         // pixels from the one looked at that the step goes on
+    bool bendsIn = false; // to that pixel's side
+};
+
+// ahead: to the next pixel along the step; across: to the neighbour on its other side.
+std::optional<End> endOf(const uint32_t* pixel, ptrdiff_t ahead, ptrdiff_t across, int furthest) {
+    const uint32_t here = pixel[0], there = pixel[across];
+    for (int away = 0; away < furthest; ++away) {
+        pixel += ahead;
+        const bool own = differ(pixel[0], here), other = differ(pixel[across], there);
+        if (own || other) return End{away, own && !other};
+    }
+    return {};
+}
+
+// Of a pixel, the share that lies beyond the line that begins half a pixel within it at one end of a step of
+// `length` pixels and leaves it in the step's middle. before: pixels between that end and this one.
+float shareBeyond(int before, int length) {
+    const auto from = static_cast<float>(before), whole = static_cast<float>(length);
+    const float to = std::min(from + 1, 0.5f * whole);
+    return to > from ? (to - from) * (0.5f - 0.5f * (from + to) / whole) : 0;
+}
+
+// How much of the pixel its neighbour across covers. back, on: how many pixels there are along the step.
+float shareOf(const uint32_t* pixel, ptrdiff_t along, ptrdiff_t across, int back, int on) {
+    const auto first = endOf(pixel, -along, across, std::min(back, kFurthest)),
+               last = endOf(pixel, along, across, std::min(on, kFurthest));
+    if (!first && !last) return 0;
+    const int length = (first ? first->away : kFurthest) + 1 + (last ? last->away : kFurthest);
+    float share = 0;
+    if (first && first->bendsIn) share += shareBeyond(first->away, length);
+    if (last && last->bendsIn) share += shareBeyond(last->away, length);
+    return share;
+}
+
+uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::array<float, 4>& shares) {
+    float kept = 1;
+    for (const float share : shares) kept -= share;
+    uint32_t result = 0;
+    for (int shift = 0; shift < 32; shift += 8) {
+        const auto channel = [&](uint32_t pixel) { return static_cast<float>(pixel >> shift & 255); };
+        float sum = kept * channel(own) + 0.5f;
+        for (size_t k = 0; k < others.size(); ++k) sum += shares[k] * channel(others[k]);
+        result |= static_cast<uint32_t>(std::clamp(sum, 0.0f, 255.0f)) << shift;
+    }
+    return result;
+}
+
+} // namespace
+
+void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size) {
+    changed_.clear();
+    const ptrdiff_t row = size.x;
+    for (int y = 1; y + 1 < size.y; ++y)
+        for (int x = 1; x + 1 < size.x; ++x) {
+            const uint32_t* pixel = pixels.data() + y * row + x;
+            const std::array<uint32_t, 4> beside{pixel[-1], pixel[1], pixel[-row], pixel[row]};
+            const uint32_t other =
+                (beside[0] ^ *pixel) | (beside[1] ^ *pixel) | (beside[2] ^ *pixel) | (beside[3] ^ *pixel);
+            if (other >> 24 == 0) continue;
+            std::array<float, 4> shares{};
+            const auto look = [&](size_t k, ptrdiff_t along, ptrdiff_t across, int back, int on) {
+                if (differ(*pixel, beside[k])) shares[k] = shareOf(pixel, along, across, back, on);
+            };
+            look(0, row, -1, y, size.y - 1 - y);
+            look(1, row, 1, y, size.y - 1 - y);
+            look(2, 1, -row, x, size.x - 1 - x);
+            look(3, 1, row, x, size.x - 1 - x);
+            const uint32_t now = mixed(*pixel, beside, shares);
+            if (now != *pixel) changed_.emplace_back(pixel - pixels.data(), now);
+        }
+    for (const auto& [index, value] : changed_) pixels[index] = value;
+}
+
+} // namespace shoal::render
