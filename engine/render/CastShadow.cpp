@@ -17,6 +17,7 @@ constexpr int kMaxCells = 28; // along a grid
 constexpr float kReach_m = 8; // that shadows fall; they fade over its last third
 constexpr float kMinCell_m = 0.04f;
 constexpr float kMinTangent = 0.01f; // a sun's disc
+constexpr float kLevel = 1;          // rise of a surface that a guess at it allows for, by what it goes aside
 
 // The share of a disc of radius 1 before a line at t.
 float discBefore(float t) {
@@ -321,15 +322,18 @@ bool mayBeSeen(std::span<const FlatPiece> body, const CastingLight& light, const
     });
 }
 
-void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
-            float minimum, ShadowGrid& out) {
-    constexpr int kApart = 4;   // nodes that are looked for without a guess
-    constexpr float kLevel = 1; // rise of the surface that a guess allows for, by what it goes aside
-    out.across = out.down = 0;
-    if (body.empty() || light.share == glm::vec3(0)) return;
-    const float tangent = tangentOf(light);
-    const Bundle bundle(body, light);
-    float cell = INFINITY, hidden = 0, furthest = 0;
+namespace {
+
+// How far a body's shadow reaches on what a film shows, found for its pieces one by one.
+struct ShadowExtent {
+    float furthest_m = 0;    // that it falls, from the bundle's beginning
+    float cell_m = INFINITY; // of a grid that is fine enough for the sharpest of it
+    float hidden = 0;        // share of the light's disc where it is darkest, at most
+};
+
+ShadowExtent extentOf(const FilmSurface& film, std::span<const FlatPiece> body, const Bundle& bundle,
+                      const CastingLight& light) {
+    ShadowExtent extent;
     float ground = -INFINITY; // where the last piece's shadow falls, along the light's way
     for (const FlatPiece& piece : body) {
         const float from = -glm::dot(piece.middle, light.towards);
@@ -339,67 +343,110 @@ void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const Cast
                                : meet(ray, kReach_m);
         if (away < 0) continue;
         ground = from + away;
-        const float disc = std::max(tangent * away, 1e-3f);
-        cell = std::min(cell, 0.35f * (disc + piece.halfAside_m));
-        furthest = std::max(furthest, away + glm::dot(bundle.middle - piece.middle, light.towards));
-        // At most: its area on the disc's, where the product of strips is densest.
+        const float disc = std::max(tangentOf(light) * away, 1e-3f);
+        extent.cell_m = std::min(extent.cell_m, 0.35f * (disc + piece.halfAside_m));
+        extent.furthest_m =
+            std::max(extent.furthest_m, away + glm::dot(bundle.middle - piece.middle, light.towards));
+        // Its area on the disc's, where the product of strips is densest.
         const float flat = 4 * piece.halfAlong_m * piece.halfAside_m;
-        hidden += std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
+        extent.hidden += std::min(1.0f, flat * 1.27f / (std::numbers::pi_v<float> * disc * disc));
     }
-    const glm::vec3 most = light.presence * light.share;
-    const float taken = std::min(hidden, 1.0f) * std::max({most.x, most.y, most.z});
-    if (taken <= minimum) return;
-    const float strength = light.presence * glm::smoothstep(minimum, 2 * minimum, taken);
-    const float halfAlong = bundle.halfAlong_m + tangent * furthest,
-                halfAside = bundle.halfAside_m + tangent * furthest;
+    extent.hidden = std::min(extent.hidden, 1.0f);
+    return extent;
+}
+
+// Sets out's cells, with nodes of which nothing is known.
+void layOut(const Bundle& bundle, const CastingLight& light, const ShadowExtent& extent, ShadowGrid& out) {
+    const float aside_m = tangentOf(light) * extent.furthest_m;
+    const float halfAlong = bundle.halfAlong_m + aside_m, halfAside = bundle.halfAside_m + aside_m;
     const auto cells = [&](float half_m) {
-        return std::clamp(static_cast<int>(std::ceil(2 * half_m / std::max(cell, kMinCell_m))), 2, kMaxCells);
+        const float count = std::ceil(2 * half_m / std::max(extent.cell_m, kMinCell_m));
+        return std::clamp(static_cast<int>(count), 2, kMaxCells);
     };
     out.across = cells(halfAlong), out.down = cells(halfAside);
     out.cell_m =
         2 * std::max(halfAlong / static_cast<float>(out.across), halfAside / static_cast<float>(out.down));
     out.nodes.assign(static_cast<size_t>((out.across + 1) * (out.down + 1)), {});
-    // (dx, dy): to the neighbours on both sides that have been found, from which this one differs little.
-    const auto find = [&](int x, int y, int dx, int dy) {
-        const float u = 2 * static_cast<float>(x) / static_cast<float>(out.across) - 1,
-                    v = 2 * static_cast<float>(y) / static_cast<float>(out.down) - 1;
+}
+
+// Finds where the bundle's rays through a grid's nodes meet what a film shows.
+struct NodeFinder {
+    const FilmSurface& film;
+    std::span<const FlatPiece> body;
+    const Bundle& bundle;
+    const CastingLight& light;
+    ShadowGrid& grid;
+
+    // (dx, dy): to the neighbours on both sides that have been looked for, from which this node differs
+    // little; (0, 0): there are none.
+    void find(int x, int y, int dx, int dy) const {
+        const float u = 2 * static_cast<float>(x) / static_cast<float>(grid.across) - 1,
+                    v = 2 * static_cast<float>(y) / static_cast<float>(grid.down) - 1;
         const glm::vec3 from =
             bundle.middle + u * bundle.halfAlong_m * bundle.along + v * bundle.halfAside_m * bundle.aside;
-        const glm::vec3 way = tangent * (u * bundle.along + v * bundle.aside) - light.towards;
+        const glm::vec3 way = tangentOf(light) * (u * bundle.along + v * bundle.aside) - light.towards;
         const float start = depthOfPiece(body, bundle, light, from);
         const FilmRay ray(film, from + start * way, way);
-        float guess = -1, within = 0;
-        if (dx + dy > 0) {
-            const bool both = x + dx <= out.across && y + dy <= out.down;
-            const float before = out.at(x - dx, y - dy).fall_m,
-                        after = both ? out.at(x + dx, y + dy).fall_m : before;
-            within = kLevel * static_cast<float>(dx + dy) * out.cell_m;
-            if (before >= 0 && after >= 0 && std::abs(before - after) < 2 * within)
-                guess = 0.5f * (before + after) - start;
-        }
-        const float away = guess >= 0 ? meetNear(ray, guess, within, kReach_m) : meet(ray, kReach_m);
+        const float within_m = kLevel * static_cast<float>(dx + dy) * grid.cell_m;
+        const float guess = guessFrom(x, y, dx, dy, within_m) - start;
+        const float away = guess >= 0 ? meetNear(ray, guess, within_m, kReach_m) : meet(ray, kReach_m);
         if (away < 0) return;
-        out.at(x, y).fall_m = start + away;
-        out.at(x, y).place = from + out.at(x, y).fall_m * way;
-    };
-    // Every fourth node is looked for along the whole ray, then those in between.
-    for (int y = 0; y <= out.down; y += kApart)
-        for (int x = 0; x <= out.across; x += kApart) find(x, y, 0, 0);
-    for (int step = kApart / 2; step > 0; step /= 2) {
-        for (int y = 0; y <= out.down; y += 2 * step)
-            for (int x = step; x <= out.across; x += 2 * step) find(x, y, step, 0);
-        for (int y = step; y <= out.down; y += 2 * step)
-            for (int x = 0; x <= out.across; x += step) find(x, y, 0, step);
+        ShadowGrid::Node& found = grid.at(x, y);
+        found.fall_m = start + away;
+        found.place = from + found.fall_m * way;
     }
-    for (int y = 0; y <= out.down; ++y)
-        for (int x = 0; x <= out.across; ++x) {
-            ShadowGrid::Node& shaded = out.at(x, y);
+
+    // The neighbours' mean fall; -infinity where they are too far apart to be of one surface.
+    float guessFrom(int x, int y, int dx, int dy, float within_m) const {
+        if (dx + dy == 0) return -INFINITY;
+        const bool both = x + dx <= grid.across && y + dy <= grid.down;
+        const float before = grid.at(x - dx, y - dy).fall_m,
+                    after = both ? grid.at(x + dx, y + dy).fall_m : before;
+        const bool near = before >= 0 && after >= 0 && std::abs(before - after) < 2 * within_m;
+        return near ? 0.5f * (before + after) : -INFINITY;
+    }
+
+    // Every fourth node is looked for along the whole ray, then those in between.
+    void findAll() const {
+        constexpr int kApart = 4;
+        for (int y = 0; y <= grid.down; y += kApart)
+            for (int x = 0; x <= grid.across; x += kApart) find(x, y, 0, 0);
+        for (int step = kApart / 2; step > 0; step /= 2) {
+            for (int y = 0; y <= grid.down; y += 2 * step)
+                for (int x = step; x <= grid.across; x += 2 * step) find(x, y, step, 0);
+            for (int y = step; y <= grid.down; y += 2 * step)
+                for (int x = 0; x <= grid.across; x += step) find(x, y, 0, step);
+        }
+    }
+};
+
+// What the body takes of the light at each node that was found.
+void shade(std::span<const FlatPiece> body, const CastingLight& light, float strength, ShadowGrid& grid) {
+    for (int y = 0; y <= grid.down; ++y)
+        for (int x = 0; x <= grid.across; ++x) {
+            ShadowGrid::Node& shaded = grid.at(x, y);
             if (shaded.fall_m < 0) continue;
             const float here = covered(body, light, shaded.place);
             if (!(here > 0)) continue;
             const float fade = 1 - glm::smoothstep(0.67f * kReach_m, kReach_m, shaded.fall_m);
-            shaded.taken = strength * fade * here * light.shareAt(cosineAt(out, x, y, light));
+            shaded.taken = strength * fade * here * light.shareAt(cosineAt(grid, x, y, light));
         }
+}
+
+} // namespace
+
+void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
+            float minimum, ShadowGrid& out) {
+    out.across = out.down = 0;
+    if (body.empty() || light.share == glm::vec3(0)) return;
+    const Bundle bundle(body, light);
+    const ShadowExtent extent = extentOf(film, body, bundle, light);
+    const glm::vec3 most = light.presence * light.share;
+    const float taken = extent.hidden * std::max({most.x, most.y, most.z});
+    if (taken <= minimum) return;
+    layOut(bundle, light, extent, out);
+    NodeFinder{film, body, bundle, light, out}.findAll();
+    shade(body, light, light.presence * glm::smoothstep(minimum, 2 * minimum, taken), out);
 }
 
 } // namespace shoal::render
