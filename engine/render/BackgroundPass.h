@@ -29,6 +29,7 @@ struct EyePicture {
     // it is known. 0: as if it were endlessly far, so that the eye sees what the camera saw.
     glm::vec3 eyeInFilm{0};
     SkippedPass skip = SkippedPass::None;
+    Surroundings surroundings = Surroundings::Film;
 
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
     // How the eye sees the film in space; without distances where it sees what the camera saw.

@@ -44,7 +44,7 @@ Result<Compositor> Compositor::make(const CompositorSetup& setup) {
 }
 
 glm::ivec2 Compositor::layerSize(const EyePicture& picture) const {
-    if (composition_ == Composition::Plain) return picture.size();
+    if (composition_ == Composition::Plain || !showsFilm(picture)) return picture.size();
     auto rows = static_cast<float>(picture.environment.frameHeight());
     if (filmed() && drawsIntoTexels(picture)) rows /= layerTexels(picture.filmed.response, samples_);
     return sizeAsFine(drawsIntoTexels(picture) ? widened(picture.view, kLayerWidth) : picture.view,
@@ -81,6 +81,11 @@ Status Compositor::drawLayer(EyePicture picture, CompositorScene& scene) {
 }
 
 Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& scene) {
+    if (!showsFilm(picture)) {
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+        return Done{};
+    }
     const TexelLayer layer{layerOf(picture), widened(picture.view, kLayerWidth), tiles_, filmed()};
     {
         const gl::PassTimers::Scope scope(scene.timers(), "background");
@@ -111,7 +116,7 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
     }
     glFlush(); // the background's pixels are drawn while the objects' vertices are shaded
     picture.canvas.bind();
-    // Every pixel has a colour from the background: only the depth needs clearing.
+    // Every pixel is what the background left there: only the depth needs clearing.
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     if (Status s = scene.drawObjects(picture); !s) return s;
@@ -120,7 +125,7 @@ Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& sc
 
 Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye) {
     if (drawsIntoTexels(eyes[0])) chooseTiles(eyes[0], scene);
-    if (eyes[0].skip != SkippedPass::Background)
+    if (eyes[0].skip != SkippedPass::Background && showsFilm(eyes[0]))
         background_->prepare(eyes[0], drawsIntoTexels(eyes[0]) ? &tiles_ : nullptr);
     // Software renderers finish a framebuffer before they begin another, so layers come before all canvases.
     for (const EyePicture& eye : eyes)

@@ -48,12 +48,13 @@ class Compositor {
     bool drawsObjects() const { return composition_ != Composition::BackgroundOnly; }
 
   private:
+    static bool showsFilm(const EyePicture& picture) { return picture.surroundings == Surroundings::Film; }
     bool filmed() const { return composition_ == Composition::CameraResponse; }
     bool mayDrawIntoTexels() const { return composition_ == Composition::VideoTexels || filmed(); }
     // An eye beside the film's camera sees the frame's texels moved by their distances, and objects by
     // theirs: they are in no texel then.
     bool drawsIntoTexels(const EyePicture& picture) const {
-        return mayDrawIntoTexels() && !picture.filmSpace().depth;
+        return mayDrawIntoTexels() && showsFilm(picture) && !picture.filmSpace().depth;
     }
     glm::ivec2 layerSize(const EyePicture& picture) const;
     bool usesLayer(const EyePicture& picture) const;

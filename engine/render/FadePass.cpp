@@ -11,13 +11,14 @@ Result<FadePass> FadePass::make() {
     return pass;
 }
 
-void FadePass::draw(const glm::vec3& colour, float amount) {
+void FadePass::draw(const glm::vec4& colour, float amount) {
     if (!(amount > 0)) return;
     static const std::vector<glm::vec2> kAll = {{-1, -1}, {3, -1}, {-1, 3}};
     program_.use();
-    program_.set("colour", glm::vec4(colour, std::min(amount, 1.0f)));
+    program_.set("colour", colour);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendColor(0, 0, 0, std::min(amount, 1.0f));
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     drawn_.draw(kAll);
     glDisable(GL_BLEND);
 }

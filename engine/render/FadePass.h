@@ -4,7 +4,7 @@
 #include "engine/gl/Program.h"
 #include "engine/render/TriangleBatch.h"
 
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace shoal::render {
 
@@ -13,8 +13,8 @@ class FadePass {
     static Result<FadePass> make();
 
     // Over the bound framebuffer. amount: 0 leaves it as it is, 1 leaves nothing but the colour (display
-    // values).
-    void draw(const glm::vec3& colour, float amount);
+    // values, premultiplied by alpha).
+    void draw(const glm::vec4& colour, float amount);
 
   private:
     gl::Program program_;

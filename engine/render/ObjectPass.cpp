@@ -142,7 +142,7 @@ void ObjectPass::begin() {
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
                      const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body,
-                     std::span<const Sphere> parts, float highlight) {
+                     std::span<const Sphere> parts, float highlight, bool isInRoom) {
     objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1)});
     if (parts.empty()) parts_.push_back(bound);
     parts_.insert(parts_.end(), parts.begin(), parts.end());
@@ -166,7 +166,7 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
         const bool mirrored = glm::determinant(glm::mat3(skinned ? joints_[0] : worldFromNode)) < 0;
         for (const PrimitiveGpu& primitive : mesh.primitives)
             items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, bytes, scale, mirrored, number,
-                              body ? body->albedo : glm::vec3(0), highlight});
+                              body ? body->albedo : glm::vec3(0), highlight, isInRoom});
     }
 }
 
@@ -234,17 +234,23 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
 
 Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
                         const Exposure& exposure, const water::Water& water, Glossy glossy,
-                        const glm::vec3& eyeInFilm) {
+                        const glm::vec3& eyeInFilm, Surroundings surroundings) {
+    const bool inRoom = surroundings == Surroundings::Room;
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
         const Object& object = objects_[item.object];
         if (!isSeen(object, view)) continue;
-        const Behind behind = behindFilm(object, environment, view, envFromWorld, eyeInFilm);
+        const Behind behind =
+            inRoom ? Behind::Nothing : behindFilm(object, environment, view, envFromWorld, eyeInFilm);
         if (behind == Behind::All) continue;
         const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
+        const Stage stage = inRoom && item.isInRoom ? Stage::DepthAlone
+                            : blended               ? Stage::Blended
+                                                    : Stage::Opaque;
         const float distance = glm::distance(boundOf(item).centre, view.eyeWorld);
-        order_.push_back({blended, blended ? -distance : distance, behind == Behind::Perhaps, i});
+        order_.push_back(
+            {stage, stage == Stage::Blended ? -distance : distance, behind == Behind::Perhaps, i});
     }
     std::sort(order_.begin(), order_.end());
 
@@ -258,11 +264,14 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
     const gl::Program* current = nullptr;
     for (const ToDraw& next : order_) {
         const Item& item = items_[next.item];
-        if (next.blended || next.cut)
+        const bool blended = next.stage == Stage::Blended;
+        if (blended || next.cut)
             glEnable(GL_BLEND);
         else
             glDisable(GL_BLEND);
-        if (next.blended) glDepthMask(GL_FALSE);
+        glDepthMask(!blended);
+        const GLboolean coloured = next.stage != Stage::DepthAlone;
+        glColorMask(coloured, coloured, coloured, coloured);
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
         const bool lean = detail_ == Detail::Lean;
         const float smoothest =
@@ -312,6 +321,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
     }
     glFrontFace(GL_CCW);
     glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
     return Done{};

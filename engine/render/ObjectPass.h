@@ -33,18 +33,21 @@ class ObjectPass {
     // bound: a sphere in the world that holds the posed model; what lies outside the view is not drawn. body:
     // what it takes from others' light, and they from its own; null: nothing. parts: smaller spheres that
     // hold it as well, all together; empty: none are known. highlight: 0 to 1, of a rim
-    // that marks it for the player.
+    // that marks it for the player. isInRoom: it stands for what is in the player's room as well, such as a
+    // hand.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
              const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body = nullptr,
-             std::span<const Sphere> parts = {}, float highlight = 0);
+             std::span<const Sphere> parts = {}, float highlight = 0, bool isInRoom = false);
     // Sends what was added to the graphics side. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
     // Opaque objects front to back, then blended ones back to front.
-    // eyeInFilm: as EyePicture has it; what of the film is nearer than an object hides it.
+    // eyeInFilm: as EyePicture has it; what of the film is nearer than an object hides it. In the player's
+    // room nothing of the film does, and what is there as well only hides what is behind it: it leaves depth
+    // alone.
     Status draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
                 const Exposure& exposure, const water::Water& water, Glossy glossy,
-                const glm::vec3& eyeInFilm = glm::vec3(0));
+                const glm::vec3& eyeInFilm = glm::vec3(0), Surroundings surroundings = Surroundings::Film);
 
     // Spheres that hold all objects in the view; world. Valid until the next call.
     std::span<const Sphere> visibleSpheres(const View& view);
@@ -67,6 +70,7 @@ class ObjectPass {
         int body;         // of near_; -1: none
         glm::vec3 albedo; // mean, of the body that self-occlusion
         float highlight;
+        bool isInRoom;
     };
 
     struct Object {
@@ -74,9 +78,10 @@ class ObjectPass {
         size_t firstPart, parts; // of parts_
     };
 
+    enum class Stage { DepthAlone, Opaque, Blended };
     struct ToDraw {
-        bool blended;
-        float order; // within those
+        Stage stage;
+        float order; // within it
         bool cut;    // by what of the film is nearer
         size_t item;
         auto operator<=>(const ToDraw&) const = default;

@@ -88,6 +88,12 @@ enum class Backend {
     Software
 };
 
+// What is seen where no object is.
+enum class Surroundings {
+    Film,
+    Room // what a headset's cameras see of the player's room: the picture is clear there, alpha 0
+};
+
 // A pass that can be left out, to find out which one draws what.
 enum class SkippedPass { None, Background, Objects, Particles, Shadows, Overlay };
 

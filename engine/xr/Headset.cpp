@@ -326,7 +326,12 @@ Status Headset::end(const Shown& shown) {
                     {s.pictures[i].name(), {{0, 0}, {shown.eyeSize.x, shown.eyeSize.y}}, 0}};
     }
     const XrCompositionLayerProjection projection{
-        XR_TYPE_COMPOSITION_LAYER_PROJECTION, nullptr, 0, s.world.name(), 2, views.data()};
+        XR_TYPE_COMPOSITION_LAYER_PROJECTION,
+        nullptr,
+        shown.room ? XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT : XrCompositionLayerFlags{0},
+        s.world.name(),
+        2,
+        views.data()};
     Swapchain& text = s.picture(Picture::Panel);
     const XrCompositionLayerQuad panel{XR_TYPE_COMPOSITION_LAYER_QUAD,
                                        nullptr,
@@ -340,8 +345,12 @@ Status Headset::end(const Shown& shown) {
     uint32_t count = 0;
     if (shown.eyes) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection);
     if (shown.panel) layers[count++] = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&panel);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, s.frame.display_ns,
-                              s.instance.blend,       count,   count ? layers.data() : nullptr};
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,
+                              nullptr,
+                              s.frame.display_ns,
+                              shown.room ? XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND : s.instance.blend,
+                              count,
+                              count ? layers.data() : nullptr};
     return s.guard([&] { SHOAL_XR(xrEndFrame(s.session.name(), &info)); });
 }
 
@@ -383,6 +392,7 @@ Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {
 }
 
 glm::ivec2 Headset::eyeSize() const { return state_->instance.eyeSize; }
+bool Headset::seesRoom() const { return state_->instance.seesRoom; }
 bool Headset::bareHands() const { return state_->instance.bareHands; }
 std::string Headset::name() const {
     return state_->instance.systemName + " (" + state_->instance.runtimeName + ")";

@@ -28,6 +28,8 @@ struct Frame {
 // What end() shows: the pictures that were released since begin().
 struct Shown {
     bool eyes = false;
+    bool room =
+        false; // behind the eyes' pictures, where their alpha, by which they are multiplied, lets it through
     glm::ivec2 eyeSize{0}; // the part drawn, from the lower left; at most eyeSize()
     bool panel = false;    // with premultiplied alpha
     Pose worldFromPanel;   // its middle, seen from +Z
@@ -66,6 +68,7 @@ class Headset {
     Status vibrate(int hand, float amplitude, float frequency_Hz);
 
     glm::ivec2 eyeSize() const; // the runtime's recommendation, pixels
+    bool seesRoom() const;      // it can show the player's room behind pictures
     bool bareHands() const;     // hands without controllers can be tracked
     std::string name() const;   // of headset and runtime
 

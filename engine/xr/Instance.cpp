@@ -70,10 +70,12 @@ void findHeadset(Instance& instance) {
         SHOAL_XR(xrEnumerateEnvironmentBlendModes(instance.handle.name(), instance.system, kStereo, capacity,
                                                   count, items));
     });
-    // The environment is everywhere, so opaque wherever the headset can be.
-    const bool opaque =
-        std::find(blends.begin(), blends.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != blends.end();
-    if (!opaque && !blends.empty()) instance.blend = blends.front();
+    const auto offers = [&](XrEnvironmentBlendMode mode) {
+        return std::find(blends.begin(), blends.end(), mode) != blends.end();
+    };
+    instance.seesRoom = offers(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
+    // The film is everywhere, so opaque wherever the headset can be.
+    if (!offers(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !blends.empty()) instance.blend = blends.front();
 }
 
 } // namespace

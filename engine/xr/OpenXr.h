@@ -101,7 +101,8 @@ struct Instance {
     std::string runtimeName, systemName;
     bool bareHands = false; // XR_EXT_hand_tracking, and the headset can
     glm::ivec2 eyeSize{0};  // as the runtime recommends, pixels
-    XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+    bool seesRoom = false;  // its cameras' picture can be blended with ours, by our alpha
+    XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // without the room
 
     // withHeadset: false only finds out which runtime there is.
     static Instance open(bool withHeadset);

@@ -197,14 +197,16 @@ void Application::globalActions(const Controls& controls) {
             if (Status reloaded = sceneRenderer_->reloadShaders(); !reloaded)
                 log::warn("{}", reloaded.error().message());
 #endif
+    if (controls.was(Action::Room) && display_->audience() == Audience::HeadsetPlayer)
+        options_.passthrough = !options_.passthrough;
     const int louder = controls.was(Action::Louder) - controls.was(Action::Quieter);
     if (louder != 0 && !options_.mute) {
         options_.volume = std::clamp(options_.volume + 0.1f * static_cast<float>(louder), 0.0f, 1.0f);
         volumeShown_s_ = glfwGetTime();
     }
     if (options_.volume != applied_.volume || options_.fullscreen != applied_.fullscreen ||
-        options_.frameTimes != applied_.frameTimes) {
-        for (const char* key : {"volume", "fullscreen", "frame-times"}) screens_.keep(key);
+        options_.frameTimes != applied_.frameTimes || options_.passthrough != applied_.passthrough) {
+        for (const char* key : {"volume", "fullscreen", "frame-times", "passthrough"}) screens_.keep(key);
     }
 }
 

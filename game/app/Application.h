@@ -85,6 +85,7 @@ class Application {
     Status startDive(const std::string& name, Mode mode);
     Status openFilm(const std::string& file);
     Status startHeadset();
+    void showRoom();
     void leaveHeadset(const Error& why);
     void takeHandsFrom(HandSourceKind kind);
     Status reopen(const PlayOptions& wanted, Mode mode, Screen asker);

@@ -44,6 +44,9 @@ class Display {
     virtual void feed(GameSession&) {}
     virtual Status vibrate(const haptics::HapticFrame&, bool /*paused*/) { return Done{}; }
 
+    // The player's own room in place of the film, from the next picture on. False: the display cannot.
+    virtual bool showRoom(bool /*wanted*/) { return true; }
+
     // scale: of the drawn picture's width and height, which is enlarged to the display's. False: there is
     // nothing to be seen now.
     virtual Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) = 0;

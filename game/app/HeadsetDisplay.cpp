@@ -17,7 +17,9 @@ namespace {
 // high.
 constexpr glm::ivec2 kPanelPixels(960, 640);
 constexpr glm::vec2 kPanel_m(1.5f, 1.0f);
-constexpr glm::vec3 kDark(0.01f, 0.05f, 0.08f); // display values; deep water
+constexpr glm::vec4 kDark(0.01f, 0.05f, 0.08f, 1); // display values; deep water
+constexpr glm::vec4 kClear(0);                     // lets the room through
+constexpr double kNoRoom_s = 5;
 constexpr auto kIdle = std::chrono::milliseconds(10);
 
 // The largest part of a picture about its middle that has the shape of the window.
@@ -67,6 +69,7 @@ Status HeadsetDisplay::begin() {
     if (last_ns_ != 0) elapsed_s_ = static_cast<double>(frame_.display_ns - last_ns_) * 1e-9;
     last_ns_ = frame_.display_ns;
     clock_s_ += elapsed_s_;
+    noRoom_s_ -= elapsed_s_;
     return Done{};
 }
 
@@ -94,8 +97,17 @@ void HeadsetDisplay::feed(GameSession& session) {
 
 const game::Notice* HeadsetDisplay::notice() const {
     static const game::Notice kPositionLost{"The headset does not see where you are: you can look around"};
+    static const game::Notice kNoRoom{"This headset cannot show your own room"};
+    if (noRoom_s_ > 0) return &kNoRoom;
     const xr::Tracking& tracking = headset_.tracking();
     return tracking.headTracked && tracking.positionLost ? &kPositionLost : nullptr;
+}
+
+bool HeadsetDisplay::showRoom(bool wanted) {
+    const bool can = headset_.seesRoom();
+    surroundings_ = wanted && can ? render::Surroundings::Room : render::Surroundings::Film;
+    noRoom_s_ = wanted && !can ? kNoRoom_s : 0;
+    return can || !wanted;
 }
 
 MenuSurface HeadsetDisplay::menuSurface() const { return {kPanelPixels, 1, false}; }
@@ -127,11 +139,11 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     render::View view = xr::viewOf(headset_.tracking().eyes[i]);
     view.heightPixels = size.y;
     target.bind();
-    const SceneRenderer::Eye toDraw{eye, view, target};
+    const SceneRenderer::Eye toDraw{eye, view, target, surroundings_};
     if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
     target.bind();
     painter.hud(HudPart::Marks, Audience::HeadsetPlayer, view, size);
-    fade_.draw(kDark, pause_.fade());
+    fade_.draw(surroundings_ == render::Surroundings::Room ? kClear : kDark, pause_.fade());
 
     const xr::Picture picture = eye == 0 ? xr::Picture::LeftEye : xr::Picture::RightEye;
     const auto framebuffer = headset_.acquire(picture);
@@ -182,6 +194,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
     const bool drawn = frame_.drawn && pause_.fade() < 1;
     const glm::ivec2 windowSize = window_->framebufferSize();
     xr::Shown shown;
+    shown.room = surroundings_ == render::Surroundings::Room;
     if (drawn) {
         const glm::ivec2 size = glm::max(glm::vec2(headset_.eyeSize()) * scale + 0.5f, glm::vec2(16));
         resize(targets_, 2, size, samples_);

@@ -30,6 +30,7 @@ class HeadsetDisplay : public Display {
     bool lost() const override { return headset_.lost(); }
     const game::Notice* notice() const override;
     void feed(GameSession& session) override;
+    bool showRoom(bool wanted) override;
     Status vibrate(const haptics::HapticFrame& frame, bool paused) override;
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;
     void present() override { window_->present(); }
@@ -56,6 +57,8 @@ class HeadsetDisplay : public Display {
     xr::Headset headset_;
     render::FadePass fade_;
     int samples_;
+    render::Surroundings surroundings_ = render::Surroundings::Film;
+    double noRoom_s_ = 0; // for which it is still said that it cannot be shown
     std::vector<gl::Target> targets_;
     HeadsetPause pause_;
     PanelPlacement panel_;

@@ -115,6 +115,7 @@ Status Application::openDisplay() {
     auto headset = HeadsetDisplay::open(*window_, config_.rig, samples);
     if (!headset) return headset.error();
     display_ = std::make_unique<HeadsetDisplay>(std::move(*headset));
+    showRoom();
     return Done{};
 }
 

@@ -83,6 +83,14 @@ Status Application::startHeadset() {
     return reopen(wanted, Mode::Title, Screen::Title);
 }
 
+// By the setting. Where the headset cannot, it stays with the film and says so.
+void Application::showRoom() {
+    if (display_->showRoom(options_.passthrough)) return;
+    log::warn(
+        "the headset's runtime cannot show your own room (it blends no pictures with it); the film stays");
+    options_.passthrough = false;
+}
+
 // The headset or its runtime has gone while somebody played: the dive pauses and is shown in the window,
 // where the mouse goes on with it.
 void Application::leaveHeadset(const Error& why) {
@@ -153,6 +161,10 @@ Status Application::applySettings() {
     if (options_.volume != applied_.volume) soundAndHaptics_->setVolume(options_.volume);
     soundAndHaptics_->setMix(options_.effects, options_.videoSound, options_.hapticStrength);
     if (options_.fullscreen != applied_.fullscreen) window_->toggleFullscreen();
+    if (options_.passthrough != applied_.passthrough) {
+        showRoom();
+        if (!options_.passthrough) screens_.keep("passthrough"); // not what could not be shown
+    }
     if (options_.quality == QualityControl::Fixed) quality_.reset();
     if (options_.compose != applied_.compose || options_.skin != applied_.skin ||
         options_.snow != applied_.snow || options_.reducedMotion != applied_.reducedMotion ||

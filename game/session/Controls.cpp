@@ -29,6 +29,7 @@ const std::array<ActionRow, kActions> kActionRows = {{
     {Action::Quieter, "quieter", "Quieter", {GLFW_KEY_MINUS, GLFW_KEY_KP_SUBTRACT}, -1},
     {Action::Fullscreen, "fullscreen", "Fullscreen", {GLFW_KEY_F11, -1}, -1},
     {Action::Performance, "performance", "Performance", {GLFW_KEY_F1, -1}, -1},
+    {Action::Room, "room", "Your own room", {GLFW_KEY_F2, -1}, -1},
 }};
 
 namespace {

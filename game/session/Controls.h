@@ -27,8 +27,9 @@ enum class Action {
     Quieter,
     Fullscreen,
     Performance,
+    Room,
 };
-inline constexpr size_t kActions = 14;
+inline constexpr size_t kActions = 15;
 
 struct ActionRow {
     Action action;

@@ -97,8 +97,9 @@ struct PlayOptions {
     TextSettings text;
     std::string record;
     StereoOutput stereo = StereoOutput::None;
-    bool xr = false;    // in an OpenXR headset
-    float fov_deg = 65; // vertical
+    bool xr = false;          // in an OpenXR headset
+    bool passthrough = false; // in it: the player's own room in place of the film
+    float fov_deg = 65;       // vertical
     float eyeDistance_mm = 64;
     bool fullscreen = false;
     bool vsync = true;
@@ -189,6 +190,12 @@ struct PlayOptions {
             .add("--xr", &xr,
                  "In a headset, by the OpenXR runtime that is active; the window shows its left eye")
             .without({"--stereo", "--headless"});
+        table
+            .addKept(
+                "--passthrough", &passthrough,
+                "In a headset: your own room around the animals in place of the film, which goes on lighting "
+                "them (F2 in the game)")
+            .shownAs(Picture, "Your own room");
         table.addKept("--fov", &fov_deg, "Vertical field of view, degrees")
             .between(20, 130)
             .shownAs(Picture, "Field of view");

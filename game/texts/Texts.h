@@ -136,6 +136,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
      "La vidéo en direct est perdue ; sa dernière image reste jusqu’à son retour"},
     {"Saved: {}", "Gespeichert: {}", "Enregistré : {}"},
     {"Not saved: {}", "Nicht gespeichert: {}", "Pas enregistré : {}"},
+    {"This headset cannot show your own room", "Dieses Headset kann dein Zimmer nicht zeigen",
+     "Ce casque ne peut pas montrer ta pièce"},
 
     // Performance
     {"frame {} ms median, {} worst of 120", "Bild {} ms im Mittel, {} am längsten von 120",
@@ -245,6 +247,7 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Version of the film", "Fassung des Films", "Version du film"},
     {"best", "beste", "meilleure"},
     {"Fullscreen", "Vollbild", "Plein écran"},
+    {"Your own room", "Dein Zimmer", "Ta pièce"},
     {"Brightness", "Helligkeit", "Luminosité"},
     {"Stereo", "Stereo", "Stéréo"},
     {"Performance", "Leistung", "Performances"},

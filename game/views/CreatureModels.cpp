@@ -216,7 +216,7 @@ void CreatureModels::showPosed(ModelInstance& instance, float margin, render::Ob
     scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
     for (scene::Sphere& sphere : spheres_) sphere.radius *= margin;
     pass.add(instance.model, instance.gpu, instance.pose, worldFromModel, scene::boundingSphereOf(spheres_),
-             &instance.body, spheres_);
+             &instance.body, spheres_, 0, true);
 }
 
 } // namespace shoal::app

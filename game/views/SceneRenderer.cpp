@@ -61,6 +61,7 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
 void SceneRenderer::castShadows() {
     constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
     passes_.shadows->begin();
+    if (pictures_[0].surroundings == render::Surroundings::Room) return;
     if (!passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows) return;
     const depth::DepthMap* map = environment_->depth();
     if (!map) return;
@@ -99,7 +100,8 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
             .sharesFrame = environment_->eyesSeeTheSame(),
             .filmed = {environment_->cameraResponse(), environment_->frameIndex()},
             .eyeInFilm = eyeInFilm(eye.view),
-            .skip = setup_.skip};
+            .skip = setup_.skip,
+            .surroundings = eye.surroundings};
 }
 
 Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye) {
@@ -121,15 +123,20 @@ Status SceneRenderer::drawObjectsAlone(const Eye& eye) {
     return drawObjects(pictureOf(eye));
 }
 
+// There is none in the player's room.
+water::Water SceneRenderer::waterAround(const render::EyePicture& picture) const {
+    return picture.surroundings == render::Surroundings::Room ? water::Water() : environment_->water();
+}
+
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     const gl::PassTimers::Scope scope(timers_, "objects");
     return passes_.objects.draw(picture.environment, picture.view, picture.envFromWorld, picture.exposure,
-                                environment_->water(), glossy_, picture.eyeInFilm);
+                                waterAround(picture), glossy_, picture.eyeInFilm, picture.surroundings);
 }
 
 Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) {
-    const water::Water water = environment_->water();
+    const water::Water water = waterAround(picture);
     if (!passes_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
     const gl::PassTimers::Scope scope(timers_, "particles");
     return passes_.particles->draw(on, picture.environment, picture.view, picture.envFromWorld,

@@ -48,6 +48,7 @@ class SceneRenderer final : private render::CompositorScene {
         int eye = 0; // 0 left, 1 right
         render::View view;
         const gl::Target& canvas;
+        render::Surroundings surroundings = render::Surroundings::Film;
     };
     // Into each eye's canvas. afterEye is called when an eye's picture is complete, with its canvas bound.
     Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
@@ -73,6 +74,7 @@ class SceneRenderer final : private render::CompositorScene {
     void castShadows();
     glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
+    water::Water waterAround(const render::EyePicture& picture) const;
     render::View filmedFrom(const render::EyePicture& picture) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;

@@ -206,7 +206,13 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
         ASSERT_TRUE(headset.release(picture));
     }
     const Pose place{{0.1f, 0.2f, -1.5f}, {1, 0, 0, 0}};
-    ASSERT_TRUE(headset.end({true, {150, 160}, true, place, {1.8f, 1.125f}}));
+    ASSERT_TRUE(headset.end({.eyes = true,
+                             .eyeSize = {150, 160},
+                             .panel = true,
+                             .worldFromPanel = place,
+                             .panelSize_m = {1.8f, 1.125f}}));
+    EXPECT_EQ(fake.last.blend, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
+    EXPECT_EQ(fake.last.eyesFlags, 0u);
     ASSERT_TRUE(fake.last.eyes && fake.last.panel);
     EXPECT_EQ(fake.last.display, frame->display_ns);
     for (size_t eye = 0; eye < 2; ++eye) {
@@ -224,6 +230,29 @@ TEST_F(HeadsetGL, ShowsWhatIsDrawnFromWhereTheEyesAre) {
     EXPECT_EQ(fake.last.panel->size.width, 1.8f);
     EXPECT_EQ(fake.last.panel->picture.width, 96);
     EXPECT_EQ(fake.last.panel->picture.rgba[2], 2);
+}
+
+// The eyes' alpha counts, and is multiplied in already; from frame to frame, as the specification allows.
+TEST_F(HeadsetGL, TheRoomIsBlendedWhereTheRuntimeOffersIt) {
+    EXPECT_FALSE(open().seesRoom());
+    fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
+    Headset headset = open();
+    EXPECT_TRUE(headset.seesRoom());
+    untilFocused(headset);
+    for (const bool room : {true, false, true}) {
+        ASSERT_TRUE(headset.poll());
+        ASSERT_TRUE(headset.waitFrame());
+        ASSERT_TRUE(headset.begin());
+        for (const Picture picture : {Picture::LeftEye, Picture::RightEye}) {
+            ASSERT_TRUE(headset.acquire(picture));
+            ASSERT_TRUE(headset.release(picture));
+        }
+        ASSERT_TRUE(headset.end({.eyes = true, .room = room, .eyeSize = {200, 240}}));
+        EXPECT_EQ(fake.last.blend,
+                  room ? XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND : XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
+        EXPECT_EQ(fake.last.eyesFlags,
+                  room ? XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT : XrCompositionLayerFlags{0});
+    }
 }
 
 TEST_F(HeadsetGL, HandsAndControllersAreTold) {

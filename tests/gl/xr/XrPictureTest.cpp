@@ -4,6 +4,7 @@
 #include "game/app/HeadsetDisplay.h"
 #include "game/session/GameSession.h"
 #include "game/views/SceneRenderer.h"
+#include "input/hands/MouseHands.h"
 #include "tests/gl/xr/Fixture.h"
 
 #include <glm/geometric.hpp>
@@ -139,6 +140,55 @@ TEST_F(XrPicture, MovesWithTheHead) {
         const std::vector<uint8_t> expected = ordinary(eye, {}, {200, 240}, 1);
         ASSERT_EQ(rgba.size(), expected.size());
         EXPECT_EQ(rgba, expected);
+    }
+}
+
+// In the player's room: animals as the film lights them, nothing beside them, and a hand only hides them.
+TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
+    const glm::ivec2 size(200, 240);
+    const render::View view{.verticalFov = 1.2f, .aspect = 200.0f / 240, .heightPixels = size.y};
+    game::Snapshot shown = run_->shown;
+    shown.creatures.resize(1);
+    shown.creatures[0].position = {0, 0, -1};
+    shown.creatures[0].worldFromBody = glm::angleAxis(1.57f, glm::vec3(0, 1, 0)); // from the side
+    shown.creatures[0].length = 0.5f;
+    const auto pose = hands::reachingHand(plan_->rig, hands::Side::Right, {0, 0, -0.5f}, 0.5f);
+    for (const int samples : {1, 4}) {
+        const gl::Target target(size.x, size.y, samples);
+        const auto drawn = [&](bool hand, render::Surroundings surroundings) {
+            shown.hands[1].visible = hand;
+            for (size_t i = 0; i < pose.joints.size(); ++i) shown.hands[1].joints[i] = pose.joints[i];
+            sceneRenderer_->set(shown, *environment_,
+                                environment_->exposure(Tone::Auto, plan_->dive.exposure_ev));
+            const SceneRenderer::Eye eye{0, view, target, surroundings};
+            EXPECT_TRUE(sceneRenderer_->draw({&eye, 1}));
+            return target.read().pixels;
+        };
+        const auto alone = drawn(false, render::Surroundings::Room);
+        const auto behindHand = drawn(true, render::Surroundings::Room);
+        const auto inFilm = drawn(true, render::Surroundings::Film);
+        size_t clear = 0, solid = 0, hidden = 0;
+        double light = 0;
+        for (size_t i = 0; i < alone.size(); i += 4) {
+            const uint8_t alpha = alone[i + 3];
+            // Premultiplied: no colour is above its alpha, but for the rounding of a resolve.
+            for (size_t c = 0; c < 3; ++c) ASSERT_LE(alone[i + c], alpha + 1) << i;
+            clear += alpha == 0;
+            solid += alpha == 255;
+            if (alpha == 255) light += alone[i + 1];
+            EXPECT_LE(behindHand[i + 3], alpha) << "a hand is not drawn";
+            hidden += behindHand[i + 3] == 0 && alpha == 255;
+            EXPECT_EQ(inFilm[i + 3], 255);
+        }
+        const size_t all = alone.size() / 4;
+        EXPECT_GT(solid, all / 100); // 0.5 m seen from 1 m is 88 pixels long
+        EXPECT_GT(clear, all / 2);
+        EXPECT_GT(hidden, solid / 10);
+        EXPECT_LT(hidden, solid);
+        EXPECT_GT(light / static_cast<double>(solid), 20); // lit
+        if (samples == 4) {
+            EXPECT_LT(clear + solid, all); // outlines are smooth
+        }
     }
 }
 

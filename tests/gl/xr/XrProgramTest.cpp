@@ -8,6 +8,7 @@
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
+#include "tests/gl/xr/Keyboard.h"
 #include "tests/playthrough/Play.h"
 
 #include <GLFW/glfw3.h>
@@ -378,6 +379,64 @@ TEST_F(XrProgram, LostTrackingFadesThePictureAndComesBack) {
     EXPECT_GT(half, 0.3 * before);
     EXPECT_EQ(lost, 0);
     EXPECT_NEAR(after, before, 0.2 * before); // the video went on
+}
+
+// By option, then by key, and kept.
+TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
+    fake.keepPictures = true;
+    fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
+    std::vector<test::ShownFrame> seen;
+    fake.onWait = [&](FakeRuntime& f) {
+        if (f.framesWaited == 100 || f.framesWaited == 120 || f.framesWaited == 140) {
+            seen.push_back(f.last);
+            if (f.framesWaited < 140) test::strikeFunctionKey(GLFW_KEY_F2);
+        }
+        if (f.framesWaited == 160) f.viewFlags = 0; // no pose: what is drawn fades, and the room stays
+        if (f.framesWaited == 200) seen.push_back(f.last);
+    };
+    PlayOptions o = options();
+    o.passthrough = true;
+    const Outcome outcome = run(o, 210);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(outcome.said, "");
+    ASSERT_EQ(seen.size(), 4u);
+    const auto clearShare = [](const test::ShownFrame& frame) {
+        const auto& rgba = frame.eyes.value()[0].picture.rgba;
+        size_t clear = 0;
+        for (size_t i = 0; i < rgba.size(); i += 4)
+            clear += rgba[i] == 0 && rgba[i + 1] == 0 && rgba[i + 2] == 0 && rgba[i + 3] == 0;
+        return static_cast<double>(clear) / static_cast<double>(rgba.size() / 4);
+    };
+    for (const size_t room : {0u, 2u}) {
+        EXPECT_EQ(seen[room].blend, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
+        EXPECT_GT(clearShare(seen[room]), 0.5);
+        EXPECT_LT(clearShare(seen[room]), 1); // animals
+    }
+    EXPECT_EQ(seen[1].blend, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
+    EXPECT_EQ(clearShare(seen[1]), 0);
+    EXPECT_FALSE(seen[3].eyes);
+    EXPECT_EQ(seen[3].blend, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
+    PlayOptions kept;
+    loadSettings(settingsOf(kept));
+    EXPECT_TRUE(kept.passthrough);
+}
+TEST_F(XrProgram, WhereTheRuntimeShowsNoRoomTheFilmStaysAndItIsSaid) {
+    fake.keepPictures = true;
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 60) test::strikeFunctionKey(GLFW_KEY_F2);
+        if (f.framesWaited != 75) return;
+        EXPECT_EQ(f.last.blend, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
+        EXPECT_GT(brightness(f), 40);
+    };
+    PlayOptions o = options();
+    o.passthrough = true;
+    const Outcome outcome = run(o, 80);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 2) << outcome.said; // asked twice
+    EXPECT_NE(outcome.said.find("cannot show your own room"), std::string::npos) << outcome.said;
+    PlayOptions kept;
+    loadSettings(settingsOf(kept));
+    EXPECT_FALSE(kept.passthrough);
 }
 
 // What a player may meet before anything is seen.

@@ -54,6 +54,8 @@ struct ShownPanel {
 
 struct ShownFrame {
     XrTime display = 0;
+    XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_MAX_ENUM;
+    XrCompositionLayerFlags eyesFlags = 0;
     std::optional<std::array<ShownEye, 2>> eyes;
     std::optional<ShownPanel> panel;
 };
@@ -71,6 +73,8 @@ struct FakeRuntime {
                                         XR_EXT_HAND_TRACKING_EXTENSION_NAME};
     std::map<std::string, XrResult> failing; // by function: it does nothing but return this
     std::vector<int64_t> formats = {GL_RGBA16F, GL_SRGB8_ALPHA8, GL_RGBA8};
+    std::vector<XrEnvironmentBlendMode> blendModes = {XR_ENVIRONMENT_BLEND_MODE_ADDITIVE,
+                                                      XR_ENVIRONMENT_BLEND_MODE_OPAQUE};
     uint32_t eyeWidth = 200, eyeHeight = 240;
     XrVersion minOpenGl = XR_MAKE_VERSION(3, 3, 0);
     std::array<XrView, 2> views; // in LOCAL's frame

@@ -160,8 +160,7 @@ XrResult xrEnumerateViewConfigurationViews(XrInstance, XrSystemId, XrViewConfigu
 XrResult xrEnumerateEnvironmentBlendModes(XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,
                                           uint32_t* count, XrEnvironmentBlendMode* items) {
     FAKE_XR(xrEnumerateEnvironmentBlendModes);
-    return giveList(std::array{XR_ENVIRONMENT_BLEND_MODE_ADDITIVE, XR_ENVIRONMENT_BLEND_MODE_OPAQUE},
-                    capacity, count, items);
+    return giveList(shoalFakeRuntime().blendModes, capacity, count, items);
 }
 XrResult xrGetOpenGLGraphicsRequirementsKHR(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* out) {
     FAKE_XR(xrGetOpenGLGraphicsRequirementsKHR);

@@ -29,6 +29,7 @@ XrResult xrCreateSession(XrInstance, const XrSessionCreateInfo* info, XrSession*
     if (!binding || binding->type != XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR)
         return XR_ERROR_GRAPHICS_DEVICE_INVALID;
     ++fake.sessions;
+    fake.events.clear(); // of a session before
     session() = {};
     *out = handleOf<XrSession>(&session());
     fake.say(XR_SESSION_STATE_IDLE);
@@ -223,15 +224,18 @@ XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
     if (session().phase != FramePhase::Begun) return XR_ERROR_CALL_ORDER_INVALID;
     session().phase = FramePhase::Idle;
     if (info->displayTime != session().now) fake.complain("xrEndFrame: another time than xrWaitFrame gave");
-    if (info->environmentBlendMode != XR_ENVIRONMENT_BLEND_MODE_OPAQUE)
+    if (std::ranges::find(fake.blendModes, info->environmentBlendMode) == fake.blendModes.end())
+        fake.complain("xrEndFrame: a blend mode that was not offered");
+    if (info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_ADDITIVE)
         fake.complain("xrEndFrame: not opaque though it could be");
-    fake.last = {info->displayTime, {}, {}};
+    fake.last = {.display = info->displayTime, .blend = info->environmentBlendMode};
     for (uint32_t i = 0; i < info->layerCount; ++i) {
         const XrCompositionLayerBaseHeader* layer = info->layers[i];
         const Place localFromLayer = localFromSpace(layer->space);
         if (layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION) {
             const auto& projection = reinterpret_cast<const XrCompositionLayerProjection&>(*layer);
             if (projection.viewCount != 2) return XR_ERROR_VALIDATION_FAILURE;
+            fake.last.eyesFlags = projection.layerFlags;
             fake.last.eyes.emplace();
             for (size_t eye = 0; eye < 2; ++eye) {
                 const XrCompositionLayerProjectionView& view = projection.views[eye];
