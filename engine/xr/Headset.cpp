@@ -1,6 +1,7 @@
 #include "engine/xr/Headset.h"
 
 #include "engine/core/Files.h"
+#include "engine/xr/NewerOpenXr.h"
 #include "engine/xr/OpenXr.h"
 #include "engine/xr/Tracked.h"
 
@@ -163,6 +164,7 @@ struct Headset::State {
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
     bool lost = false;    // runtime or headset are gone
+    bool worn = true;     // as far as it senses that
     bool centring = true;
     bool positionTracked = false; // has ever been, not merely valid
     bool everPlaced = false;      // a position was ever known
@@ -184,6 +186,10 @@ bool Headset::hasRuntime() {
     for (const Path& folder : {configFolder().parent_path(), Path("/etc/xdg"), Path("/etc")})
         if (std::filesystem::exists(folder / "openxr/1/active_runtime.json", code)) return true;
     return false;
+}
+
+bool Headset::isThere() {
+    return statusOf([] { (void)Instance::open(true); }).ok();
 }
 
 Result<Headset> Headset::open(glm::ivec2 panelSize) {
@@ -210,6 +216,12 @@ Status Headset::poll() {
         for (;;) {
             XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
             if (SHOAL_XR(xrPollEvent(state_->instance.handle.name(), &event)) == XR_EVENT_UNAVAILABLE) return;
+            // Told once the session runs, too. No enumerator of older headers.
+            if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT && state_->instance.sensesWearer) {
+                state_->worn =
+                    reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(event).isUserPresent == XR_TRUE;
+                continue;
+            }
             switch (event.type) {
             case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
                 state_->enter(reinterpret_cast<XrEventDataSessionStateChanged&>(event).state);
@@ -371,7 +383,7 @@ Headset::~Headset() {
 
 bool Headset::lost() const { return state_->lost; }
 bool Headset::wantsFrames() const { return state_->running; }
-bool Headset::plays() const { return state_->state == XR_SESSION_STATE_FOCUSED; }
+bool Headset::plays() const { return state_->state == XR_SESSION_STATE_FOCUSED && state_->worn; }
 bool Headset::leaving() const { return state_->state == XR_SESSION_STATE_EXITING; }
 void Headset::recentre() { state_->centring = true; }
 const Tracking& Headset::tracking() const { return state_->tracking; }

@@ -41,6 +41,9 @@ class Headset {
     // Whether a runtime is set up, by the files that the OpenXR loader looks for: nothing is loaded or
     // started. Whether it has a headset shows only in open().
     static bool hasRuntime();
+    // Whether a runtime answers and has one. May take seconds; any thread, while there is no Headset, and
+    // after the first: the loader's environment is set up by that.
+    static bool isThere();
     // panelSize: of the picture for text, pixels. Needs a GLX context. Errors tell a player what to do.
     static Result<Headset> open(glm::ivec2 panelSize);
     Headset(Headset&&) noexcept;

@@ -1,5 +1,7 @@
 #include "engine/xr/OpenXr.h"
 
+#include "engine/xr/NewerOpenXr.h"
+
 #include <glm/common.hpp>
 #include <openxr/openxr_reflection.h>
 
@@ -43,10 +45,13 @@ void findHeadset(Instance& instance) {
 
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
+    XrSystemUserPresencePropertiesEXT presence{XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT};
     if (instance.bareHands) properties.next = &hands;
+    if (instance.sensesWearer) presence.next = std::exchange(properties.next, &presence);
     SHOAL_XR(xrGetSystemProperties(instance.handle.name(), instance.system, &properties));
     instance.systemName = textOf(properties.systemName);
     instance.bareHands &= hands.supportsHandTracking == XR_TRUE;
+    instance.sensesWearer &= presence.supportsUserPresence == XR_TRUE;
 
     const auto views =
         enumerate(XrViewConfigurationView{XR_TYPE_VIEW_CONFIGURATION_VIEW},
@@ -115,8 +120,12 @@ Instance Instance::open(bool withHeadset) {
             throw Failure("the active runtime takes no pictures from OpenGL (" +
                           std::string(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) + ")");
         wanted.push_back(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME);
-        instance.bareHands = has(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
-        if (instance.bareHands) wanted.push_back(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
+        const auto takes = [&](const char* name) {
+            if (has(name)) wanted.push_back(name);
+            return has(name);
+        };
+        instance.bareHands = takes(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
+        instance.sensesWearer = takes(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
     }
     XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
     copyText(info.applicationInfo.applicationName, "Shoal");

@@ -99,9 +99,10 @@ struct Instance {
     Handle<XrInstance, xrDestroyInstance> handle;
     XrSystemId system = XR_NULL_SYSTEM_ID;
     std::string runtimeName, systemName;
-    bool bareHands = false; // XR_EXT_hand_tracking, and the headset can
-    glm::ivec2 eyeSize{0};  // as the runtime recommends, pixels
-    bool seesRoom = false;  // its cameras' picture can be blended with ours, by our alpha
+    bool bareHands = false;    // XR_EXT_hand_tracking, and the headset can
+    bool sensesWearer = false; // XR_EXT_user_presence, and the headset can
+    glm::ivec2 eyeSize{0};     // as the runtime recommends, pixels
+    bool seesRoom = false;     // its cameras' picture can be blended with ours, by our alpha
     XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // without the room
 
     // withHeadset: false only finds out which runtime there is.

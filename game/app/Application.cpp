@@ -35,6 +35,7 @@ Status Application::run(bool measured) {
         }
         if (!played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
+        awaitHeadset();
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
         if (played && play_->teaching.stepsAreOver()) played = endFirstSteps();
     }

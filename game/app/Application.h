@@ -7,6 +7,7 @@
 #include "game/app/Display.h"
 #include "game/app/FirstSteps.h"
 #include "game/app/FrameClock.h"
+#include "game/app/HeadsetReturn.h"
 #include "game/app/PhotoMode.h"
 #include "game/app/ProgramStates.h"
 #include "game/session/SoundAndHaptics.h"
@@ -85,8 +86,10 @@ class Application {
     Status startDive(const std::string& name, Mode mode);
     Status openFilm(const std::string& file);
     Status startHeadset();
+    Status enterHeadset();
     void showRoom();
     void leaveHeadset(const Error& why);
+    void awaitHeadset();
     void takeHandsFrom(HandSourceKind kind);
     Status reopen(const PlayOptions& wanted, Mode mode, Screen asker);
     Status goBack(const PlayOptions& before, const Error& why, Screen asker);
@@ -119,6 +122,7 @@ class Application {
     std::optional<SoundAndHaptics> soundAndHaptics_;
     std::optional<DynamicQuality> quality_; // while somebody looks on and the quality is not fixed
     std::optional<Play> play_;
+    HeadsetReturn headsetReturn_;    // while a dive is paused because its headset was lost
     std::optional<PhotoMode> photo_; // while the camera is free
     Popups popups_;
     Pictures::Picture cameraPicture_; // what a hand tracker's camera sees

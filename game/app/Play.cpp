@@ -106,14 +106,16 @@ Status Application::openContext() {
 Status Application::openDisplay() {
     const int samples = options_.look.samples > 0 ? options_.look.samples : software_ ? 1 : 4;
     quality_.reset(); // another display, another rate
-    // A headset sets the pace; its onlookers' window does not.
-    if (window_) window_->setVsync(options_.vsync && !options_.timedemo && !options_.xr);
+    const bool vsync = options_.vsync && !options_.timedemo;
     if (!options_.xr) {
+        if (window_) window_->setVsync(vsync);
         display_ = std::make_unique<FlatDisplay>(window_ ? &*window_ : nullptr, options_, samples);
         return Done{};
     }
+    headsetReturn_.settle();
     auto headset = HeadsetDisplay::open(*window_, config_.rig, samples);
     if (!headset) return headset.error();
+    window_->setVsync(false); // a headset sets the pace; its onlookers' window does not
     display_ = std::make_unique<HeadsetDisplay>(std::move(*headset));
     showRoom();
     return Done{};

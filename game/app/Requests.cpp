@@ -69,18 +69,25 @@ Status Application::openFilm(const std::string& file) {
 // From the title screen, or in mid-dive where the headset was lost: that dive then goes on in it.
 Status Application::startHeadset() {
     if (play_->states.mode() != Mode::Title) {
-        options_.xr = true;
-        if (Status opened = openDisplay(); !opened) {
-            options_.xr = false;
-            screens_.showError(opened.error().message());
-            return Done{};
-        }
-        takeHandsFrom(HandSourceKind::OpenXr);
+        if (Status entered = enterHeadset(); !entered) screens_.showError(entered.error().message());
         return Done{};
     }
     PlayOptions wanted = options_;
     wanted.xr = true;
     return reopen(wanted, Mode::Title, Screen::Title);
+}
+
+// In mid-dive, in place of the window.
+Status Application::enterHeadset() {
+    options_.xr = true;
+    if (Status opened = openDisplay(); !opened) {
+        options_.xr = false;
+        return opened;
+    }
+    headsetReturn_.forget();
+    screens_.showError({});
+    if (std::holds_alternative<MouseSource>(play_->session.source)) takeHandsFrom(HandSourceKind::OpenXr);
+    return Done{};
 }
 
 // By the setting. Where the headset cannot, it stays with the film and says so.
@@ -92,7 +99,7 @@ void Application::showRoom() {
 }
 
 // The headset or its runtime has gone while somebody played: the dive pauses and is shown in the window,
-// where the mouse goes on with it.
+// where the mouse goes on with it, or the headset when it is back.
 void Application::leaveHeadset(const Error& why) {
     log::warn("{}", why.message());
     options_.xr = false;
@@ -102,8 +109,17 @@ void Application::leaveHeadset(const Error& why) {
     play_->session.head.reset(); // a headset feeds it
     play_->session.paused = true;
     screens_.facts.headsetLost = true;
+    headsetReturn_.await();
     play_->states.update();
     screens_.showError(why.message());
+}
+
+// Who goes on without it is left alone.
+void Application::awaitHeadset() {
+    if (photo_) return;
+    if (play_->states.state() != ProgramStates::State::Paused) return headsetReturn_.forget();
+    if (!headsetReturn_.step(static_cast<float>(play_->elapsed_s))) return;
+    if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
 }
 
 // Of this session and the next ones, while everything else of them stays.

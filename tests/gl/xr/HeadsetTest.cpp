@@ -312,6 +312,24 @@ TEST_F(HeadsetGL, WorksWithoutHandTracking) {
     EXPECT_FALSE(fake.called.contains("xrCreateHandTrackerEXT"));
 }
 
+// XR_EXT_user_presence, whatever the session's state; who senses nothing has nothing to say.
+TEST_F(HeadsetGL, WhoTakesItOffPlaysNoMore) {
+    withoutValidation();
+    fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
+    for (const bool senses : {true, false}) {
+        fake.sensesWearer = senses;
+        Headset headset = open();
+        EXPECT_TRUE(fake.enabled.contains(XR_EXT_USER_PRESENCE_EXTENSION_NAME));
+        untilFocused(headset);
+        fake.sayWorn(false);
+        emptyFrame(headset);
+        EXPECT_EQ(headset.plays(), !senses);
+        fake.sayWorn(true);
+        emptyFrame(headset);
+        EXPECT_TRUE(headset.plays());
+    }
+}
+
 TEST_F(HeadsetGL, VibratesWithLimitsAndStops) {
     {
         Headset headset = open();

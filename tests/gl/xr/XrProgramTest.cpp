@@ -8,15 +8,17 @@
 #include "input/hands/MouseHands.h"
 #include "tests/TestPaths.h"
 #include "tests/gl/xr/Fixture.h"
-#include "tests/gl/xr/Keyboard.h"
+#include "tests/gl/xr/WindowEvents.h"
 #include "tests/playthrough/Play.h"
 
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <future>
 
 namespace shoal::app {
 namespace {
@@ -69,9 +71,9 @@ class XrProgram : public test::WithFakeRuntime {
         if (!played) std::fprintf(stderr, "%s\n", played.error().message().c_str());
         outcome.status = played ? 0 : 1;
         outcome.said = testing::internal::GetCapturedStderr();
-        // The validation layer greets.
-        while (outcome.said.starts_with("Core Validation output"))
-            outcome.said.erase(0, outcome.said.find('\n') + 1);
+        // The validation layer greets each instance.
+        for (size_t at; (at = outcome.said.find("Core Validation output")) != std::string::npos;)
+            outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
         return outcome;
     }
     // As when the player ends the game in the runtime's menu.
@@ -113,6 +115,14 @@ class XrProgram : public test::WithFakeRuntime {
                  {joint.position.x, joint.position.y, joint.position.z}},
                 joint.radius};
         }
+    }
+
+    static void expectReplays(const tests::Recorded& recording) {
+        auto files = game::loadDiveFiles("reef");
+        ASSERT_TRUE(files);
+        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
+        const Status same = game::replay(recording, *files);
+        EXPECT_TRUE(same) << same.error().message();
     }
 
     // Lengths of the stretches in which `pause` was held or not, in ticks, beginning with held.
@@ -171,6 +181,28 @@ TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
     EXPECT_GT(lengths[3], 50);
 }
 
+// The runtime keeps the session focused, as it may.
+TEST_F(XrProgram, TakingTheHeadsetOffPausesUntilAHandCloses) {
+    withoutValidation();
+    fake.extensions.insert(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
+    closeHand(1, 0);
+    fake.onWait = [this](FakeRuntime& f) {
+        if (f.framesWaited == 90) f.sayWorn(false);
+        if (f.framesWaited == 150) f.sayWorn(true);
+        if (f.framesWaited == 180) closeHand(1, 1);
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o, 240);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording);
+    const std::vector<int> lengths = pauses(*recording);
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
+    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
+    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6); // as LosingFocusPausesUntilAHandCloses
+}
+
 TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     // Stands elsewhere, turned; then leans to the right by 0.2 m and looks up.
     const glm::quat start = glm::angleAxis(0.9f, glm::vec3(0, 1, 0));
@@ -206,11 +238,7 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     EXPECT_TRUE(last.hands[1].tracked);
     EXPECT_FALSE(last.hands[0].tracked);
 
-    auto files = game::loadDiveFiles("reef");
-    ASSERT_TRUE(files);
-    files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
-    const Status same = game::replay(*recording, *files);
-    EXPECT_TRUE(same) << same.error().message();
+    expectReplays(*recording);
 }
 
 // The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
@@ -389,7 +417,7 @@ TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
     fake.onWait = [&](FakeRuntime& f) {
         if (f.framesWaited == 100 || f.framesWaited == 120 || f.framesWaited == 140) {
             seen.push_back(f.last);
-            if (f.framesWaited < 140) test::strikeFunctionKey(GLFW_KEY_F2);
+            if (f.framesWaited < 140) test::strikeKey(GLFW_KEY_F2);
         }
         if (f.framesWaited == 160) f.viewFlags = 0; // no pose: what is drawn fades, and the room stays
         if (f.framesWaited == 200) seen.push_back(f.last);
@@ -423,7 +451,7 @@ TEST_F(XrProgram, TheRoomTakesThePlaceOfTheFilmAndComesAndGoes) {
 TEST_F(XrProgram, WhereTheRuntimeShowsNoRoomTheFilmStaysAndItIsSaid) {
     fake.keepPictures = true;
     fake.onWait = [](FakeRuntime& f) {
-        if (f.framesWaited == 60) test::strikeFunctionKey(GLFW_KEY_F2);
+        if (f.framesWaited == 60) test::strikeKey(GLFW_KEY_F2);
         if (f.framesWaited != 75) return;
         EXPECT_EQ(f.last.blend, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
         EXPECT_GT(brightness(f), 40);
@@ -554,11 +582,7 @@ class LostRuntime : public XrProgram {
         const auto recording = tests::readRecorded(o.record);
         ASSERT_TRUE(recording) << recording.error().message();
         EXPECT_GE(recording->ticks(), 89u * 120 / 90);
-        auto files = game::loadDiveFiles("reef");
-        ASSERT_TRUE(files);
-        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
-        const Status same = game::replay(*recording, *files);
-        EXPECT_TRUE(same) << same.error().message();
+        expectReplays(*recording);
     }
 };
 TEST_F(LostRuntime, AHeadsetPulledOut) {
@@ -570,6 +594,73 @@ TEST_F(LostRuntime, ARuntimeThatGoes) {
 TEST_F(LostRuntime, ARuntimeThatHasCrashed) {
     loseIt([](FakeRuntime& f) { f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST; },
            "xrEndFrame says XR_ERROR_INSTANCE_LOST");
+}
+
+// It is asked for again and again, beside the window, which goes on; the dive then goes on in it, where it
+// was.
+TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
+    std::promise<void> windowGoesOn;
+    std::atomic<int> gone = 0, polls = 0, asked = 0;
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited != 90) return;
+        f.present = false;
+        f.say(XR_SESSION_STATE_LOSS_PENDING);
+    };
+    fake.onCreate = [&](FakeRuntime&) { // a runtime that is slow to say that it has none
+        if (gone != 1) return;
+        ++asked;
+        EXPECT_EQ(windowGoesOn.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    };
+    fake.onGone = [&](FakeRuntime& f) {
+        if (++gone == 2) f.present = true; // plugged in again
+        if (gone != 1) return;
+        test::onEachPoll([&] {
+            if (asked == 1 && ++polls == 5) windowGoesOn.set_value();
+            return polls < 5;
+        });
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o, 200);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said; // of the loss
+    EXPECT_EQ(gone, 4); // lost, asked in vain, asked with success, played to the end
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording) << recording.error().message();
+    const std::vector<int> lengths = pauses(*recording);
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
+    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
+    // 110 frames, of which some pass until it is focused and for 0.3 s steady.
+    EXPECT_NEAR(lengths[3], (110 - 30) * 4 / 3, 8);
+    expectReplays(*recording);
+}
+TEST_F(LostRuntime, WhoGoesOnWithTheMouseIsLeftAlone) {
+    int polls = 0;
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 90) f.say(XR_SESSION_STATE_LOSS_PENDING);
+    };
+    fake.onGone = [&](FakeRuntime&) {
+        test::onEachPoll([&] {
+            if (++polls == 5) test::strikeKey(GLFW_KEY_ESCAPE); // leaves the pause menu
+            if (polls == 30) glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
+            return polls < 30;
+        });
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(polls, 30);
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording) << recording.error().message();
+    const std::vector<int> lengths = pauses(*recording);
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
+    EXPECT_GT(lengths[3], 10);
+    // The mouse has one hand, which the headset did not show.
+    const auto last =
+        game::fromBytes(recording->input(recording->ticks() - 1).first<game::kTickInputBytes>());
+    EXPECT_TRUE(last.hands[0].tracked || last.hands[1].tracked);
+    expectReplays(*recording);
 }
 TEST_F(XrProgram, AScriptEndsWithASentenceWhereTheHeadsetIsPulledOut) {
     fake.onWait = [](FakeRuntime& f) {
@@ -595,7 +686,7 @@ TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
     fake.failing[name] = XR_ERROR_RUNTIME_FAILURE;
     PlayOptions o = options();
     // The validation layer itself stumbles over an instance that could not be made.
-    if (name == "xrCreateInstance") unsetenv("XR_ENABLE_API_LAYERS");
+    if (name == "xrCreateInstance") withoutValidation();
     const bool haptic = name.ends_with("HapticFeedback");
     if (haptic) o.hands.source = kFirstCatch;
     if (name == "xrStopHapticFeedback") // taken off while something is felt

@@ -38,6 +38,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(load().volume, PlayOptions().volume);
     PlayOptions set{.skin = Skin::Glove,
                     .stereo = StereoOutput::SideBySide,
+                    .passthrough = true,
                     .eyeDistance_mm = 61,
                     .vsync = false,
                     .compose = render::Composition::VideoTexels,
@@ -58,6 +59,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_FALSE(settings.vsync);
     EXPECT_EQ(settings.skin, Skin::Glove);
     EXPECT_EQ(settings.stereo, StereoOutput::SideBySide);
+    EXPECT_TRUE(settings.passthrough);
     EXPECT_EQ(settings.compose, render::Composition::VideoTexels);
     EXPECT_EQ(settings.eyeDistance_mm, 61);
     EXPECT_EQ(settings.hands.leap.host, "tracker");

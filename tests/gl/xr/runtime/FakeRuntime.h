@@ -6,6 +6,8 @@
 #pragma once
 
 #define XR_USE_GRAPHICS_API_OPENGL
+#include "engine/xr/NewerOpenXr.h"
+
 #include <epoxy/gl.h>
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
@@ -83,19 +85,23 @@ struct FakeRuntime {
     std::array<FakeController, 2> controllers;
     double period_s = 1.0 / 90;
     bool shouldRender = true;
-    bool focusesByItself = true;              // after the first frame
-    bool keepPictures = false;                // of the eyes and the panel, each frame anew
-    std::function<void(FakeRuntime&)> onWait; // in each xrWaitFrame, before it answers
-    std::function<void(FakeRuntime&)> onGone; // when the last instance has been destroyed
+    bool focusesByItself = true;                // after the first frame
+    bool sensesWearer = true;                   // with XR_EXT_user_presence
+    bool keepPictures = false;                  // of the eyes and the panel, each frame anew
+    std::function<void(FakeRuntime&)> onWait;   // in each xrWaitFrame, before it answers
+    std::function<void(FakeRuntime&)> onCreate; // in each xrCreateInstance, before it answers
+    std::function<void(FakeRuntime&)> onGone;   // when the last instance has been destroyed
 
     // News for the next xrPollEvent.
     void say(XrSessionState state);
     void sayInstanceLoss();
     void sayRecentred();
+    void sayWorn(bool worn);
 
     // What it saw.
     std::vector<std::string> complaints; // of what the specification forbids
     std::set<std::string> called;
+    std::set<std::string> enabled; // extensions, of the last instance
     std::vector<FeltPulse> pulses;
     std::vector<std::string> boundProfiles; // interaction profiles with suggested bindings
     uint64_t framesWaited = 0, framesEnded = 0, framesWithEyes = 0;

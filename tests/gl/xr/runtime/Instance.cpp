@@ -62,6 +62,15 @@ void FakeRuntime::sayRecentred() {
     events.push_back(buffer);
 }
 
+void FakeRuntime::sayWorn(bool worn) {
+    XrEventDataBuffer buffer{};
+    auto& event = reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(buffer);
+    event.type = XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT;
+    event.session = handleOf<XrSession>(&session());
+    event.isUserPresent = worn;
+    events.push_back(buffer);
+}
+
 namespace {
 
 using std::strncpy;
@@ -81,10 +90,13 @@ XrResult xrEnumerateInstanceExtensionProperties(const char*, uint32_t capacity, 
 }
 
 XrResult xrCreateInstance(const XrInstanceCreateInfo* info, XrInstance* instance) {
+    if (shoalFakeRuntime().onCreate) shoalFakeRuntime().onCreate(shoalFakeRuntime());
     FAKE_XR(xrCreateInstance);
     for (uint32_t i = 0; i < info->enabledExtensionCount; ++i)
         if (!shoalFakeRuntime().extensions.contains(info->enabledExtensionNames[i]))
             return XR_ERROR_EXTENSION_NOT_PRESENT;
+    shoalFakeRuntime().enabled = {info->enabledExtensionNames,
+                                  info->enabledExtensionNames + info->enabledExtensionCount};
     ++shoalFakeRuntime().instances;
     *instance = handleOf<XrInstance>(&shoalFakeRuntime());
     return XR_SUCCESS;
@@ -142,9 +154,18 @@ XrResult xrGetSystemProperties(XrInstance, XrSystemId, XrSystemProperties* out) 
     strncpy(out->systemName, "Fake headset", XR_MAX_SYSTEM_NAME_SIZE - 1);
     out->graphicsProperties = {4096, 4096, 16};
     out->trackingProperties = {XR_TRUE, XR_TRUE};
-    for (auto* next = static_cast<XrBaseOutStructure*>(out->next); next; next = next->next)
-        if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
-            reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking = XR_TRUE;
+    FakeRuntime& fake = shoalFakeRuntime();
+    for (auto* next = static_cast<XrBaseOutStructure*>(out->next); next; next = next->next) {
+        const bool hands = next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT;
+        const bool presence = next->type == XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT;
+        if (hands) reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking = XR_TRUE;
+        if (presence)
+            reinterpret_cast<XrSystemUserPresencePropertiesEXT*>(next)->supportsUserPresence =
+                fake.sensesWearer;
+        if ((hands && !fake.enabled.contains(XR_EXT_HAND_TRACKING_EXTENSION_NAME)) ||
+            (presence && !fake.enabled.contains(XR_EXT_USER_PRESENCE_EXTENSION_NAME)))
+            fake.complain("xrGetSystemProperties: of an extension that is not enabled");
+    }
     return XR_SUCCESS;
 }
 XrResult xrEnumerateViewConfigurationViews(XrInstance, XrSystemId, XrViewConfigurationType, uint32_t capacity,

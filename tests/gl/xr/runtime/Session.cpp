@@ -49,6 +49,7 @@ XrResult xrBeginSession(XrSession, const XrSessionBeginInfo*) {
     if (fake.state != XR_SESSION_STATE_READY) return XR_ERROR_SESSION_NOT_READY;
     fake.running = true;
     fake.say(XR_SESSION_STATE_SYNCHRONIZED);
+    if (fake.enabled.contains(XR_EXT_USER_PRESENCE_EXTENSION_NAME) && fake.sensesWearer) fake.sayWorn(true);
     return XR_SUCCESS;
 }
 XrResult xrEndSession(XrSession) {

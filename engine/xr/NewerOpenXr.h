@@ -1,0 +1,22 @@
+// What the registry of OpenXR (1.1.53) has and the header of Debian 12 (1.0.20) lacks. A header that has it
+// is left alone. After openxr.h.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#ifndef XR_EXT_user_presence // extension 471
+#define XR_EXT_USER_PRESENCE_EXTENSION_NAME "XR_EXT_user_presence"
+inline constexpr auto XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT = static_cast<XrStructureType>(1000470000);
+inline constexpr auto XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT = static_cast<XrStructureType>(1000470001);
+struct XrEventDataUserPresenceChangedEXT {
+    XrStructureType type;
+    const void* next;
+    XrSession session;
+    XrBool32 isUserPresent;
+};
+struct XrSystemUserPresencePropertiesEXT {
+    XrStructureType type;
+    void* next;
+    XrBool32 supportsUserPresence;
+};
+#endif
