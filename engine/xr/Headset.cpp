@@ -1,10 +1,12 @@
 #include "engine/xr/Headset.h"
 
 #include "engine/core/Files.h"
+#include "engine/core/Log.h"
 #include "engine/xr/NewerOpenXr.h"
 #include "engine/xr/OpenXr.h"
 #include "engine/xr/Tracked.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -150,6 +152,31 @@ class HandTrackers {
     PFN_xrLocateHandJointsEXT locate_ = nullptr;
 };
 
+// Some headsets begin with fewer pictures a second than they can show. It is a request: frames say how long
+// they are, whatever comes of it.
+void askForRefreshRate(const Instance& instance, XrSession session) {
+    constexpr float kWanted_Hz = 90, kSame_Hz = 0.5f;
+    if (!instance.choosesRate) return;
+    const XrInstance name = instance.handle.name();
+    const auto list =
+        functionOf<PFN_xrEnumerateDisplayRefreshRatesFB>(name, "xrEnumerateDisplayRefreshRatesFB");
+    const auto get = functionOf<PFN_xrGetDisplayRefreshRateFB>(name, "xrGetDisplayRefreshRateFB");
+    const auto request = functionOf<PFN_xrRequestDisplayRefreshRateFB>(name, "xrRequestDisplayRefreshRateFB");
+    if (!list || !get || !request) return;
+    const Status asked = statusOf([&] {
+        const auto offered = enumerate(0.0f, [&](uint32_t capacity, uint32_t* count, float* items) {
+            check(list(session, capacity, count, items), "xrEnumerateDisplayRefreshRatesFB");
+        });
+        for (const float rate_Hz : offered)
+            if (std::abs(rate_Hz - kWanted_Hz) < kSame_Hz)
+                check(request(session, rate_Hz), "xrRequestDisplayRefreshRateFB");
+        float now_Hz = 0;
+        check(get(session, &now_Hz), "xrGetDisplayRefreshRateFB");
+        log::debug("the headset shows {:.0f} pictures a second", now_Hz);
+    });
+    if (!asked) log::debug("{}", asked.error().message());
+}
+
 } // namespace
 
 struct Headset::State {
@@ -199,6 +226,7 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         s.instance = Instance::open(true);
         s.session = createSession(s.instance);
         const XrSession session = s.session.name();
+        askForRefreshRate(s.instance, session);
         const XrInstance instance = s.instance.handle.name();
         s.local = makeSpace(session, {});
         s.world = makeSpace(session, {});
@@ -230,6 +258,11 @@ Status Headset::poll() {
                 throw Failure("the headset's runtime is going away", true);
             case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: // the player has pressed "recentre"
                 state_->centring = true;
+                break;
+            case XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB:
+                log::debug(
+                    "the headset shows {:.0f} pictures a second from now on",
+                    reinterpret_cast<XrEventDataDisplayRefreshRateChangedFB&>(event).toDisplayRefreshRate);
                 break;
             default:
                 break;

@@ -1,5 +1,6 @@
 // A headset through the real loader, down to a runtime that only tests have.
 #include "engine/xr/Headset.h"
+#include "engine/core/Log.h"
 #include "engine/platform/Window.h"
 #include "engine/xr/Tracked.h"
 #include "tests/gl/xr/Fixture.h"
@@ -74,6 +75,31 @@ TEST_F(HeadsetGL, TakesItsFrameTimesFromTheRuntime) {
     const Frame first = emptyFrame(headset), second = emptyFrame(headset);
     EXPECT_NEAR(static_cast<double>(second.display_ns - first.display_ns) * 1e-9, 1.0 / 72, 1e-8);
     EXPECT_NEAR(second.period_s, 1.0 / 72, 1e-8);
+}
+
+TEST_F(HeadsetGL, AsksForNinetyPicturesASecondWhereTheyAreOffered) {
+    (void)open();
+    EXPECT_FALSE(fake.called.contains("xrEnumerateDisplayRefreshRatesFB")) << "the extension is not there";
+    fake.extensions.insert(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME);
+    testing::internal::CaptureStderr();
+    log::setUp(true);
+    {
+        Headset headset = open();
+        untilFocused(headset); // and the change was told
+    }
+    log::setUp(false);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(fake.refreshRate_Hz, 90);
+    EXPECT_NE(said.find("shows 90 pictures a second from now on"), std::string::npos) << said;
+    // What is not offered is not asked for, and what fails is no reason not to play.
+    fake.refreshRates_Hz = {60, 72};
+    fake.refreshRate_Hz = 72;
+    fake.called.clear();
+    (void)open();
+    EXPECT_TRUE(fake.called.contains("xrGetDisplayRefreshRateFB"));
+    EXPECT_FALSE(fake.called.contains("xrRequestDisplayRefreshRateFB"));
+    fake.failing["xrEnumerateDisplayRefreshRatesFB"] = XR_ERROR_RUNTIME_FAILURE;
+    (void)open();
 }
 
 TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {

@@ -84,6 +84,8 @@ struct FakeRuntime {
     std::array<FakeHand, 2> hands;
     std::array<FakeController, 2> controllers;
     double period_s = 1.0 / 90;
+    std::vector<float> refreshRates_Hz = {72, 80, 90, 120}; // with XR_FB_display_refresh_rate
+    float refreshRate_Hz = 72;
     bool shouldRender = true;
     bool focusesByItself = true;                // after the first frame
     bool sensesWearer = true;                   // with XR_EXT_user_presence

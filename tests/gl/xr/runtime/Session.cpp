@@ -277,6 +277,28 @@ XrResult xrLocateViews(XrSession, const XrViewLocateInfo* info, XrViewState* sta
     return XR_SUCCESS;
 }
 
+XrResult xrEnumerateDisplayRefreshRatesFB(XrSession, uint32_t capacity, uint32_t* count, float* items) {
+    FAKE_XR(xrEnumerateDisplayRefreshRatesFB);
+    return giveList(shoalFakeRuntime().refreshRates_Hz, capacity, count, items);
+}
+XrResult xrGetDisplayRefreshRateFB(XrSession, float* out) {
+    FAKE_XR(xrGetDisplayRefreshRateFB);
+    *out = shoalFakeRuntime().refreshRate_Hz;
+    return XR_SUCCESS;
+}
+XrResult xrRequestDisplayRefreshRateFB(XrSession, float wanted_Hz) {
+    FAKE_XR(xrRequestDisplayRefreshRateFB);
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (std::ranges::find(fake.refreshRates_Hz, wanted_Hz) == fake.refreshRates_Hz.end())
+        return XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB;
+    XrEventDataBuffer buffer{};
+    reinterpret_cast<XrEventDataDisplayRefreshRateChangedFB&>(buffer) = {
+        XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB, nullptr,
+        std::exchange(fake.refreshRate_Hz, wanted_Hz), wanted_Hz};
+    fake.events.push_back(buffer);
+    return XR_SUCCESS;
+}
+
 } // namespace
 
 PFN_xrVoidFunction sessionFunction(const std::string& name) {
@@ -301,6 +323,9 @@ PFN_xrVoidFunction sessionFunction(const std::string& name) {
     GIVE(xrBeginFrame);
     GIVE(xrEndFrame);
     GIVE(xrLocateViews);
+    GIVE(xrEnumerateDisplayRefreshRatesFB);
+    GIVE(xrGetDisplayRefreshRateFB);
+    GIVE(xrRequestDisplayRefreshRateFB);
 #undef GIVE
     return nullptr;
 }
