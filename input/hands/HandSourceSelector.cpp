@@ -45,6 +45,7 @@ void DeviceHands::advance(HandStream& stream, double elapsed_s) {
             if (!filters_[side].seen()) continue;
             notSeen_s_[side] = 0;
             towardsElbow_[side] = frame.towardsElbow[side];
+            asRig_m_[side] = frame.asRig_m[side];
         }
 }
 

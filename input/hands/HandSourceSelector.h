@@ -23,6 +23,7 @@ class DeviceHands {
     float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since it last was
     // As in HandFrame, of the last time that the hand was seen.
     glm::vec3 towardsElbow(int side) const { return towardsElbow_[static_cast<size_t>(side)]; }
+    float asRig_m(int side) const { return asRig_m_[static_cast<size_t>(side)]; } // the same
     bool seesHands(float within_s) const { return notSeen_s_[0] <= within_s || notSeen_s_[1] <= within_s; }
 
   private:
@@ -32,6 +33,7 @@ class DeviceHands {
     std::array<HandFilter, 2> filters_;
     std::array<float, 2> notSeen_s_{1e6f, 1e6f};
     std::array<glm::vec3, 2> towardsElbow_{};
+    std::array<float, 2> asRig_m_{};
     // For Stamps.
     int64_t game_us_ = 0;
     int64_t gameFromDevice_us_ = 0;

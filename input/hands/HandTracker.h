@@ -23,6 +23,9 @@ struct HandFrame {
     std::array<int64_t, 2> identity{}; // changes when the device no longer knows that it is the same hand
     // From the wrist, unit, viewer's frame; 0 where the device sees no elbow. For the picture only.
     std::array<glm::vec3, 2> towardsElbow{};
+    // From a camera to the palm if the hand were of the rig's size (HandSize.h), metres; 0 of a device that
+    // knows how far away hands are.
+    std::array<float, 2> asRig_m{};
 };
 
 // What the player is to do now, so that a webcam learns the hand's colour.
@@ -70,6 +73,8 @@ class HandTracker {
     const char* name() const { return name_; } // "Leap Motion"
     HandStream& stream() { return stream_; }
     virtual CameraPreview* preview() { return nullptr; } // null: of a tracker without pictures
+    // The player's, in times of the rig's; of no use to a device that knows how far away hands are.
+    virtual void setHandSize(float) {}
 
   protected:
     explicit HandTracker(const char* name, size_t capacity = 1024,
@@ -105,6 +110,7 @@ struct WebcamOptions {
     int index = 0;                   // which camera, as the system counts them
     bool live = true;                // a clip keeps its own rate; else it waits for whoever takes its frames
     Path models = handModelFolder(); // where they are missing, hands are found by their colour
+    float handSize = 1;              // the player's, in times of the rig's
 };
 
 // A camera that is not there, or goes, is tried again every second.

@@ -4,14 +4,17 @@
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
+#include "input/hands/HandSize.h"
 #include "input/hands/webcam/HandDetector.h"
 #ifdef SHOAL_HAND_LANDMARKS
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #endif
 
+#include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -46,7 +49,7 @@ class WebcamTracker final : public HandTracker {
         : HandTracker("Webcam", options.live ? 64 : 8,
                       !options.live && !options.file.empty() ? HandStream::Full::Wait
                                                              : HandStream::Full::Drop),
-          options_(options), rig_(rig) {
+          options_(options), rig_(rig), handSize_(options.handSize) {
         stream().setState({false, place() + " is being opened", {}});
         thread_ = std::jthread([this](const std::stop_token& ending) { run(ending); });
     }
@@ -55,6 +58,7 @@ class WebcamTracker final : public HandTracker {
         stream().close();
     }
     CameraPreview* preview() override { return &preview_; }
+    void setHandSize(float size) override { handSize_ = size; }
 
   private:
     // False: the tracker is being destroyed.
@@ -70,6 +74,12 @@ class WebcamTracker final : public HandTracker {
     }
     void detect(HandFinder& finder, const cv::Mat& picture, double time_s) {
         HandFrame frame = finder.detect(picture, time_s);
+        const float size = std::clamp(handSize_.load(), kHandSizeMin, kHandSizeMax);
+        for (size_t side = 0; side < 2; ++side) {
+            if (!frame.hands[side].tracked) continue;
+            frame.asRig_m[side] = glm::length(frame.hands[side].joints[kPalmJoint].position);
+            resize(frame.hands[side], size);
+        }
         placement_.apply(frame.hands, frame.time_us);
         stream().push(frame);
         if (preview_.isWatched()) showPreview(picture, finder.marks());
@@ -146,6 +156,7 @@ class WebcamTracker final : public HandTracker {
 
     WebcamOptions options_;
     HandRig rig_;
+    std::atomic<float> handSize_; // set by the program's thread
     HandPlacement placement_{kCameraMount};
     CameraPreview preview_;
     cv::Mat small_;       // scratch of showPreview()

@@ -1,5 +1,7 @@
 #include "HandRows.h"
 
+#include "input/hands/HandSize.h"
+
 #include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -76,6 +78,12 @@ double apart_mm(const HandPose& a, const HandPose& b) { // of palms, across
                      glm::distance(glm::vec2(a.joints[0].position), glm::vec2(b.joints[0].position)));
 }
 
+// The hand of the rig's size that looks like one of another size: nearer or farther by as much.
+Shown asRig(Shown shown, float size) {
+    shown.palm /= size;
+    return shown;
+}
+
 void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame& frame, RowResult& result) {
     const std::array<HandPose, 2>& seen = frame.hands;
     std::array<bool, 2> used{};
@@ -87,6 +95,10 @@ void judge(const std::array<std::optional<HandPose>, 2>& shown, const HandFrame&
             used[as] = true;
             ++result.found;
             result.otherSide += as != side;
+            const auto wrist_m = [](const HandPose& hand) {
+                return static_cast<double>(glm::length(hand.joints[kWristJoint].position));
+            };
+            result.wristRatio.push_back(wrist_m(seen[as]) / wrist_m(*shown[side]));
             for (const FingerJoints& finger : kFingerJoints) {
                 const auto reach = [&](const HandPose& hand) {
                     return hand.joints[static_cast<size_t>(finger.tip)].position -
@@ -127,6 +139,33 @@ double medianOf(std::vector<double> values) {
     return *middle;
 }
 
+double RowResult::wristOff_percent(double knownSize) const {
+    std::vector<double> off;
+    for (const double ratio : wristRatio) off.push_back(100 * std::abs(ratio * knownSize - 1));
+    return medianOf(off);
+}
+
+float measuredSize(HandClip& clip, const HandRig& rig, float size, HandFinder& method) {
+    HandSizing sizing;
+    for (int number = 0; number < 90 && sizing.state() != HandSizing::State::Done; ++number) {
+        const float t = static_cast<float>(number) / 30;
+        // Not as still as a stone: a few millimetres and degrees.
+        const Shown held{.palm = HandSizing::kAt_m *
+                                 glm::normalize(glm::vec3(0.02f * std::sin(2 * t), -0.1f, -1)),
+                         .roll = 0.05f * std::sin(3 * t),
+                         .tilt = 0.1f * std::sin(1.3f * t)};
+        const std::array<std::optional<HandPose>, 2> drawn = {std::nullopt,
+                                                              shownHand(rig, Side::Right, asRig(held, size))};
+        const HandFrame frame =
+            method.detect(clip.picture(clip.hands(drawn), Behind::Room), number * kPicture_s);
+        std::optional<float> asRig_m;
+        for (const HandPose& hand : frame.hands)
+            if (hand.tracked) asRig_m = glm::length(hand.joints[kPalmJoint].position);
+        sizing.see(asRig_m, static_cast<float>(kPicture_s));
+    }
+    return sizing.size().value_or(0);
+}
+
 std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
                                const std::vector<HandFinder*>& methods, const Look& look) {
     std::vector<RowResult> results(methods.size());
@@ -137,13 +176,16 @@ std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& ro
             !std::ranges::any_of(
                 methods, [](const HandFinder* method) { return method->instruction() != Instruction::None; }))
             continue;
-        std::array<std::optional<HandPose>, 2> shown;
+        std::array<std::optional<HandPose>, 2> shown, drawn;
         if (learning && number >= -kLearning)
-            shown[1] = shownHand(rig, Side::Right, {.palm = {0, -0.01f, -0.5f}});
-        for (const Side side : {Side::Left, Side::Right})
-            if (!learning && (side == Side::Left ? row.left : row.right))
-                shown[static_cast<size_t>(side)] = shownHand(rig, side, shownAt(row, side, number));
-        const cv::Mat picture = taken(clip, row, shown, learning, random);
+            shown[1] = drawn[1] = shownHand(rig, Side::Right, {.palm = {0, -0.01f, -0.5f}});
+        for (const Side side : {Side::Left, Side::Right}) {
+            if (learning || !(side == Side::Left ? row.left : row.right)) continue;
+            const auto at = static_cast<size_t>(side);
+            drawn[at] = shown[at] = shownHand(rig, side, asRig(shownAt(row, side, number), row.size));
+            resize(*shown[at], row.size);
+        }
+        const cv::Mat picture = taken(clip, row, drawn, learning, random);
         std::vector<HandFrame> frames;
         for (size_t i = 0; i < methods.size(); ++i) {
             const auto began = std::chrono::steady_clock::now();

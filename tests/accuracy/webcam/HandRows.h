@@ -17,6 +17,7 @@ struct Row {
     int blur_px = 0;                 // of motion
     float light = 1;                 // of what the camera gets; noise stays
     float turn = 0.25f;              // how far hands are turned to and fro, radians
+    float size = 1;                  // of the hands, in times of the rig's
 };
 
 // All but the last with hands.
@@ -29,8 +30,13 @@ struct RowResult {
     int otherSide = 0;           // of these, taken for the other hand
     int phantoms = 0;            // hands where none is
     std::vector<double> tips_mm; // how far fingertips are off, from the wrist
-    std::vector<double> ms;      // for each picture
+    // How far the wrist is from the camera as the method has it, to which hands are of the rig's size, in
+    // times of how far it is.
+    std::vector<double> wristRatio;
+    std::vector<double> ms; // for each picture
     double tipMedian_mm() const { return medianOf(tips_mm); }
+    // The median of how far that is off, %, once the method knows that hands are of this size.
+    double wristOff_percent(double knownSize) const;
 };
 
 // Seen by one method after the other, each of which has learnt the hand first. pictures: at 30 a second.
@@ -38,6 +44,9 @@ struct RowResult {
 using Look = std::function<void(int number, const cv::Mat& picture, const std::vector<HandFrame>& found)>;
 std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
                                const std::vector<HandFinder*>& methods, const Look& look = {});
+
+// What HandSizing says of a hand of that size, held open where it asks for it; 0: nothing.
+float measuredSize(HandClip& clip, const HandRig& rig, float size, HandFinder& method);
 
 // Draws found hands into a picture.
 void drawHands(cv::Mat& picture, const HandFrame& frame);

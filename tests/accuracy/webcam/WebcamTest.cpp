@@ -231,6 +231,27 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
     EXPECT_FALSE(hands->stream().state().present) << "a clip that is over shows no hands";
 }
 
+TEST_F(WebcamClip, ASmallerHandIsNearerByAsMuch) {
+    const auto first = [&](float size) {
+        const auto hands = makeWebcamTracker({clipFile().string(), 0, false, folder_.path(), size}, rig());
+        HandFrame frame;
+        while (hands->stream().take(frame, std::chrono::seconds(20)))
+            if (frame.hands[1].tracked) break;
+        return frame;
+    };
+    const HandFrame rigs = first(1), small = first(0.8f);
+    ASSERT_TRUE(rigs.hands[1].tracked && small.hands[1].tracked);
+    EXPECT_FLOAT_EQ(small.asRig_m[1], rigs.asRig_m[1]);
+    EXPECT_NEAR(spanOf(small.hands[1]), 0.8f * spanOf(rigs.hands[1]), 1e-5f);
+    const auto distance_m = [](const HandFrame& frame) { // from the camera, which kCameraMount puts there
+        HandPose hand = frame.hands[1];
+        kCameraMount.undo(hand);
+        return glm::length(hand.joints[kPalmJoint].position);
+    };
+    EXPECT_NEAR(distance_m(rigs), rigs.asRig_m[1], 1e-5f);
+    EXPECT_NEAR(distance_m(small), 0.8f * rigs.asRig_m[1], 1e-5f);
+}
+
 TEST_F(WebcamClip, PlaysTheGame) {
     const Path replay = folder_ / "run.replay";
     char at[16];

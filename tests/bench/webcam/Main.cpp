@@ -1,5 +1,6 @@
 // How well hands are found in a webcam's pictures, by colour and by landmarks: bench_webcam [FOLDER
-// [PICTURES]]. Prints a table, and with a folder writes every tenth picture there with what landmarks found.
+// [PICTURES [WORD]]]. Prints tables, and with a folder writes every tenth picture there with what landmarks
+// found. WORD: of the rows with this in their names alone, or "sizes".
 #include "engine/core/Files.h"
 #include "input/hands/webcam/HandDetector.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
@@ -14,24 +15,23 @@
 using namespace shoal;
 using namespace shoal::hands;
 
-int main(int count, char** arguments) {
-    const std::string folder = count > 1 ? arguments[1] : "";
-    const int pictures = count > 2 ? std::max(10, std::atoi(arguments[2])) : 90;
-    const auto rig = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
-    if (!rig || !clip) {
-        std::fprintf(stderr, "%s\n", (rig ? clip.error() : rig.error()).message().c_str());
-        return 1;
-    }
+namespace {
+
+std::unique_ptr<HandFinder> landmarkFinder(const HandRig& rig) {
+    auto finder = makeLandmarkFinder(handModelFolder(), rig);
+    if (finder) return std::move(*finder);
+    std::fprintf(stderr, "%s\n", finder.error().message().c_str());
+    std::exit(1);
+}
+
+void printRows(test::HandClip& clip, const HandRig& rig, const std::string& folder, int pictures,
+               const std::string& word) {
     std::puts("| hands | method | found, % | other side | phantoms | tips off, mm | ms a picture "
               "|\n|---|---|--:|--:|--:|--:|--:|");
     for (const test::Row& row : test::rows()) {
-        HandDetector colour(*rig);
-        auto landmarks = makeLandmarkFinder(handModelFolder(), *rig);
-        if (!landmarks) {
-            std::fprintf(stderr, "%s\n", landmarks.error().message().c_str());
-            return 1;
-        }
+        if (std::string(row.name).find(word) == std::string::npos) continue;
+        HandDetector colour(rig);
+        const auto landmarks = landmarkFinder(rig);
         const auto look = [&](int number, const cv::Mat& picture, const std::vector<HandFrame>& found) {
             if (folder.empty() || number % 10 != 9) return;
             cv::Mat drawn = picture.clone();
@@ -40,7 +40,7 @@ int main(int count, char** arguments) {
             std::replace(name.begin(), name.end(), ' ', '_');
             cv::imwrite(folder + "/" + name + "_" + std::to_string(number) + ".png", drawn);
         };
-        const auto results = test::measure(*clip, *rig, row, pictures, {landmarks->get(), &colour}, look);
+        const auto results = test::measure(clip, rig, row, pictures, {landmarks.get(), &colour}, look);
         for (size_t i = 0; i < results.size(); ++i) {
             const test::RowResult& result = results[i];
             std::printf("| %s | %s | ", row.name, i == 0 ? "landmarks" : "colour");
@@ -51,5 +51,40 @@ int main(int count, char** arguments) {
             std::fflush(stdout);
         }
     }
+}
+
+void printSizes(test::HandClip& clip, const HandRig& rig, int pictures) {
+    std::puts(
+        "\n| hands of size, % | measured, % | at, m | found, % | wrist's distance off, % | once measured, % "
+        "|\n|--:|--:|--:|--:|--:|--:|");
+    for (const float size : {0.85f, 1.0f, 1.15f}) {
+        const auto measured = static_cast<double>(test::measuredSize(clip, rig, size, *landmarkFinder(rig)));
+        for (const float distance_m : {0.3f, 0.5f, 0.9f}) {
+            const auto landmarks = landmarkFinder(rig);
+            const test::Row row{.name = "size", .distance_m = distance_m, .size = size};
+            const test::RowResult result = test::measure(clip, rig, row, pictures, {landmarks.get()})[0];
+            std::printf("| %.0f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", 100 * static_cast<double>(size),
+                        100 * measured, static_cast<double>(distance_m),
+                        100.0 * result.found / std::max(result.shown, 1), result.wristOff_percent(1),
+                        result.wristOff_percent(measured));
+            std::fflush(stdout);
+        }
+    }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    const std::string folder = count > 1 ? arguments[1] : "";
+    const int pictures = count > 2 ? std::max(10, std::atoi(arguments[2])) : 90;
+    const std::string word = count > 3 ? arguments[3] : "";
+    const auto rig = HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+    auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
+    if (!rig || !clip) {
+        std::fprintf(stderr, "%s\n", (rig ? clip.error() : rig.error()).message().c_str());
+        return 1;
+    }
+    printRows(*clip, *rig, folder, pictures, word);
+    if (word.empty() || word == "sizes") printSizes(*clip, *rig, pictures);
     return 0;
 }
