@@ -142,4 +142,19 @@ Status Compositor::draw(std::span<const EyePicture> eyes, CompositorScene& scene
     return Done{};
 }
 
+Status Compositor::drawDepth(const EyePicture& picture, GLuint into) {
+    if (!drawsObjects()) {
+        glBindFramebuffer(GL_FRAMEBUFFER, into);
+        glDepthMask(GL_TRUE);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        return Done{};
+    }
+    if (!depth_)
+        if (Status s = DepthPass::make().moveTo(depth_); !s) return s;
+    const bool inTexels = drawsIntoTexels(picture);
+    depth_->draw(usesLayer(picture) ? layerOf(picture).layer() : picture.canvas,
+                 inTexels ? 1 / kLayerWidth : 1.0f, into, picture.size());
+    return Done{};
+}
+
 } // namespace shoal::render

@@ -4,12 +4,14 @@
 
 #include "engine/gl/PassTimers.h"
 #include "engine/render/BackgroundPass.h"
+#include "engine/render/DepthPass.h"
 #include "engine/render/ParticlePass.h"
 #include "engine/render/ShadowPass.h"
 
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace shoal::render {
@@ -45,6 +47,10 @@ class Compositor {
     // Draws each eye's picture; afterEye is called with its canvas bound.
     Status draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye);
 
+    // The depth of the objects that were just drawn in this picture, whether in the canvas or in a layer,
+    // into a framebuffer with depth; where there is none, the far plane's.
+    Status drawDepth(const EyePicture& picture, GLuint into);
+
     bool drawsObjects() const { return composition_ != Composition::BackgroundOnly; }
 
   private:
@@ -71,6 +77,7 @@ class Compositor {
     bool smoothsLayers_ = false;      // outlines in layers that have one sample
     bool smoothsOutlines_ = false;    // of objects in a canvas that has one sample
     FrameTiles tiles_;                // of the eye drawn last
+    std::optional<DepthPass> depth_;  // made when it is first needed
 };
 
 } // namespace shoal::render

@@ -26,46 +26,33 @@ Space makeSpace(XrSession session, const Pose& localFromOrigin) {
 
 static_assert(XR_HAND_JOINT_COUNT_EXT == hands::kJointCount);
 
-// A swapchain: the images that the runtime shows one after another.
+// The first of those wanted that the runtime offers; 0: none.
+int64_t formatOf(XrSession session, std::initializer_list<int64_t> wanted) {
+    const auto offered = enumerate(int64_t{0}, [&](uint32_t capacity, uint32_t* count, int64_t* items) {
+        SHOAL_XR(xrEnumerateSwapchainFormats(session, capacity, count, items));
+    });
+    for (const int64_t format : wanted)
+        if (std::find(offered.begin(), offered.end(), format) != offered.end()) return format;
+    return 0;
+}
+
+// A swapchain: the images that the runtime shows one after another, one sample a pixel.
 class Swapchain {
   public:
     Swapchain() = default;
-    // Pictures for display-coded values (sRGB's format, written raw), one sample a pixel.
-    static Swapchain make(XrSession session, glm::ivec2 size) {
-        const auto formats = enumerate(int64_t{0}, [&](uint32_t capacity, uint32_t* count, int64_t* items) {
-            SHOAL_XR(xrEnumerateSwapchainFormats(session, capacity, count, items));
-        });
+    // For display-coded values (sRGB's format, written raw).
+    static Swapchain ofColour(XrSession session, glm::ivec2 size) {
         // The picture is display-coded already, and written as it is (GL_FRAMEBUFFER_SRGB stays off): the
         // runtime must know that, and does by the first format. The second is taken for linear by some, for
         // coded by most.
-        XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
-        for (const int64_t wanted : {int64_t{GL_SRGB8_ALPHA8}, int64_t{GL_RGBA8}})
-            if (info.format == 0 && std::find(formats.begin(), formats.end(), wanted) != formats.end())
-                info.format = wanted;
-        if (info.format == 0)
+        const int64_t format = formatOf(session, {GL_SRGB8_ALPHA8, GL_RGBA8});
+        if (format == 0)
             throw Failure("the headset's runtime takes no pictures of 8 bits a colour (GL_SRGB8_ALPHA8)");
-        info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT;
-        info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
-        info.width = static_cast<uint32_t>(size.x);
-        info.height = static_cast<uint32_t>(size.y);
-        Swapchain chain;
-        chain.size_ = size;
-        SHOAL_XR(xrCreateSwapchain(session, &info, chain.handle_.fresh()));
-        const auto images = enumerate(
-            XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
-            [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
-                SHOAL_XR(xrEnumerateSwapchainImages(chain.name(), capacity, count,
-                                                    reinterpret_cast<XrSwapchainImageBaseHeader*>(items)));
-            });
-        for (const XrSwapchainImageOpenGLKHR& image : images) {
-            chain.framebuffers_.push_back(gl::Framebuffer::make());
-            glBindFramebuffer(GL_FRAMEBUFFER, chain.framebuffers_.back().name());
-            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.image, 0);
-            if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-                throw Failure("the runtime's pictures cannot be drawn into");
-        }
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        return chain;
+        return make(session, size, format, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, GL_COLOR_ATTACHMENT0);
+    }
+    static Swapchain ofDepth(XrSession session, glm::ivec2 size, int64_t format) {
+        return make(session, size, format, XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                    GL_DEPTH_ATTACHMENT);
     }
 
     // A framebuffer on the next picture, once the runtime has done with it; release() hands it over.
@@ -92,6 +79,38 @@ class Swapchain {
     glm::ivec2 size() const { return size_; }
 
   private:
+    static Swapchain make(XrSession session, glm::ivec2 size, int64_t format, XrSwapchainUsageFlags usage,
+                          GLenum attachment) {
+        XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
+        info.format = format;
+        info.usageFlags = usage | XR_SWAPCHAIN_USAGE_SAMPLED_BIT;
+        info.sampleCount = info.faceCount = info.arraySize = info.mipCount = 1;
+        info.width = static_cast<uint32_t>(size.x);
+        info.height = static_cast<uint32_t>(size.y);
+        Swapchain chain;
+        chain.size_ = size;
+        SHOAL_XR(xrCreateSwapchain(session, &info, chain.handle_.fresh()));
+        const auto images = enumerate(
+            XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR},
+            [&](uint32_t capacity, uint32_t* count, XrSwapchainImageOpenGLKHR* items) {
+                SHOAL_XR(xrEnumerateSwapchainImages(chain.name(), capacity, count,
+                                                    reinterpret_cast<XrSwapchainImageBaseHeader*>(items)));
+            });
+        for (const XrSwapchainImageOpenGLKHR& image : images) {
+            chain.framebuffers_.push_back(gl::Framebuffer::make());
+            glBindFramebuffer(GL_FRAMEBUFFER, chain.framebuffers_.back().name());
+            if (attachment == GL_DEPTH_ATTACHMENT) {
+                glDrawBuffer(GL_NONE);
+                glReadBuffer(GL_NONE);
+            }
+            glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, image.image, 0);
+            if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+                throw Failure("the runtime's pictures cannot be drawn into");
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return chain;
+    }
+
     Handle<XrSwapchain, xrDestroySwapchain> handle_;
     std::vector<gl::Framebuffer> framebuffers_; // one a picture
     glm::ivec2 size_{0};
@@ -186,7 +205,7 @@ struct Headset::State {
     Space local, world;
     HandTrackers hands;
     Actions actions;
-    std::array<Swapchain, 3> pictures; // by Picture
+    std::array<Swapchain, 5> pictures; // by Picture
 
     XrSessionState state = XR_SESSION_STATE_UNKNOWN;
     bool running = false; // between xrBeginSession and xrEndSession
@@ -233,7 +252,13 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         s.hands = HandTrackers::make(s.instance, session);
         s.actions = Actions::make(instance, session);
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
-            s.picture(p) = Swapchain::make(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
+            s.picture(p) = Swapchain::ofColour(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
+        // 16 bits would be too coarse from a hand to the far plane.
+        const int64_t depths =
+            s.instance.takesDepth ? formatOf(session, {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}) : 0;
+        s.instance.takesDepth = depths != 0;
+        for (const Picture p : {Picture::LeftDepth, Picture::RightDepth})
+            if (depths != 0) s.picture(p) = Swapchain::ofDepth(session, s.instance.eyeSize, depths);
     });
     if (!opened) return opened.error();
     return Headset(std::move(state));
@@ -362,6 +387,7 @@ Status Headset::begin() {
 Status Headset::end(const Shown& shown) {
     State& s = *state_;
     std::array<XrCompositionLayerProjectionView, 2> views;
+    std::array<XrCompositionLayerDepthInfoKHR, 2> depths;
     for (size_t i = 0; i < 2; ++i) {
         const Eye& eye = s.tracking.eyes[i];
         views[i] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW,
@@ -369,6 +395,16 @@ Status Headset::end(const Shown& shown) {
                     poseTo(eye.worldFromEye),
                     {eye.fov.left, eye.fov.right, eye.fov.up, eye.fov.down},
                     {s.pictures[i].name(), {{0, 0}, {shown.eyeSize.x, shown.eyeSize.y}}, 0}};
+        if (!shown.planes) continue;
+        depths[i] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
+                     nullptr,
+                     views[i].subImage,
+                     0,
+                     1,
+                     shown.planes->near_m,
+                     shown.planes->far_m};
+        depths[i].subImage.swapchain = s.picture(i == 0 ? Picture::LeftDepth : Picture::RightDepth).name();
+        views[i].next = &depths[i];
     }
     const XrCompositionLayerProjection projection{
         XR_TYPE_COMPOSITION_LAYER_PROJECTION,
@@ -438,6 +474,7 @@ Status Headset::vibrate(int hand, float amplitude, float frequency_Hz) {
 
 glm::ivec2 Headset::eyeSize() const { return state_->instance.eyeSize; }
 bool Headset::seesRoom() const { return state_->instance.seesRoom; }
+bool Headset::takesDepth() const { return state_->instance.takesDepth; }
 bool Headset::bareHands() const { return state_->instance.bareHands; }
 std::string Headset::name() const {
     return state_->instance.systemName + " (" + state_->instance.runtimeName + ")";

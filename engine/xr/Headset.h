@@ -13,11 +13,18 @@
 #include <glm/vec2.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace shoal::xr {
 
-enum class Picture { LeftEye, RightEye, Panel };
+// Depths belong to the eyes; not every headset takes them.
+enum class Picture { LeftEye, RightEye, Panel, LeftDepth, RightDepth };
+
+// Distances of a frustum's planes, metres.
+struct Planes {
+    float near_m = 0, far_m = 0;
+};
 
 struct Frame {
     int64_t display_ns = 0; // when it will be seen; the runtime's clock
@@ -30,9 +37,10 @@ struct Shown {
     bool eyes = false;
     bool room =
         false; // behind the eyes' pictures, where their alpha, by which they are multiplied, lets it through
-    glm::ivec2 eyeSize{0}; // the part drawn, from the lower left; at most eyeSize()
-    bool panel = false;    // with premultiplied alpha
-    Pose worldFromPanel;   // its middle, seen from +Z
+    glm::ivec2 eyeSize{0};        // the part drawn, from the lower left; at most eyeSize()
+    std::optional<Planes> planes; // of the eyes' depths, 0 to 1 from near to far; none: there are none
+    bool panel = false;           // with premultiplied alpha
+    Pose worldFromPanel;          // its middle, seen from +Z
     glm::vec2 panelSize_m{0};
 };
 
@@ -62,7 +70,8 @@ class Headset {
     const Tracking& tracking() const; // at the time when the frame will be seen
 
     Status begin();
-    // A framebuffer, colour only, for values coded for display (sRGB); of eyeSize() or panelSize.
+    // A framebuffer of eyeSize() or panelSize: colour only, for values coded for display (sRGB), or depth
+    // only.
     Result<GLuint> acquire(Picture picture);
     Status release(Picture picture);
     Status end(const Shown& shown);
@@ -72,6 +81,7 @@ class Headset {
 
     glm::ivec2 eyeSize() const; // the runtime's recommendation, pixels
     bool seesRoom() const;      // it can show the player's room behind pictures
+    bool takesDepth() const;    // with which it can move pictures more truly between two frames
     bool bareHands() const;     // hands without controllers can be tracked
     std::string name() const;   // of headset and runtime
 

@@ -102,6 +102,7 @@ struct Instance {
     bool bareHands = false;    // XR_EXT_hand_tracking, and the headset can
     bool sensesWearer = false; // XR_EXT_user_presence, and the headset can
     bool choosesRate = false;  // XR_FB_display_refresh_rate
+    bool takesDepth = false;   // XR_KHR_composition_layer_depth
     glm::ivec2 eyeSize{0};     // as the runtime recommends, pixels
     bool seesRoom = false;     // its cameras' picture can be blended with ours, by our alpha
     XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // without the room

@@ -262,6 +262,8 @@ Result<bool> Application::draw() {
     const Result<bool> drawn = display_->draw(
         {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
                       const Painter::AfterEye& afterEye) { return sceneRenderer_->draw(eyes, afterEye); },
+         .depth = [&](const SceneRenderer::Eye& eye,
+                      uint32_t framebuffer) { return sceneRenderer_->drawDepth(eye, framebuffer); },
          .hud =
              [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
                  if (options_.backdropOnly || options_.look.skip == render::SkippedPass::Overlay) return;

@@ -150,6 +150,16 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     if (!framebuffer) return framebuffer.error();
     target.blitTo(*framebuffer, 0, size.x, size.y);
     if (eye == 0 && windowSize.x > 0 && windowSize.y > 0) mirror(target, *framebuffer, windowSize, view);
+    if (Status released = headset_.release(picture); !released || !headset_.takesDepth()) return released;
+    return drawDepth(painter, toDraw);
+}
+
+Status HeadsetDisplay::drawDepth(const Painter& painter, const SceneRenderer::Eye& eye) {
+    const xr::Picture picture = eye.eye == 0 ? xr::Picture::LeftDepth : xr::Picture::RightDepth;
+    const auto framebuffer = headset_.acquire(picture);
+    if (!framebuffer) return framebuffer.error();
+    if (Status drawn = painter.depth(eye, *framebuffer); !drawn) return drawn;
+    planes_ = {eye.view.near_m, eye.view.far_m};
     return headset_.release(picture);
 }
 
@@ -210,6 +220,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
         if (Status done = drawPanel(painter); !done) return done.error();
         shown.eyes = shown.panel = true;
         shown.eyeSize = size;
+        shown.planes = planes_;
         worldFromPanel_ = panel_.follow(headset_.tracking().worldFromHead, static_cast<float>(elapsed_s_));
         shown.worldFromPanel = worldFromPanel_;
         shown.panelSize_m = kPanel_m;

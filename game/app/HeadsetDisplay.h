@@ -47,6 +47,7 @@ class HeadsetDisplay : public Display {
         : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
           samples_(samples) {}
     Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
+    Status drawDepth(const Painter& painter, const SceneRenderer::Eye& eye);
     Pointing pointingOf(size_t side, const hands::HandPose& hand) const;
     Status drawPanel(const Painter& painter);
     void mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,
@@ -60,6 +61,7 @@ class HeadsetDisplay : public Display {
     render::Surroundings surroundings_ = render::Surroundings::Film;
     double noRoom_s_ = 0; // for which it is still said that it cannot be shown
     std::vector<gl::Target> targets_;
+    std::optional<xr::Planes> planes_; // of the depth that was drawn; none: the headset takes none
     HeadsetPause pause_;
     PanelPlacement panel_;
     xr::Pose worldFromPanel_;            // as last shown

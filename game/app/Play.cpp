@@ -140,6 +140,8 @@ bool Application::drawLoading(float progress) {
                      [&](std::span<const SceneRenderer::Eye> shownEyes, const Painter::AfterEye& after) {
                          return sceneRenderer_->draw(shownEyes, after);
                      },
+                 .depth = [&](const SceneRenderer::Eye& eye,
+                              uint32_t framebuffer) { return sceneRenderer_->drawDepth(eye, framebuffer); },
                  .hud = [&](HudPart, Audience, const render::View&,
                             glm::ivec2 eye) { hud_->drawLoading(progress, textOptions(), eye); }},
                 nothing, 1))

@@ -53,6 +53,12 @@ class SceneRenderer final : private render::CompositorScene {
     // Into each eye's canvas. afterEye is called when an eye's picture is complete, with its canvas bound.
     Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
 
+    // The depth of the objects that were just drawn for this eye, into a framebuffer with depth; beside them
+    // the far plane's.
+    Status drawDepth(const Eye& eye, uint32_t into) {
+        return passes_.compositor.drawDepth(pictureOf(eye), into);
+    }
+
     // Over what is in the canvas, which has depth: no background, no shadows.
     Status drawObjectsAlone(const Eye& eye);
 

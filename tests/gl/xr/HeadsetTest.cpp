@@ -281,6 +281,47 @@ TEST_F(HeadsetGL, TheRoomIsBlendedWhereTheRuntimeOffersIt) {
     }
 }
 
+// XR_KHR_composition_layer_depth, where the runtime takes depth of enough bits.
+TEST_F(HeadsetGL, DepthGoesWithTheEyes) {
+    EXPECT_FALSE(open().takesDepth());
+    fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    fake.formats.push_back(GL_DEPTH_COMPONENT16);
+    EXPECT_FALSE(open().takesDepth());
+    fake.keepPictures = true;
+    for (const int64_t format : {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24}) {
+        fake.formats.push_back(format);
+        Headset headset = open();
+        ASSERT_TRUE(headset.takesDepth());
+        untilFocused(headset);
+        ASSERT_TRUE(headset.poll());
+        ASSERT_TRUE(headset.waitFrame());
+        ASSERT_TRUE(headset.begin());
+        for (const Picture picture :
+             {Picture::LeftEye, Picture::RightEye, Picture::LeftDepth, Picture::RightDepth}) {
+            const auto framebuffer = headset.acquire(picture);
+            ASSERT_TRUE(framebuffer) << framebuffer.error().message();
+            glBindFramebuffer(GL_FRAMEBUFFER, *framebuffer);
+            glClearDepth(picture == Picture::LeftDepth ? 0.25 : 0.75);
+            glClear(GL_DEPTH_BUFFER_BIT);
+            ASSERT_TRUE(headset.release(picture));
+        }
+        glClearDepth(1);
+        ASSERT_TRUE(headset.end({.eyes = true, .eyeSize = {150, 160}, .planes = Planes{0.1f, 50}}));
+        ASSERT_TRUE(fake.last.eyes);
+        for (size_t eye = 0; eye < 2; ++eye) {
+            const auto& depth = (*fake.last.eyes)[eye].depth;
+            ASSERT_TRUE(depth);
+            EXPECT_EQ(depth->near_m, 0.1f);
+            EXPECT_EQ(depth->far_m, 50);
+            EXPECT_EQ(depth->minimum, 0);
+            EXPECT_EQ(depth->maximum, 1);
+            EXPECT_EQ(depth->rect.extent.width, 150);
+            ASSERT_EQ(depth->values.size(), 150u * 160);
+            EXPECT_NEAR(depth->values[0], eye == 0 ? 0.25f : 0.75f, 1e-6f);
+        }
+    }
+}
+
 TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     fake.hands[1].active = true;
     for (size_t i = 0; i < fake.hands[1].joints.size(); ++i)

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <map>
 
 namespace shoal::app {
 namespace {
@@ -21,6 +22,7 @@ class XrPicture : public test::WithFakeRuntime {
     std::unique_ptr<Environment> environment_;
     std::optional<SceneRenderer> sceneRenderer_;
     std::optional<app::GameSession> run_;
+    std::function<void(game::Snapshot&)> showOnly_; // changes what is drawn
 
     void SetUp() override {
         WithFakeRuntime::SetUp();
@@ -63,6 +65,8 @@ class XrPicture : public test::WithFakeRuntime {
     void show(HeadsetDisplay& headset, float scale) {
         const Painter painter{.scene = [&](std::span<const SceneRenderer::Eye> eyes,
                                            const auto&) { return sceneRenderer_->draw(eyes); },
+                              .depth = [&](const SceneRenderer::Eye& eye,
+                                           uint32_t into) { return sceneRenderer_->drawDepth(eye, into); },
                               .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}};
         bool drew = false;
         for (int i = 0; i < 80; ++i) {
@@ -70,7 +74,9 @@ class XrPicture : public test::WithFakeRuntime {
             ASSERT_TRUE(waited) << waited.error().message();
             headset.feed(*run_);
             run_->advance(*headset.elapsed_s());
-            sceneRenderer_->set(run_->shown, *environment_,
+            game::Snapshot shown = run_->shown;
+            if (showOnly_) showOnly_(shown);
+            sceneRenderer_->set(shown, *environment_,
                                 environment_->exposure(Tone::Auto, plan_->dive.exposure_ev));
             const Result<bool> drawn = headset.draw(painter, run_->shown, scale);
             ASSERT_TRUE(drawn) << drawn.error().message();
@@ -190,6 +196,70 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
             EXPECT_LT(clear + solid, all); // outlines are smooth
         }
     }
+}
+
+// However objects are combined with the film, in the canvas or in a layer of another size, and whatever the
+// size that is drawn: depth is less than the far plane's where an animal is, and that of its distance.
+TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
+    fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    fake.formats.push_back(GL_DEPTH_COMPONENT32F);
+    constexpr float kRight_m = 0.6f, kUp_m = 0.4f, kAway_m = 1.0f, kLength_m = 0.4f;
+    std::map<std::pair<int, bool>, glm::vec2> plainly; // where its middle is, by samples and place
+    using enum render::Composition;
+    for (const render::Composition composition : {Plain, VideoTexels})
+        for (const int samples : {1, 4})
+            for (const bool besideCamera : {false, true}) {
+                ASSERT_TRUE(sceneRenderer_->setCompositor({.composition = composition}));
+                // One eye where the film's camera is, for which objects are put into the film's own texels.
+                fake.views[0].pose.position.x = besideCamera ? -0.032f : 0.0f;
+                fake.views[1].pose.position.x = besideCamera ? 0.032f : 0.0f;
+                auto headset = HeadsetDisplay::open(*window_, plan_->rig, samples);
+                ASSERT_TRUE(headset) << headset.error().message();
+                showOnly_ = [&](game::Snapshot& shown) {
+                    shown.hands = {};
+                    // Not as it swims: in the same pose each time.
+                    shown.creatures = {{.species = shown.creatures[0].species,
+                                        .position = {kRight_m, kUp_m, -kAway_m},
+                                        .worldFromBody = glm::angleAxis(1.57f, glm::vec3(0, 1, 0)),
+                                        .length = kLength_m}};
+                };
+                show(*headset, besideCamera ? 0.6f : 1.0f);
+                ASSERT_TRUE(fake.last.eyes);
+                const test::ShownEye& eye = (*fake.last.eyes)[0];
+                ASSERT_TRUE(eye.depth);
+                EXPECT_EQ(eye.depth->rect.extent.width, eye.rect.extent.width);
+                const float near_m = eye.depth->near_m, far_m = eye.depth->far_m;
+                const int width = eye.rect.extent.width, height = eye.rect.extent.height;
+                ASSERT_EQ(eye.depth->values.size(), static_cast<size_t>(width * height));
+                int count = 0;
+                glm::vec2 sum(0);
+                for (int y = 0; y < height; ++y)
+                    for (int x = 0; x < width; ++x) {
+                        const float value = eye.depth->values[static_cast<size_t>(y * width + x)];
+                        if (value == 1) continue;
+                        // OpenGL's window depth of a perspective: the specification's, with depths 0 to 1.
+                        const float away_m = near_m * far_m / (far_m - value * (far_m - near_m));
+                        EXPECT_NEAR(away_m, kAway_m,
+                                    kLength_m / 4); // from the side: half its width, tail swung
+                        ++count;
+                        sum += glm::vec2(x, y) + 0.5f;
+                    }
+                // Where it is seen: about the point at the animal's middle, by the eye's angles.
+                const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
+                const float down = std::tan(eye.fov.angleDown), up = std::tan(eye.fov.angleUp);
+                const float x = (kRight_m - eye.localFromEye.position.x) / kAway_m;
+                const glm::vec2 seen((x - left) / (right - left) * static_cast<float>(width),
+                                     (kUp_m / kAway_m - down) / (up - down) * static_cast<float>(height));
+                const float pixels = kLength_m / kAway_m / (right - left) * static_cast<float>(width);
+                ASSERT_GT(count, 0.05f * pixels * pixels) << static_cast<int>(composition);
+                EXPECT_LT(count, pixels * pixels);
+                const glm::vec2 middle = sum / static_cast<float>(count);
+                EXPECT_LT(glm::distance(middle, seen), 0.15f * pixels);
+                // Less than the 2 % by which a layer is wider than the picture: 1.4 pixels here.
+                const glm::vec2 expected = plainly.try_emplace({samples, besideCamera}, middle).first->second;
+                EXPECT_LT(glm::distance(middle, expected), 0.8f)
+                    << static_cast<int>(composition) << " " << samples << " " << besideCamera;
+            }
 }
 
 TEST_F(XrPicture, OnlookersSeeTheLeftEyesMiddle) {

@@ -41,11 +41,18 @@ struct FakePicture {
     std::vector<uint8_t> rgba; // lowest row first
 };
 
+struct ShownDepth {
+    float minimum, maximum, near_m, far_m;
+    XrRect2Di rect;
+    std::vector<float> values; // with keepPictures: the rect's part, lowest row first
+};
+
 struct ShownEye {
     XrPosef localFromEye;
     XrFovf fov;
     XrRect2Di rect;
     FakePicture picture; // with keepPictures: the rect's part
+    std::optional<ShownDepth> depth;
 };
 
 struct ShownPanel {

@@ -105,7 +105,10 @@ XrResult xrCreateSwapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapc
     const auto& formats = shoalFakeRuntime().formats;
     if (std::find(formats.begin(), formats.end(), info->format) == formats.end())
         return XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED;
-    auto* chain = new FakeSwapchain{{}, info->width, info->height};
+    const bool depth = info->format == GL_DEPTH_COMPONENT24 || info->format == GL_DEPTH_COMPONENT32F;
+    if (depth != ((info->usageFlags & XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) != 0))
+        return XR_ERROR_VALIDATION_FAILURE;
+    auto* chain = new FakeSwapchain{{}, info->width, info->height, depth};
     GLint bound = 0;
     glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
     chain->textures.resize(3);
@@ -113,7 +116,8 @@ XrResult xrCreateSwapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapc
     for (const GLuint texture : chain->textures) {
         glBindTexture(GL_TEXTURE_2D, texture);
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(info->format), static_cast<GLsizei>(info->width),
-                     static_cast<GLsizei>(info->height), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+                     static_cast<GLsizei>(info->height), 0, depth ? GL_DEPTH_COMPONENT : GL_RGBA,
+                     depth ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     }
     glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
@@ -189,7 +193,8 @@ XrResult xrBeginFrame(XrSession, const XrFrameBeginInfo*) {
     return XR_SUCCESS;
 }
 
-FakePicture pictureOf(const XrSwapchainSubImage& sub) {
+// Reads the part of what was released last, by `read` from the framebuffer that is bound.
+template <class Read> void readPart(const XrSwapchainSubImage& sub, Read&& read) {
     const FakeSwapchain& chain = objectOf<FakeSwapchain>(sub.swapchain);
     const XrRect2Di& rect = sub.imageRect;
     FakeRuntime& fake = shoalFakeRuntime();
@@ -197,26 +202,49 @@ FakePicture pictureOf(const XrSwapchainSubImage& sub) {
         fake.complain("xrEndFrame: a picture was not released");
     if (rect.offset.x < 0 || rect.offset.y < 0 || rect.extent.width <= 0 || rect.extent.height <= 0 ||
         rect.offset.x + rect.extent.width > static_cast<int>(chain.width) ||
-        rect.offset.y + rect.extent.height > static_cast<int>(chain.height)) {
-        fake.complain("xrEndFrame: a rectangle beyond its picture");
-        return {};
-    }
-    if (!fake.keepPictures || chain.lastReleased < 0) return {};
-    GLint read = 0;
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+        rect.offset.y + rect.extent.height > static_cast<int>(chain.height))
+        return fake.complain("xrEndFrame: a rectangle beyond its picture");
+    if (!fake.keepPictures || chain.lastReleased < 0) return;
+    GLint before = 0;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                           chain.textures[static_cast<size_t>(chain.lastReleased)], 0);
-    FakePicture picture{rect.extent.width, rect.extent.height, {}};
-    picture.rgba.resize(static_cast<size_t>(picture.width * picture.height) * 4);
+    if (chain.depth) glReadBuffer(GL_NONE);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, chain.depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                           GL_TEXTURE_2D, chain.textures[static_cast<size_t>(chain.lastReleased)], 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(rect.offset.x, rect.offset.y, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                 picture.rgba.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    read(rect.offset, rect.extent);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
     glDeleteFramebuffers(1, &framebuffer);
+}
+
+FakePicture pictureOf(const XrSwapchainSubImage& sub) {
+    FakePicture picture;
+    readPart(sub, [&](XrOffset2Di at, XrExtent2Di size) {
+        picture = {size.width, size.height, {}};
+        picture.rgba.resize(static_cast<size_t>(size.width * size.height) * 4);
+        glReadPixels(at.x, at.y, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    });
     return picture;
+}
+
+std::optional<ShownDepth> depthOf(const XrCompositionLayerProjectionView& view) {
+    const auto* info = static_cast<const XrCompositionLayerDepthInfoKHR*>(view.next);
+    if (!info) return std::nullopt;
+    FakeRuntime& fake = shoalFakeRuntime();
+    if (info->type != XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR ||
+        !fake.enabled.contains(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME) ||
+        !objectOf<FakeSwapchain>(info->subImage.swapchain).depth ||
+        !(info->minDepth >= 0 && info->minDepth < info->maxDepth && info->maxDepth <= 1) ||
+        !(info->nearZ > 0 && info->farZ > 0) || info->nearZ == info->farZ)
+        fake.complain("xrEndFrame: a depth that the specification forbids");
+    ShownDepth depth{info->minDepth, info->maxDepth, info->nearZ, info->farZ, info->subImage.imageRect, {}};
+    readPart(info->subImage, [&](XrOffset2Di at, XrExtent2Di size) {
+        depth.values.resize(static_cast<size_t>(size.width * size.height));
+        glReadPixels(at.x, at.y, size.width, size.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.values.data());
+    });
+    return depth;
 }
 
 XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
@@ -241,7 +269,7 @@ XrResult xrEndFrame(XrSession, const XrFrameEndInfo* info) {
             for (size_t eye = 0; eye < 2; ++eye) {
                 const XrCompositionLayerProjectionView& view = projection.views[eye];
                 (*fake.last.eyes)[eye] = {poseOf(localFromLayer * placeOf(view.pose)), view.fov,
-                                          view.subImage.imageRect, pictureOf(view.subImage)};
+                                          view.subImage.imageRect, pictureOf(view.subImage), depthOf(view)};
             }
             ++fake.framesWithEyes;
         } else if (layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD) {

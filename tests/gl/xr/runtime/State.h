@@ -27,6 +27,7 @@ struct FakeSpace {
 struct FakeSwapchain {
     std::vector<GLuint> textures;
     uint32_t width = 0, height = 0;
+    bool depth = false; // else colour
     uint32_t next = 0;
     int acquired = -1, lastReleased = -1;
     bool waited = false;

@@ -1,0 +1,46 @@
+#include "engine/render/DepthPass.h"
+
+namespace shoal::render {
+
+Result<DepthPass> DepthPass::make() {
+    DepthPass pass;
+    if (Status s = gl::Program::load("render/Depth").moveTo(pass.program_); !s) return s.error();
+    pass.noAttributes_ = gl::VertexArray::make();
+    pass.copyTarget_ = gl::Framebuffer::make();
+    return pass;
+}
+
+void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size) {
+    const glm::ivec2 fromSize(from.width(), from.height());
+    glBindFramebuffer(GL_FRAMEBUFFER, copyTarget_.name());
+    if (copySize_ != fromSize) {
+        copySize_ = fromSize;
+        copy_ = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+        // As the target has it: depth is copied between equal formats only.
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, fromSize.x, fromSize.y, 0, GL_DEPTH_COMPONENT,
+                     GL_UNSIGNED_INT, nullptr);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy_.name(), 0);
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
+    glBlitFramebuffer(0, 0, fromSize.x, fromSize.y, 0, 0, fromSize.x, fromSize.y, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, into);
+    glViewport(0, 0, size.x, size.y);
+    program_.use();
+    program_.setTexture("depth", 0, copy_.name());
+    program_.set("part", part);
+    glEnable(GL_DEPTH_TEST); // without it nothing is written
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(noAttributes_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace shoal::render
