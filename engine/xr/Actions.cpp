@@ -9,20 +9,38 @@ namespace shoal::xr {
 namespace {
 
 // What closes the hand, what bends the index finger, what pauses. Where there is but one button, it does
-// both.
+// both. Names are the registry's.
 struct InteractionProfile {
+    const char* extension; // that has it; null: OpenXR 1.0
     const char* name;
     const char* squeeze;
     const char* trigger;
-    const char* menu;
+    const char* menu; // null: none
     bool menuOnRight; // there is one on each hand
+    bool vibrates = true;
 };
+constexpr const char* kPico = "XR_BD_controller_interaction";
 constexpr InteractionProfile kProfiles[] = {
-    {"khr/simple_controller", "select/click", "select/click", "menu/click", true},
-    {"oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
-    {"valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
-    {"htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
-    {"microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
+    {nullptr, "khr/simple_controller", "select/click", "select/click", "menu/click", true},
+    {nullptr, "oculus/touch_controller", "squeeze/value", "trigger/value", "menu/click", false},
+    {nullptr, "valve/index_controller", "squeeze/value", "trigger/value", "b/click", true},
+    {nullptr, "htc/vive_controller", "squeeze/click", "trigger/value", "menu/click", true},
+    {nullptr, "microsoft/motion_controller", "squeeze/click", "trigger/value", "menu/click", true},
+    // Bare hands as the runtime reads them, for when their joints are not known.
+    {"XR_EXT_hand_interaction", "ext/hand_interaction_ext", "grasp_ext/value", "pinch_ext/value", nullptr,
+     false, false},
+    {"XR_FB_touch_controller_pro", "facebook/touch_controller_pro", "squeeze/value", "trigger/value",
+     "menu/click", false},
+    {"XR_META_touch_controller_plus", "meta/touch_controller_plus", "squeeze/value", "trigger/value",
+     "menu/click", false},
+    {kPico, "bytedance/pico_neo3_controller", "squeeze/value", "trigger/value", "menu/click", true},
+    {kPico, "bytedance/pico4_controller", "squeeze/value", "trigger/value", "menu/click", false},
+    {"XR_BD_ultra_controller_interaction", "bytedance/pico_ultra_controller_bd", "squeeze/value",
+     "trigger/value", "menu/click", false},
+    {"XR_HTC_vive_focus3_controller_interaction", "htc/vive_focus3_controller", "squeeze/value",
+     "trigger/value", "menu/click", false},
+    {"XR_EXT_hp_mixed_reality_controller", "hp/mixed_reality_controller", "squeeze/value", "trigger/value",
+     "menu/click", true},
 };
 
 constexpr std::array<const char*, 2> kHands = {"/user/hand/left", "/user/hand/right"};
@@ -39,7 +57,16 @@ XrActionStateGetInfo infoOf(XrAction action, XrPath hand) {
 
 } // namespace
 
-Actions Actions::make(XrInstance instance, XrSession session) {
+std::vector<const char*> Actions::extensions() {
+    std::vector<const char*> names;
+    for (const InteractionProfile& profile : kProfiles)
+        if (profile.extension && (names.empty() || names.back() != profile.extension))
+            names.push_back(profile.extension);
+    return names;
+}
+
+Actions Actions::make(const Instance& connection, XrSession session) {
+    const XrInstance instance = connection.handle.name();
     Actions made;
     for (size_t i = 0; i < 2; ++i) made.hands_[i] = pathOf(instance, kHands[i]);
     XrActionSetCreateInfo setInfo{XR_TYPE_ACTION_SET_CREATE_INFO};
@@ -68,6 +95,7 @@ Actions Actions::make(XrInstance instance, XrSession session) {
     }
 
     for (const InteractionProfile& profile : kProfiles) {
+        if (profile.extension && !connection.uses(profile.extension)) continue;
         std::vector<XrActionSuggestedBinding> bindings;
         for (size_t hand = 0; hand < 2; ++hand) {
             const auto bind = [&](XrAction action, const std::string& below) {
@@ -77,8 +105,8 @@ Actions Actions::make(XrInstance instance, XrSession session) {
             bind(made.grip_, "/input/grip/pose");
             bind(made.squeeze_, input + profile.squeeze);
             bind(made.trigger_, input + profile.trigger);
-            bind(made.haptic_, "/output/haptic");
-            if (hand == 0 || profile.menuOnRight) bind(made.menu_, input + profile.menu);
+            if (profile.vibrates) bind(made.haptic_, "/output/haptic");
+            if (profile.menu && (hand == 0 || profile.menuOnRight)) bind(made.menu_, input + profile.menu);
         }
         const XrInteractionProfileSuggestedBinding suggested{
             XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,

@@ -246,11 +246,10 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         s.session = createSession(s.instance);
         const XrSession session = s.session.name();
         askForRefreshRate(s.instance, session);
-        const XrInstance instance = s.instance.handle.name();
         s.local = makeSpace(session, {});
         s.world = makeSpace(session, {});
         s.hands = HandTrackers::make(s.instance, session);
-        s.actions = Actions::make(instance, session);
+        s.actions = Actions::make(s.instance, session);
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
             s.picture(p) = Swapchain::ofColour(session, p == Picture::Panel ? panelSize : s.instance.eyeSize);
         // 16 bits would be too coarse from a hand to the far plane.

@@ -19,6 +19,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -99,14 +100,18 @@ struct Instance {
     Handle<XrInstance, xrDestroyInstance> handle;
     XrSystemId system = XR_NULL_SYSTEM_ID;
     std::string runtimeName, systemName;
-    bool bareHands = false;    // XR_EXT_hand_tracking, and the headset can
-    bool sensesWearer = false; // XR_EXT_user_presence, and the headset can
-    bool choosesRate = false;  // XR_FB_display_refresh_rate
-    bool takesDepth = false;   // XR_KHR_composition_layer_depth
-    glm::ivec2 eyeSize{0};     // as the runtime recommends, pixels
-    bool seesRoom = false;     // its cameras' picture can be blended with ours, by our alpha
+    std::vector<std::string> enabled; // extensions
+    bool bareHands = false;           // XR_EXT_hand_tracking, and the headset can
+    bool sensesWearer = false;        // XR_EXT_user_presence, and the headset can
+    bool choosesRate = false;         // XR_FB_display_refresh_rate
+    bool takesDepth = false;          // XR_KHR_composition_layer_depth
+    glm::ivec2 eyeSize{0};            // as the runtime recommends, pixels
+    bool seesRoom = false;            // its cameras' picture can be blended with ours, by our alpha
     XrEnvironmentBlendMode blend = XR_ENVIRONMENT_BLEND_MODE_OPAQUE; // without the room
 
+    bool uses(std::string_view extension) const {
+        return std::find(enabled.begin(), enabled.end(), extension) != enabled.end();
+    }
     // withHeadset: false only finds out which runtime there is.
     static Instance open(bool withHeadset);
 };
@@ -135,7 +140,9 @@ inline bool valid(XrSpaceLocationFlags flags) {
 class Actions {
   public:
     Actions() = default;
-    static Actions make(XrInstance instance, XrSession session);
+    // Of controllers: what there is of these is to be enabled.
+    static std::vector<const char*> extensions();
+    static Actions make(const Instance& instance, XrSession session);
 
     void locate(XrSession session, XrSpace world, XrTime time, std::array<Controller, 2>& out) const;
     // amplitude 0 to 1; 0 stops. Runs until the next call, but no longer than kVibration_ns.

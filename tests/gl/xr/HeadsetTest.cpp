@@ -346,6 +346,27 @@ TEST_F(HeadsetGL, HandsAndControllersAreTold) {
     EXPECT_FALSE(headset.tracking().controllers[0].active);
 }
 
+// The fake runtime knows what the registry says that each has, and complains of all else.
+TEST_F(HeadsetGL, ControllersOfExtensionsAreBoundWhereTheyAreOffered) {
+    fake.extensions.insert("XR_EXT_hand_interaction");
+    (void)open();
+    const auto bound = [&](const std::string& name) {
+        return std::ranges::find(fake.boundProfiles, "/interaction_profiles/" + name) !=
+               fake.boundProfiles.end();
+    };
+    EXPECT_EQ(fake.boundProfiles.size(), 6u);
+    EXPECT_TRUE(bound("ext/hand_interaction_ext"));
+    fake.boundProfiles.clear();
+    for (const char* name :
+         {"XR_FB_touch_controller_pro", "XR_META_touch_controller_plus", "XR_BD_controller_interaction",
+          "XR_BD_ultra_controller_interaction", "XR_HTC_vive_focus3_controller_interaction",
+          "XR_EXT_hp_mixed_reality_controller"})
+        fake.extensions.insert(name);
+    (void)open();
+    EXPECT_EQ(fake.boundProfiles.size(), 13u);
+    EXPECT_TRUE(bound("bytedance/pico4_controller"));
+}
+
 TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
     fake.hands[0].active = true;
     for (auto& joint : fake.hands[0].joints) joint = {0xf, {{0, 0, 0, 1}, {0, 0, -0.4f}}, 0.01f};

@@ -715,10 +715,19 @@ INSTANTIATE_TEST_SUITE_P(
 // the layer is shown to be awake.
 TEST_F(XrProgram, CoreValidationHasNothingToComplainOf) {
     if (!validated_) GTEST_SKIP() << "needs openxr-layer-corevalidation";
+    fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    fake.extensions.insert(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME);
+    fake.formats.push_back(GL_DEPTH_COMPONENT24);
+    fake.blendModes.push_back(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
     fake.controllers[0] = {true, {{0, 0, 0, 1}, {-0.2f, -0.2f, -0.4f}}, 0.5f, 0.5f, false};
     closeHand(1, 0);
     fake.onWait = [](FakeRuntime& f) {
         if (f.framesWaited == 40) f.sayRecentred();
+        if (f.framesWaited == 60 || f.framesWaited == 80) test::strikeKey(GLFW_KEY_F2); // the room and back
+        if (f.framesWaited == 70 && f.last.eyes) {
+            EXPECT_EQ(f.last.blend, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND);
+            EXPECT_TRUE((*f.last.eyes)[0].depth);
+        }
     };
     PlayOptions o = options();
     o.hands.source = kFirstCatch;

@@ -1,6 +1,9 @@
 // Actions of controllers, bare hands, and what is felt.
 #include "tests/gl/xr/runtime/State.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace shoal::test {
 
 namespace {
@@ -10,6 +13,82 @@ int handOf(XrPath path) {
     return pathTexts()[path - 1] == "/user/hand/left"    ? 0
            : pathTexts()[path - 1] == "/user/hand/right" ? 1
                                                          : -1;
+}
+
+// What of the registry's interaction profiles (xr.xml, 1.1.53) a game may bind, but poses and haptics.
+struct KnownProfile {
+    const char* extension; // null: OpenXR 1.0
+    const char* name;
+    std::set<std::string> both, left; // below /input
+    bool haptic = true;
+};
+const std::vector<KnownProfile>& knownProfiles() {
+    static const std::vector<KnownProfile> known = {
+        {nullptr, "khr/simple_controller", {"select/click", "menu/click"}, {}},
+        {nullptr, "oculus/touch_controller", {"squeeze/value", "trigger/value"}, {"menu/click"}},
+        {nullptr,
+         "valve/index_controller",
+         {"squeeze/value", "trigger/value", "trigger/click", "b/click"},
+         {}},
+        {nullptr,
+         "htc/vive_controller",
+         {"squeeze/click", "trigger/value", "trigger/click", "menu/click"},
+         {}},
+        {nullptr, "microsoft/motion_controller", {"squeeze/click", "trigger/value", "menu/click"}, {}},
+        {"XR_EXT_hand_interaction",
+         "ext/hand_interaction_ext",
+         {"grasp_ext/value", "pinch_ext/value"},
+         {},
+         false},
+        {"XR_FB_touch_controller_pro",
+         "facebook/touch_controller_pro",
+         {"squeeze/value", "trigger/value"},
+         {"menu/click"}},
+        {"XR_META_touch_controller_plus",
+         "meta/touch_controller_plus",
+         {"squeeze/value", "trigger/value"},
+         {"menu/click"}},
+        {"XR_BD_controller_interaction",
+         "bytedance/pico_neo3_controller",
+         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click", "menu/click"},
+         {}},
+        {"XR_BD_controller_interaction",
+         "bytedance/pico4_controller",
+         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click"},
+         {"menu/click"}},
+        {"XR_BD_ultra_controller_interaction",
+         "bytedance/pico_ultra_controller_bd",
+         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click"},
+         {"menu/click"}},
+        {"XR_HTC_vive_focus3_controller_interaction",
+         "htc/vive_focus3_controller",
+         {"squeeze/value", "squeeze/click", "trigger/value", "trigger/click"},
+         {"menu/click"}},
+        {"XR_EXT_hp_mixed_reality_controller",
+         "hp/mixed_reality_controller",
+         {"squeeze/value", "trigger/value", "menu/click"},
+         {}},
+    };
+    return known;
+}
+const KnownProfile* knownProfile(const std::string& path) {
+    const auto& known = knownProfiles();
+    const auto at = std::ranges::find_if(
+        known, [&](const KnownProfile& p) { return path == std::string("/interaction_profiles/") + p.name; });
+    return at == known.end() ? nullptr : &*at;
+}
+bool has(const KnownProfile& profile, const std::string& path) {
+    for (const char* hand : {"/user/hand/left", "/user/hand/right"}) {
+        if (!path.starts_with(hand)) continue;
+        const std::string below = path.substr(std::strlen(hand));
+        if (below == "/input/grip/pose") return true;
+        if (below == "/output/haptic") return profile.haptic;
+        if (!below.starts_with("/input/")) return false;
+        const std::string component = below.substr(std::strlen("/input/"));
+        return profile.both.contains(component) ||
+               (path.starts_with("/user/hand/left") && profile.left.contains(component));
+    }
+    return false;
 }
 
 struct ActionSet {
@@ -42,6 +121,11 @@ XrResult xrSuggestInteractionProfileBindings(XrInstance,
     FAKE_XR(xrSuggestInteractionProfileBindings);
     if (session().attached) return XR_ERROR_ACTIONSETS_ALREADY_ATTACHED;
     const std::string profile = pathTexts()[suggested->interactionProfile - 1];
+    const KnownProfile* known = knownProfile(profile);
+    if (!known || (known->extension && !shoalFakeRuntime().enabled.contains(known->extension))) {
+        shoalFakeRuntime().complain(profile + ": not known, or its extension is not enabled");
+        return XR_ERROR_PATH_UNSUPPORTED;
+    }
     shoalFakeRuntime().boundProfiles.push_back(profile);
     // What each action may be bound to, by its type.
     for (uint32_t i = 0; i < suggested->countSuggestedBindings; ++i) {
@@ -53,6 +137,7 @@ XrResult xrSuggestInteractionProfileBindings(XrInstance,
                           : type == XR_ACTION_TYPE_BOOLEAN_INPUT
                               ? path.ends_with("/click")
                               : path.ends_with("/click") || path.ends_with("/value");
+        if (!has(*known, path)) shoalFakeRuntime().complain(profile + " has no " + path);
         if (!fits) shoalFakeRuntime().complain(profile + ": " + path + " does not fit its action");
     }
     return XR_SUCCESS;
