@@ -47,11 +47,14 @@ Result<HeadsetDisplay> HeadsetDisplay::open(platform::Window& window, const hand
                                             int samples) {
     auto fade = render::FadePass::make();
     if (!fade) return fade.error();
+    auto premultiply = render::PremultiplyPass::make();
+    if (!premultiply) return premultiply.error();
     auto headset = xr::Headset::open(kPanelPixels);
     if (!headset) return headset.error();
     log::debug("playing in {}, {}", headset->name(),
                headset->bareHands() ? "with bare hands or controllers" : "with controllers");
-    return HeadsetDisplay(window, rig, std::move(*headset), std::move(*fade), samples);
+    return HeadsetDisplay(window, rig, std::move(*headset), std::move(*fade), std::move(*premultiply),
+                          samples);
 }
 
 Status HeadsetDisplay::begin() {
@@ -148,7 +151,10 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     const xr::Picture picture = eye == 0 ? xr::Picture::LeftEye : xr::Picture::RightEye;
     const auto framebuffer = headset_.acquire(picture);
     if (!framebuffer) return framebuffer.error();
-    target.blitTo(*framebuffer, 0, size.x, size.y);
+    if (surroundings_ == render::Surroundings::Room)
+        premultiply_.draw(target, *framebuffer);
+    else
+        target.blitTo(*framebuffer, 0, size.x, size.y);
     if (eye == 0 && windowSize.x > 0 && windowSize.y > 0) mirror(target, *framebuffer, windowSize, view);
     if (Status released = headset_.release(picture); !released || !headset_.takesDepth()) return released;
     return drawDepth(painter, toDraw);

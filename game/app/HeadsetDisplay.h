@@ -4,6 +4,7 @@
 
 #include "engine/platform/Window.h"
 #include "engine/render/FadePass.h"
+#include "engine/render/PremultiplyPass.h"
 #include "engine/xr/Headset.h"
 #include "game/app/Display.h"
 #include "game/session/HeadsetPause.h"
@@ -43,9 +44,9 @@ class HeadsetDisplay : public Display {
 
   private:
     HeadsetDisplay(platform::Window& window, const hands::HandRig& rig, xr::Headset headset,
-                   render::FadePass fade, int samples)
+                   render::FadePass fade, render::PremultiplyPass premultiply, int samples)
         : window_(&window), rig_(&rig), headset_(std::move(headset)), fade_(std::move(fade)),
-          samples_(samples) {}
+          premultiply_(std::move(premultiply)), samples_(samples) {}
     Status drawEye(int eye, const Painter& painter, glm::ivec2 windowSize);
     Status drawDepth(const Painter& painter, const SceneRenderer::Eye& eye);
     Pointing pointingOf(size_t side, const hands::HandPose& hand) const;
@@ -57,6 +58,7 @@ class HeadsetDisplay : public Display {
     const hands::HandRig* rig_;
     xr::Headset headset_;
     render::FadePass fade_;
+    render::PremultiplyPass premultiply_; // for the room
     int samples_;
     render::Surroundings surroundings_ = render::Surroundings::Film;
     double noRoom_s_ = 0; // for which it is still said that it cannot be shown

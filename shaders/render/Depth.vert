@@ -1,8 +1,2 @@
-// All of the picture. Pairs with engine/render/DepthPass.
-noperspective out vec2 uv;
-
-void main() {
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1); // of one triangle that reaches beyond the picture
-    uv = 2.0 * corner;
-    gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);
-}
+// Pairs with engine/render/DepthPass.
+#include "render/WholePicture.glsl"

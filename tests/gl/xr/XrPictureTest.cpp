@@ -63,11 +63,14 @@ class XrPicture : public test::WithFakeRuntime {
     }
     // Frames until nothing is dark any more, then one in which the scene stands as it is.
     void show(HeadsetDisplay& headset, float scale) {
-        const Painter painter{.scene = [&](std::span<const SceneRenderer::Eye> eyes,
-                                           const auto&) { return sceneRenderer_->draw(eyes); },
-                              .depth = [&](const SceneRenderer::Eye& eye,
-                                           uint32_t into) { return sceneRenderer_->drawDepth(eye, into); },
-                              .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}};
+        show(headset, scale,
+             {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
+                           const auto&) { return sceneRenderer_->draw(eyes); },
+              .depth = [&](const SceneRenderer::Eye& eye,
+                           uint32_t into) { return sceneRenderer_->drawDepth(eye, into); },
+              .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}});
+    }
+    void show(HeadsetDisplay& headset, float scale, const Painter& painter) {
         bool drew = false;
         for (int i = 0; i < 80; ++i) {
             const Status waited = headset.begin();
@@ -194,6 +197,36 @@ TEST_F(XrPicture, InTheRoomOnlyAnimalsAreSeenAndHandsHideThem) {
         EXPECT_GT(light / static_cast<double>(solid), 20); // lit
         if (samples == 4) {
             EXPECT_LT(clear + solid, all); // outlines are smooth
+        }
+    }
+}
+
+// The runtime decodes the picture and adds what is left of the room: light is multiplied by alpha, not what
+// is coded.
+TEST_F(XrPicture, WhatCoversHalfAPixelOfTheRoomGivesHalfItsLight) {
+    fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
+    const Painter half{.scene =
+                           [](std::span<const SceneRenderer::Eye> eyes, const auto&) {
+                               eyes[0].canvas.bind();
+                               glClearColor(0.4f, 0.3f, 0.2f, 0.5f); // coded, times coverage
+                               glClear(GL_COLOR_BUFFER_BIT);
+                               return Status(Done{});
+                           },
+                       .depth = {},
+                       .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}};
+    for (const int samples : {1, 4}) {
+        auto headset = HeadsetDisplay::open(*window_, plan_->rig, samples);
+        ASSERT_TRUE(headset) << headset.error().message();
+        for (const bool room : {true, false}) {
+            ASSERT_TRUE(headset->showRoom(room));
+            show(*headset, 1, half);
+            const auto& rgba = (*fake.last.eyes)[0].picture.rgba;
+            // 8 bits in, which are 2 of what was covered, and 8 bits out.
+            EXPECT_NEAR(rgba[0], 255 * (room ? 0.5855 : 0.4),
+                        2); // by the curve of sRGB 0.8 is 0.604, half of it 0.5855
+            EXPECT_NEAR(rgba[1], 255 * (room ? 0.4357 : 0.3), 2); // 0.6 is 0.319
+            EXPECT_NEAR(rgba[2], 255 * (room ? 0.2859 : 0.2), 2); // 0.4 is 0.133
+            EXPECT_NEAR(rgba[3], 127.5, 1);
         }
     }
 }

@@ -1,0 +1,26 @@
+#include "engine/render/PremultiplyPass.h"
+
+namespace shoal::render {
+
+Result<PremultiplyPass> PremultiplyPass::make() {
+    PremultiplyPass pass;
+    if (Status s = gl::Program::load("render/Premultiply").moveTo(pass.program_); !s) return s.error();
+    pass.noAttributes_ = gl::VertexArray::make();
+    return pass;
+}
+
+void PremultiplyPass::draw(const gl::Target& from, GLuint into) {
+    from.resolve();
+    glBindFramebuffer(GL_FRAMEBUFFER, into);
+    glViewport(0, 0, from.width(), from.height());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    program_.use();
+    program_.setTexture("picture", 0, from.texture());
+    glBindVertexArray(noAttributes_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
+} // namespace shoal::render

@@ -1,0 +1,12 @@
+// Display values that were multiplied by their coverage become light multiplied by it, coded: who decodes them and lays them
+// over another picture adds light, and without this would see dark outlines. Pairs with engine/render/PremultiplyPass.
+#include "light/ToneCurve.glsl"
+
+uniform sampler2D picture;
+noperspective in vec2 uv;
+out vec4 colour;
+
+void main() {
+    colour = textureLod(picture, uv, 0.0);
+    if (colour.a > 0.0 && colour.a < 1.0) colour.rgb = srgbFromLinear(linearFromSrgb(colour.rgb / colour.a) * colour.a);
+}

@@ -1,0 +1,2 @@
+// Pairs with engine/render/PremultiplyPass.
+#include "render/WholePicture.glsl"
