@@ -97,6 +97,7 @@ Status Application::frame(bool measured) {
     play_->elapsed_s = play_->clock.elapsed_s(display_->elapsed_s()) * static_cast<double>(options_.speed);
     readInput();
     simulate();
+    measureHand();
     if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done) return done;
     play_->states.update();
     // The video begins with the dive, pauses with it, and begins anew with it.
@@ -177,14 +178,36 @@ void Application::readMenuInput() {
             screens_.cancelCapture();
         return;
     }
-    MenuInput menu = menuControls_.step(&input, &*window_, display_->pointing(play_->session),
-                                        display_->menuSurface(), static_cast<float>(play_->elapsed_s));
+    // A hand that is held up to be measured pokes nothing.
+    const auto fingers =
+        screens_.top() == Screen::HandSize ? std::array<Pointing, 2>() : display_->pointing(play_->session);
+    MenuInput menu = menuControls_.step(&input, &*window_, fingers, display_->menuSurface(),
+                                        static_cast<float>(play_->elapsed_s));
     // The dive ends while the player's button is busy: what was meant for a fish chooses nothing.
     if (play_->states.state() == ProgramStates::State::Results) {
         play_->results_s += static_cast<float>(play_->elapsed_s);
         if (play_->results_s < kResultsRest_s) menu.accept = menu.pressed = menu.back = false;
     }
     screens_.input(menu);
+}
+
+// While its page is open, anew each time.
+void Application::measureHand() {
+    ScreenFacts& facts = screens_.facts;
+    const std::optional<TrackedHands>& tracked = play_->session.tracked;
+    facts.webcam = tracked && tracked->hasCamera();
+    if (screens_.top() != Screen::HandSize) {
+        facts.handSizing = {};
+        return;
+    }
+    if (facts.handSizing.size()) return;
+    facts.handSizing.see(tracked ? tracked->openHand_m() : std::nullopt,
+                         static_cast<float>(play_->elapsed_s));
+    if (const auto size = facts.handSizing.size()) {
+        options_.hands.size = *size;
+        screens_.keep("hand-size");
+    }
+    screens_.refresh();
 }
 
 // What does the same in every state.
@@ -308,8 +331,8 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const ProgramStates& states = play_->states;
     const bool onHeadsetsEye = audience == Audience::HeadsetPlayer && part != HudPart::Panel;
     const bool showTimes = options_.frameTimes && !onHeadsetsEye;
-    if (showTimes && session.tracked && session.tracked->look(cameraImage_))
-        cameraPicture_.show(cameraImage_);
+    const bool showCamera = session.tracked && (showTimes || screens_.showsCamera());
+    if (showCamera && session.tracked->look(cameraImage_)) cameraPicture_.show(cameraImage_);
     if (photo_) return hud_->drawNotice(*photo_->notice(), textOptions(), size);
     const game::Notice* notice = display_->notice();
     if (!notice) notice = environment_->notice();
@@ -341,7 +364,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .quality = quality_ ? quality_->quality() : Quality(),
          .passes = sceneRenderer_->timers().times(),
          .environment = &*environment_,
-         .camera = session.tracked && cameraPicture_.texture ? &cameraPicture_ : nullptr,
+         .camera = showCamera && cameraPicture_.texture ? &cameraPicture_ : nullptr,
          .notice = notice,
          .volume = options_.volume,
          .showVolume = window_ && glfwGetTime() - volumeShown_s_ < 1.5},

@@ -80,6 +80,7 @@ class Application {
     Status frame(bool measured);
     void readInput();
     void noteDevice();
+    void measureHand();
     void readMenuInput();
     void globalActions(const Controls& controls);
     Status answer(const Request& request);

@@ -192,6 +192,8 @@ Status Application::applySettings() {
     if (options_.headphones != applied_.headphones || starts(applied_.videoSound, options_.videoSound) ||
         starts(applied_.hapticStrength, options_.hapticStrength))
         openSound();
+    if (play_->session.tracked) play_->session.tracked->setHandSize(options_.hands.size);
+    config_.hands.size = options_.hands.size;
     config_.rules.assist = options_.assist; // from the next dive on
     applied_ = options_;
     return Done{};

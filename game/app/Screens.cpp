@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <cstdlib>
 
 namespace shoal::app {
@@ -128,6 +129,13 @@ std::optional<Screen> Screens::top() const {
     return stack_.empty() ? std::nullopt : std::optional(stack_.back().screen);
 }
 
+bool Screens::showsCamera() const {
+    if (stack_.empty() || !facts.webcam) return false;
+    const Level& level = stack_.back();
+    return level.screen == Screen::HandSize ||
+           (level.screen == Screen::SettingsGroup && level.group == SettingsPage::Hands);
+}
+
 void Screens::push(Screen screen, SettingsPage group) {
     if (!stack_.empty()) stack_.back().focus = menu_.focus();
     stack_.push_back({.screen = screen, .group = group});
@@ -176,6 +184,9 @@ MenuPage Screens::page() {
     case Screen::SettingsGroup:
         page = groupPage(stack_.back().group);
         break;
+    case Screen::HandSize:
+        page = handSizePage();
+        break;
     case Screen::Bindings:
         page = bindingsPage();
         break;
@@ -195,6 +206,7 @@ MenuPage Screens::page() {
         page = resultsPage();
         break;
     }
+    page.camera = showsCamera();
     for (const Entry& entry : entries_) page.items.push_back(entry.item);
     page.error = error_;
     if (!message_.empty()) page.note = message_;
@@ -332,9 +344,37 @@ MenuPage Screens::settingsPage() {
 MenuPage Screens::groupPage(SettingsPage group) {
     for (size_t row = 0; row < table_.rows.size(); ++row)
         if (table_.rows[row].page == group) settingEntry(row);
+    if (group == SettingsPage::Hands && facts.webcam)
+        button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();
     const auto shown = std::ranges::find(kGroups, group, &Group::page);
     return {.title = in(shown->label)};
+}
+
+MenuPage Screens::handSizePage() {
+    using enum hands::HandSizing::State;
+    backButton();
+    MenuPage page{
+        .title = in("Hand size"),
+        .text = {in("Hold one open hand still, palm to the camera and 30 cm away from it, as far as "
+                    "a sheet of A4 paper is long.")},
+        .progress = facts.handSizing.progress(),
+        .layout = PageLayout::Side};
+    switch (facts.handSizing.state()) {
+    case Waiting:
+        break;
+    case Elsewhere:
+        page.note = in("Nobody’s hand is that small or big: is it 30 cm away?");
+        break;
+    case Holding:
+        page.note = in("Keep it there");
+        break;
+    case Done:
+        page.note =
+            filled(in("Your hand has {} % of the usual size."), std::lround(100 * options_.hands.size));
+        break;
+    }
+    return page;
 }
 
 MenuPage Screens::bindingsPage() {

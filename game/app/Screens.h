@@ -9,6 +9,7 @@
 #include "game/settings/KeptFiles.h"
 #include "game/settings/PlayOptions.h"
 #include "game/ui/Menu.h"
+#include "input/hands/HandSize.h"
 
 #include <functional>
 #include <optional>
@@ -24,6 +25,7 @@ enum class Screen {
     Films,
     Settings,
     SettingsGroup,
+    HandSize,
     Bindings,
     HowToPlay,
     Guide,
@@ -71,6 +73,8 @@ struct ScreenFacts {
     std::vector<std::string> met; // species that the player has touched
     game::Snapshot results;       // as the last dive ended
     bool freeSwim = false, firstSteps = false;
+    bool webcam = false;            // hands come from one
+    hands::HandSizing handSizing{}; // on the page for that
 };
 
 class Screens {
@@ -85,6 +89,7 @@ class Screens {
     void dropped(const std::string& file) { ask(Request::Kind::OpenFilm, file); } // onto the window
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;
+    bool showsCamera() const; // what a webcam sees belongs to the page
     // A text setting of bindings waits for the next key or button, which is no input for the menus.
     bool capturesKey() const { return captured_.has_value(); }
 
@@ -130,6 +135,7 @@ class Screens {
     MenuPage filmsPage();
     MenuPage settingsPage();
     MenuPage groupPage(SettingsPage group);
+    MenuPage handSizePage();
     MenuPage bindingsPage();
     MenuPage howToPlayPage();
     MenuPage guidePage();

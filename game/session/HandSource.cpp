@@ -22,10 +22,14 @@ constexpr double kCaption_s = 4;
 constexpr double kFindDevices_s = 1; // before the mouse is said to be all there is
 
 // No text: the first camera.
-hands::WebcamOptions webcamFrom(const std::string& which, bool live) {
+hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
     const bool isIndex = which.size() <= 2 && which.find_first_not_of("0123456789") == std::string::npos;
-    return isIndex ? hands::WebcamOptions{"", std::atoi(which.c_str()), live}
-                   : hands::WebcamOptions{which, 0, live};
+    hands::WebcamOptions options{.live = live, .handSize = handSize};
+    if (isIndex)
+        options.index = std::atoi(which.c_str());
+    else
+        options.file = which;
+    return options;
 }
 
 } // namespace
@@ -115,7 +119,7 @@ TrackedHands::TrackedHands(const HandSourceChoice& source, const HandOptions& op
                            const hands::HandRig& rig, bool live)
     : asked_(source.kind != HandSourceKind::Auto),
       tracker_(source.kind == HandSourceKind::Webcam
-                   ? hands::makeWebcamTracker(webcamFrom(source.argument, live), rig)
+                   ? hands::makeWebcamTracker(webcamFrom(source.argument, live, options.size), rig)
                    : hands::makeLeapTracker(options.leap, rig)),
       hands_(live ? hands::DeviceTime::Live : hands::DeviceTime::Stamps) {}
 
@@ -162,6 +166,16 @@ bool TrackedHands::look(ImageRgba8& out) {
     return preview && preview->look(out);
 }
 
+std::optional<float> TrackedHands::openHand_m() const {
+    std::optional<float> found;
+    for (int side = 0; side < 2; ++side) {
+        if (hands_.notSeen_s(side) > hands::tuning::kBridge_s) continue;
+        if (found || hands_.hand(side).gesture() != hands::Gesture::Open) return std::nullopt;
+        found = hands_.asRig_m(side);
+    }
+    return found;
+}
+
 std::array<hands::HandPose, 2> TrackedHands::seen() const {
     std::array<hands::HandPose, 2> poses{};
     for (int side = 0; side < 2; ++side)
@@ -182,7 +196,7 @@ const game::Notice* TrackedHands::notice() const {
 
 Status checkHandSource(const HandSourceChoice& source) {
     const bool isClip =
-        source.kind == HandSourceKind::Webcam && !webcamFrom(source.argument, false).file.empty();
+        source.kind == HandSourceKind::Webcam && !webcamFrom(source.argument, false, 1).file.empty();
     std::error_code code;
     if (!isClip || std::filesystem::is_regular_file(source.argument, code)) return Done{};
     return Error{source.argument, "there is no such clip"};

@@ -94,6 +94,12 @@ class TrackedHands {
     // What its camera sees: true where there is a picture newer than `out`, which it replaces. Is to be
     // called once a frame while the picture is shown.
     bool look(ImageRgba8& out);
+    bool hasCamera() const { return tracker_->preview() != nullptr; }
+
+    // Of the only hand that is seen, if that is open: from the camera to its palm, if it were of the rig's
+    // size, metres.
+    std::optional<float> openHand_m() const;
+    void setHandSize(float size) { tracker_->setHandSize(size); }
 
     // To be shown now: which device is used, or what it asks of the player. Null: nothing.
     const game::Notice* notice() const;

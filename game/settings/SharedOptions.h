@@ -106,6 +106,7 @@ struct HandSourceChoice {
 struct HandOptions {
     std::string source; // "KIND" or "KIND:ARGUMENT"; empty: auto in a window, else mouse
     hands::LeapOptions leap;
+    float size = 1; // of the player's hands, in times of the rig's
 
     void addTo(SettingsTable& table) {
         table.category = Category::Hands;
@@ -118,6 +119,11 @@ struct HandOptions {
             .takes("SOURCE")
             .offers({"auto", "mouse", "leap", "webcam"})
             .shownAs(SettingsPage::Hands, "Hand source");
+        table
+            .addKept("--hand-size", &size,
+                     "Of your hands before a webcam, which cannot tell, in times of one that is 19 cm long")
+            .between(0.7, 1.4)
+            .shownAs(SettingsPage::Hands, "Hand size (webcam)");
         addLeapTo(table);
         table.addKept(
             "--leap-mount", choice(leap.mount),

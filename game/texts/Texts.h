@@ -226,7 +226,24 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"Text and captions", "Text und Untertitel", "Texte et sous-titres"},
     {"Keys and buttons", "Tasten und Knöpfe", "Touches et boutons"},
 
+    // Hand size
+    {"Measure my hand", "Meine Hand messen", "Mesurer ma main"},
+    {"Hand size", "Handgröße", "Taille de la main"},
+    {"Hold one open hand still, palm to the camera and 30 cm away from it, as far as a sheet of A4 paper is "
+     "long.",
+     "Halte eine offene Hand still, die Handfläche zur Kamera und 30 cm von ihr entfernt, so weit, wie ein "
+     "Blatt A4 lang ist.",
+     "Tiens une main ouverte immobile, paume vers la caméra et à 30 cm d’elle, la longueur d’une feuille "
+     "A4."},
+    {"Keep it there", "Halte sie dort", "Garde-la ainsi"},
+    {"Nobody’s hand is that small or big: is it 30 cm away?",
+     "So klein oder groß ist keine Hand: Ist sie 30 cm entfernt?",
+     "Aucune main n’est si petite ou si grande : est-elle à 30 cm ?"},
+    {"Your hand has {} % of the usual size.", "Deine Hand hat {} % der üblichen Größe.",
+     "Ta main fait {} % de la taille habituelle."},
+
     // Settings
+    {"Hand size (webcam)", "Handgröße (Webcam)", "Taille de la main (webcam)"},
     {"Hand source", "Handquelle", "Suivi des mains"},
     {"Dominant hand", "Haupthand", "Main dominante"},
     {"Skin", "Haut", "Peau"},

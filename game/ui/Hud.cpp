@@ -221,7 +221,8 @@ void Hud::endFrame() {
 }
 
 void Hud::draw(const HudInfo& info, glm::ivec2 size) {
-    const Pen pen = beginFrame(info.audience, info.part != HudPart::Marks, info.text, size);
+    Pen pen = beginFrame(info.audience, info.part != HudPart::Marks, info.text, size);
+    pen.camera = info.camera;
     if (info.part != HudPart::Panel) {
         if (info.vignette > 0) drawVignette(pen, info.vignette);
         drawHold(pen, info);

@@ -54,7 +54,7 @@ struct HudInfo {
     Quality quality;
     std::span<const gl::PassTimers::Time> passes; // what the graphics side took for each
     const Environment* environment = nullptr;
-    const Pictures::Picture* camera = nullptr; // of a hand tracker, to be shown with the times
+    const Pictures::Picture* camera = nullptr; // of a hand tracker, to be shown; null: not
     const game::Notice* notice = nullptr;      // null: none
     float volume = 0;
     bool showVolume = false;

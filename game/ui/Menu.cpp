@@ -139,6 +139,11 @@ Rectangle Menu::trackOf(size_t item) const {
     return area;
 }
 
+const Pictures::Picture* Menu::pictureOn(const Pen& pen) const {
+    if (page_.camera) return pen.camera;
+    return picture_.empty() ? nullptr : &pen.pictures->get(picture_);
+}
+
 void Menu::place(const Pen& pen) {
     line_ = pen.line;
     if (focus_ < page_.items.size() && !page_.items[focus_].picture.empty())
@@ -149,7 +154,7 @@ void Menu::place(const Pen& pen) {
     const float width = std::min((side ? kSideWidth : kWidth) * line_, pen.size.x - margin);
     const float inner = width - 2 * margin;
     float above = page_.title.empty() ? 0 : pen.extent(page_.title, titleSize(), inner).y + kTitleGap * line_;
-    pictureHeight_ = picture_.empty() ? 0 : std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16});
+    pictureHeight_ = pictureOn(pen) ? std::min({kPicture * line_, 0.4f * pen.size.y, inner * 9 / 16}) : 0;
     const float pictureGap = pictureHeight_ > 0 ? kParagraphGap * line_ : 0;
     above += pictureHeight_ + pictureGap;
     textHeight_ = 0;
@@ -231,7 +236,7 @@ void Menu::draw(const Pen& pen) {
     float y = panel_.low.y + margin;
     if (!page_.title.empty())
         y += pen.paragraph(x, y, inner, titleSize(), colour::kWhite, page_.title) + kTitleGap * line_;
-    if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, picture_);
+    if (pictureHeight_ > 0) pen.picture({{x, y}, {x + inner, y + pictureHeight_}}, *pictureOn(pen));
     y = text_.low.y - textScroll_;
     pen.list->PushClipRect(ImVec2(text_.low.x, text_.low.y), ImVec2(text_.high.x, text_.high.y), true);
     for (const std::string& paragraph : page_.text)

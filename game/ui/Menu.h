@@ -24,7 +24,7 @@ enum class PageLayout { Side, Centre }; // Side: the left part of the picture, t
 
 struct MenuPage {
     std::string title;
-    std::string picture{};         // above the text (Pen::picture); empty: none
+    std::string picture{};         // above the text (as Pictures has it); empty: none
     std::vector<std::string> text; // paragraphs above the items
     std::vector<MenuItem> items;
     std::string note;                // a line below the items
@@ -32,6 +32,7 @@ struct MenuPage {
     std::optional<float> progress{}; // of something that takes its time, 0 to 1
     PageLayout layout = PageLayout::Centre;
     bool wordmark = false; // the title is the game's name
+    bool camera = false;   // where the picture would be, what a hand tracker's camera sees
 };
 
 // What the player did since the last frame.
@@ -89,6 +90,7 @@ class Menu {
     std::vector<Rectangle> areas_;
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
     float textHeight_ = 0, textScroll_ = 0; // of the whole text, and how far it is moved up in text_
+    const Pictures::Picture* pictureOn(const Pen& pen) const; // null: none
     float pictureHeight_ = 0;
     std::string picture_; // the page's, or of the item that had one and the focus last
     TextSize titleSize() const { return page_.wordmark ? TextSize::Display : TextSize::Heading; }

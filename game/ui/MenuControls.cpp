@@ -98,10 +98,12 @@ MenuInput MenuControls::step(const platform::WindowInput* input, const platform:
         }
         menu.wheel = static_cast<float>(input->wheel);
     }
+    const bool other = menu.down != 0 || menu.right != 0 || menu.accept || menu.back || menu.pointer;
+    fingersRest_s_ = other ? kFingersRest_s : std::max(fingersRest_s_ - dt_s, 0.0f);
     finger_.reset();
     for (size_t i = 0; i < fingers.size(); ++i) {
         pokes_[i].step(fingers[i], dt_s);
-        if (!pokes_[i].pointing()) continue;
+        if (!pokes_[i].pointing() || fingersRest_s_ > 0) continue;
         finger_ = menu.pointer = pokes_[i].at() * surface.size;
         menu.pressed |= pokes_[i].pressed();
         menu.held |= pokes_[i].held();

@@ -55,10 +55,14 @@ class MenuControls {
     // Where a finger points, to be shown; empty: no hand points.
     std::optional<glm::vec2> finger() const { return finger_; }
 
+    // After keys, gamepad or mouse fingers rest for so long: a tracker may see the hand that uses these.
+    static constexpr float kFingersRest_s = 2;
+
   private:
     glm::ivec2 held_{0}; // direction that keys or stick hold: +x right, +y down
     float repeat_s_ = 0; // until it counts again
     std::array<FingerPoke, 2> pokes_;
+    float fingersRest_s_ = 0; // left
     std::optional<glm::vec2> finger_;
 };
 

@@ -56,8 +56,7 @@ void Pen::panel(const Rectangle& area) const {
     fill(area, highContrast ? colour::kSolid : colour::kPanel, rounding);
 }
 
-void Pen::picture(const Rectangle& area, const std::string& name) const {
-    const Pictures::Picture& shown = pictures->get(name);
+void Pen::picture(const Rectangle& area, const Pictures::Picture& shown) const {
     if (!shown.texture) return;
     const glm::vec2 room = area.high - area.low, middle = (area.low + area.high) / 2.0f;
     const glm::vec2 half = shown.size * std::min(room.x / shown.size.x, room.y / shown.size.y) / 2.0f;

@@ -47,6 +47,7 @@ struct Pen {
     game::Language language = game::Language::English;
     bool highContrast = false; // panels are black and let nothing through
     Pictures* pictures = nullptr;
+    const Pictures::Picture* camera = nullptr; // what a hand tracker's camera sees; null: nothing to show
 
     const char* in(game::Text text) const { return text.in(language); }
 
@@ -63,8 +64,8 @@ struct Pen {
                     std::string_view text) const;
     void panel(const Rectangle& area) const;
     void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
-    // As large as fits, in the middle. name: as Pictures has it.
-    void picture(const Rectangle& area, const std::string& name) const;
+    // As large as fits, in the middle.
+    void picture(const Rectangle& area, const Pictures::Picture& shown) const;
     void shade() const; // darkens the whole picture
 };
 

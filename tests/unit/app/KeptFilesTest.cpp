@@ -49,6 +49,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
     set.text.captions = false;
     set.hands.leap.host = "tracker";
     set.hands.leap.port = 7000;
+    set.hands.size = 0.87f;
     ASSERT_TRUE(saveAll(set));
     const PlayOptions settings = load();
     EXPECT_EQ(settings.volume, 0.25f);
@@ -64,6 +65,7 @@ TEST_F(KeptFiles, SettingsComeBack) {
     EXPECT_EQ(settings.eyeDistance_mm, 61);
     EXPECT_EQ(settings.hands.leap.host, "tracker");
     EXPECT_EQ(settings.hands.leap.port, 7000);
+    EXPECT_EQ(settings.hands.size, 0.87f);
 }
 
 // What a command is given for one run is written by nobody: only a setting that the player changes is.

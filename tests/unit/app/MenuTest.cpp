@@ -136,6 +136,12 @@ TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
             screens_.input({.accept = true});
             add();
         }
+        screens_.open(Screen::HandSize);
+        for (const float asRig_m : {0.0f, 1.0f, 0.3f}) {
+            screens_.facts.handSizing = {};
+            if (asRig_m > 0) screens_.facts.handSizing.see(asRig_m, 0.01f);
+            add();
+        }
         return words;
     };
     screens_.facts.met = {"snapper"};
@@ -153,6 +159,32 @@ TEST_F(MenuTest, NoWordOfThePagesIsOutsideTheTable) {
         }
     }
     EXPECT_LT(same, 20u);
+}
+
+// Only before a webcam, whose picture is then on the page.
+TEST_F(MenuTest, TheHandIsMeasuredOnAPageOfTheHandsSettings) {
+    choose("Settings");
+    choose("Hands");
+    EXPECT_EQ(find("Measure my hand"), page().items.size());
+    EXPECT_FALSE(page().camera);
+    screens_.facts.webcam = true;
+    screens_.refresh();
+    EXPECT_TRUE(page().camera);
+    choose("Measure my hand");
+    ASSERT_EQ(screens_.top(), Screen::HandSize);
+    EXPECT_TRUE(page().camera);
+    EXPECT_EQ(page().progress, 0.0f);
+    const auto hold = [&](float asRig_m) {
+        for (int i = 0; i < 200; ++i) screens_.facts.handSizing.see(asRig_m, 1.0f / 60);
+        screens_.refresh();
+        return page().note;
+    };
+    EXPECT_NE(hold(1).find("30 cm"), std::string::npos);
+    options_.hands.size = 0.9f;
+    EXPECT_NE(hold(hands::HandSizing::kAt_m / 0.9f).find("90 %"), std::string::npos);
+    EXPECT_EQ(page().progress, 1.0f);
+    choose("Back");
+    EXPECT_EQ(screens_.top(), Screen::SettingsGroup);
 }
 
 TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
@@ -271,6 +303,27 @@ TEST(FingerPoke, AQuickMoveForwardPressesOnceAndASlowOneDoesNot) {
     };
     EXPECT_EQ(presses(0.4f, 18), 1);
     EXPECT_EQ(presses(0.02f, 120), 0);
+}
+
+// A tracker that sees the hand on the keys would else take the focus away in every frame.
+TEST(MenuControls, FingersRestWhileKeysOrMouseAreUsed) {
+    MenuControls controls;
+    std::array<Pointing, 2> fingers;
+    fingers[1] = {.points = true, .at = {0.5f, 0.5f}, .forward_m = 0.4f};
+    const auto step = [&](const platform::WindowInput& input, float dt_s) {
+        return controls.step(&input, nullptr, fingers, {}, dt_s);
+    };
+    EXPECT_TRUE(step({}, 0.01f).pointer);
+    platform::WindowInput key, mouse;
+    key.keysPressed = {GLFW_KEY_DOWN};
+    mouse.cursorMoved = {3, 0};
+    mouse.cursor = {0.1, 0.1};
+    EXPECT_FALSE(step(key, 0.01f).pointer);
+    EXPECT_FALSE(step({}, 0.9f * MenuControls::kFingersRest_s).pointer);
+    EXPECT_FALSE(controls.finger());
+    EXPECT_TRUE(step({}, 0.2f * MenuControls::kFingersRest_s).pointer);
+    EXPECT_NEAR(step(mouse, 0.01f).pointer->x, 0.1f, 1e-6f);
+    EXPECT_FALSE(step({}, 0.01f).pointer);
 }
 
 } // namespace
