@@ -175,6 +175,9 @@ HandFrame HandDetector::detect(const cv::Mat& bgr, double time_s) {
     // Of all shapes that a camera has; others would grow, not shrink.
     if (bgr.empty() || bgr.type() != CV_8UC3 || bgr.rows > 3 * bgr.cols) return frame;
     cv::resize(bgr, small_, {kWidth, std::max(1, kWidth * bgr.rows / bgr.cols)}, 0, 0, cv::INTER_AREA);
+    // Always the same as while it learnt: what is there is told by how it differs from the background.
+    if (gain_ == 0) gain_ = gainFor(small_);
+    small_.convertTo(small_, -1, gain_);
     cv::cvtColor(small_, ycc_, cv::COLOR_BGR2YCrCb);
     cv::GaussianBlur(ycc_, ycc_, {}, 0.8);
     if (!background_.empty() && background_.size() != ycc_.size()) { // another picture altogether: learn anew

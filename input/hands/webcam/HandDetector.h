@@ -83,6 +83,7 @@ class HandDetector final : public HandFinder {
     SkinColour skin_;
     Learning learning_ = Learning::Background;
     double since_s_ = -1;
+    double gain_ = 0; // of pictures; 0: none has been seen
     cv::Mat small_, ycc_, background_, changed_, likely_, mask_;
     std::array<std::optional<WebcamHand>, 2> hands_;
     struct Tracked {

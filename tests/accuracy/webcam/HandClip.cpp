@@ -154,7 +154,8 @@ ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) 
     return target_->read();
 }
 
-cv::Mat HandClip::picture(const ImageRgba8& hands, Behind behind, void (*paint)(cv::Mat&)) {
+cv::Mat HandClip::picture(const ImageRgba8& hands, Behind behind,
+                          const std::function<void(cv::Mat&)>& paint) {
     cv::Mat out = behind_[static_cast<size_t>(behind)].clone(), noise(out.size(), CV_16SC3);
     if (paint) paint(out);
     for (int y = 0; y < out.rows; ++y)

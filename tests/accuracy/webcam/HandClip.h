@@ -9,6 +9,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,7 +36,7 @@ class HandClip {
     // The hands alone, with their cover in alpha.
     ImageRgba8 hands(const std::array<std::optional<HandPose>, 2>& poses);
     // Before a background, blue first, with a little sensor noise. paint: adds to the background.
-    cv::Mat picture(const ImageRgba8& hands, Behind behind, void (*paint)(cv::Mat&) = nullptr);
+    cv::Mat picture(const ImageRgba8& hands, Behind behind, const std::function<void(cv::Mat&)>& paint = {});
 
   private:
     HandClip() = default;

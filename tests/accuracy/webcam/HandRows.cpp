@@ -19,10 +19,11 @@ constexpr int kSettling = 10;             // pictures, in which the hand that wa
 
 const float kFocal_px = kRowWidth / 2.0f / std::tan(kWebcamFov / 2);
 
-// A head with hair, eyes and mouth, a neck, and a shirt of nearly the same colour, 0.6 m away.
-void drawPerson(cv::Mat& picture) {
+// A head with hair, eyes and mouth, a neck, and a shirt of nearly the same colour, 0.6 m away. aside: of the
+// picture's middle, pixels.
+void drawPerson(cv::Mat& picture, int aside) {
     const cv::Scalar skin(132, 162, 205), darker(105, 130, 178), shirt(120, 150, 190), hair(35, 45, 60);
-    const cv::Point middle(picture.cols / 2, picture.rows * 2 / 5);
+    const cv::Point middle(picture.cols / 2 + aside, picture.rows * 2 / 5);
     const int r = picture.rows / 6;
     cv::ellipse(picture, middle + cv::Point(0, 4 * r), {3 * r, 2 * r + r / 3}, 0, 0, 360, shirt, cv::FILLED,
                 cv::LINE_AA);
@@ -45,6 +46,40 @@ void drawPerson(cv::Mat& picture) {
     cv::GaussianBlur(picture, picture, {}, 1.2);
 }
 
+void drawWindow(cv::Mat& picture) {
+    picture.setTo(cv::Scalar(96, 98, 100));
+    cv::rectangle(picture, {picture.cols / 8, 0}, {picture.cols * 7 / 8, picture.rows * 3 / 4},
+                  cv::Scalar(255, 252, 248), cv::FILLED);
+    cv::rectangle(picture, {picture.cols / 2 - 6, 0}, {picture.cols / 2 + 6, picture.rows * 3 / 4},
+                  cv::Scalar(70, 72, 75), cv::FILLED);
+}
+
+void drawSkinWall(cv::Mat& picture) {
+    for (int y = 0; y < picture.rows; ++y)
+        picture.row(y).setTo(cv::Scalar(132, 162, 205) * (1.05 - 0.2 * y / picture.rows));
+}
+
+// Over the hand's lower half, in two colours.
+void drawSleeve(cv::Mat& picture, const HandPose& hand) {
+    const auto at = [&](int joint) {
+        const glm::vec3 p = hand.joints[static_cast<size_t>(joint)].position;
+        return cv::Point2f(static_cast<float>(picture.cols) / 2 - p.x / p.z * kFocal_px,
+                           static_cast<float>(picture.rows) / 2 + p.y / p.z * kFocal_px);
+    };
+    const cv::Point2f wrist = at(kWristJoint), ahead = at(kFingerJoints[2].proximal) - wrist;
+    const int thick = std::max(1, cvRound(0.95 * cv::norm(ahead)));
+    constexpr int kStripes = 14;
+    for (int i = 0; i < kStripes; ++i) { // from the elbow on
+        const float from = std::lerp(-2.2f, 0.45f, static_cast<float>(i) / kStripes);
+        const cv::Point2f a = wrist + from * ahead, b = wrist + (from + 2.65f / kStripes) * ahead;
+        const cv::Point2f across = cv::Point2f(-ahead.y, ahead.x) *
+                                   (0.5f * static_cast<float>(thick) / static_cast<float>(cv::norm(ahead)));
+        const std::array<cv::Point, 4> stripe = {a - across, a + across, b + across, b - across};
+        cv::fillConvexPoly(picture, stripe.data(), 4,
+                           i % 2 ? cv::Scalar(60, 60, 190) : cv::Scalar(225, 225, 220), cv::LINE_AA);
+    }
+}
+
 // What the hands do: gestures change every half second, hands sway and turn.
 Shown shownAt(const Row& row, Side side, int number) {
     const float t = static_cast<float>(number) / 30, sign = side == Side::Left ? 1.0f : -1.0f;
@@ -55,14 +90,42 @@ Shown shownAt(const Row& row, Side side, int number) {
     shown.palm = {row.distance_m * (sign * apart + 0.06f * std::sin(1.7f * t)),
                   row.distance_m * 0.05f * std::sin(2.3f * t),
                   -row.distance_m * (1 + 0.08f * std::sin(1.3f * t))};
+    if (row.trouble == Trouble::Crossing) { // there and back within five seconds
+        shown.palm.x = row.distance_m * sign * 0.24f * std::cos(1.25f * t);
+        if (side == Side::Left) shown.palm.z *= 0.85f;
+    }
     shown.roll = sign * -row.turn * std::sin(2.1f * t);
     shown.tilt = 0.6f * row.turn * std::sin(1.5f * t);
     return shown;
 }
 
-cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<HandPose>, 2>& poses,
-              bool learning, cv::RNG& random) {
-    cv::Mat picture = clip.picture(clip.hands(poses), row.behind, row.face ? drawPerson : nullptr);
+cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<HandPose>, 2>& poses, int number,
+              cv::RNG& random) {
+    const bool learning = number < 0;
+    ImageRgba8 hands = clip.hands(poses);
+    std::function<void(cv::Mat&)> paint;
+    switch (row.trouble) {
+    case Trouble::Backlight: {
+        paint = drawWindow;
+        cv::Mat drawn(hands.height, hands.width, CV_8UC4, hands.pixels.data());
+        cv::multiply(drawn, cv::Scalar(0.3, 0.3, 0.3, 1), drawn);
+        break;
+    }
+    case Trouble::SkinWall:
+        paint = drawSkinWall;
+        break;
+    case Trouble::SwayingFace:
+        paint = [number](cv::Mat& picture) { drawPerson(picture, cvRound(70 * std::sin(0.07 * number))); };
+        break;
+    case Trouble::None:
+    case Trouble::Sleeves:
+    case Trouble::Crossing:
+        if (row.face) paint = [](cv::Mat& picture) { drawPerson(picture, 0); };
+    }
+    cv::Mat picture = clip.picture(hands, row.behind, paint);
+    if (row.trouble == Trouble::Sleeves)
+        for (const auto& pose : poses)
+            if (pose) drawSleeve(picture, *pose);
     if (row.blur_px > 1 && !learning) cv::blur(picture, picture, {row.blur_px, 1});
     if (row.light < 1) {
         cv::Mat noise(picture.size(), CV_16SC3);
@@ -127,6 +190,11 @@ const std::vector<Row>& rows() {
         {"blurred by 25 pixels", Behind::Room, 0.5f, false, true, false, 25},
         {"dark, a quarter", Behind::Room, 0.5f, false, true, false, 0, 0.25f},
         {"turned by a radian", Behind::Grey, 0.5f, false, true, false, 0, 1, 1.0f},
+        {.name = "backlight", .trouble = Trouble::Backlight},
+        {.name = "sleeves over the palm", .trouble = Trouble::Sleeves},
+        {.name = "skin-coloured wall", .trouble = Trouble::SkinWall},
+        {.name = "a face that sways", .left = true, .trouble = Trouble::SwayingFace},
+        {.name = "crossing", .left = true, .trouble = Trouble::Crossing},
         {"a face, no hands", Behind::Room, 0.5f, false, false, true},
     };
     return kRows;
@@ -185,7 +253,7 @@ std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& ro
             drawn[at] = shown[at] = shownHand(rig, side, asRig(shownAt(row, side, number), row.size));
             resize(*shown[at], row.size);
         }
-        const cv::Mat picture = taken(clip, row, drawn, learning, random);
+        const cv::Mat picture = taken(clip, row, drawn, number, random);
         std::vector<HandFrame> frames;
         for (size_t i = 0; i < methods.size(); ++i) {
             const auto began = std::chrono::steady_clock::now();

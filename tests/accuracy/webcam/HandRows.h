@@ -8,6 +8,15 @@
 
 namespace shoal::hands::test {
 
+enum class Trouble {
+    None,
+    Backlight,   // a window behind hands that get little light themselves
+    Sleeves,     // striped ones that reach over half of the palm
+    SkinWall,    // behind the hands, in their colour
+    Crossing,    // the left hand passes in front of the right
+    SwayingFace, // with skin-coloured clothes
+};
+
 struct Row {
     const char* name;
     Behind behind = Behind::Room;
@@ -18,6 +27,7 @@ struct Row {
     float light = 1;                 // of what the camera gets; noise stays
     float turn = 0.25f;              // how far hands are turned to and fro, radians
     float size = 1;                  // of the hands, in times of the rig's
+    Trouble trouble = Trouble::None;
 };
 
 // All but the last with hands.

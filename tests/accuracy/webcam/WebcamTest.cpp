@@ -1,6 +1,7 @@
 // Hands before a webcam, drawn by ourselves, so that the truth is known: where the palm is, and which
 // gesture, found by colour. Prints a table. LandmarksTest.cpp has hands that are found by landmarks.
 #include "HandClip.h"
+#include "HandRows.h"
 #include "engine/core/WriteFile.h"
 #include "engine/sim/Recording.h"
 #include "game/rules/TickInput.h"
@@ -165,6 +166,16 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
         // changes at 0.12 m/s, 12 mm more; a hand tilted by 0.15 seems 1 % smaller, 6 mm.
         EXPECT_LT(quantile(errors.depth_mm, 0.95), 20 + 12 + 6) << test::kBehindNames[behind];
     }
+}
+
+TEST(Webcam, TheHandsColourIsLearntInTheDark) {
+    auto clip = HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
+    if (!clip) GTEST_SKIP() << clip.error().message();
+    HandDetector eye(rig());
+    const test::Row dark{.name = "dark", .light = 0.25f};
+    const test::RowResult result = test::measure(*clip, rig(), dark, 60, {&eye})[0];
+    EXPECT_TRUE(eye.calibrated());
+    EXPECT_GE(result.found, 0.95 * result.shown);
 }
 
 // As a clip, which a codec has been at: through the device's own thread, and through the program.

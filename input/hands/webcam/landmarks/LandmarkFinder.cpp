@@ -23,8 +23,6 @@ constexpr float kSameHand = 0.6f;  // palms nearer than this, in lengths of a pa
 constexpr float kSideShare = 0.1f; // of the newest picture in what is known of a hand's side
 constexpr float kNear_m = 0.1f, kFar_m = 3; // where hands are believed
 
-constexpr double kDark = 70, kBright = 110, kMostGain = 6; // of a picture's mean, of 255
-
 constexpr size_t kWrist = 0, kIndexKnuckle = 5, kMiddleKnuckle = 9, kRingKnuckle = 13, kLittleKnuckle = 17;
 
 // The joint at each landmark; the fingers' metacarpals have none.
@@ -318,12 +316,9 @@ HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
     frame.time_us = static_cast<int64_t>(time_s * 1e6);
     marks_.clear();
     if (given.empty() || given.type() != CV_8UC3) return frame;
-    // The networks see little in the dark.
-    const cv::Scalar mean = cv::mean(given);
-    const double light = (mean[0] + mean[1] + mean[2]) / 3;
-    const bool dark = light < kDark;
-    if (dark) given.convertTo(brightened_, -1, std::min(kBright / std::max(light, 1.0), kMostGain));
-    const cv::Mat& bgr = dark ? brightened_ : given;
+    const double gain = gainFor(given);
+    if (gain > 1) given.convertTo(brightened_, -1, gain);
+    const cv::Mat& bgr = gain > 1 ? brightened_ : given;
     follow(bgr);
     if (tracks_.empty() || (tracks_.size() == 1 && ++pictures_ % kLookEvery == 0)) lookForNew(bgr);
     decideSides();
