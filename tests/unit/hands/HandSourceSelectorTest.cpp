@@ -1,12 +1,15 @@
 // Devices that come and go beside the mouse.
 #include "input/hands/HandSourceSelector.h"
-#include "input/hands/HandRig.h"
 #include "input/hands/HandFilter.h"
+#include "input/hands/HandRig.h"
 #include "tests/TestRig.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cstdio>
 
 namespace shoal::hands {
 namespace {
@@ -142,6 +145,64 @@ TEST(HandStream, WhenFullTheOldestGoes) {
     HandFrame frame;
     ASSERT_TRUE(stream.take(frame));
     EXPECT_EQ(frame.time_us, 2);
+}
+
+// How long ago a hand before a webcam was where the simulation has it, in the time of the test: pictures at
+// 30 Hz, each of which takes the landmarks 14 ms (two hands, tests/bench/README.md), a display of 60 Hz,
+// every phase between the two. What comes after the simulation, drawing and the display's refresh, is not in
+// it.
+struct Delay {
+    double mean_ms = 0, most_ms = 0;
+    double filter_ms = 0; // of which the filter
+};
+
+Delay delayOfAWebcam(float speed_mps) {
+    constexpr double kPicture_s = 1 / 30.0, kLandmarks_s = 0.014, kFrame_s = 1 / 60.0, kBegin_s = 1,
+                     kEnd_s = 2;
+    const double speed = static_cast<double>(speed_mps);
+    Delay delay;
+    int count = 0;
+    for (int phase = 0; phase < 8; ++phase) {
+        HandStream stream;
+        DeviceHands device(DeviceTime::Live);
+        HandSourceSelector choice;
+        double picture_s = kPicture_s * phase / 8, last_s = 0;
+        for (double now_s = 0; now_s < kEnd_s; now_s += kFrame_s) {
+            for (; picture_s + kLandmarks_s <= now_s; picture_s += kPicture_s) {
+                stream.push(
+                    frameAt(static_cast<int64_t>(picture_s * 1e6), static_cast<float>(speed * picture_s)));
+                last_s = picture_s;
+            }
+            device.advance(stream, kFrame_s);
+            std::array<HandPose, 2> hands;
+            for (int left = 2; left > 0; --left) choice.tick(device, hands, left, kStep_s);
+            if (now_s < kBegin_s) continue;
+            const double ago_ms = 1e3 * (now_s - static_cast<double>(xOf(hands[1])) / speed);
+            delay.mean_ms += ago_ms;
+            delay.most_ms = std::max(delay.most_ms, ago_ms);
+            delay.filter_ms += 1e3 * (last_s - static_cast<double>(xOf(device.hand(1).pose())) / speed);
+            ++count;
+        }
+    }
+    delay.mean_ms /= count;
+    delay.filter_ms /= count;
+    return delay;
+}
+
+TEST(HandDelay, OfAWebcamIsWhatItsPartsAre) {
+    for (const float speed_mps : {0.1f, 0.3f, 1.0f}) {
+        const Delay delay = delayOfAWebcam(speed_mps);
+        std::printf("%.1f m/s: filter %.1f ms; picture to simulation %.1f ms, at most %.1f\n",
+                    static_cast<double>(speed_mps), delay.filter_ms, delay.mean_ms, delay.most_ms);
+        // The filter's is that of TheLagOfAMovingHandIsWhatSlopeAndCutoffSay.
+        const auto cutoff_Hz =
+            static_cast<double>(tuning::kPosition.minCutoff_Hz + tuning::kPosition.slope * speed_mps);
+        EXPECT_NEAR(delay.filter_ms, 1e3 / (2 * 3.14159 * cutoff_Hz), 0.5);
+        // Landmarks, half a frame of the display until it looks, and what an even movement over the picture's
+        // interval, which begins with a frame's length of it, is behind; phases are 4 ms apart.
+        EXPECT_NEAR(delay.mean_ms, 14 + 1e3 / 120 + (1e3 / 30 - 1e3 / 60) + delay.filter_ms, 2);
+        EXPECT_LT(delay.most_ms, delay.mean_ms + 1e3 / 120 + 2);
+    }
 }
 
 } // namespace
