@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 namespace shoal::app {
@@ -195,7 +196,8 @@ void Application::readMenuInput() {
 void Application::measureHand() {
     ScreenFacts& facts = screens_.facts;
     const std::optional<TrackedHands>& tracked = play_->session.tracked;
-    facts.webcam = tracked && tracked->hasCamera();
+    const bool webcam = tracked && tracked->hasCamera();
+    if (std::exchange(facts.webcam, webcam) != webcam) screens_.refresh();
     if (screens_.top() != Screen::HandSize) {
         facts.handSizing = {};
         return;

@@ -25,16 +25,6 @@ Result<HandSourceChoice> parseHandSource(const std::string& text) {
                  "is not auto, mouse, leap, webcam[:FILE or number], openxr, script:FILE or replay:FILE"};
 }
 
-// What the options ask for, with the defaults that depend on other options.
-Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
-    const std::string& text = options.hands.source;
-    if (options.xr && (text.empty() || text == "auto")) return HandSourceChoice{HandSourceKind::OpenXr, {}};
-    auto choice = parseHandSource(!text.empty() ? text : options.headless ? "mouse" : "auto");
-    if (choice && choice->kind == HandSourceKind::OpenXr && !options.xr)
-        return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
-    return choice;
-}
-
 HandSource makeSource(const SessionConfig& config) {
     if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
     if (config.replay) return ReplaySource(*config.replay);
@@ -43,6 +33,15 @@ HandSource makeSource(const SessionConfig& config) {
 }
 
 } // namespace
+
+Result<HandSourceChoice> handSourceFor(const PlayOptions& options) {
+    const std::string& text = options.hands.source;
+    if (options.xr && (text.empty() || text == "auto")) return HandSourceChoice{HandSourceKind::OpenXr, {}};
+    auto choice = parseHandSource(!text.empty() ? text : options.headless ? "mouse" : "auto");
+    if (choice && choice->kind == HandSourceKind::OpenXr && !options.xr)
+        return Error{"--hands openxr", "needs --xr: these hands are tracked by a headset"};
+    return choice;
+}
 
 uint64_t drawnSeed() {
     std::random_device device;
@@ -93,12 +92,17 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
 GameSession::GameSession(const SessionConfig& config)
     : source(makeSource(config)), dive(config.species, config.dive, config.seed, config.rules),
       inputSettings_(config.inputSettings) {
-    if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
-        tracked.emplace(config.handSource, config.hands, config.rig, config.live);
+    track(config);
     events.reserve(256);
     dive.snapshot(after);
     before = after;
     shown = after;
+}
+
+void GameSession::track(const SessionConfig& config) {
+    tracked.reset();
+    if (std::holds_alternative<MouseSource>(source) && config.handSource.kind != HandSourceKind::Mouse)
+        tracked.emplace(config.handSource, config.hands, config.rig, config.live);
 }
 
 void GameSession::tick(float share, int ticksLeft) {

@@ -33,11 +33,16 @@ struct SessionConfig {
 // For a dive in a window: six digits, so that it can be read out and typed.
 uint64_t drawnSeed();
 
+// What the options ask for, with the defaults that depend on other options.
+Result<HandSourceChoice> handSourceFor(const PlayOptions& options);
+
 // Reads the files that the options name. A script or replay brings its own dive and seed.
 Result<SessionConfig> makeSessionConfig(const PlayOptions& options);
 
 struct GameSession {
     explicit GameSession(const SessionConfig& config);
+    // From now on by this device, if a person plays with the mouse beside it.
+    void track(const SessionConfig& config);
 
     // From now on, every tick is written to that file, until endRecording().
     Status record(const Path& file);

@@ -159,6 +159,24 @@ TEST_F(GamepadProgram, EveryScreenAndASettingThatStays) {
     EXPECT_NEAR(kept.volume, PlayOptions().volume - 0.05f, 1e-5f);
 }
 
+// With or without a camera: it is looked for until it is there.
+TEST_F(GamepadProgram, AWebcamThatIsChosenInTheSettingsIsThereAtOnce) {
+    play(options(), [](Player& p) {
+        p.wait(3);
+        p.choose("Settings");
+        p.choose("Hands");
+        for (int steps = 0; steps < 3; ++steps) p.tapHat(ABS_HAT0X, 1); // auto, mouse, leap, webcam
+        p.wait(3);
+        p.choose("Measure my hand");
+        EXPECT_EQ(p.page(), Screen::HandSize);
+        p.tap(BTN_EAST);
+        EXPECT_EQ(p.page(), Screen::SettingsGroup);
+        p.tap(BTN_EAST);
+        p.tap(BTN_EAST);
+        p.choose("Quit");
+    });
+}
+
 // A film that is gone when a setting needs it anew: the title comes, over the dive's own film, and says so.
 TEST_F(GamepadProgram, ASettingThatCannotTakeEffectIsSaidOnTheTitle) {
     const Path film = folder_.path() / "film.png";
