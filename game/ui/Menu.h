@@ -79,6 +79,7 @@ class Menu {
     std::optional<MenuEvent> point(const MenuInput& input);
     void place(const Pen& pen);
     void drawItem(const Pen& pen, size_t index) const;
+    const Pictures::Picture* pictureOn(const Pen& pen) const; // null: none
     Rectangle trackOf(size_t item) const; // of a slider
 
     MenuPage page_;
@@ -90,7 +91,6 @@ class Menu {
     std::vector<Rectangle> areas_;
     float scroll_ = 0, line_ = 0;           // scroll: how far the list is moved up
     float textHeight_ = 0, textScroll_ = 0; // of the whole text, and how far it is moved up in text_
-    const Pictures::Picture* pictureOn(const Pen& pen) const; // null: none
     float pictureHeight_ = 0;
     std::string picture_; // the page's, or of the item that had one and the focus last
     TextSize titleSize() const { return page_.wordmark ? TextSize::Display : TextSize::Heading; }
