@@ -270,8 +270,6 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         else
             glDisable(GL_BLEND);
         glDepthMask(!blended);
-        const GLboolean coloured = next.stage != Stage::DepthAlone;
-        glColorMask(coloured, coloured, coloured, coloured);
         unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
         const bool lean = detail_ == Detail::Lean;
         const float smoothest =
@@ -316,12 +314,14 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
                 packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
             current->setArray("phongRings_angleWeight[0]", packed);
         }
+        const GLboolean coloured = next.stage != Stage::DepthAlone;
+        glColorMask(coloured, coloured, coloured, coloured);
         drawItem(*current, item, view);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         ++drawCount_;
     }
     glFrontFace(GL_CCW);
     glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
     return Done{};

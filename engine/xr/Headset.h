@@ -35,8 +35,8 @@ struct Frame {
 // What end() shows: the pictures that were released since begin().
 struct Shown {
     bool eyes = false;
-    bool room =
-        false; // behind the eyes' pictures, where their alpha, by which they are multiplied, lets it through
+    // Behind the eyes' pictures, where their alpha, by which their light is multiplied, lets it through.
+    bool room = false;
     glm::ivec2 eyeSize{0};        // the part drawn, from the lower left; at most eyeSize()
     std::optional<Planes> planes; // of the eyes' depths, 0 to 1 from near to far; none: there are none
     bool panel = false;           // with premultiplied alpha
