@@ -57,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(All, LandmarkRows, testing::Range(size_t{0}, test::rows
                          });
 
 // Without a measured size a hand is as much farther away as it is smaller: nothing in a picture tells. What
-// is left once it is measured is the error of landmarks, in the median 2 to 4.4 % in the bench and up to 5.0
-// in these pictures: fists seem 4 to 8 % too far away.
+// is left once it is measured is the error of landmarks, in the median 1.9 to 4.3 % in the bench and up
+// to 5.0 in these pictures: fists seem 4 to 8 % too far away.
 class LandmarkSizes : public testing::TestWithParam<float> {};
 
 TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {
