@@ -130,12 +130,22 @@ class HandTrackers {
         made.locate_ = functionOf<PFN_xrLocateHandJointsEXT>(name, "xrLocateHandJointsEXT");
         if (!create || !destroy || !made.locate_)
             throw Failure("the runtime promises XR_EXT_hand_tracking and lacks its functions");
+        // No joints that a runtime makes up for a hand with a controller: Controller says more of that.
+        auto bare = XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
+        const XrHandTrackingDataSourceInfoEXT bareAlone{XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT, nullptr,
+                                                        1, &bare};
         for (size_t i = 0; i < 2; ++i) {
-            const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr,
-                                                  i == 0 ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT,
-                                                  XR_HAND_JOINT_SET_DEFAULT_EXT};
+            XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr,
+                                            i == 0 ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT,
+                                            XR_HAND_JOINT_SET_DEFAULT_EXT};
+            if (instance.uses(XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME)) info.next = &bareAlone;
             XrHandTrackerEXT tracker = XR_NULL_HANDLE;
-            check(create(session, &info, &tracker), "xrCreateHandTrackerEXT");
+            XrResult created = create(session, &info, &tracker);
+            if (created == XR_ERROR_FEATURE_UNSUPPORTED && info.next) {
+                info.next = nullptr;
+                created = create(session, &info, &tracker);
+            }
+            check(created, "xrCreateHandTrackerEXT");
             made.trackers_.emplace_back(tracker, destroy);
         }
         return made;

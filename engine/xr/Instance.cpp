@@ -125,6 +125,7 @@ Instance Instance::open(bool withHeadset) {
             return has(name);
         };
         instance.bareHands = takes(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
+        if (instance.bareHands) takes(XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME);
         instance.sensesWearer = takes(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
         instance.takesDepth = takes(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
         instance.choosesRate = takes(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME);

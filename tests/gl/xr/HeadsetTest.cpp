@@ -367,6 +367,28 @@ TEST_F(HeadsetGL, ControllersOfExtensionsAreBoundWhereTheyAreOffered) {
     EXPECT_TRUE(bound("bytedance/pico4_controller"));
 }
 
+// XR_EXT_hand_tracking_data_source: of a hand that holds a controller the controller tells more.
+TEST_F(HeadsetGL, JointsThatAreMadeUpFromAControllerAreNotAskedFor) {
+    withoutValidation();
+    for (test::FakeHand& hand : fake.hands) {
+        hand.active = true;
+        for (auto& joint : hand.joints) joint = {0xf, {{0, 0, 0, 1}, {0, 0, -0.4f}}, 0.01f};
+    }
+    fake.hands[1].isMadeUp = true;
+    const auto tracked = [&](int hand) {
+        Headset headset = open();
+        untilFocused(headset);
+        emptyFrame(headset);
+        return headset.tracking().hands[static_cast<size_t>(hand)].tracked;
+    };
+    EXPECT_TRUE(tracked(1)) << "a runtime that cannot tell";
+    fake.extensions.insert(XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME);
+    EXPECT_TRUE(tracked(0));
+    EXPECT_FALSE(tracked(1));
+    fake.tellsDataSources = false;
+    EXPECT_TRUE(tracked(1));
+}
+
 TEST_F(HeadsetGL, AHandIsTrackedWhereAllItsJointsAreKnown) {
     fake.hands[0].active = true;
     for (auto& joint : fake.hands[0].joints) joint = {0xf, {{0, 0, 0, 1}, {0, 0, -0.4f}}, 0.01f};

@@ -26,6 +26,8 @@ namespace shoal::test {
 
 struct FakeHand {
     bool active = false;
+    bool isMadeUp = false;  // of a hand that holds a controller
+    bool bareAlone = false; // its tracker was asked for what is not made up
     std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{}; // in LOCAL's frame
 };
 
@@ -94,6 +96,7 @@ struct FakeRuntime {
     std::vector<float> refreshRates_Hz = {72, 80, 90, 120}; // with XR_FB_display_refresh_rate
     float refreshRate_Hz = 72;
     bool shouldRender = true;
+    bool tellsDataSources = true;               // of hands; else it fails where they are asked for
     bool focusesByItself = true;                // after the first frame
     bool sensesWearer = true;                   // with XR_EXT_user_presence
     bool keepPictures = false;                  // of the eyes and the panel, each frame anew

@@ -210,8 +210,17 @@ XrResult xrStopHapticFeedback(XrSession, const XrHapticActionInfo* info) {
 
 XrResult xrCreateHandTrackerEXT(XrSession, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* out) {
     FAKE_XR(xrCreateHandTrackerEXT);
-    ++shoalFakeRuntime().handTrackers;
-    *out = handleOf<XrHandTrackerEXT>(&shoalFakeRuntime().hands[info->hand == XR_HAND_LEFT_EXT ? 0 : 1]);
+    FakeRuntime& fake = shoalFakeRuntime();
+    FakeHand& hand = fake.hands[info->hand == XR_HAND_LEFT_EXT ? 0 : 1];
+    const auto* source = static_cast<const XrHandTrackingDataSourceInfoEXT*>(info->next);
+    if (source && (source->type != XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT ||
+                   !fake.enabled.contains(XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME)))
+        fake.complain("xrCreateHandTrackerEXT: something is chained that is not known or not enabled");
+    if (source && !fake.tellsDataSources) return XR_ERROR_FEATURE_UNSUPPORTED;
+    hand.bareAlone = source && source->requestedDataSourceCount == 1 &&
+                     source->requestedDataSources[0] == XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
+    ++fake.handTrackers;
+    *out = handleOf<XrHandTrackerEXT>(&hand);
     return XR_SUCCESS;
 }
 XrResult xrDestroyHandTrackerEXT(XrHandTrackerEXT) {
@@ -224,8 +233,8 @@ XrResult xrLocateHandJointsEXT(XrHandTrackerEXT tracker, const XrHandJointsLocat
     FAKE_XR(xrLocateHandJointsEXT);
     const FakeHand& hand = objectOf<FakeHand>(tracker);
     if (out->jointCount != XR_HAND_JOINT_COUNT_EXT) return XR_ERROR_VALIDATION_FAILURE;
-    out->isActive = hand.active;
-    if (!hand.active) return XR_SUCCESS;
+    out->isActive = hand.active && !(hand.isMadeUp && hand.bareAlone);
+    if (!out->isActive) return XR_SUCCESS;
     const Place baseFromLocal = inverse(localFromSpace(info->baseSpace));
     for (size_t i = 0; i < hand.joints.size(); ++i) {
         out->jointLocations[i] = hand.joints[i];
