@@ -1,6 +1,7 @@
 #include "game/app/StopSignals.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace shoal::app {
 
