@@ -61,16 +61,22 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
         layer_.emplace(size.x, size.y, samples);
         samples_ = samples;
     }
+    areRead_ = false;
     layer_->bind();
     glDepthMask(GL_TRUE);
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+std::vector<uint32_t>& LayerPass::pixels() {
+    if (!areRead_) layer_->readBgra(pixels_);
+    areRead_ = true;
+    return pixels_;
+}
+
 void LayerPass::smoothOutlines() {
     const glm::ivec2 size(layer_->width(), layer_->height());
-    layer_->readBgra(pixels_);
-    smoother_.smooth(pixels_, size);
+    smoother_.smooth(pixels(), size);
     glBindTexture(GL_TEXTURE_2D, layer_->texture());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, pixels_.data());

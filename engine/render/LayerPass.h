@@ -50,6 +50,8 @@ class LayerPass {
     void layOver(std::span<const scene::Sphere> spheres, const View& view);
 
     const gl::Target& layer() const { return *layer_; } // after begin()
+    // After end(): of the layer, blue first, from the lowest row; read once, waiting until it is drawn.
+    std::vector<uint32_t>& pixels();
 
   private:
     gl::Program program_;
@@ -57,7 +59,8 @@ class LayerPass {
     std::optional<gl::Target> layer_;
     int samples_ = 0;
     OutlineSmoother smoother_;
-    std::vector<uint32_t> pixels_;   // scratch: of the layer
+    std::vector<uint32_t> pixels_;   // of the layer
+    bool areRead_ = false;           // since begin()
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
     std::vector<glm::vec2> corners_; // scratch: of their triangles
 };

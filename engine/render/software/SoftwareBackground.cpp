@@ -93,8 +93,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
 // Into the wanted tiles, and those cells of the picture that show them.
 void SoftwareBackground::paintObjects(const EyePicture& picture, const TexelLayer& layer) {
     const gl::Target& drawn = layer.layer.layer();
-    drawn.readBgra(layer_);
-    TexelPaint paint{.layer = layer_.data(),
+    TexelPaint paint{.layer = layer.layer.pixels().data(),
                      .layerSize = {drawn.width(), drawn.height()},
                      .eyeFromEnv =
                          glm::transpose(picture.envFromWorld * glm::mat3_cast(layer.view.worldFromEye)),

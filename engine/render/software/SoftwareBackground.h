@@ -61,7 +61,6 @@ class SoftwareBackground final : public BackgroundPass {
     BackgroundCells grid_;
     std::vector<State> states_;     // of the grid's cells
     std::vector<uint32_t> picture_; // rows from the bottom
-    std::vector<uint32_t> layer_;   // scratch: the layer's pixels
     std::vector<uint8_t> grain_;    // once something is filmed
     // A copy of the frame with objects in its texels, of which only the wanted tiles are written. Not a
     // vector, which would touch all of its memory: objects are in few places.
