@@ -17,8 +17,9 @@ enum FeatureBit : unsigned {
     kPolarBit = 1u << kToneFeatures,
     kAsIs = 1u << (kToneFeatures + 1),
     kFrameIsCoded = 1u << (kToneFeatures + 2),
+    kShaded = 1u << (kToneFeatures + 3),
 };
-constexpr std::array kBackgroundDefines = {SHOAL_TONE_DEFINES, "POLAR", "AS_IS", "FRAME_IS_CODED"};
+constexpr std::array kBackgroundDefines = {SHOAL_TONE_DEFINES, "POLAR", "AS_IS", "FRAME_IS_CODED", "SHADED"};
 
 unsigned featuresOf(const EnvironmentGpu& environment, const Exposure& exposure) {
     if (showsFrameAsCoded(environment, exposure)) return kAsIs;
@@ -67,13 +68,16 @@ Status BackgroundPass::draw(const EyePicture& picture, const TexelLayer* layer) 
 }
 
 Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* layer) {
+    if (drawn_.empty()) return Done{};
     wanted_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : drawn_)
         if (isPainted) want(layer->tiles, *cell);
+    const bool isShaded = picture.shadows && !picture.shadows->empty();
+    const GLuint shadows = isShaded ? shadowTexture_.update(*picture.shadows) : 0;
     if (std::ranges::find(wanted_, true) != wanted_.end()) {
         const FilmedFrame* filmed = layer->filmed ? &picture.filmed : nullptr;
         composite_.paint(picture.environment, layer->tiles, wanted_, layer->layer.layer().texture(),
-                         layer->view, picture.envFromWorld, filmed);
+                         layer->view, picture.envFromWorld, filmed, shadows);
         picture.canvas.bindColour();
     }
     glDisable(GL_BLEND);
@@ -91,13 +95,14 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
             }
         }
         if (corners_.empty()) continue;
-        auto found =
-            programs_.get(featuresOf(picture.environment, picture.exposure) | (polar ? kPolarBit : 0u));
+        auto found = programs_.get(featuresOf(picture.environment, picture.exposure) |
+                                   (polar ? kPolarBit : 0u) | (shadows && !shownPainted ? kShaded : 0u));
         if (!found) return found.error();
         const gl::Program& program = **found;
         program.use();
         program.setTexture("frame", UNIT_FRAME,
                            shownPainted ? composite_.texture() : picture.environment.frameTexture());
+        if (shadows && !shownPainted) program.setTexture("shadowsLeft", UNIT_SHADOWS, shadows);
         program.set("exposureScale", picture.exposure.scale());
         rectangles_.draw(corners_);
     }

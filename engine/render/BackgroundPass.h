@@ -1,12 +1,15 @@
-// Draws the environment behind everything, with a layer of objects in the texels of its frame if there is
-// one. Pairs with shaders/render/Background. This is the OpenGL implementation, for any context from 3.3;
-// where the driver renders on the processor, make() returns software/SoftwareBackground instead.
+// Draws the environment behind everything, with the shadows of bodies on it, and a layer of objects in the
+// texels of its frame if there is one. Pairs with shaders/render/Background. This is the OpenGL
+// implementation, for any context from 3.3; where the driver renders on the processor, make() returns
+// software/SoftwareBackground instead.
 #pragma once
 
 #include "engine/gl/Program.h"
 #include "engine/render/BackgroundCells.h"
 #include "engine/render/EquirectComposite.h"
+#include "engine/render/FilmShadows.h"
 #include "engine/render/LayerPass.h"
+#include "engine/render/ShadowTexture.h"
 #include "engine/render/TriangleBatch.h"
 
 #include <memory>
@@ -28,6 +31,7 @@ struct EyePicture {
     // Of the eye, from the film's camera, env frame: what the film shows is drawn at its distance, as far as
     // it is known. 0: as if it were endlessly far, so that the eye sees what the camera saw.
     glm::vec3 eyeInFilm{0};
+    const FilmShadows* shadows = nullptr; // on what the film shows, under the objects; null: none
     SkippedPass skip = SkippedPass::None;
     Surroundings surroundings = Surroundings::Film;
 
@@ -85,6 +89,7 @@ class BackgroundPass {
     BackgroundCells cells_;
     std::vector<Corner> corners_; // scratch
     EquirectComposite composite_;
+    ShadowTexture shadowTexture_;
 };
 
 // Whether the frame is displayed exactly as it is coded: no curve, no exposure.

@@ -5,9 +5,9 @@
 // is a disc and the ellipsoid casts an ellipse. The share of a disc that lies beyond a line at t of its
 // radius is
 //     C(t) = 1/2 + (t sqrt(1 - t^2) + asin t) / pi,
-// so that a strip hides C(t1) - C(t0) of it, exactly. The ellipse is taken for a rectangle of the same area
-// and axes, which is taken to hide the product of what the two strips hide that it lies in: integrated over
-// level ground a body takes no more light than its silhouette does.
+// so that a strip hides C(t1) - C(t0) of it, exactly. discBefore() is C within 0.003. The ellipse is taken
+// for a rectangle of the same area and axes, which is taken to hide the product of what the two strips hide
+// that it lies in: integrated over level ground a body takes no more light than its silhouette does.
 //
 // Shafts are not dimmed. Single scattering in the film's water, under the light that open frames of it were
 // filmed in, integrated along every ray around a shark, all that it sends itself left out, loses at most 9 %
@@ -22,9 +22,11 @@
 #include "engine/occlusion/Ellipsoid.h"
 #include "engine/render/View.h"
 
+#include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -39,6 +41,8 @@ struct CastingLight {
     // 1 where its lower edge is well above the horizon, falling to 0: of lower lights the share on level
     // ground is too small to tell that on other surfaces.
     float raised() const;
+    // Of its radius, but of no light that is narrower than a sun's disc.
+    float discTangent() const { return std::max(tangent, 0.01f); }
     // Of the irradiance that it gives a surface, the cosine of the angle between whose normal and the way to
     // the light is this. The other light is taken to be as much there as on level ground.
     glm::vec3 shareAt(float cosine) const;
@@ -46,9 +50,16 @@ struct CastingLight {
 
 // What a frame of a film shows, by its distances.
 struct FilmSurface {
-    const depth::DepthMap& map;
-    glm::mat3 envFromWorld{1}; // a rotation; the film's camera is at the world's origin
+    const depth::DepthMap* map = nullptr; // never null where it is used
+    glm::mat3 envFromWorld{1};            // a rotation
+    glm::vec3 cameraWorld{0.0f};          // the film's
 };
+
+// The share of a disc of radius 1 before a line at t: C(t) as above, a polynomial, without calls.
+inline float discBefore(float t) {
+    const float c = std::min(std::max(t, -1.0f), 1.0f), c2 = c * c;
+    return 0.5f + c * (0.65733645f + c2 * (-0.27372406f + c2 * (0.32543878f - c2 * 0.20905117f)));
+}
 
 // An ellipsoid's silhouette as the light sees it, as a rectangle of the same area.
 struct FlatPiece {
@@ -70,32 +81,24 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
 // What begins within the surface, as a hand that touches it, meets it at once. dirWorld: about unit length.
 float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m);
 
-// The surface that a body shades, as a grid that is about rectangular as the light sees it, so that what is
-// taken can be taken for linear between its nodes.
-struct ShadowGrid {
-    struct Node {
-        glm::vec3 place{0}; // world frame, on the surface
-        glm::vec3 taken{0}; // of the irradiance there, 0 to 1
-        float fall_m = -1;  // from the body's top, along the light's way; negative: no surface
-    };
-    int across = 0, down = 0; // cells; 0: no shadow
-    float cell_m = 0;         // largest extent of one, at right angles to the light
-    std::vector<Node> nodes;  // rows of across + 1
+constexpr float kMinDisc_m = 1e-3f; // of the light, seen from a place that a body touches
 
-    // x from 0 to across, y to down.
-    Node& at(int x, int y) { return nodes[static_cast<size_t>(y * (across + 1) + x)]; }
-    const Node& at(int x, int y) const { return nodes[static_cast<size_t>(y * (across + 1) + x)]; }
+// Where the shadow of a body's piece falls on what a film shows.
+struct Spot {
+    FlatPiece piece;
+    float fall_m = 0;   // from the piece, along the light's way
+    float radius_m = 0; // at right angles to it, with the penumbra
+    float fade = 1;     // to multiply with what the piece hides: shadows end where they have fallen far
 
-    // Whether three nodes lie on one surface, with a shadow between them.
-    bool shades(size_t a, size_t b, size_t c) const;
+    glm::vec3 middle(const CastingLight& light) const { return piece.middle - fall_m * light.towards; }
 };
 
-// Whether an eye may see where a body's shadow falls. body: flattened for this light.
-bool mayBeSeen(std::span<const FlatPiece> body, const CastingLight& light, const View& eye);
+// Replaces out. Pieces below which the film shows nothing, or nothing near enough, have no spot. body:
+// flattened for this light.
+void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
+               std::vector<Spot>& out);
 
-// Replaces out. No cells where the body would take less than `minimum` of the light anywhere; a body that
-// takes a little more comes in faintly. body: flattened for this light.
-void castOn(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
-            float minimum, ShadowGrid& out);
+// The share of the light's disc that a body hides where its shadow is darkest, at most.
+float darkest(std::span<const Spot> spots, const CastingLight& light);
 
 } // namespace shoal::render

@@ -87,22 +87,13 @@ Status Compositor::drawBackground(const EyePicture& picture, CompositorScene& sc
         return Done{};
     }
     const TexelLayer layer{layerOf(picture), widened(picture.view, kLayerWidth), tiles_, filmed()};
-    {
-        const gl::PassTimers::Scope scope(scene.timers(), "background");
-        if (picture.skip == SkippedPass::Background) {
-            glClearColor(0, 0, 0, 1);
-            glClear(GL_COLOR_BUFFER_BIT);
-        } else if (Status s = background_->draw(picture, drawsIntoTexels(picture) ? &layer : nullptr); !s) {
-            return s;
-        }
+    const gl::PassTimers::Scope scope(scene.timers(), "background");
+    if (picture.skip == SkippedPass::Background) {
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        return Done{};
     }
-    if (drawsIntoTexels(picture)) {
-        const ShadowPass::Cover cover{layer.layer.layer().texture(), kLayerWidth, picture.size()};
-        scene.drawShadows(picture, &cover);
-    } else if (drawsObjects()) {
-        scene.drawShadows(picture, nullptr);
-    }
-    return Done{};
+    return background_->draw(picture, drawsIntoTexels(picture) ? &layer : nullptr);
 }
 
 Status Compositor::drawForeground(const EyePicture& picture, CompositorScene& scene) {

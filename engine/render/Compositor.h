@@ -6,7 +6,6 @@
 #include "engine/render/BackgroundPass.h"
 #include "engine/render/DepthPass.h"
 #include "engine/render/ParticlePass.h"
-#include "engine/render/ShadowPass.h"
 
 #include <array>
 #include <functional>
@@ -22,8 +21,6 @@ class CompositorScene {
     // With depth, which has been cleared. Colours are premultiplied by coverage.
     virtual Status drawObjects(const EyePicture& picture) = 0;
     virtual Status drawParticles(ParticlePass::On on, const EyePicture& picture) = 0;
-    // On the background just drawn. cover: where objects are in it already; null: nowhere.
-    virtual void drawShadows(const EyePicture& picture, const ShadowPass::Cover* cover) = 0;
     virtual gl::PassTimers& timers() = 0;
     // Spheres that hold all objects in the view; world. Valid until the next call.
     virtual std::span<const scene::Sphere> visibleSpheres(const View& view) = 0;

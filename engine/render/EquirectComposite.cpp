@@ -14,6 +14,7 @@ namespace shoal::render {
 
 namespace {
 
+enum Feature : unsigned { kFilmed = 1, kShaded = 2 };
 constexpr float kFinest = 0.6f;            // texels
 constexpr float kUnseenNoise = 0.3f / 255; // standard deviation
 // A range of 16 to 235 that is shown as 0 to 255 lacks both ends in all channels. Where one end alone is
@@ -80,9 +81,15 @@ gl::Texture makeGrainTexture() {
 
 Result<EquirectComposite> EquirectComposite::make() {
     EquirectComposite pass;
-    const std::string stem = "render/EquirectComposite";
-    if (Status s = gl::Program::load(stem).moveTo(pass.plain_); !s) return s.error();
-    if (Status s = gl::Program::load(stem, {"FILMED"}).moveTo(pass.filmed_); !s) return s.error();
+    for (unsigned features = 0; features < pass.programs_.size(); ++features) {
+        std::vector<std::string> defines;
+        if (features & kFilmed) defines.push_back("FILMED");
+        if (features & kShaded) defines.push_back("SHADED");
+        if (Status s =
+                gl::Program::load("render/EquirectComposite", defines).moveTo(pass.programs_[features]);
+            !s)
+            return s.error();
+    }
     pass.grain_ = makeGrainTexture();
     pass.drawn_ = TriangleBatch::make();
     pass.framebuffer_ = gl::Framebuffer::make();
@@ -91,7 +98,7 @@ Result<EquirectComposite> EquirectComposite::make() {
 
 void EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTiles& tiles,
                               const std::vector<bool>& wanted, GLuint layer, const View& layerView,
-                              const glm::mat3& envFromWorld, const FilmedFrame* filmed) {
+                              const glm::mat3& envFromWorld, const FilmedFrame* filmed, GLuint shadows) {
     assert(environment.frameIsCoded());
     const glm::ivec2 size = tiles.frameSize();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -112,7 +119,7 @@ void EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTile
     });
     if (corners_.empty()) return;
 
-    const gl::Program& program = filmed ? filmed_ : plain_;
+    const gl::Program& program = programs_[(filmed ? kFilmed : 0u) | (shadows ? kShaded : 0u)];
     const GLuint frame = environment.frameTexture(); // before other textures are bound: it may upload
     program.use();
     if (filmed) {
@@ -128,6 +135,7 @@ void EquirectComposite::paint(const EnvironmentGpu& environment, const FrameTile
         program.setTexture("scattered", 1, environment.scatteredTexture());
         program.setTexture("grain", 3, grain_.name());
     }
+    if (shadows) program.setTexture("shadowsLeft", 4, shadows);
     program.setTexture("frame", 2, frame);
     program.setTexture("layer", 0, layer);
     program.set("eyeFromEnv", glm::transpose(envFromWorld * glm::mat3_cast(layerView.worldFromEye)));

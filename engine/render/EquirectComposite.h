@@ -64,15 +64,16 @@ class EquirectComposite {
 
     // Writes the wanted tiles (indices as FrameTiles counts them). layer: a texture of display values,
     // premultiplied, seen by layerView; nothing may be in it beside the chosen tiles. Leaves another
-    // framebuffer bound. Display-coded frames only. filmed: null for the layer as it is.
+    // framebuffer bound. Display-coded frames only. shadows: ShadowTexture's; 0: none. filmed: null for the
+    // layer as it is.
     void paint(const EnvironmentGpu& environment, const FrameTiles& tiles, const std::vector<bool>& wanted,
                GLuint layer, const View& layerView, const glm::mat3& envFromWorld,
-               const FilmedFrame* filmed = nullptr);
+               const FilmedFrame* filmed = nullptr, GLuint shadows = 0);
 
     GLuint texture() const { return frame_.name(); } // undefined beside the tiles painted last
 
   private:
-    gl::Program plain_, filmed_;
+    std::array<gl::Program, 4> programs_; // by features
     gl::Texture grain_;
     TriangleBatch drawn_;
     gl::Texture frame_;

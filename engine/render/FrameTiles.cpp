@@ -1,7 +1,5 @@
 #include "engine/render/FrameTiles.h"
 
-#include "engine/math/LatLongCap.h"
-
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -13,25 +11,25 @@ namespace {
 constexpr float kMargin = 2; // texels that a layer's filter spreads an object by
 } // namespace
 
-void FrameTiles::chooseCap(const glm::vec3& dirEnv, float halfAngle) {
+void FrameTiles::clear(const glm::ivec2& frameSize) {
+    frameSize_ = frameSize;
+    chosen_.assign(kAll, false);
+}
+
+CellRange FrameTiles::cellsOf(const glm::vec3& centreEnv, float radius) const {
+    const float distance = glm::length(centreEnv);
+    // Around the camera: everywhere.
+    const float halfAngle = distance > radius ? std::asin(radius / distance) : std::numbers::pi_v<float>;
     const float margin = kMargin * std::numbers::pi_v<float> / static_cast<float>(frameSize_.y);
-    const CellRange range = cellsOfCap(kCount, dirEnv, halfAngle + margin);
-    for (int y = range.first.y; y <= range.last.y; ++y)
-        for (int x = range.first.x; x <= range.last.x; ++x) chosen_[indexOf(x, y)] = true;
+    return cellsOfCap(kCount, distance > 0 ? centreEnv / distance : glm::vec3(0, 0, -1), halfAngle + margin);
 }
 
 void FrameTiles::choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
                         std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld) {
-    frameSize_ = frameSize;
-    chosen_.assign(kAll, false);
-    for (const scene::Sphere& sphere : spheres) {
-        const glm::vec3 away = sphere.centre - eyeWorld;
-        const float distance = glm::length(away);
-        // Around the eye: everywhere.
-        const float halfAngle =
-            distance > sphere.radius ? std::asin(sphere.radius / distance) : std::numbers::pi_v<float>;
-        chooseCap(distance > 0 ? envFromWorld * (away / distance) : glm::vec3(0, 0, -1), halfAngle);
-    }
+    clear(frameSize);
+    for (const scene::Sphere& sphere : spheres)
+        eachOfSphere(envFromWorld * (sphere.centre - eyeWorld), sphere.radius,
+                     [&](const glm::ivec2& tile) { choose(tile); });
 }
 
 } // namespace shoal::render

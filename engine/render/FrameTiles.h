@@ -1,6 +1,7 @@
 // Tiles of a lat-long frame's texels: in which of them objects may be.
 #pragma once
 
+#include "engine/math/LatLongCap.h"
 #include "engine/scene/Model.h"
 
 #include <glm/common.hpp>
@@ -21,6 +22,18 @@ class FrameTiles {
     static constexpr glm::ivec2 kCount{128, 64};
     static constexpr size_t kAll = size_t{128} * 64;
 
+    // None.
+    void clear(const glm::ivec2& frameSize);
+    void choose(const glm::ivec2& tile) { chosen_[indexOf(tile.x, tile.y)] = true; }
+    // visit(tile) of each of the cap behind which a sphere stands, seen from the frame's camera, and of a
+    // margin about it.
+    template <class Visit> void eachOfSphere(const glm::vec3& centreEnv, float radius, Visit&& visit) const {
+        const CellRange range = cellsOf(centreEnv, radius);
+        for (int y = range.first.y; y <= range.last.y; ++y)
+            for (int x = range.first.x; x <= range.last.x; ++x)
+                visit(glm::ivec2((x + 2 * kCount.x) % kCount.x, y));
+    }
+
     // The tiles of the caps behind which these spheres stand, and a margin about them.
     void choose(const glm::ivec2& frameSize, const glm::mat3& envFromWorld,
                 std::span<const scene::Sphere> spheres, const glm::vec3& eyeWorld);
@@ -29,7 +42,17 @@ class FrameTiles {
     const std::vector<bool>& chosen() const { return chosen_; } // row by row; empty before choose()
 
     // Where a tile begins, in texels; kCount: where the last ends.
-    glm::ivec2 lowOf(const glm::ivec2& tile) const { return tile * frameSize_ / kCount; }
+    glm::ivec2 lowOf(const glm::ivec2& tile) const { return lowOf(tile, frameSize_); }
+    static glm::ivec2 lowOf(const glm::ivec2& tile, const glm::ivec2& frameSize) {
+        return tile * frameSize / kCount;
+    }
+
+    // visit(tile) of each that is chosen.
+    template <class Visit> void eachChosen(Visit&& visit) const {
+        for (int y = 0; y < kCount.y; ++y)
+            for (int x = 0; x < kCount.x; ++x)
+                if (chosen_[indexOf(x, y)]) visit(glm::ivec2(x, y));
+    }
 
     // touch(index) of each tile that has a texel between these coordinates of the map, or beside one. Columns
     // repeat: the seam is none.
@@ -54,7 +77,7 @@ class FrameTiles {
     static size_t indexOf(int x, int y) {
         return static_cast<size_t>(y * kCount.x + (x + 2 * kCount.x) % kCount.x);
     }
-    void chooseCap(const glm::vec3& dirEnv, float halfAngle);
+    CellRange cellsOf(const glm::vec3& centreEnv, float radius) const;
 
     glm::ivec2 frameSize_{0};
     std::vector<bool> chosen_;

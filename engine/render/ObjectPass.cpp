@@ -56,19 +56,6 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
     return features;
 }
 
-// Whether the sphere reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
-bool sees(const View& view, const Sphere& sphere) {
-    const glm::vec3 inEye = glm::conjugate(view.worldFromEye) * (sphere.centre - view.eyeWorld);
-    if (-inEye.z < view.near_m - sphere.radius || -inEye.z > view.far_m + sphere.radius) return false;
-    const glm::vec2 half = view.halfExtent();
-    const auto beyond = [&](float across,
-                            float slope) { // distance outside of the plane across = slope * ahead
-        return (across + slope * inEye.z) / std::sqrt(1 + slope * slope) > sphere.radius;
-    };
-    return !(beyond(inEye.x, half.x + view.shift.x) || beyond(-inEye.x, half.x - view.shift.x) ||
-             beyond(inEye.y, half.y + view.shift.y) || beyond(-inEye.y, half.y - view.shift.y));
-}
-
 // World metres that no one sees at the sphere's nearest point.
 float toleranceFor(const Sphere& sphere, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
@@ -202,20 +189,29 @@ bool ObjectPass::isSeen(const Object& object, const View& view) const {
            std::ranges::any_of(partsOf(object), [&](const Sphere& part) { return sees(view, part); });
 }
 
-// By the film's range within the cap behind which the object stands, widened by what an eye beside the camera
-// sees past its edges.
+// By the film's range within the caps behind which the object's parts stand, widened by what an eye beside
+// the camera sees past their edges. By its parts: the sphere around an arm holds the eye, the arm does not.
 ObjectPass::Behind ObjectPass::behindFilm(const Object& object, const EnvironmentGpu& environment,
                                           const View& view, const glm::mat3& envFromWorld,
                                           const glm::vec3& eyeInFilm) const {
     if (!environment.depthRange()) return Behind::Nothing;
-    const glm::vec3 away = object.bound.centre - view.eyeWorld;
-    const float distance = glm::length(away), radius = object.bound.radius, beside = glm::length(eyeInFilm);
-    if (distance <= radius) return Behind::Perhaps;
-    const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;
-    const auto film = environment.depthRange()->around(envFromWorld * (away / distance), halfAngle);
-    // Distances from the film's camera and from the eye differ by at most what lies between them.
-    if (film.max_perM * (distance + radius + beside) <= 1) return Behind::Nothing;
-    return film.min_perM * (distance - radius - beside) > 1 ? Behind::All : Behind::Perhaps;
+    const float beside = glm::length(eyeInFilm);
+    const auto behind = [&](const Sphere& part) {
+        const glm::vec3 away = part.centre - view.eyeWorld;
+        const float distance = glm::length(away), radius = part.radius;
+        // Distances from the film's camera and from the eye differ by at most what lies between them.
+        if (distance + radius + beside <= depth::kNearest_m) return Behind::Nothing;
+        if (distance <= radius) return Behind::Perhaps;
+        const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;
+        const auto film = environment.depthRange()->around(envFromWorld * (away / distance), halfAngle);
+        if (film.max_perM * (distance + radius + beside) <= 1) return Behind::Nothing;
+        return film.min_perM * (distance - radius - beside) > 1 ? Behind::All : Behind::Perhaps;
+    };
+    const std::span<const Sphere> parts = partsOf(object);
+    const Behind all = behind(parts[0]);
+    return std::ranges::all_of(parts, [&](const Sphere& part) { return behind(part) == all; })
+               ? all
+               : Behind::Perhaps;
 }
 
 bool ObjectPass::shaded(const Item& item) const {

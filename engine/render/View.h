@@ -1,6 +1,8 @@
 // One eye: where it stands, where it looks, what it covers; and the choices of how its picture is drawn.
 #pragma once
 
+#include "engine/math/Sphere.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
@@ -34,6 +36,9 @@ struct View {
                glm::translate(glm::mat4(1), -eyeWorld);
     }
 };
+
+// Whether the sphere reaches into the view's pyramid. Errs towards yes at the pyramid's edges.
+bool sees(const View& view, const Sphere& sphere);
 
 // How a video's coded values are radiance.
 enum class FrameCoding {
@@ -94,8 +99,9 @@ enum class Surroundings {
     Room // what a headset's cameras see of the player's room: the picture is clear there, alpha 0
 };
 
-// A pass that can be left out, to find out which one draws what.
-enum class SkippedPass { None, Background, Objects, Particles, Shadows, Overlay };
+// A pass that can be left out, to find out which one draws what, and what it costs. Depth: what of the film
+// is nearer than an object does not hide it, nor are there shadows; the same animals swim where they would.
+enum class SkippedPass { None, Background, Objects, Particles, Shadows, Depth, Overlay };
 
 // What objects are drawn as, to find out where their light comes from.
 enum class ShownQuantity {

@@ -175,6 +175,7 @@ EnvironmentSetup Application::environmentSetup(float minRoughness) {
     return {.options = options_.environment,
             .defaultVideo = filmFor(dataRoot() / "content" / config_.dive.video, options_.film, slow),
             .bothEyes = options_.stereo == StereoOutput::SideBySide || options_.xr,
+            .drawsDepth = options_.look.skip != render::SkippedPass::Depth,
             .waterIsCertain = own || options_.water == WaterChoice::On,
             .analysis = analysis,
             .wait = [this](float share) { return drawLoading(share); }};

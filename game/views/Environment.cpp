@@ -149,7 +149,7 @@ Status Environment::openEnv(const Path& file) {
 void Environment::prepareFor(light::LightQuality quality, size_t slots) {
     setup_.analysis.quality = quality;
     setup_.analysis.frames = setup_.options.light;
-    setup_.analysis.lights = setup_.analysis.lights && hasDepthTrack();
+    setup_.analysis.lights = setup_.analysis.lights && hasDepthTrack() && setup_.drawsDepth;
     analysis_.emplace(setup_.analysis);
     found_.resize(slots);
     pictures_.resize(slots);
@@ -179,7 +179,7 @@ void Environment::prepareDepth(const media::VideoFrame& frame, const light::Fram
 void Environment::prepare(const media::VideoFrame& frame) {
     const light::FrameView leftEye = leftEyeOf(frame.pixelsBgr, frame.layout, true);
     analysis_->analyse(leftEye, found_[frame.slot]);
-    if (depthTrack_) prepareDepth(frame, leftEye);
+    if (depthTrack_ && setup_.drawsDepth) prepareDepth(frame, leftEye);
     found_[frame.slot].cameraResponse.response.chromaTexels = glm::min(frame.chromaTexels, 2);
     media::toBgra(frame.pixelsBgr, true, pictures_[frame.slot]);
 }

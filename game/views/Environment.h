@@ -29,6 +29,7 @@ struct EnvironmentSetup {
     EnvironmentOptions options;
     Path defaultVideo;          // played where the options name nothing
     bool bothEyes = false;      // a stereo picture shows each eye its own half; else all see the left one
+    bool drawsDepth = true;     // else the video's distances are there for the rules alone
     bool waterIsCertain = true; // where the analysis looks for it; false: as far as the picture shows it
     AnalysisOptions analysis;
     // Called while something takes its time, a live video's first frame or a photo that is grown, with the

@@ -14,12 +14,9 @@ namespace shoal::app {
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();
-    Passes passes{std::move(*objects), {}, {}, {}};
+    Passes passes{std::move(*objects), {}, {}};
     if (setup.particles) {
         if (Status s = render::ParticlePass::make().moveTo(passes.particles); !s) return s.error();
-    }
-    if (setup.shadows) {
-        if (Status s = render::ShadowPass::make().moveTo(passes.shadows); !s) return s.error();
     }
     if (Status s = render::Compositor::make(setup.compositor).moveTo(passes.compositor); !s) return s.error();
     return passes;
@@ -57,28 +54,42 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     passes_.objects.upload(environment.envFromWorld());
 }
 
-// Of a film whose distances are not known, nothing is: shadows would hang in the water.
-void SceneRenderer::castShadows() {
+std::optional<render::CastingLight> SceneRenderer::castingLight() const {
     constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
-    passes_.shadows->begin();
-    if (pictures_[0].surroundings == render::Surroundings::Room) return;
-    if (!passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows) return;
-    const depth::DepthMap* map = environment_->depth();
-    if (!map) return;
     const light::ShadowLight& found = environment_->shadowLight();
-    const render::FilmSurface film{*map, environment_->envFromWorld()};
     render::CastingLight light;
-    light.towards = glm::transpose(film.envFromWorld) * found.light.direction;
+    light.towards = glm::transpose(environment_->envFromWorld()) * found.light.direction;
     light.tangent = std::tan(std::min(found.light.radius, kWidest));
     const glm::vec3 all = glm::max(found.groundIrradiance, 1e-6f);
     light.share = glm::clamp(found.light.irradiance * std::max(light.towards.y, 0.0f) / all, 0.0f, 1.0f);
     light.presence = found.presence * light.raised();
-    if (light.presence == 0) return;
+    if (light.presence == 0) return {};
+    return light;
+}
+
+// Of a film whose distances are not known, nothing is: shadows would hang in the water.
+void SceneRenderer::castShadows() {
+    const depth::DepthMap* map = environment_->depth();
+    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room ||
+        !passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows)
+        return;
+    const auto light = castingLight();
+    if (!light) return;
+    const gl::PassTimers::Scope scope(timers_, "shadows");
     filmed_.clear();
     for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
     const render::NearBodies& bodies = passes_.objects.bodies();
-    for (size_t body = 0; body < bodies.count(); ++body)
-        passes_.shadows->add(bodies.ellipsoids(body), light, film, filmed_);
+    const size_t films = pictures_[0].sharesFrame ? 1 : pictures_.size();
+    for (size_t film = 0; film < films; ++film) {
+        const glm::vec3 camera = films == 1 ? glm::vec3(0) : filmed_[film].eyeWorld;
+        shadows_[film].begin({map, environment_->envFromWorld(), camera}, exposure_.frames,
+                             environment_->water());
+        const auto eyes = films == 1 ? std::span<const render::View>(filmed_) : std::span(&filmed_[film], 1);
+        for (size_t body = 0; body < bodies.count(); ++body)
+            shadows_[film].add(bodies.ellipsoids(body), *light, eyes);
+    }
+    for (size_t eye = 0; eye < pictures_.size(); ++eye)
+        pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
 }
 
 // A film with distances is drawn as if filmed from the world's origin; one without as if endlessly far. An
@@ -107,7 +118,7 @@ render::EyePicture SceneRenderer::pictureOf(const Eye& eye) const {
 Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye) {
     pictures_.clear();
     for (const Eye& eye : eyes) pictures_.push_back(pictureOf(eye));
-    if (passes_.shadows) castShadows();
+    castShadows();
     Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
@@ -152,19 +163,10 @@ render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const 
     return view;
 }
 
-void SceneRenderer::drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) {
-    if (!passes_.shadows) return;
-    const gl::PassTimers::Scope scope(timers_, "shadows");
-    passes_.shadows->draw(filmedFrom(picture), exposure_.frames, environment_->water(), cover);
-}
-
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
     return passes_.objects.visibleSpheres(view);
 }
 
-int SceneRenderer::drawCount() const {
-    return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0) +
-           (passes_.shadows && !passes_.shadows->empty() ? 1 : 0);
-}
+int SceneRenderer::drawCount() const { return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0); }
 
 } // namespace shoal::app

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "engine/render/Compositor.h"
+#include "engine/render/FilmShadows.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
-#include "engine/render/ShadowPass.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -71,20 +72,19 @@ class SceneRenderer final : private render::CompositorScene {
     struct Passes { // what has shaders
         render::ObjectPass objects;
         std::optional<render::ParticlePass> particles;
-        std::optional<render::ShadowPass> shadows;
         render::Compositor compositor;
     };
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
     void castShadows();
+    std::optional<render::CastingLight> castingLight() const;
     glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
     water::Water waterAround(const render::EyePicture& picture) const;
     render::View filmedFrom(const render::EyePicture& picture) const;
     Status drawObjects(const render::EyePicture& picture) override;
     Status drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) override;
-    void drawShadows(const render::EyePicture& picture, const render::ShadowPass::Cover* cover) override;
     std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
 
     CreatureModels creatureModels_;
@@ -97,6 +97,8 @@ class SceneRenderer final : private render::CompositorScene {
     render::Glossy glossy_ = render::Glossy::Prefiltered;
     std::vector<render::EyePicture> pictures_; // scratch
     std::vector<render::View> filmed_;         // scratch: where each is filmed from
+    // Of the film, or of each eye's.
+    std::array<render::FilmShadows, 2> shadows_;
     double time_s_ = 0;
     glm::vec3 headWorld_{0};
 };

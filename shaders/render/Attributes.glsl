@@ -21,6 +21,7 @@
 #define UNIT_RADIANCE 7
 #define UNIT_FILM_DEPTH 8
 #define UNIT_FRAME 0
+#define UNIT_SHADOWS 1
 #define MAX_JOINTS 256
 #define MAX_OTHERS 24 // occluders: parts of other bodies
 #define MAX_OCCLUDERS 48

@@ -6,6 +6,9 @@
 #endif
 
 uniform sampler2D frame;
+#ifdef SHADED
+uniform sampler2D shadowsLeft; // of the frame's coded values
+#endif
 noperspective in vec2 mapUv;
 noperspective in vec3 direction;
 out vec4 colour;
@@ -17,6 +20,9 @@ void main() {
     vec2 uv = mapUv;
 #endif
     vec3 texel = textureLod(frame, uv, 0.0).rgb;
+#ifdef SHADED
+    texel *= textureLod(shadowsLeft, uv, 0.0).rgb;
+#endif
 #ifdef AS_IS
     colour = vec4(texel, 1.0);
 #else

@@ -5,8 +5,21 @@ uniform sampler2D layer;
 uniform vec2 rayScale; // half the layer's image plane's extent at distance 1
 uniform vec2 rayShift; // its centre
 uniform sampler2D frame; // without objects
+#ifdef SHADED
+uniform sampler2D shadowsLeft; // of the frame
+#endif
 noperspective in vec3 eyeRay;
 out vec4 colour;
+
+// What is behind the objects.
+vec3 frameTexel() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec3 texel = texelFetch(frame, at, 0).rgb;
+#ifdef SHADED
+    texel *= textureLod(shadowsLeft, gl_FragCoord.xy / vec2(textureSize(frame, 0)), 0.0).rgb;
+#endif
+    return texel;
+}
 
 vec4 seen(vec3 ray) {
     vec2 place = (ray.xy / max(-ray.z, 1e-4) - rayShift) / rayScale; // in the layer, -1 to 1
@@ -32,7 +45,7 @@ void main() {
     vec2 aside = shares * (0.5 - mod(floor(gl_FragCoord.xy), 2.0));
     vec4 square = c + aside.x * dFdx(c) + aside.y * dFdy(c);
     ivec2 at = ivec2(gl_FragCoord.xy);
-    vec3 behind = texelFetch(frame, at, 0).rgb;
+    vec3 behind = frameTexel();
     if (c.a < 0.002) {
         colour = vec4(behind, 1.0);
         return;
@@ -53,6 +66,6 @@ void main() {
 #else
 void main() {
     vec4 c = seen(eyeRay);
-    colour = vec4(c.rgb + (1.0 - c.a) * texelFetch(frame, ivec2(gl_FragCoord.xy), 0).rgb, 1.0);
+    colour = vec4(c.rgb + (1.0 - c.a) * frameTexel(), 1.0);
 }
 #endif

@@ -2,6 +2,7 @@
 
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/software/PaintTexels.h"
+#include "engine/render/software/ShadeTexels.h"
 
 #include <algorithm>
 #include <thread>
@@ -13,6 +14,18 @@ namespace {
 bool canSample(const EyePicture& picture) {
     return canSampleFrames() && showsFrameAsCoded(picture.environment, picture.exposure) &&
            picture.canvas.samples() == 1;
+}
+
+void copyTexels(const DisplayFrame& frame, const glm::ivec2& low, const glm::ivec2& high, uint32_t* out,
+                ptrdiff_t outStride) {
+    const auto* from = reinterpret_cast<const uint32_t*>(frame.pixels);
+    for (int y = low.y; y < high.y; ++y)
+        std::copy_n(from + ptrdiff_t{y} * frame.rowPixels + low.x, high.x - low.x,
+                    out + y * outStride + low.x);
+}
+
+const FilmShadows* shadowsOn(const EyePicture& picture) {
+    return picture.shadows && !picture.shadows->empty() ? picture.shadows : nullptr;
 }
 
 } // namespace
@@ -53,10 +66,12 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     const bool same = !states_.empty() && shown == shown_;
     shown_ = shown;
     if (!same) classify(picture);
+    const FilmShadows* shadows = shadowsOn(picture);
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
         State& state = states_[k];
-        state.painted = tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh());
+        state.painted = (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh())) ||
+                        (shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh()));
         state.due = state.here && !state.painted && !state.clean;
         state.clean = state.here && !state.painted;
     }
@@ -74,13 +89,12 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     wanted_.assign(FrameTiles::kAll, false);
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
-        const bool painted = layer && states_[k].painted;
         if (!states_[k].here)
-            drawn_.push_back({&cell, painted});
-        else if (painted)
-            want(layer->tiles, cell);
+            drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
+        else if (states_[k].painted)
+            want(layer ? layer->tiles : shadowsOn(picture)->tiles(), cell);
     }
-    if (std::ranges::find(wanted_, true) != wanted_.end()) paintObjects(picture, *layer);
+    if (std::ranges::find(wanted_, true) != wanted_.end()) paintTiles(picture, layer);
     if (drawn_.size() < states_.size()) {
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -90,8 +104,19 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     return drawCells(picture, layer);
 }
 
-// Into the wanted tiles, and those cells of the picture that show them.
-void SoftwareBackground::paintObjects(const EyePicture& picture, const TexelLayer& layer) {
+// The wanted tiles, and those cells of the picture that show them.
+void SoftwareBackground::paintTiles(const EyePicture& picture, const TexelLayer* layer) {
+    if (layer)
+        paintFrame(&layer->tiles, paintOf(picture, *layer), shadowsOn(picture));
+    else
+        paintFrame(nullptr, {}, shadowsOn(picture));
+    for (State& state : states_) state.due = state.here && state.painted;
+    const auto* pixels = reinterpret_cast<const uint8_t*>(texels_.get());
+    threadPool_.parallelFor(grid_.rows(),
+                            SampleRow{this, {pixels, texelsSize_.x, texelsSize_.y, texelsSize_.x}});
+}
+
+TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLayer& layer) {
     const gl::Target& drawn = layer.layer.layer();
     TexelPaint paint{.layer = layer.layer.pixels().data(),
                      .layerSize = {drawn.width(), drawn.height()},
@@ -99,23 +124,19 @@ void SoftwareBackground::paintObjects(const EyePicture& picture, const TexelLaye
                          glm::transpose(picture.envFromWorld * glm::mat3_cast(layer.view.worldFromEye)),
                      .rayScale = layer.view.halfExtent(),
                      .rayShift = layer.view.shift};
-    CameraUniforms uniforms;
     if (layer.filmed) {
         if (grain_.empty()) grain_ = makeGrain();
-        uniforms = cameraUniforms(picture.filmed);
-        paint.filmed = &uniforms;
+        uniforms_ = cameraUniforms(picture.filmed);
+        paint.filmed = &uniforms_;
         paint.grain = grain_.data();
         paint.scattered = &picture.environment.scatteredLight();
     }
-    paintFrame(layer.tiles, paint);
-    for (State& state : states_) state.due = state.here && state.painted;
-    const auto* pixels = reinterpret_cast<const uint8_t*>(texels_.get());
-    threadPool_.parallelFor(grid_.rows(),
-                            SampleRow{this, {pixels, texelsSize_.x, texelsSize_.y, texelsSize_.x}});
+    return paint;
 }
 
-// Of the wanted tiles those that are chosen are painted, others copied.
-void SoftwareBackground::paintFrame(const FrameTiles& tiles, const TexelPaint& paint) {
+// Of the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
+void SoftwareBackground::paintFrame(const FrameTiles* objects, const TexelPaint& paint,
+                                    const FilmShadows* shadows) {
     const DisplayFrame& frame = shown_.frame;
     const glm::ivec2 size(frame.width, frame.height);
     if (size != texelsSize_) {
@@ -123,6 +144,7 @@ void SoftwareBackground::paintFrame(const FrameTiles& tiles, const TexelPaint& p
         texels_ = std::make_unique_for_overwrite<uint32_t[]>(static_cast<size_t>(size.x) *
                                                              static_cast<size_t>(size.y));
     }
+    const DisplayFrame painted{reinterpret_cast<const uint8_t*>(texels_.get()), size.x, size.y, size.x};
     runs_.clear();
     eachRun(wanted_, FrameTiles::kCount, [&](int first, int end, int row) {
         runs_.push_back({row, first, end});
@@ -130,16 +152,14 @@ void SoftwareBackground::paintFrame(const FrameTiles& tiles, const TexelPaint& p
     threadPool_.parallelFor(static_cast<int>(runs_.size()), [&](int index) {
         const Run& run = runs_[static_cast<size_t>(index)];
         for (int column = run.first; column < run.end; ++column) {
-            const glm::ivec2 low = tiles.lowOf({column, run.row}),
-                             high = tiles.lowOf({column + 1, run.row + 1});
-            if (tiles.chosen()[static_cast<size_t>(run.row * FrameTiles::kCount.x + column)]) {
-                paintTexels(frame, paint, low, high, texels_.get(), size.x);
-                continue;
-            }
-            const auto* from = reinterpret_cast<const uint32_t*>(frame.pixels);
-            for (int y = low.y; y < high.y; ++y)
-                std::copy_n(from + ptrdiff_t{y} * frame.rowPixels + low.x, high.x - low.x,
-                            texels_.get() + ptrdiff_t{y} * size.x + low.x);
+            const glm::ivec2 low = FrameTiles::lowOf({column, run.row}, size),
+                             high = FrameTiles::lowOf({column + 1, run.row + 1}, size);
+            const auto tile = static_cast<size_t>(run.row * FrameTiles::kCount.x + column);
+            const bool shaded = shadows && shadows->tiles().chosen()[tile];
+            const bool covered = objects && objects->chosen()[tile];
+            if (shaded) shadeTexels(frame, shadows->left(), low, high, texels_.get(), size.x);
+            if (covered) paintTexels(shaded ? painted : frame, paint, low, high, texels_.get(), size.x);
+            if (!shaded && !covered) copyTexels(frame, low, high, texels_.get(), size.x);
         }
     });
 }

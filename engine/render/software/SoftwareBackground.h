@@ -40,7 +40,7 @@ class SoftwareBackground final : public BackgroundPass {
         SampledCell sampled;
         bool here = false;    // else OpenGL draws it
         bool clean = false;   // in the picture, without objects
-        bool painted = false; // there may be objects
+        bool painted = false; // there may be objects, or shadows
         bool due = false;     // is sampled next
     };
     struct SampleRow { // the due ones of a row of cells
@@ -53,8 +53,9 @@ class SoftwareBackground final : public BackgroundPass {
     };
 
     void classify(const EyePicture& picture);
-    void paintObjects(const EyePicture& picture, const TexelLayer& layer);
-    void paintFrame(const FrameTiles& tiles, const TexelPaint& paint);
+    void paintTiles(const EyePicture& picture, const TexelLayer* layer);
+    TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer);
+    void paintFrame(const FrameTiles* objects, const TexelPaint& paint, const FilmShadows* shadows);
 
     Shown shown_;
     bool started_ = false;
@@ -62,8 +63,9 @@ class SoftwareBackground final : public BackgroundPass {
     std::vector<State> states_;     // of the grid's cells
     std::vector<uint32_t> picture_; // rows from the bottom
     std::vector<uint8_t> grain_;    // once something is filmed
-    // A copy of the frame with objects in its texels, of which only the wanted tiles are written. Not a
-    // vector, which would touch all of its memory: objects are in few places.
+    CameraUniforms uniforms_;       // of the frame, then
+    // A copy of the frame with shadows and objects in its texels, of which only the wanted tiles are written.
+    // Not a vector, which would touch all of its memory: objects are in few places.
     std::unique_ptr<uint32_t[]> texels_;
     glm::ivec2 texelsSize_{0};
     std::vector<Run> runs_; // of wanted tiles

@@ -4,6 +4,7 @@
 #include "engine/render/CastShadow.h"
 #include "tests/unit/depth/MadeMap.h"
 
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
@@ -14,6 +15,16 @@ constexpr float kGround_m = -1.25f;
 
 inline depth::DepthMap levelGround(float height_m = kGround_m) {
     return depth::mapOf([&](const glm::vec3& dir) { return std::max(dir.y / height_m, 0.0f); });
+}
+
+// What a camera at the world's origin sees of a solid: its distance by direction.
+template <class Distance> depth::DepthMap filmOf(const Distance& distance_m) {
+    return depth::mapOf([&](const glm::vec3& dir) { return 1 / distance_m(dir); });
+}
+
+inline float toPlane(const glm::vec3& dir, const glm::vec3& normal, float distance_m) {
+    const float towards = -glm::dot(dir, normal);
+    return towards > 1e-4f ? distance_m / towards : INFINITY;
 }
 
 // Its azimuth is that of no axis.

@@ -1,0 +1,244 @@
+#include "engine/render/FilmShadows.h"
+
+#include "engine/light/Vectorise.h"
+
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace shoal::render {
+
+namespace {
+
+constexpr float kMin = 0.012f;    // of the surface's light: at most three of 255 display values
+constexpr float kUnseen = 0.002f; // share of the light
+constexpr float kFar_m = 1e4f;    // stands for what nobody knows; no shadow falls so far
+
+// A spot as a place's coordinates have it, in metres along, aside and towards the light.
+struct Strip {
+    float along, aside, up, halfAlong, halfAside;
+    float lowest, perFade; // what lies lower than this is beyond the surface that the shadow falls on
+    float share;
+};
+
+// Adds what the strip hides from each of these places. disc: of the light, by the distance.
+SHOAL_VECTORISE void hide(const Strip& strip, float disc, const float* along, const float* aside,
+                          const float* up, size_t count, float* hidden) {
+    for (size_t i = 0; i < count; ++i) {
+        const float fall = strip.up - up[i];
+        const float perDisc = 1 / std::max(disc * fall, kMinDisc_m);
+        const float a = strip.along - along[i], b = strip.aside - aside[i];
+        const float covered =
+            (discBefore((a + strip.halfAlong) * perDisc) - discBefore((a - strip.halfAlong) * perDisc)) *
+            (discBefore((b + strip.halfAside) * perDisc) - discBefore((b - strip.halfAside) * perDisc));
+        const float above = std::min(std::max((up[i] - strip.lowest) * strip.perFade, 0.0f), strip.share);
+        hidden[i] += fall > 0 ? covered * above : 0.0f;
+    }
+}
+
+int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
+
+} // namespace
+
+glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const water::Water& water, float distance_m) {
+    return leftOf(taken, frames, glm::exp(-water.attenuation_perM * distance_m));
+}
+
+glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives) {
+    const glm::vec3 left = 1.0f - taken;
+    return glm::sqrt(1.0f - (1.0f - (frames == FrameCoding::Srgb ? left : left * left)) * arrives);
+}
+
+void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water::Water& water) {
+    film_ = film;
+    frames_ = frames;
+    ++number_;
+    const glm::ivec2 size(film.map->inverse.width, film.map->inverse.height);
+    if (size != glm::ivec2(left_.width, left_.height)) {
+        left_ = Image<uint8_t, 4>(size.x, size.y);
+        std::ranges::fill(left_.pixels, uint8_t{255});
+        const auto turnsOf = [](int count, float begin, float turn, std::vector<glm::vec2>& out) {
+            out.clear();
+            for (int i = 0; i < count; ++i) {
+                const float angle = begin + turn * (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+                out.push_back({std::sin(angle), std::cos(angle)});
+            }
+        };
+        constexpr float kPi = std::numbers::pi_v<float>;
+        turnsOf(size.x, -kPi, 2 * kPi, columns_);
+        turnsOf(size.y, kPi / 2, -kPi, rows_);
+    } else if (!empty_) {
+        tiles_.eachChosen([&](const glm::ivec2& tile) {
+            const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
+            for (int y = low.y; y < high.y; ++y)
+                std::fill(left_.at(low.x, y), left_.at(low.x, y) + 4 * (high.x - low.x), uint8_t{255});
+        });
+    }
+    empty_ = true;
+    tiles_.clear(size);
+    for (size_t code = 0; code < distance_m_.size(); ++code) {
+        distance_m_[code] = code == 0 ? kFar_m : 1 / depth::DepthMap::perM(static_cast<int>(code));
+        arrives_[code] = glm::exp(-water.attenuation_perM * distance_m_[code]);
+    }
+}
+
+void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
+                      std::span<const View> eyes) {
+    if (light.share == glm::vec3(0)) return;
+    flatten(body, light, pieces_);
+    findSpots(film_, pieces_, light, spots_);
+    const glm::vec3 most = light.presence * light.share;
+    const float taken = darkest(spots_, light) * std::max({most.x, most.y, most.z});
+    if (taken <= kMin) return;
+    reachTiles(light, eyes);
+    // A body that takes a little more than nothing comes in faintly.
+    const float strength = light.presence * glm::smoothstep(kMin, 2 * kMin, taken);
+    for (const glm::ivec2& tile : reached_) shadeTile(light, strength, tile);
+}
+
+// Around the spots: of a surface that rises by as much as it goes aside, a spot is longer.
+void FilmShadows::reachTiles(const CastingLight& light, std::span<const View> eyes) {
+    reached_.clear();
+    reachedBy_.resize(FrameTiles::kAll);
+    ++bodies_;
+    for (const Spot& spot : spots_) {
+        const Sphere around{spot.middle(light), std::numbers::sqrt2_v<float> * spot.radius_m};
+        if (std::ranges::none_of(eyes, [&](const View& eye) { return sees(eye, around); })) continue;
+        tiles_.eachOfSphere(film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
+                            [&](const glm::ivec2& tile) {
+                                uint32_t& by =
+                                    reachedBy_[static_cast<size_t>(tile.y * FrameTiles::kCount.x + tile.x)];
+                                if (by != bodies_) reached_.push_back(tile);
+                                by = bodies_;
+                            });
+    }
+}
+
+// In the light's frame. Codes are means of those around that are nearly the same: of a surface that slopes
+// little, whole numbers leave steps.
+void FilmShadows::findPlaces(const CastingLight& light, const glm::ivec2& low, const glm::ivec2& high) {
+    const Image<uint8_t, 1>& codes = film_.map->inverse;
+    const glm::mat3 lightFromEnv = glm::transpose(
+        film_.envFromWorld * glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
+    const auto count = static_cast<size_t>(high.x - low.x) * static_cast<size_t>(high.y - low.y);
+    for (std::vector<float>* each : {&along_, &aside_, &up_}) each->resize(count);
+    hidden_.assign(count, 0);
+    constexpr int kSame = 2;
+    size_t i = 0;
+    for (int y = low.y; y < high.y; ++y) {
+        const std::array<const uint8_t*, 3> rows{codes.at(0, std::max(y - 1, 0)), codes.at(0, y),
+                                                 codes.at(0, std::min(y + 1, codes.height - 1))};
+        const auto [sinLatitude, cosLatitude] =
+            std::pair(rows_[static_cast<size_t>(y)].x, rows_[static_cast<size_t>(y)].y);
+        for (int x = low.x; x < high.x; ++x, ++i) {
+            const int code = rows[1][x], left = wrapped(x - 1, codes.width),
+                      right = wrapped(x + 1, codes.width);
+            int sum = 0;
+            for (const uint8_t* row : rows)
+                for (const int column : {left, x, right})
+                    sum += std::clamp<int>(row[column], code - kSame, code + kSame);
+            const float distance =
+                code == 0 ? kFar_m : 9 / (static_cast<float>(sum) * depth::DepthMap::perM(1));
+            const glm::vec2& turn = columns_[static_cast<size_t>(x)];
+            const glm::vec3 place = lightFromEnv * (distance * glm::vec3(cosLatitude * turn.x, sinLatitude,
+                                                                         -cosLatitude * turn.y));
+            along_[i] = place.x, aside_[i] = place.y, up_[i] = place.z;
+        }
+    }
+}
+
+glm::vec3 FilmShadows::placeAt(int x, int y) const {
+    const glm::vec2& turn = columns_[static_cast<size_t>(x)];
+    const glm::vec2& height = rows_[static_cast<size_t>(y)];
+    return distance_m_[*film_.map->inverse.at(x, y)] *
+           glm::vec3(height.y * turn.x, height.x, -height.y * turn.y);
+}
+
+// From the neighbours, along each axis the one that is nearer in depth: the other may lie beyond an edge.
+// So far apart that the map's steps tilt the normal little.
+float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
+    constexpr float kSpan_m = 0.25f;
+    const Image<uint8_t, 1>& codes = film_.map->inverse;
+    const float perRadian = static_cast<float>(codes.height) * std::numbers::inv_pi_v<float>;
+    const auto spanOf = [&](float ring_m) {
+        return std::clamp(static_cast<int>(perRadian * kSpan_m / ring_m + 0.5f), 1, codes.width / 16);
+    };
+    const int code = *codes.at(x, y);
+    const float distance = distance_m_[static_cast<size_t>(code)];
+    const int across = spanOf(distance * std::max(rows_[static_cast<size_t>(y)].y, 0.05f)),
+              down = spanOf(distance);
+    const glm::vec3 here = placeAt(x, y);
+    const auto slope = [&](glm::ivec2 a, glm::ivec2 b) {
+        const auto off = [&](const glm::ivec2& at) { return std::abs(*codes.at(at.x, at.y) - code); };
+        return off(a) < off(b) ? here - placeAt(a.x, a.y) : placeAt(b.x, b.y) - here;
+    };
+    const glm::vec3 normal =
+        glm::cross(slope({wrapped(x - across, codes.width), y}, {wrapped(x + across, codes.width), y}),
+                   slope({x, std::max(y - down, 0)}, {x, std::min(y + down, codes.height - 1)}));
+    const float length = glm::length(normal);
+    return length > 1e-9f ? std::abs(glm::dot(normal, towardsEnv)) / length : towardsEnv.y;
+}
+
+bool FilmShadows::hideInTile(const CastingLight& light) {
+    const auto [left, right] = std::ranges::minmax(along_);
+    const auto [front, back] = std::ranges::minmax(aside_);
+    const auto [bottom, top] = std::ranges::minmax(up_);
+    bool any = false;
+    for (const Spot& spot : spots_) {
+        const glm::vec3 middle = spot.piece.middle - film_.cameraWorld;
+        // A little lower than where it meets the surface, which may slope.
+        const float up = glm::dot(middle, light.towards), margin = 0.5f * spot.radius_m + 0.05f;
+        const Strip strip{.along = glm::dot(middle, spot.piece.along),
+                          .aside = glm::dot(middle, spot.piece.aside),
+                          .up = up,
+                          .halfAlong = spot.piece.halfAlong_m,
+                          .halfAside = spot.piece.halfAside_m,
+                          .lowest = up - spot.fall_m - spot.radius_m - margin,
+                          .perFade = spot.fade / margin,
+                          .share = spot.fade};
+        const float disc = light.discTangent() * (up - std::max(bottom, strip.lowest));
+        const bool reaches = strip.along + strip.halfAlong + disc > left &&
+                             strip.along - strip.halfAlong - disc < right &&
+                             strip.aside + strip.halfAside + disc > front &&
+                             strip.aside - strip.halfAside - disc < back && top > strip.lowest && bottom < up;
+        if (!reaches) continue;
+        any = true;
+        hide(strip, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
+             hidden_.data());
+    }
+    return any;
+}
+
+void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
+    const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
+    findPlaces(light, low, high);
+    if (!hideInTile(light)) return;
+    bool any = false;
+    const glm::vec3 towardsEnv = film_.envFromWorld * light.towards;
+    size_t i = 0;
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x, ++i) {
+            if (hidden_[i] < kUnseen) continue;
+            any = true;
+            const glm::vec3 taken =
+                strength * std::min(hidden_[i], 1.0f) * light.shareAt(cosineAt(x, y, towardsEnv));
+            const glm::vec3 left = leftOf(taken, frames_, arrives_[*film_.map->inverse.at(x, y)]);
+            uint8_t* out = left_.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                out[c] = static_cast<uint8_t>(static_cast<float>(out[c]) * left[2 - c] + 0.5f);
+        }
+    if (!any) return;
+    empty_ = false;
+    chooseAround(tile);
+}
+
+// A tile with its neighbours, whose outermost texels take from it where the map is enlarged.
+void FilmShadows::chooseAround(const glm::ivec2& tile) {
+    const glm::ivec2 count = FrameTiles::kCount;
+    for (int y = std::max(tile.y - 1, 0); y <= std::min(tile.y + 1, count.y - 1); ++y)
+        for (int x = tile.x - 1; x <= tile.x + 1; ++x) tiles_.choose({wrapped(x, count.x), y});
+}
+
+} // namespace shoal::render

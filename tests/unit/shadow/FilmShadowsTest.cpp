@@ -1,0 +1,373 @@
+// What shadows leave of a film, against the closed form at the places that the film shows.
+#include "engine/render/FilmShadows.h"
+#include "tests/unit/shadow/ShadowScene.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shoal::render {
+namespace {
+
+using tests::filmOf, tests::kGround_m, tests::levelGround, tests::lightAt, tests::toPlane;
+
+const occlusion::Ellipsoid kShark{{0.3f, -0.4f, -1.6f}, glm::mat3(1), {0.2f, 0.22f, 1.1f}};
+
+// Four eyes that see everything.
+std::vector<View> everywhere() {
+    std::vector<View> eyes;
+    for (int k = 0; k < 4; ++k)
+        eyes.push_back({.worldFromEye =
+                            glm::angleAxis(static_cast<float>(k) * glm::half_pi<float>(), glm::vec3(0, 1, 0)),
+                        .verticalFov = 3.1f,
+                        .aspect = 1});
+    return eyes;
+}
+
+struct Scene {
+    const depth::DepthMap& map;
+    CastingLight light = lightAt(66, 12);
+    water::Water water{};
+    glm::mat3 envFromWorld{1};
+    glm::vec3 cameraWorld{0};
+};
+
+FilmShadows shadowsOf(const occlusion::Ellipsoid& body, const Scene& scene,
+                      const std::vector<View>& eyes = everywhere()) {
+    FilmShadows shadows;
+    shadows.begin({&scene.map, scene.envFromWorld, scene.cameraWorld}, FrameCoding::Srgb, scene.water);
+    shadows.add({&body, 1}, scene.light, eyes);
+    return shadows;
+}
+
+glm::vec3 directionOf(const FilmShadows& shadows, int x, int y) {
+    return directionFromLatLong(
+        glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(shadows.left().width),
+                  (static_cast<float>(y) + 0.5f) / static_cast<float>(shadows.left().height)));
+}
+
+// visit(direction in the film's frame, what is left) of each texel.
+template <class Visit> void eachTexel(const FilmShadows& shadows, Visit&& visit) {
+    for (int y = 0; y < shadows.left().height; ++y)
+        for (int x = 0; x < shadows.left().width; ++x) {
+            const uint8_t* left = shadows.left().at(x, y);
+            visit(directionOf(shadows, x, y), glm::vec3(left[2], left[1], left[0]) / 255.0f);
+        }
+}
+
+int shadedTexels(const FilmShadows& shadows) {
+    int count = 0;
+    eachTexel(shadows, [&](const glm::vec3&, const glm::vec3& left) { count += left != glm::vec3(1); });
+    return count;
+}
+
+// On planes, level and tilted, is left what the closed form gives for the place times the share that the
+// plane's slope towards the light leaves; nothing is dimmed elsewhere.
+TEST(FilmShadows, OnPlanesAreTheClosedForm) {
+    const water::Water sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
+    for (const glm::vec3& normal : {glm::vec3(0, 1, 0), glm::normalize(glm::vec3(0.5f, 1, 0.2f))}) {
+        const auto map = filmOf([&](const glm::vec3& dir) { return toPlane(dir, normal, -kGround_m); });
+        const Scene scene{.map = map, .water = sea};
+        const FilmShadows shadows = shadowsOf(kShark, scene);
+        ASSERT_FALSE(shadows.empty());
+        std::vector<FlatPiece> pieces;
+        flatten({&kShark, 1}, scene.light, pieces);
+        const glm::vec3 share = scene.light.shareAt(glm::dot(normal, scene.light.towards));
+        double error = 0, worst = 0, darkest = 0;
+        int counted = 0;
+        eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
+            const float distance = toPlane(dir, normal, -kGround_m);
+            const float hidden = distance < 20 ? covered(pieces, scene.light, distance * dir) : 0;
+            const glm::vec3 expected = leftOf(hidden * share, FrameCoding::Srgb, sea, distance);
+            for (int c = 0; c < 3; ++c) {
+                const double off = static_cast<double>(std::abs(left[c] - expected[c]));
+                worst = std::max(worst, off);
+                error += hidden > 0 ? off : 0;
+            }
+            counted += hidden > 0;
+            darkest = std::max(darkest, static_cast<double>(1 - expected.x));
+        });
+        EXPECT_GT(darkest, 0.1);
+        ASSERT_GT(counted, 2000);
+        // Steps of the map tilt the normal by 0.05 on average, which is a few hundredths of the share, of
+        // which display values show half; where it tilts it by 0.2, a tenth of it.
+        EXPECT_LT(error / (3.0 * counted), 0.004);
+        EXPECT_LT(worst, 0.045);
+    }
+}
+
+TEST(FilmShadows, FollowTheFilmsFrameAndItsCamera) {
+    const auto ground = levelGround();
+    const Scene plain{.map = ground};
+    const FilmShadows straight = shadowsOf(kShark, plain);
+    // The film turned by a quarter about the vertical: so is the shadow on its map.
+    const Scene turned{.map = ground,
+                       .envFromWorld = glm::mat3(
+                           glm::mat4_cast(glm::angleAxis(-glm::half_pi<float>(), glm::vec3(0, 1, 0))))};
+    const FilmShadows aside = shadowsOf(kShark, turned);
+    int off = 0;
+    const int width = straight.left().width;
+    for (int y = 0; y < straight.left().height; ++y)
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < 3; ++c)
+                off = std::max(off, std::abs(straight.left().at(x, y)[c] -
+                                             aside.left().at((x + width / 4) % width, y)[c]));
+    EXPECT_LE(off, 1);
+    // Camera and body moved alike: nothing changes.
+    const glm::vec3 shift(0.03f, 0, -0.02f);
+    occlusion::Ellipsoid moved = kShark;
+    moved.centre += shift;
+    const FilmShadows beside = shadowsOf(moved, {.map = ground, .cameraWorld = shift});
+    off = 0;
+    for (size_t i = 0; i < straight.left().pixels.size(); ++i)
+        off = std::max(off, std::abs(straight.left().pixels[i] - beside.left().pixels[i]));
+    EXPECT_LE(off, 1);
+}
+
+// Tiles say where something is shaded, with the texels beside it that enlarging the map reaches.
+TEST(FilmShadows, NothingIsShadedBesideTheTiles) {
+    const auto ground = levelGround();
+    for (const float radius_deg : {5.0f, 20.0f, 30.0f}) {
+        const FilmShadows shadows = shadowsOf(kShark, {.map = ground, .light = lightAt(60, radius_deg)});
+        const Image<uint8_t, 4>& left = shadows.left();
+        int shaded = 0;
+        for (int y = 0; y < left.height; ++y)
+            for (int x = 0; x < left.width; ++x) {
+                if (left.at(x, y)[0] == 255 && left.at(x, y)[1] == 255 && left.at(x, y)[2] == 255) continue;
+                ++shaded;
+                for (int dy = -1; dy <= 1; ++dy)
+                    for (int dx = -1; dx <= 1; ++dx) {
+                        const glm::vec2 uv(
+                            (static_cast<float>(x + dx) + 0.5f) / static_cast<float>(left.width),
+                            (static_cast<float>(std::clamp(y + dy, 0, left.height - 1)) + 0.5f) /
+                                static_cast<float>(left.height));
+                        ASSERT_TRUE(shadows.tiles().isChosen(uv, uv));
+                    }
+            }
+        EXPECT_GT(shaded, 500) << radius_deg << " degrees";
+    }
+}
+
+// Where strips begin to hide nothing there is no step, however far a tile reaches: beside what is reached
+// lies nothing that the closed form would dim.
+TEST(FilmShadows, AreWholeWithinTheReachOfTheirTiles) {
+    const auto ground = levelGround();
+    for (const float radius_deg : {5.0f, 20.0f, 30.0f}) {
+        const CastingLight light = lightAt(60, radius_deg);
+        const FilmShadows shadows = shadowsOf(kShark, {.map = ground, .light = light});
+        std::vector<FlatPiece> pieces;
+        flatten({&kShark, 1}, light, pieces);
+        float missed = 0;
+        eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
+            if (left != glm::vec3(1) || dir.y > -0.15f) return; // as far as 8 m
+            const glm::vec3 place = dir * (kGround_m / dir.y);
+            missed = std::max(missed, covered(pieces, light, place));
+        });
+        EXPECT_LT(missed, 0.02f) << radius_deg << " degrees";
+    }
+}
+
+// Ground 1 m below the camera ends 1.6 m ahead of it; beyond it lies 0.4 m lower. Both are dimmed, each as
+// the closed form has it at its own places: no texel is of neither.
+TEST(FilmShadows, OverAStepFallOnBothSides) {
+    const auto distance = [](const glm::vec3& dir) {
+        const float near_m = toPlane(dir, {0, 1, 0}, 1), far_m = toPlane(dir, {0, 1, 0}, 1.4f);
+        return near_m * -dir.z < 1.6f ? near_m : far_m;
+    };
+    const auto map = filmOf(distance);
+    const CastingLight light = lightAt(90, 8);
+    const FilmShadows shadows = shadowsOf(kShark, {.map = map, .light = light});
+    std::vector<FlatPiece> pieces;
+    flatten({&kShark, 1}, light, pieces);
+    int onNear = 0, onFar = 0, wrong = 0;
+    eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
+        const float distance_m = distance(dir);
+        if (!(distance_m < 6)) return;
+        const glm::vec3 place = distance_m * dir;
+        const float hidden = covered(pieces, light, place);
+        if (left.x < 0.95f) (std::abs(place.y + 1) < 0.1f ? onNear : onFar) += 1;
+        // The cosine at a step's edge may be that of a steep place: less light than level ground has.
+        wrong += 1 - left.x > hidden * 0.55f + 0.02f;
+    });
+    EXPECT_GT(onNear, 200);
+    EXPECT_GT(onFar, 200);
+    EXPECT_EQ(wrong, 0);
+}
+
+// Below a ledge that the body's shadow falls on nothing is dimmed: the ground there has lost that light to
+// the ledge already. The film shows a ledge 0.5 m below the shark, and ground 0.9 m below that where it ends.
+TEST(FilmShadows, DoNotFallThroughWhatTheyFallOn) {
+    const auto isLedge = [](const glm::vec3& place) { return place.z < -0.9f; };
+    const auto distance = [&](const glm::vec3& dir) {
+        const float ledge_m = toPlane(dir, {0, 1, 0}, 0.8f);
+        return isLedge(ledge_m * dir) ? ledge_m : toPlane(dir, {0, 1, 0}, 1.7f);
+    };
+    // Seen below the ledge, at its own distance, is ground that lies under it: 0.9 m lower, up to z = -1.9.
+    const auto map = filmOf(distance);
+    const occlusion::Ellipsoid fish{{0, -0.3f, -1.5f}, glm::mat3(1), {0.1f, 0.1f, 0.2f}};
+    const CastingLight light = lightAt(90, 8);
+    const FilmShadows shadows = shadowsOf(fish, {.map = map, .light = light});
+    int onLedge = 0, below = 0;
+    eachTexel(shadows, [&](const glm::vec3& dir, const glm::vec3& left) {
+        if (left.x > 0.98f) return;
+        ++((distance(dir) * dir).y > -1 ? onLedge : below);
+    });
+    EXPECT_GT(onLedge, 100);
+    EXPECT_EQ(below, 0);
+}
+
+TEST(FilmShadows, WhereNothingCastsNothingIsShaded) {
+    const auto ground = levelGround();
+    const auto unknown = filmOf([](const glm::vec3&) { return INFINITY; });
+    const auto isEmpty = [](const FilmShadows& shadows) {
+        return shadows.empty() && shadedTexels(shadows) == 0;
+    };
+    CastingLight dark = lightAt(66, 16);
+    dark.share = glm::vec3(0);
+    EXPECT_TRUE(isEmpty(shadowsOf({{0, 1, -2}, glm::mat3(1), {0.01f, 0.01f, 0.02f}}, {.map = ground})))
+        << "a small fish";
+    EXPECT_TRUE(isEmpty(shadowsOf(kShark, {.map = unknown}))) << "distances that nobody knows";
+    EXPECT_TRUE(isEmpty(shadowsOf({{0, kGround_m - 1, 0}, glm::mat3(1), glm::vec3(0.1f)}, {.map = ground})))
+        << "below the ground";
+    EXPECT_TRUE(isEmpty(shadowsOf(kShark, {.map = ground, .light = dark}))) << "no light";
+    EXPECT_TRUE(isEmpty(
+        shadowsOf(kShark, {.map = ground},
+                  {View{.worldFromEye = glm::angleAxis(0.9f, glm::vec3(1, 0, 0)), .verticalFov = 0.9f}})))
+        << "looking up";
+    EXPECT_EQ(lightAt(10, 16).raised(), 0);
+    EXPECT_EQ(lightAt(66, 16).raised(), 1);
+}
+
+// Of the last frame nothing stays, and what two bodies leave is the product of what each does.
+TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
+    const auto ground = levelGround();
+    const CastingLight light = lightAt(66, 12);
+    const std::vector<View> eyes = everywhere();
+    occlusion::Ellipsoid other = kShark;
+    other.centre.x += 0.2f;
+    const FilmShadows one = shadowsOf(kShark, {.map = ground}), two = shadowsOf(other, {.map = ground});
+    FilmShadows both;
+    both.begin({&ground}, FrameCoding::Srgb, {});
+    both.add({&kShark, 1}, light, eyes);
+    both.add({&other, 1}, light, eyes);
+    for (size_t i = 0; i < both.left().pixels.size(); ++i)
+        ASSERT_NEAR(both.left().pixels[i], one.left().pixels[i] * two.left().pixels[i] / 255.0f, 1);
+    const uint64_t before = both.number();
+    both.begin({&ground}, FrameCoding::Srgb, {});
+    EXPECT_GT(both.number(), before);
+    EXPECT_TRUE(both.empty());
+    EXPECT_EQ(shadedTexels(both), 0);
+}
+
+struct Steps {
+    float comingIn = 0, ever = 0,
+          most = 0; // largest change while little is taken, at all; most that is taken
+};
+
+// What is taken, of display values, in the middle of a body's shadow as the body sinks, in a thousand steps.
+Steps stepsOfSinking(const glm::vec3& half, float ground_m, float from_m, float to_m) {
+    const CastingLight light = lightAt(66, 16);
+    const auto ground = levelGround(ground_m);
+    FilmShadows shadows;
+    Steps steps;
+    float before = 0;
+    const std::vector<View> eyes = everywhere();
+    for (int step = 0; step <= 1000; ++step) {
+        const float height = from_m + (to_m - from_m) * static_cast<float>(step) / 1000;
+        const occlusion::Ellipsoid body{{0, height, -1}, glm::mat3(1), half};
+        // Always at one texel: where the body's shadow is at the end.
+        const glm::vec3 under =
+            glm::vec3(0, to_m, -1) - light.towards * ((to_m - ground_m) / light.towards.y);
+        shadows.begin({&ground}, FrameCoding::Srgb, {});
+        shadows.add({&body, 1}, light, eyes);
+        const glm::vec2 uv = latLongFromDirection(glm::normalize(under));
+        const float now =
+            1 - static_cast<float>(
+                    *(shadows.left().at(static_cast<int>(uv.x * static_cast<float>(shadows.left().width)),
+                                        static_cast<int>(uv.y * static_cast<float>(shadows.left().height))) +
+                      2)) /
+                    255;
+        steps.ever = std::max(steps.ever, std::abs(now - before));
+        if (before < 0.025f) steps.comingIn = steps.ever;
+        steps.most = std::max(steps.most, now);
+        before = now;
+    }
+    return steps;
+}
+
+// As a fish sinks its shadow comes in by no more than a display value at a time; so does a shark's that comes
+// within the reach of shadows, 8 m. The body moves by 2 mm (shark: 4) a step, a shadow's edge of a light of
+// 16 degrees is at least that wide.
+TEST(FilmShadows, ComeInWithoutAStep) {
+    const glm::vec3 fish(0.03f, 0.05f, 0.1f), shark(0.2f, 0.22f, 1.1f);
+    for (const Steps& steps : {stepsOfSinking(fish, kGround_m, 1, -1.1f), stepsOfSinking(shark, -6, 2, -2)}) {
+        EXPECT_LE(steps.comingIn, 1.01f / 255);
+        EXPECT_LT(steps.ever, 0.01f);
+        EXPECT_GT(steps.most, 0.025f);
+    }
+}
+
+// Eyes all around, each of which looks past bodies all around: whoever sees a shaded place is shown it.
+TEST(FilmShadows, AreWorkedOutWhereAnEyeMaySeeThem) {
+    const auto ground = levelGround();
+    int seen = 0, unseen = 0, leftOut = 0;
+    for (int k = 0; k < 6; ++k) {
+        const float turn = static_cast<float>(k) * glm::pi<float>() / 3;
+        const occlusion::Ellipsoid body{{2 * std::cos(turn), -0.2f, 2 * std::sin(turn)},
+                                        glm::mat3(1),
+                                        {0.1f, 0.1f, k % 3 == 0 ? 0.9f : 0.2f}};
+        const Scene scene{.map = ground};
+        const FilmShadows all = shadowsOf(body, scene);
+        for (int yaw = 0; yaw < 12; ++yaw)
+            for (const float pitch : {-0.9f, 0.0f, 0.5f}) {
+                const View eye{.eyeWorld = {0.1f, 0.05f, -0.1f},
+                               .worldFromEye = glm::angleAxis(static_cast<float>(yaw) * glm::pi<float>() / 6,
+                                                              glm::vec3(0, 1, 0)) *
+                                               glm::angleAxis(pitch, glm::vec3(1, 0, 0)),
+                               .verticalFov = 0.6f,
+                               .shift = {0.1f, -0.05f}};
+                const FilmShadows mine = shadowsOf(body, scene, {eye});
+                int missing = 0, wanted = 0;
+                const glm::mat4 clipFromWorld = eye.clipFromWorld();
+                for (int y = all.left().height / 2; y < all.left().height; ++y)
+                    for (int x = 0; x < all.left().width; ++x) {
+                        if (all.left().at(x, y)[2] == 255) continue;
+                        const glm::vec3 dir = directionOf(all, x, y);
+                        const glm::vec4 clip = clipFromWorld * glm::vec4(dir * (kGround_m / dir.y), 1);
+                        if (!(clip.w > 0 && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w)) continue;
+                        ++wanted;
+                        missing += mine.left().at(x, y)[2] > all.left().at(x, y)[2] + 1;
+                    }
+                EXPECT_EQ(missing, 0) << k << ", " << yaw << ", " << pitch;
+                seen += wanted > 0, unseen += wanted == 0, leftOut += mine.empty();
+            }
+    }
+    EXPECT_GT(seen, 10);
+    EXPECT_GT(leftOut, unseen / 2);
+}
+
+TEST(FilmShadows, LeaveNoMoreThanThereIs) {
+    const CastingLight light = lightAt(66, 16);
+    const water::Water clear{}, sea{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
+    for (const FrameCoding frames : {FrameCoding::Srgb, FrameCoding::Thesis})
+        for (const float hidden : {0.0f, 0.3f, 1.0f})
+            for (const float distance_m : {0.5f, 3.0f, 30.0f}) {
+                const glm::vec3 left = leftOf(hidden * light.share, frames, sea, distance_m);
+                for (int c = 0; c < 3; ++c) {
+                    EXPECT_LE(left[c], 1);
+                    EXPECT_GE(left[c], 1 - hidden * light.share[c] - 1e-6f);
+                }
+            }
+    // Half of 40 % of the light is hidden: 0.8 of it is left, and its square root as display values show it.
+    EXPECT_NEAR(leftOf(0.5f * light.share, FrameCoding::Thesis, clear, 3).x, 0.8f, 1e-6f);
+    EXPECT_NEAR(leftOf(0.5f * light.share, FrameCoding::Srgb, clear, 3).x, std::sqrt(0.8f), 1e-6f);
+    EXPECT_NEAR(leftOf(1.0f * light.share, FrameCoding::Srgb, sea, 100).y, 1, 1e-3f); // all veil
+}
+
+} // namespace
+} // namespace shoal::render
