@@ -5,7 +5,7 @@ namespace shoal::render {
 Result<DepthPass> DepthPass::make() {
     DepthPass pass;
     if (Status s = gl::Program::load("render/Depth").moveTo(pass.program_); !s) return s.error();
-    pass.noAttributes_ = gl::VertexArray::make();
+    pass.picture_ = WholePicture::make();
     pass.copyTarget_ = gl::Framebuffer::make();
     return pass;
 }
@@ -34,11 +34,8 @@ void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2
     glEnable(GL_DEPTH_TEST); // without it nothing is written
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
-    glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    glBindVertexArray(noAttributes_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    picture_.draw();
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
 }

@@ -4,6 +4,7 @@
 
 #include "engine/gl/Program.h"
 #include "engine/gl/Target.h"
+#include "engine/render/WholePicture.h"
 
 #include <glm/vec2.hpp>
 
@@ -19,7 +20,7 @@ class DepthPass {
 
   private:
     gl::Program program_;
-    gl::VertexArray noAttributes_;
+    WholePicture picture_;
     gl::Texture copy_; // without samples
     gl::Framebuffer copyTarget_;
     glm::ivec2 copySize_{0};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/gl/Program.h"
-#include "engine/render/TriangleBatch.h"
+#include "engine/render/WholePicture.h"
 
 #include <glm/vec4.hpp>
 
@@ -18,7 +18,7 @@ class FadePass {
 
   private:
     gl::Program program_;
-    TriangleBatch drawn_;
+    WholePicture picture_;
 };
 
 } // namespace shoal::render

@@ -5,7 +5,7 @@ namespace shoal::render {
 Result<PremultiplyPass> PremultiplyPass::make() {
     PremultiplyPass pass;
     if (Status s = gl::Program::load("render/Premultiply").moveTo(pass.program_); !s) return s.error();
-    pass.noAttributes_ = gl::VertexArray::make();
+    pass.picture_ = WholePicture::make();
     return pass;
 }
 
@@ -14,13 +14,10 @@ void PremultiplyPass::draw(const gl::Target& from, GLuint into) {
     glBindFramebuffer(GL_FRAMEBUFFER, into);
     glViewport(0, 0, from.width(), from.height());
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     program_.use();
     program_.setTexture("picture", 0, from.texture());
-    glBindVertexArray(noAttributes_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    picture_.draw();
 }
 
 } // namespace shoal::render

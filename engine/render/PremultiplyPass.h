@@ -4,6 +4,7 @@
 
 #include "engine/gl/Program.h"
 #include "engine/gl/Target.h"
+#include "engine/render/WholePicture.h"
 
 namespace shoal::render {
 
@@ -16,7 +17,7 @@ class PremultiplyPass {
 
   private:
     gl::Program program_;
-    gl::VertexArray noAttributes_;
+    WholePicture picture_;
 };
 
 } // namespace shoal::render

@@ -1,4 +1,4 @@
-// One triangle over all of the picture, without attributes.
+// One triangle that covers the viewport, without attributes. Pairs with engine/render/WholePicture.h.
 noperspective out vec2 uv;
 
 void main() {

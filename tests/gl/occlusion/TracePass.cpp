@@ -1,6 +1,7 @@
 #include "tests/gl/occlusion/TracePass.h"
 
 #include "engine/occlusion/gpu/LayersGpu.h"
+#include "engine/render/WholePicture.h"
 #include "shaders/occlusion/Bindings.glsl"
 
 #include <algorithm>
@@ -25,18 +26,15 @@ Result<TracePass::Answers> run(const gl::Program& program, const LayersGpu& laye
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return Error{"", "a picture of floats cannot be drawn into here"};
     glViewport(0, 0, kWidth, height);
-    glDisable(GL_DEPTH_TEST), glDisable(GL_CULL_FACE), glDisable(GL_BLEND), glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DEPTH_TEST), glDisable(GL_BLEND), glDisable(GL_SCISSOR_TEST);
     program.use();
     layers.bind(program);
     program.set("width", kWidth);
     program.set("rayCount", count);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, OCCLUSION_RAYS, asked->name());
-    const gl::VertexArray none = gl::VertexArray::make();
-    glBindVertexArray(none.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    render::WholePicture::make().draw();
     std::vector<glm::vec4> pixels(static_cast<size_t>(kWidth) * static_cast<size_t>(height));
     glReadPixels(0, 0, kWidth, height, GL_RGBA, GL_FLOAT, pixels.data());
-    glBindVertexArray(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     TracePass::Answers hits(rays.size());
     for (size_t i = 0; i < hits.size(); ++i)
