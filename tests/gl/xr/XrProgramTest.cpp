@@ -1,145 +1,18 @@
 // `shoal --xr` from its start to its exit status, in a headset that does what the test says.
-#include "engine/core/Log.h"
+#include "tests/gl/xr/XrProgram.h"
 #include "engine/xr/Headset.h"
 #include "game/app/Application.h"
-#include "game/rules/TickInput.h"
-#include "game/tools/Commands.h"
-#include "game/views/FilmSpaceOf.h"
-#include "input/hands/MouseHands.h"
-#include "tests/TestPaths.h"
-#include "tests/gl/xr/Fixture.h"
 #include "tests/gl/xr/WindowEvents.h"
-#include "tests/playthrough/Play.h"
 
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
-#include <future>
 
 namespace shoal::app {
 namespace {
-
-using test::FakeRuntime;
-
-const std::string kFirstCatch = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
-
-struct Outcome {
-    int status = -1;
-    std::string said; // on standard error
-};
-
-class XrProgram : public test::WithFakeRuntime {
-  protected:
-    tests::ScratchFolder scratch_;
-    Path folder_ = scratch_.path();
-
-    void SetUp() override {
-        WithFakeRuntime::SetUp();
-        for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) setenv(name, folder_.c_str(), 1);
-        fake.eyeWidth = 96;
-        fake.eyeHeight = 112;
-    }
-    void TearDown() override { WithFakeRuntime::TearDown(); }
-
-    PlayOptions options() const {
-        PlayOptions o;
-        o.xr = true;
-        o.start = Start::Dive;
-        o.seed = 1; // with a window each run would draw another
-        o.mute = true;
-        o.quality = QualityControl::Fixed;
-        o.look.size = {160, 90};
-        o.look.samples = 1;
-        o.environment.photo = ""; // the dive's own video
-        return o;
-    }
-    // A script that does nothing wrong must not run for ever.
-    Outcome run(const PlayOptions& o, uint64_t maxFrames = 2000) {
-        const auto scripted = fake.onWait;
-        fake.onWait = [scripted, maxFrames](FakeRuntime& f) {
-            if (scripted) scripted(f);
-            if (f.framesWaited == maxFrames) leave(f);
-        };
-        testing::internal::CaptureStderr();
-        log::setUp(false);
-        Outcome outcome;
-        const Status played = play(o);
-        if (!played) std::fprintf(stderr, "%s\n", played.error().message().c_str());
-        outcome.status = played ? 0 : 1;
-        outcome.said = testing::internal::GetCapturedStderr();
-        // The validation layer greets each instance.
-        for (size_t at; (at = outcome.said.find("Core Validation output")) != std::string::npos;)
-            outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
-        return outcome;
-    }
-    // As when the player ends the game in the runtime's menu.
-    static void leave(FakeRuntime& f) {
-        f.exitRequested = true;
-        f.say(XR_SESSION_STATE_VISIBLE);
-        f.say(XR_SESSION_STATE_SYNCHRONIZED);
-        f.say(XR_SESSION_STATE_STOPPING);
-    }
-    static void expectOneMessage(const Outcome& outcome, const std::string& about) {
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
-        EXPECT_NE(outcome.said.find(about), std::string::npos) << outcome.said;
-    }
-
-    // Mean of the left eye's picture, display values up to 191; 0 where there is none.
-    static double brightness(const FakeRuntime& f) {
-        if (!f.last.eyes) return 0;
-        double sum = 0;
-        const auto& rgba = (*f.last.eyes)[0].picture.rgba;
-        for (size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
-        return sum / static_cast<double>(rgba.size());
-    }
-
-    void closeHand(size_t side, float closed) {
-        hold(side, closed, {side == 0 ? -0.2f : 0.2f, -0.15f, -0.5f});
-    }
-    void hold(size_t side, float closed, glm::vec3 grasp) {
-        static const hands::HandRig rig =
-            *hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-        const auto pose =
-            hands::reachingHand(rig, side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
-        fake.hands[side].active = true;
-        for (size_t i = 0; i < pose.joints.size(); ++i) {
-            const hands::Joint& joint = pose.joints[i];
-            fake.hands[side].joints[i] = {
-                0xf,
-                {{joint.orientation.x, joint.orientation.y, joint.orientation.z, joint.orientation.w},
-                 {joint.position.x, joint.position.y, joint.position.z}},
-                joint.radius};
-        }
-    }
-
-    static void expectReplays(const tests::Recorded& recording) {
-        auto files = game::loadDiveFiles("reef");
-        ASSERT_TRUE(files);
-        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
-        const Status same = game::replay(recording, *files);
-        EXPECT_TRUE(same) << same.error().message();
-    }
-
-    // Lengths of the stretches in which `pause` was held or not, in ticks, beginning with held.
-    static std::vector<int> pauses(const tests::Recorded& recording) {
-        std::vector<int> lengths{0};
-        bool paused = true;
-        for (size_t tick = 0; tick < recording.ticks(); ++tick) {
-            const auto input = game::fromBytes(recording.input(tick).first<game::kTickInputBytes>());
-            if (input.pause != paused) {
-                paused = input.pause;
-                lengths.push_back(0);
-            }
-            ++lengths.back();
-        }
-        return lengths;
-    }
-};
 
 TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     fake.period_s = 1.0 / 72;
@@ -157,6 +30,15 @@ TEST_F(XrProgram, RunsAtTheHeadsetsRateAndLeavesWhenItIsAsked) {
     EXPECT_FALSE(fake.running);
 }
 
+// What pauses in frame 90 does so until a hand that closes in frame 180 has taken hold, for 0.4 s.
+void expectPausedUntilAHandCloses(const std::vector<int>& lengths) {
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
+    // 90 frames a second: 4 ticks in 3 frames. Worn from frame 3 on, steady for 0.3 s.
+    EXPECT_NEAR(lengths[0], 30 * 4 / 3, 6);
+    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
+    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6);
+}
+
 TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
     closeHand(0, 0);
     closeHand(1, 0);
@@ -165,20 +47,9 @@ TEST_F(XrProgram, LosingFocusPausesUntilAHandCloses) {
         if (f.framesWaited == 150) f.say(XR_SESSION_STATE_FOCUSED);
         if (f.framesWaited == 180) closeHand(1, 1);
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 270);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    const std::vector<int> lengths = pauses(*recording);
-    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
-    // 90 frames a second: 4 ticks in 3 frames. Worn from frame 3 on, steady for 0.3 s.
-    EXPECT_NEAR(lengths[0], 30 * 4 / 3, 6);
-    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
-    // Closing takes hold for 0.4 s from frame 180 on.
-    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6);
-    EXPECT_GT(lengths[3], 50);
+    const std::vector<int> lengths = pausesWithin(270);
+    expectPausedUntilAHandCloses(lengths);
+    EXPECT_GT(lengths.back(), 50);
 }
 
 // The runtime keeps the session focused, as it may.
@@ -191,16 +62,7 @@ TEST_F(XrProgram, TakingTheHeadsetOffPausesUntilAHandCloses) {
         if (f.framesWaited == 150) f.sayWorn(true);
         if (f.framesWaited == 180) closeHand(1, 1);
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 240);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    const std::vector<int> lengths = pauses(*recording);
-    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, pause, play
-    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
-    EXPECT_NEAR(lengths[2], (180 + 36 - 90) * 4 / 3, 6); // as LosingFocusPausesUntilAHandCloses
+    expectPausedUntilAHandCloses(pausesWithin(240));
 }
 
 TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
@@ -269,7 +131,7 @@ TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
 
 TEST_F(XrProgram, TouchesAreFeltInTheController) {
     PlayOptions o = options();
-    o.hands.source = kFirstCatch;
+    o.hands.source = firstCatch_;
     const Outcome outcome = run(o, 4000);
     EXPECT_EQ(outcome.status, 0) << outcome.said;
     int felt = 0;
@@ -510,13 +372,8 @@ TEST_F(XrProgram, PosesThatAreOnlyValidArePlayedAndSeen) {
     fake.onWait = [&](FakeRuntime& f) {
         if (f.framesWaited == 120) seen = brightness(f);
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 130).status, 0);
+    EXPECT_EQ(pausesWithin(130).size(), 2u) << "once worn, it plays";
     EXPECT_GT(seen, 40);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    EXPECT_EQ(pauses(*recording).size(), 2u) << "once worn, it plays";
 }
 
 // The dive goes on, nothing fades, and the panel says so.
@@ -538,138 +395,13 @@ TEST_F(XrProgram, ALostPositionIsSaidAndTheDiveGoesOn) {
         if (f.framesWaited == 930) lost = written(f), lightLost = brightness(f), f.viewFlags = 0xf;
         if (f.framesWaited == 940) after = written(f);
     };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    EXPECT_EQ(run(o, 960).status, 0);
+    EXPECT_EQ(pausesWithin(960).size(), 2u);
     std::printf("opaque pixels of the panel: %zu, %zu, %zu\n", before, lost, after);
     EXPECT_GT(lost, before + 400) << "a line of text";
     EXPECT_LT(after, before + 400);
     EXPECT_NEAR(lightLost, light, 0.2 * light);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording);
-    EXPECT_EQ(pauses(*recording).size(), 2u);
 }
 
-// What may happen in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
-// pauses, is shown in the window, and all of it is in its recording.
-class LostRuntime : public XrProgram {
-  protected:
-    void loseIt(const std::function<void(FakeRuntime&)>& how, const std::string& about) {
-        fake.onWait = [how](FakeRuntime& f) {
-            if (f.framesWaited == 90) how(f);
-        };
-        // Whoever sits before the window closes it after a look.
-        fake.onGone = [](FakeRuntime&) { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); };
-        PlayOptions o = options();
-        o.record = folder_ / "a.replay";
-        testing::internal::CaptureStderr();
-        log::setUp(false);
-        {
-            Application application(o);
-            const Status opened = application.open();
-            ASSERT_TRUE(opened) << opened.error().message();
-            const Status played = application.run(true);
-            EXPECT_TRUE(played) << played.error().message();
-            EXPECT_EQ(application.screens().top(), Screen::Paused);
-            const MenuPage& page = application.screens().menu().page();
-            EXPECT_NE(page.error.find(about), std::string::npos) << page.error;
-            EXPECT_NE(std::ranges::find(page.items, "Headset", &MenuItem::label), page.items.end())
-                << "to go on in it when it is back";
-            EXPECT_TRUE(application.hasPicture());
-        }
-        const std::string said = testing::internal::GetCapturedStderr();
-        EXPECT_NE(said.find(about), std::string::npos) << said;
-        const auto recording = tests::readRecorded(o.record);
-        ASSERT_TRUE(recording) << recording.error().message();
-        EXPECT_GE(recording->ticks(), 89u * 120 / 90);
-        expectReplays(*recording);
-    }
-};
-TEST_F(LostRuntime, AHeadsetPulledOut) {
-    loseIt([](FakeRuntime& f) { f.say(XR_SESSION_STATE_LOSS_PENDING); }, "headset was lost");
-}
-TEST_F(LostRuntime, ARuntimeThatGoes) {
-    loseIt([](FakeRuntime& f) { f.sayInstanceLoss(); }, "going away");
-}
-TEST_F(LostRuntime, ARuntimeThatHasCrashed) {
-    loseIt([](FakeRuntime& f) { f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST; },
-           "xrEndFrame says XR_ERROR_INSTANCE_LOST");
-}
-
-// It is asked for again and again, beside the window, which goes on; the dive then goes on in it, where it
-// was.
-TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
-    std::promise<void> windowGoesOn;
-    std::atomic<int> gone = 0, polls = 0, asked = 0;
-    fake.onWait = [](FakeRuntime& f) {
-        if (f.framesWaited != 90) return;
-        f.present = false;
-        f.say(XR_SESSION_STATE_LOSS_PENDING);
-    };
-    fake.onCreate = [&](FakeRuntime&) { // a runtime that is slow to say that it has none
-        if (gone != 1) return;
-        ++asked;
-        EXPECT_EQ(windowGoesOn.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
-    };
-    fake.onGone = [&](FakeRuntime& f) {
-        if (++gone == 2) f.present = true; // plugged in again
-        if (gone != 1) return;
-        test::onEachPoll([&] {
-            if (asked == 1 && ++polls == 5) windowGoesOn.set_value();
-            return polls < 5;
-        });
-    };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o, 200);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said; // of the loss
-    EXPECT_EQ(gone, 4); // lost, asked in vain, asked with success, played to the end
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
-    const std::vector<int> lengths = pauses(*recording);
-    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
-    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
-    // 110 frames, of which some pass until it is focused and for 0.3 s steady.
-    EXPECT_NEAR(lengths[3], (110 - 30) * 4 / 3, 8);
-    expectReplays(*recording);
-}
-TEST_F(LostRuntime, WhoGoesOnWithTheMouseIsLeftAlone) {
-    int polls = 0;
-    fake.onWait = [](FakeRuntime& f) {
-        if (f.framesWaited == 90) f.say(XR_SESSION_STATE_LOSS_PENDING);
-    };
-    fake.onGone = [&](FakeRuntime&) {
-        test::onEachPoll([&] {
-            if (++polls == 5) test::strikeKey(GLFW_KEY_ESCAPE); // leaves the pause menu
-            if (polls == 30) glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
-            return polls < 30;
-        });
-    };
-    PlayOptions o = options();
-    o.record = folder_ / "a.replay";
-    const Outcome outcome = run(o);
-    EXPECT_EQ(outcome.status, 0) << outcome.said;
-    EXPECT_EQ(polls, 30);
-    const auto recording = tests::readRecorded(o.record);
-    ASSERT_TRUE(recording) << recording.error().message();
-    const std::vector<int> lengths = pauses(*recording);
-    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
-    EXPECT_GT(lengths[3], 10);
-    // The mouse has one hand, which the headset did not show.
-    const auto last =
-        game::fromBytes(recording->input(recording->ticks() - 1).first<game::kTickInputBytes>());
-    EXPECT_TRUE(last.hands[0].tracked || last.hands[1].tracked);
-    expectReplays(*recording);
-}
-TEST_F(XrProgram, AScriptEndsWithASentenceWhereTheHeadsetIsPulledOut) {
-    fake.onWait = [](FakeRuntime& f) {
-        if (f.framesWaited == 60) f.say(XR_SESSION_STATE_LOSS_PENDING);
-    };
-    PlayOptions o = options();
-    o.hands.source = kFirstCatch;
-    expectOneMessage(run(o), "headset was lost");
-}
 TEST_F(XrProgram, FramesThatTheRuntimeDiscardsDoNotMatter) {
     fake.shouldRender = false; // runs, and nobody looks
     EXPECT_EQ(run(options(), 100).status, 0);
@@ -688,7 +420,7 @@ TEST_P(XrCall, ThatFailsIsNamedInOneSentence) {
     // The validation layer itself stumbles over an instance that could not be made.
     if (name == "xrCreateInstance") withoutValidation();
     const bool haptic = name.ends_with("HapticFeedback");
-    if (haptic) o.hands.source = kFirstCatch;
+    if (haptic) o.hands.source = firstCatch_;
     if (name == "xrStopHapticFeedback") // taken off while something is felt
         fake.onWait = [](FakeRuntime& f) {
             if (!f.pulses.empty() && f.state == XR_SESSION_STATE_FOCUSED) f.say(XR_SESSION_STATE_VISIBLE);
@@ -730,7 +462,7 @@ TEST_F(XrProgram, CoreValidationHasNothingToComplainOf) {
         }
     };
     PlayOptions o = options();
-    o.hands.source = kFirstCatch;
+    o.hands.source = firstCatch_;
     const Outcome outcome = run(o, 4000);
     EXPECT_EQ(outcome.status, 0) << outcome.said;
     EXPECT_FALSE(fake.pulses.empty());

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <functional>
 #include <map>
@@ -105,6 +106,10 @@ struct FakeRuntime {
     std::function<void(FakeRuntime&)> onGone;   // when the last instance has been destroyed
 
     // News for the next xrPollEvent.
+    template <class Event> void say(const Event& event) {
+        static_assert(sizeof(Event) <= sizeof(XrEventDataBuffer));
+        std::memcpy(&events.emplace_back(), &event, sizeof event);
+    }
     void say(XrSessionState state);
     void sayInstanceLoss();
     void sayRecentred();

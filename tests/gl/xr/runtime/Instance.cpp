@@ -41,34 +41,24 @@ FakeRuntime::FakeRuntime() {
 
 void FakeRuntime::say(XrSessionState next) {
     state = next;
-    XrEventDataBuffer buffer{};
-    auto& event = reinterpret_cast<XrEventDataSessionStateChanged&>(buffer);
-    event.type = XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;
-    event.session = handleOf<XrSession>(&session());
-    event.state = next;
-    events.push_back(buffer);
+    say(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr,
+                                       handleOf<XrSession>(&session()), next, 0});
 }
 void FakeRuntime::sayInstanceLoss() {
-    XrEventDataBuffer buffer{};
-    buffer.type = XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING;
-    events.push_back(buffer);
+    say(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, 0});
 }
 void FakeRuntime::sayRecentred() {
-    XrEventDataBuffer buffer{};
-    auto& event = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(buffer);
-    event.type = XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING;
-    event.session = handleOf<XrSession>(&session());
-    event.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
-    events.push_back(buffer);
+    say(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
+                                               nullptr,
+                                               handleOf<XrSession>(&session()),
+                                               XR_REFERENCE_SPACE_TYPE_LOCAL,
+                                               0,
+                                               XR_FALSE,
+                                               {{0, 0, 0, 1}, {0, 0, 0}}});
 }
-
 void FakeRuntime::sayWorn(bool worn) {
-    XrEventDataBuffer buffer{};
-    auto& event = reinterpret_cast<XrEventDataUserPresenceChangedEXT&>(buffer);
-    event.type = XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT;
-    event.session = handleOf<XrSession>(&session());
-    event.isUserPresent = worn;
-    events.push_back(buffer);
+    say(XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT, nullptr,
+                                          handleOf<XrSession>(&session()), worn});
 }
 
 namespace {

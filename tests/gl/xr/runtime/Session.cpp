@@ -319,11 +319,9 @@ XrResult xrRequestDisplayRefreshRateFB(XrSession, float wanted_Hz) {
     FakeRuntime& fake = shoalFakeRuntime();
     if (std::ranges::find(fake.refreshRates_Hz, wanted_Hz) == fake.refreshRates_Hz.end())
         return XR_ERROR_DISPLAY_REFRESH_RATE_UNSUPPORTED_FB;
-    XrEventDataBuffer buffer{};
-    reinterpret_cast<XrEventDataDisplayRefreshRateChangedFB&>(buffer) = {
-        XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB, nullptr,
-        std::exchange(fake.refreshRate_Hz, wanted_Hz), wanted_Hz};
-    fake.events.push_back(buffer);
+    fake.say(XrEventDataDisplayRefreshRateChangedFB{XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB,
+                                                    nullptr, std::exchange(fake.refreshRate_Hz, wanted_Hz),
+                                                    wanted_Hz});
     return XR_SUCCESS;
 }
 

@@ -1,0 +1,136 @@
+// What may happen in the middle of a dive: headset pulled out, runtime stopped, runtime crashed. The dive
+// pauses, is shown in the window, and all of it is in its recording.
+#include "game/app/Application.h"
+#include "tests/gl/xr/WindowEvents.h"
+#include "tests/gl/xr/XrProgram.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+
+namespace shoal::app {
+namespace {
+
+class LostRuntime : public XrProgram {
+  protected:
+    void loseIt(const std::function<void(FakeRuntime&)>& how, const std::string& about) {
+        fake.onWait = [how](FakeRuntime& f) {
+            if (f.framesWaited == 90) how(f);
+        };
+        // Whoever sits before the window closes it after a look.
+        fake.onGone = [](FakeRuntime&) { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); };
+        PlayOptions o = options();
+        o.record = folder_ / "a.replay";
+        testing::internal::CaptureStderr();
+        log::setUp(false);
+        {
+            Application application(o);
+            const Status opened = application.open();
+            ASSERT_TRUE(opened) << opened.error().message();
+            const Status played = application.run(true);
+            EXPECT_TRUE(played) << played.error().message();
+            EXPECT_EQ(application.screens().top(), Screen::Paused);
+            const MenuPage& page = application.screens().menu().page();
+            EXPECT_NE(page.error.find(about), std::string::npos) << page.error;
+            EXPECT_NE(std::ranges::find(page.items, "Headset", &MenuItem::label), page.items.end())
+                << "to go on in it when it is back";
+            EXPECT_TRUE(application.hasPicture());
+        }
+        const std::string said = testing::internal::GetCapturedStderr();
+        EXPECT_NE(said.find(about), std::string::npos) << said;
+        const auto recording = tests::readRecorded(o.record);
+        ASSERT_TRUE(recording) << recording.error().message();
+        EXPECT_GE(recording->ticks(), 89u * 120 / 90);
+        expectReplays(*recording);
+    }
+};
+TEST_F(LostRuntime, AHeadsetPulledOut) {
+    loseIt([](FakeRuntime& f) { f.say(XR_SESSION_STATE_LOSS_PENDING); }, "headset was lost");
+}
+TEST_F(LostRuntime, ARuntimeThatGoes) {
+    loseIt([](FakeRuntime& f) { f.sayInstanceLoss(); }, "going away");
+}
+TEST_F(LostRuntime, ARuntimeThatHasCrashed) {
+    loseIt([](FakeRuntime& f) { f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST; },
+           "xrEndFrame says XR_ERROR_INSTANCE_LOST");
+}
+
+// It is asked for again and again, beside the window, which goes on; the dive then goes on in it, where it
+// was.
+TEST_F(LostRuntime, ComesBackAndTheDiveGoesOnInIt) {
+    std::promise<void> windowGoesOn;
+    std::atomic<int> gone = 0, polls = 0, asked = 0;
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited != 90) return;
+        f.present = false;
+        f.say(XR_SESSION_STATE_LOSS_PENDING);
+    };
+    fake.onCreate = [&](FakeRuntime&) { // a runtime that is slow to say that it has none
+        if (gone != 1) return;
+        ++asked;
+        EXPECT_EQ(windowGoesOn.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    };
+    fake.onGone = [&](FakeRuntime& f) {
+        if (++gone == 2) f.present = true; // plugged in again
+        if (gone != 1) return;
+        test::onEachPoll([&] {
+            if (asked == 1 && ++polls == 5) windowGoesOn.set_value();
+            return polls < 5;
+        });
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o, 200);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said; // of the loss
+    EXPECT_EQ(gone, 4); // lost, asked in vain, asked with success, played to the end
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording) << recording.error().message();
+    const std::vector<int> lengths = pauses(*recording);
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
+    EXPECT_NEAR(lengths[0] + lengths[1], 90 * 4 / 3, 4);
+    // 110 frames, of which some pass until it is focused and for 0.3 s steady.
+    EXPECT_NEAR(lengths[3], (110 - 30) * 4 / 3, 8);
+    expectReplays(*recording);
+}
+TEST_F(LostRuntime, WhoGoesOnWithTheMouseIsLeftAlone) {
+    int polls = 0;
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 90) f.say(XR_SESSION_STATE_LOSS_PENDING);
+    };
+    fake.onGone = [&](FakeRuntime&) {
+        test::onEachPoll([&] {
+            if (++polls == 5) test::strikeKey(GLFW_KEY_ESCAPE); // leaves the pause menu
+            if (polls == 30) glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
+            return polls < 30;
+        });
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    const Outcome outcome = run(o);
+    EXPECT_EQ(outcome.status, 0) << outcome.said;
+    EXPECT_EQ(polls, 30);
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording) << recording.error().message();
+    const std::vector<int> lengths = pauses(*recording);
+    ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
+    EXPECT_GT(lengths[3], 10);
+    // The mouse has one hand, which the headset did not show.
+    const auto last =
+        game::fromBytes(recording->input(recording->ticks() - 1).first<game::kTickInputBytes>());
+    EXPECT_TRUE(last.hands[0].tracked || last.hands[1].tracked);
+    expectReplays(*recording);
+}
+TEST_F(XrProgram, AScriptEndsWithASentenceWhereTheHeadsetIsPulledOut) {
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 60) f.say(XR_SESSION_STATE_LOSS_PENDING);
+    };
+    PlayOptions o = options();
+    o.hands.source = firstCatch_;
+    expectOneMessage(run(o), "headset was lost");
+}
+
+} // namespace
+} // namespace shoal::app

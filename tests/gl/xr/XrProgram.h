@@ -1,0 +1,143 @@
+// `shoal --xr` on the fake runtime, from its start to its exit status.
+#pragma once
+
+#include "engine/core/Log.h"
+#include "game/rules/TickInput.h"
+#include "game/tools/Commands.h"
+#include "game/views/FilmSpaceOf.h"
+#include "input/hands/MouseHands.h"
+#include "tests/TestPaths.h"
+#include "tests/gl/xr/Fixture.h"
+#include "tests/playthrough/Play.h"
+
+#include <algorithm>
+
+namespace shoal::app {
+
+class XrProgram : public test::WithFakeRuntime {
+  protected:
+    using FakeRuntime = test::FakeRuntime;
+    struct Outcome {
+        int status = -1;
+        std::string said; // on standard error
+    };
+    const std::string firstCatch_ = "script:" + (dataRoot() / "tests/playthrough/first_catch.toml").string();
+
+    tests::ScratchFolder scratch_;
+    Path folder_ = scratch_.path();
+
+    void SetUp() override {
+        WithFakeRuntime::SetUp();
+        for (const char* name : {"XDG_DATA_HOME", "XDG_CONFIG_HOME"}) setenv(name, folder_.c_str(), 1);
+        fake.eyeWidth = 96;
+        fake.eyeHeight = 112;
+    }
+    void TearDown() override { WithFakeRuntime::TearDown(); }
+
+    PlayOptions options() const {
+        PlayOptions o;
+        o.xr = true;
+        o.start = Start::Dive;
+        o.seed = 1; // with a window each run would draw another
+        o.mute = true;
+        o.quality = QualityControl::Fixed;
+        o.look.size = {160, 90};
+        o.look.samples = 1;
+        o.environment.photo = ""; // the dive's own video
+        return o;
+    }
+    // A script that does nothing wrong must not run for ever.
+    Outcome run(const PlayOptions& o, uint64_t maxFrames = 2000) {
+        const auto scripted = fake.onWait;
+        fake.onWait = [scripted, maxFrames](FakeRuntime& f) {
+            if (scripted) scripted(f);
+            if (f.framesWaited == maxFrames) leave(f);
+        };
+        testing::internal::CaptureStderr();
+        log::setUp(false);
+        Outcome outcome;
+        const Status played = play(o);
+        if (!played) std::fprintf(stderr, "%s\n", played.error().message().c_str());
+        outcome.status = played ? 0 : 1;
+        outcome.said = testing::internal::GetCapturedStderr();
+        // The validation layer greets each instance.
+        for (size_t at; (at = outcome.said.find("Core Validation output")) != std::string::npos;)
+            outcome.said.erase(at, outcome.said.find('\n', at) + 1 - at);
+        return outcome;
+    }
+    // As when the player ends the game in the runtime's menu.
+    static void leave(FakeRuntime& f) {
+        f.exitRequested = true;
+        f.say(XR_SESSION_STATE_VISIBLE);
+        f.say(XR_SESSION_STATE_SYNCHRONIZED);
+        f.say(XR_SESSION_STATE_STOPPING);
+    }
+    static void expectOneMessage(const Outcome& outcome, const std::string& about) {
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_EQ(std::count(outcome.said.begin(), outcome.said.end(), '\n'), 1) << outcome.said;
+        EXPECT_NE(outcome.said.find(about), std::string::npos) << outcome.said;
+    }
+
+    // Mean of the left eye's picture, display values up to 191; 0 where there is none.
+    static double brightness(const FakeRuntime& f) {
+        if (!f.last.eyes) return 0;
+        double sum = 0;
+        const auto& rgba = (*f.last.eyes)[0].picture.rgba;
+        for (size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
+        return sum / static_cast<double>(rgba.size());
+    }
+
+    void closeHand(size_t side, float closed) {
+        hold(side, closed, {side == 0 ? -0.2f : 0.2f, -0.15f, -0.5f});
+    }
+    void hold(size_t side, float closed, glm::vec3 grasp) {
+        static const hands::HandRig rig =
+            *hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+        const auto pose =
+            hands::reachingHand(rig, side == 0 ? hands::Side::Left : hands::Side::Right, grasp, closed);
+        fake.hands[side].active = true;
+        for (size_t i = 0; i < pose.joints.size(); ++i) {
+            const hands::Joint& joint = pose.joints[i];
+            fake.hands[side].joints[i] = {
+                0xf,
+                {{joint.orientation.x, joint.orientation.y, joint.orientation.z, joint.orientation.w},
+                 {joint.position.x, joint.position.y, joint.position.z}},
+                joint.radius};
+        }
+    }
+
+    static void expectReplays(const tests::Recorded& recording) {
+        auto files = game::loadDiveFiles("reef");
+        ASSERT_TRUE(files);
+        files->dive.space = filmSpaceOf(dataRoot() / "content" / files->dive.video, 0);
+        const Status same = game::replay(recording, *files);
+        EXPECT_TRUE(same) << same.error().message();
+    }
+
+    // Lengths of the stretches in which `pause` was held or not, in ticks, beginning with held.
+    static std::vector<int> pauses(const tests::Recorded& recording) {
+        std::vector<int> lengths{0};
+        bool paused = true;
+        for (size_t tick = 0; tick < recording.ticks(); ++tick) {
+            const auto input = game::fromBytes(recording.input(tick).first<game::kTickInputBytes>());
+            if (input.pause != paused) {
+                paused = input.pause;
+                lengths.push_back(0);
+            }
+            ++lengths.back();
+        }
+        return lengths;
+    }
+    // Of so many frames of a dive in which the runtime does as it was told.
+    std::vector<int> pausesWithin(uint64_t frames) {
+        PlayOptions o = options();
+        o.record = folder_ / "a.replay";
+        const Outcome outcome = run(o, frames);
+        EXPECT_EQ(outcome.status, 0) << outcome.said;
+        const auto recording = tests::readRecorded(o.record);
+        EXPECT_TRUE(recording);
+        return recording ? pauses(*recording) : std::vector<int>();
+    }
+};
+
+} // namespace shoal::app
