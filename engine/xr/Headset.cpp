@@ -16,12 +16,27 @@ namespace {
 
 using Space = Handle<XrSpace, xrDestroySpace>;
 
-Space makeSpace(XrSession session, const Pose& localFromOrigin) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
-                                          XR_REFERENCE_SPACE_TYPE_LOCAL, poseTo(localFromOrigin)};
+Space makeSpace(XrSession session, const Pose& referenceFromSpace,
+                XrReferenceSpaceType reference = XR_REFERENCE_SPACE_TYPE_LOCAL) {
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, reference,
+                                          poseTo(referenceFromSpace)};
     Space space;
     SHOAL_XR(xrCreateReferenceSpace(session, &info, space.fresh()));
     return space;
+}
+
+// A space whose origin is on the floor: below LOCAL's, else of the area that the player has set up. Empty:
+// the runtime has neither.
+Space makeFloor(XrSession session) {
+    const auto offered = enumerate(XR_REFERENCE_SPACE_TYPE_LOCAL,
+                                   [&](uint32_t capacity, uint32_t* count, XrReferenceSpaceType* items) {
+                                       SHOAL_XR(xrEnumerateReferenceSpaces(session, capacity, count, items));
+                                   });
+    for (const XrReferenceSpaceType type :
+         {XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, XR_REFERENCE_SPACE_TYPE_STAGE})
+        if (std::find(offered.begin(), offered.end(), type) != offered.end())
+            return makeSpace(session, {}, type);
+    return {};
 }
 
 static_assert(XR_HAND_JOINT_COUNT_EXT == hands::kJointCount);
@@ -212,7 +227,7 @@ struct Headset::State {
     // In this order: what is made from another dies before it.
     Instance instance;
     SessionHandle session;
-    Space local, world;
+    Space local, world, floor;
     HandTrackers hands;
     Actions actions;
     std::array<Swapchain, 5> pictures; // by Picture
@@ -222,9 +237,10 @@ struct Headset::State {
     bool lost = false;    // runtime or headset are gone
     bool worn = true;     // as far as it senses that
     bool centring = true;
-    bool positionTracked = false; // has ever been, not merely valid
-    bool everPlaced = false;      // a position was ever known
-    bool centredBlind = false;    // the dive was centred without one: again as soon as there is one
+    std::optional<XrTime> recentresAt_ns; // the runtime moves LOCAL then, as the player has asked of it
+    bool positionTracked = false;         // has ever been, not merely valid
+    bool everPlaced = false;              // a position was ever known
+    bool centredBlind = false;            // the dive was centred without one: again as soon as there is one
     // Positions of the eyes in the head's frame, as last known; at first the mean of people.
     std::array<glm::vec3, 2> headFromEye{glm::vec3(-0.0315f, 0, 0), glm::vec3(0.0315f, 0, 0)};
     Frame frame;
@@ -233,6 +249,7 @@ struct Headset::State {
     template <class Work> Status guard(Work&& work) { return statusOf(work, &lost); }
     void enter(XrSessionState next);
     void locateEyes();
+    void locateFloor();
     Swapchain& picture(Picture p) { return pictures[static_cast<size_t>(p)]; }
 };
 
@@ -258,6 +275,7 @@ Result<Headset> Headset::open(glm::ivec2 panelSize) {
         askForRefreshRate(s.instance, session);
         s.local = makeSpace(session, {});
         s.world = makeSpace(session, {});
+        s.floor = makeFloor(session);
         s.hands = HandTrackers::make(s.instance, session);
         s.actions = Actions::make(s.instance, session);
         for (const Picture p : {Picture::LeftEye, Picture::RightEye, Picture::Panel})
@@ -290,9 +308,13 @@ Status Headset::poll() {
                 break;
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
                 throw Failure("the headset's runtime is going away", true);
-            case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: // the player has pressed "recentre"
-                state_->centring = true;
+            case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
+                // The floor's are located anew in every frame.
+                const auto& change = reinterpret_cast<XrEventDataReferenceSpaceChangePending&>(event);
+                if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL)
+                    state_->recentresAt_ns = change.changeTime;
                 break;
+            }
             case XR_TYPE_EVENT_DATA_DISPLAY_REFRESH_RATE_CHANGED_FB:
                 log::debug(
                     "the headset shows {:.0f} pictures a second from now on",
@@ -328,7 +350,13 @@ Result<Frame> Headset::waitFrame() {
         s.frame.display_ns = next.predictedDisplayTime;
         s.frame.period_s = static_cast<double>(next.predictedDisplayPeriod) * 1e-9;
         s.frame.drawn = next.shouldRender == XR_TRUE;
+        // Before that the head is still told where LOCAL was.
+        if (s.recentresAt_ns && s.frame.display_ns >= *s.recentresAt_ns) {
+            s.centring = true;
+            s.recentresAt_ns.reset();
+        }
         s.locateEyes();
+        s.locateFloor();
         s.hands.locate(s.world.name(), s.frame.display_ns, s.tracking.hands);
         s.actions.locate(s.session.name(), s.world.name(), s.frame.display_ns, s.tracking.controllers);
     });
@@ -385,6 +413,19 @@ void Headset::State::locateEyes() {
     }
     tracking.eyes = eyes;
     tracking.worldFromHead = middle();
+}
+
+// Not believed where nobody's eyes can be.
+void Headset::State::locateFloor() {
+    constexpr float kHighestEyes_m = 3;
+    tracking.floor_m.reset();
+    if (floor.name() == XR_NULL_HANDLE) return;
+    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+    SHOAL_XR(xrLocateSpace(floor.name(), world.name(), frame.display_ns, &location));
+    const Pose worldFromFloor = poseFrom(location.pose);
+    const float eyes_m = tracking.worldFromHead.position.y - worldFromFloor.position.y;
+    if (valid(location.locationFlags) && believable(worldFromFloor) && eyes_m > 0 && eyes_m < kHighestEyes_m)
+        tracking.floor_m = worldFromFloor.position.y;
 }
 
 Status Headset::begin() {

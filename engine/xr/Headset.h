@@ -64,7 +64,9 @@ class Headset {
     bool wantsFrames() const; // else no waitFrame(), begin(), end(); empty frames are frames too
     bool plays() const;       // the headset is worn, and no menu of the runtime lies over the game
     bool leaving() const;     // the player told the runtime to end the game
-    void recentre();          // from the next tracked frame on the dive's origin is where the eyes are
+    // From the next tracked frame on the dive's origin is where the eyes are, and ahead where they look. So
+    // it is by itself when the player has recentred in the runtime's own way.
+    void recentre();
 
     Result<Frame> waitFrame();        // sleeps until the runtime wants the next one
     const Tracking& tracking() const; // at the time when the frame will be seen

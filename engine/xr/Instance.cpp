@@ -129,6 +129,7 @@ Instance Instance::open(bool withHeadset) {
         instance.sensesWearer = takes(XR_EXT_USER_PRESENCE_EXTENSION_NAME);
         instance.takesDepth = takes(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
         instance.choosesRate = takes(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME);
+        takes(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
         for (const char* name : Actions::extensions()) takes(name);
     }
     instance.enabled.assign(wanted.begin(), wanted.end());

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <optional>
 
 namespace shoal::xr {
 
@@ -57,6 +58,8 @@ struct Tracking {
     bool headTracked = false;  // which way it looks is known; else what follows is the last that was known
     bool positionLost = false; // the head turns where it was last known to be
     Pose worldFromHead;        // between the eyes
+    // Height of the floor, world; empty: the runtime does not know it.
+    std::optional<float> floor_m;
     std::array<Eye, 2> eyes{}; // left, right
     // Left, right; bare hands, joints in the world's frame, without grip and pinch. Tracked if all joints are
     // known; confidence: the share of them that is not merely guessed.

@@ -21,6 +21,8 @@ constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
 constexpr float kGoalsAtFirst_s = 8;      // for which the goals are shown as a dive begins
 constexpr float kGoalsOnNews_s = 4;       // and after one is reached
 constexpr float kResultsRest_s = 0.8f;    // in which the results take no choice
+// Between the eyes of a tall person on a chair and of a small one who stands.
+constexpr float kStandingEyes_m = 1.35f;
 constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
 
 } // namespace
@@ -58,7 +60,10 @@ Mode Application::firstMode() const {
 Status Application::begin(Mode mode, bool measured) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
-    if (!config.script && !config.replay) config.rules.freeSwim = mode != Mode::Dive;
+    if (!config.script && !config.replay) {
+        config.rules.freeSwim = mode != Mode::Dive;
+        config.rules.seated = isSeated();
+    }
     statistics_ = {.renderer = std::move(statistics_.renderer)};
     const FrameClock::Mode clock = options_.timedemo ? FrameClock::Mode::TimeDemo
                                    : window_         ? FrameClock::Mode::RealTime
@@ -66,6 +71,14 @@ Status Application::begin(Mode mode, bool measured) {
     play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
     const bool records = measured && !options_.record.empty() && mode != Mode::Title;
     return records ? play_->session.record(recordingFile()) : Done{};
+}
+
+// Only in a headset does a dive depend on it.
+bool Application::isSeated() const {
+    if (display_->audience() != Audience::HeadsetPlayer) return false;
+    if (options_.posture != Posture::Auto) return options_.posture == Posture::Seated;
+    const std::optional<float> eyes_m = display_->eyesAboveFloor_m();
+    return eyes_m && *eyes_m < kStandingEyes_m;
 }
 
 // Each session has a recording of its own: FILE, FILE-2, FILE-3.
@@ -223,6 +236,7 @@ void Application::globalActions(const Controls& controls) {
             if (Status reloaded = sceneRenderer_->reloadShaders(); !reloaded)
                 log::warn("{}", reloaded.error().message());
 #endif
+    if (controls.was(Action::Recentre)) display_->recentre();
     if (controls.was(Action::Room) && display_->audience() == Audience::HeadsetPlayer)
         options_.passthrough = !options_.passthrough;
     const int louder = controls.was(Action::Louder) - controls.was(Action::Quieter);

@@ -74,6 +74,7 @@ class Application {
     bool drawLoading(float progress); // false: the player wants to leave
     Mode firstMode() const;
     Status begin(Mode mode, bool measured = true);
+    bool isSeated() const;
     Path recordingFile();
     Status endPlay();
 

@@ -46,6 +46,11 @@ class Display {
     virtual void feed(GameSession&) {}
     virtual Status vibrate(const haptics::HapticFrame&, bool /*paused*/) { return Done{}; }
 
+    // Of the player, now; empty: the display does not know.
+    virtual std::optional<float> eyesAboveFloor_m() const { return std::nullopt; }
+    // Ahead is where the player looks now, where the display tracks the head.
+    virtual void recentre() {}
+
     // The player's own room in place of the film, from the next picture on. False: the display cannot.
     virtual bool showRoom(bool /*wanted*/) { return true; }
 

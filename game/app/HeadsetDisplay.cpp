@@ -91,8 +91,7 @@ void HeadsetDisplay::feed(GameSession& session) {
     pause_.step(now, static_cast<float>(elapsed_s_), session.paused, session.restart);
     if (session.restart) {
         session.paused = false;
-        headset_.recentre(); // the new dive begins where the player is now
-        panel_ = {};
+        recentre(); // the new dive begins where the player is now
     }
     session.head = tracking.worldFromHead;
     if (auto* source = std::get_if<OpenXrSource>(&session.source)) source->frame(poses);
@@ -104,6 +103,17 @@ const game::Notice* HeadsetDisplay::notice() const {
     if (noRoom_s_ > 0) return &kNoRoom;
     const xr::Tracking& tracking = headset_.tracking();
     return tracking.headTracked && tracking.positionLost ? &kPositionLost : nullptr;
+}
+
+std::optional<float> HeadsetDisplay::eyesAboveFloor_m() const {
+    const xr::Tracking& tracking = headset_.tracking();
+    if (!tracking.headTracked || !tracking.floor_m) return std::nullopt;
+    return tracking.worldFromHead.position.y - *tracking.floor_m;
+}
+
+void HeadsetDisplay::recentre() {
+    headset_.recentre();
+    panel_ = {};
 }
 
 bool HeadsetDisplay::showRoom(bool wanted) {

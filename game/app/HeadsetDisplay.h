@@ -31,6 +31,8 @@ class HeadsetDisplay : public Display {
     bool lost() const override { return headset_.lost(); }
     const game::Notice* notice() const override;
     void feed(GameSession& session) override;
+    std::optional<float> eyesAboveFloor_m() const override;
+    void recentre() override;
     bool showRoom(bool wanted) override;
     Status vibrate(const haptics::HapticFrame& frame, bool paused) override;
     Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) override;

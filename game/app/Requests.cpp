@@ -14,6 +14,9 @@ Status Application::answer(const Request& request) {
     case Request::Kind::Resume:
         session.paused = false;
         return Done{};
+    case Request::Kind::Recentre:
+        display_->recentre();
+        return Done{};
     case Request::Kind::Restart:
         session.restart = true;
         session.paused = false;

@@ -491,6 +491,7 @@ MenuPage Screens::pausedPage() {
     else
         button("Start again", [this] { ask(Request::Kind::Restart); });
     if (facts.headsetLost && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
+    if (options_.xr) button("Look ahead again", [this] { ask(Request::Kind::Recentre); });
     if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
     button("Settings", [this] { push(Screen::Settings); });
     button("How to play", [this] { push(Screen::HowToPlay); });

@@ -44,6 +44,7 @@ struct Request {
         OwnFilm,
         Headset,
         Resume,
+        Recentre,
         Restart,
         Photo,
         Title,

@@ -10,12 +10,30 @@
 
 namespace shoal::game {
 
+namespace {
+
+// Who sits has a lap and a floor nearer below the eyes than who stands, and cannot step towards a fish.
+void bringToSeated(DiveFile& dive) {
+    constexpr float kLap_m = -0.45f, kFloor_m = -0.9f; // against the eyes; the floor is at -1.1 to -1.3
+    constexpr float kStep_m = 0.3f, kLeastBand_m = 0.3f;
+    dive.floor_m = std::max(dive.floor_m, kFloor_m);
+    for (School& school : dive.schools) {
+        school.heightLow_m = std::max(school.heightLow_m, kLap_m);
+        school.heightHigh_m = std::max(school.heightHigh_m, school.heightLow_m + kLeastBand_m);
+        school.radiusHigh_m = std::max(school.radiusHigh_m - kStep_m,
+                                       std::min(school.radiusHigh_m, school.radiusLow_m + kLeastBand_m));
+    }
+}
+
+} // namespace
+
 Dive::Dive(SpeciesTable species, DiveFile file, uint64_t seed, DiveRules rules)
     : files_{std::move(species), std::move(file)}, rules_(rules) {
     if (rules_.freeSwim) {
         files_.dive.shark.species = -1;
         files_.dive.goals.clear();
     }
+    if (rules_.seated) bringToSeated(files_.dive);
     begin(seed);
 }
 
@@ -154,7 +172,8 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     const DiveRules& rules = dive.rules();
     header.settings = {{"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
-                       {"curious", rules.curious ? "on" : "off"}};
+                       {"curious", rules.curious ? "on" : "off"},
+                       {"seated", rules.seated ? "on" : "off"}};
     if (const FilmSpace* space = dive.file().space.get()) header.settings[kFilmSpace] = nameOf(*space);
     return header;
 }
@@ -172,6 +191,8 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
             rules.freeSwim = on;
         else if (name == "curious")
             rules.curious = on;
+        else if (name == "seated")
+            rules.seated = on;
         else
             continue; // of those who made the inputs
         if (!known) return Error{"the recording", "has an unknown value: " + name + " = " + value};

@@ -18,6 +18,8 @@ struct DiveRules {
     bool freeSwim = false; // no clock, no shark, no goals
     // Fish come to look at a hand that rests (game/rules/Curiosity.h), and do not mind a head that turns.
     bool curious = false;
+    // The player sits: no fish circles where only a step or bent knees would reach it.
+    bool seated = false;
 
     bool operator==(const DiveRules&) const = default;
 };

@@ -32,6 +32,7 @@ enum class HandSourceKind { Auto, Mouse, Leap, Webcam, OpenXr, Script, Replay };
 enum class Handedness { Right, Left };
 enum class Closing { Hold, Toggle }; // of the hand, by a button
 enum class Turning { Smooth, Snap };
+enum class Posture { Auto, Seated, Standing }; // Auto: as the headset finds the player
 enum class CaptionSize { Small, Medium, Large };
 enum class LanguageChoice { Auto, English, German, French }; // Auto: the system's
 enum class Start { Auto, Title, Dive };
@@ -83,6 +84,9 @@ template <> struct EnumNames<app::HandSourceKind> {
 template <> struct EnumNames<app::Handedness> { static constexpr std::array kNames = {"right", "left"}; };
 template <> struct EnumNames<app::Closing> { static constexpr std::array kNames = {"hold", "toggle"}; };
 template <> struct EnumNames<app::Turning> { static constexpr std::array kNames = {"smooth", "snap"}; };
+template <> struct EnumNames<app::Posture> {
+    static constexpr std::array kNames = {"auto", "seated", "standing"};
+};
 template <> struct EnumNames<app::CaptionSize> {
     static constexpr std::array kNames = {"small", "medium", "large"};
 };

@@ -90,10 +90,11 @@ struct PlayOptions {
     Skin skin = Skin::Light;
     Start start = Start::Auto;
     ControlOptions controls;
-    bool firstSteps = true;     // before the next dive, which begins when they are over
-    float speed = 1;            // of the game against the clock
-    bool reducedMotion = false; // nothing moves but what the player and the animals move
-    bool vignette = false;      // dark edges while the view turns
+    bool firstSteps = true;          // before the next dive, which begins when they are over
+    float speed = 1;                 // of the game against the clock
+    Posture posture = Posture::Auto; // in a headset
+    bool reducedMotion = false;      // nothing moves but what the player and the animals move
+    bool vignette = false;           // dark edges while the view turns
     TextSettings text;
     std::string record;
     StereoOutput stereo = StereoOutput::None;
@@ -143,6 +144,11 @@ struct PlayOptions {
         table.addKept("--speed", &speed, "Of the game, in times of the clock's")
             .between(0.5, 1)
             .shownAs(Comfort, "Game speed");
+        table
+            .addKept("--posture", choice(posture),
+                     "In a headset, seated brings fish to where you reach them without a step; auto: as you "
+                     "are when a dive begins, where the headset knows the floor, else standing")
+            .shownAs(Comfort, "Posture");
         table.add("--seed", &seed,
                   "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
                   "dives without a window have 1");

@@ -131,6 +131,63 @@ TEST_F(HeadsetGL, CentresTheDiveUnderTheHead) {
     EXPECT_LT(glm::length(headset.tracking().worldFromHead.position), 1e-5f);
 }
 
+// What the runtime announces holds from the time on that it says: until then LOCAL is where it was.
+TEST_F(HeadsetGL, ARecentringByTheRuntimeIsObeyedWhenItHappens) {
+    Headset headset = open();
+    untilFocused(headset);
+    Frame now = emptyFrame(headset);
+    const auto place = [&](float x) {
+        for (size_t eye = 0; eye < 2; ++eye)
+            fake.views[eye].pose.position.x = x + (eye == 0 ? -0.032f : 0.032f);
+    };
+    const auto seen = [&] {
+        now = emptyFrame(headset);
+        return headset.tracking().worldFromHead.position.x;
+    };
+    place(0.5f);
+    EXPECT_NEAR(seen(), 0.5f, 1e-5f);
+    // The area that the player has set up is another matter.
+    fake.sayRecentred(XR_REFERENCE_SPACE_TYPE_STAGE, now.display_ns);
+    EXPECT_NEAR(seen(), 0.5f, 1e-5f);
+    const XrTime when = now.display_ns + 5 * static_cast<XrTime>(now.period_s * 1e9) / 2;
+    fake.sayRecentred(XR_REFERENCE_SPACE_TYPE_LOCAL, when);
+    EXPECT_NEAR(seen(), 0.5f, 1e-5f);
+    EXPECT_NEAR(seen(), 0.5f, 1e-5f);
+    place(0.1f); // LOCAL has moved, to where the player stood when asked
+    EXPECT_NEAR(seen(), 0, 1e-5f);
+    place(0.2f);
+    EXPECT_NEAR(seen(), 0.1f, 1e-5f);
+}
+
+TEST_F(HeadsetGL, TheFloorIsKnownWhereTheRuntimeKnowsIt) {
+    withoutValidation();
+    for (XrView& view : fake.views) view.pose.position.y = 0.2f; // the origin of the dive, above LOCAL's
+    const auto floor = [&] {
+        Headset headset = open();
+        untilFocused(headset);
+        emptyFrame(headset);
+        return headset.tracking().floor_m;
+    };
+    const auto offer = [&](XrReferenceSpaceType type, float y) {
+        fake.referenceSpaces[type] = {{0, 0, 0, 1}, {3, y, 1}};
+    };
+    EXPECT_FALSE(floor());
+    offer(XR_REFERENCE_SPACE_TYPE_STAGE, -1.5f);
+    ASSERT_TRUE(floor());
+    EXPECT_NEAR(*floor(), -1.7f, 1e-5f);
+    offer(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, -1.4f);
+    EXPECT_NEAR(*floor(), -1.7f, 1e-5f) << "without its extension there is no such space";
+    fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
+    EXPECT_NEAR(*floor(), -1.6f, 1e-5f);
+    for (const float y : {0.3f, -20.0f, std::numeric_limits<float>::quiet_NaN()}) { // none can be there
+        offer(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, y);
+        EXPECT_FALSE(floor()) << y;
+    }
+    offer(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, -1.4f);
+    fake.spaceFlags = 0;
+    EXPECT_FALSE(floor());
+}
+
 // Valid is all that a runtime promises; Monado's simulated headset never says that it is tracked.
 TEST_F(HeadsetGL, PosesThatAreOnlyValidAreTaken) {
     fake.viewFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;

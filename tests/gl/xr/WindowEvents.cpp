@@ -33,6 +33,21 @@ std::function<bool()>& eachPoll() {
     return then;
 }
 
+KeySym symbolOf(int glfwKey) {
+    switch (glfwKey) {
+    case GLFW_KEY_ESCAPE:
+        return XK_Escape;
+    case GLFW_KEY_ENTER:
+        return XK_Return;
+    case GLFW_KEY_DOWN:
+        return XK_Down;
+    case GLFW_KEY_HOME:
+        return XK_Home;
+    default:
+        return static_cast<KeySym>(XK_F1 + (glfwKey - GLFW_KEY_F1));
+    }
+}
+
 void sendExposure() {
     XEvent event{};
     event.xexpose = {.type = Expose};
@@ -42,8 +57,7 @@ void sendExposure() {
 } // namespace
 
 void strikeKey(int glfwKey) {
-    const KeySym symbol =
-        glfwKey == GLFW_KEY_ESCAPE ? XK_Escape : static_cast<KeySym>(XK_F1 + (glfwKey - GLFW_KEY_F1));
+    const KeySym symbol = symbolOf(glfwKey);
     for (const int type : {KeyPress, KeyRelease}) {
         XEvent event{};
         event.xkey = {.type = type, .keycode = static_cast<unsigned>(symbol), .same_screen = True};

@@ -5,7 +5,8 @@
 
 namespace shoal::test {
 
-// Pressed and released; the window learns of it when it looks for events next. glfwKey: F1 to F12, Escape.
+// Pressed and released; the window learns of it when it looks for events next. glfwKey: F1 to F12, Escape,
+// Enter, Down, Home.
 void strikeKey(int glfwKey);
 
 // Whenever the window looks for events, until it returns false.

@@ -103,6 +103,70 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     expectReplays(*recording);
 }
 
+// The key that turns the mouse's player to look ahead again.
+TEST_F(XrProgram, AKeyRecentres) {
+    fake.onWait = [](FakeRuntime& f) {
+        if (f.framesWaited == 60) // walks away and turns
+            for (XrView& view : f.views) {
+                view.pose.position.x += 0.7f;
+                view.pose.position.y += 0.2f;
+                view.pose.orientation = {0, std::sin(0.4f), 0, std::cos(0.4f)};
+            }
+        if (f.framesWaited == 90) test::strikeKey(GLFW_KEY_HOME);
+    };
+    PlayOptions o = options();
+    o.record = folder_ / "a.replay";
+    EXPECT_EQ(run(o, 120).status, 0);
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording);
+    const auto input = [&](size_t tick) {
+        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+    };
+    EXPECT_NEAR(glm::length(input(85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f), 0.05f); // eyes turn aside
+    const game::TickInput last = input(recording->ticks() - 9);
+    EXPECT_LT(glm::length(last.headWorld), 1e-5f);
+    EXPECT_NEAR(std::abs(last.worldFromView.w), 1, 1e-5f);
+}
+
+// Auto goes by the head above the floor as a dive begins: here the second, chosen from the title screen.
+TEST_F(XrProgram, WhoSitsDivesSeated) {
+    withoutValidation();
+    fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
+    for (const float eyes_m : {1.2f, 1.6f}) {
+        fake.framesWaited = 0;
+        fake.referenceSpaces[XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT] = {{0, 0, 0, 1}, {0, -eyes_m, 0}};
+        PlayOptions o = options();
+        o.firstSteps = false;
+        o.record = folder_ / (eyes_m < 1.4f ? "sits.replay" : "stands.replay");
+        Application application(o);
+        ASSERT_TRUE(application.open());
+        const Menu& menu = application.screens().menu();
+        fake.onWait = [&](FakeRuntime& f) {
+            if (f.framesWaited == 60) test::strikeKey(GLFW_KEY_ESCAPE);
+            if (f.framesWaited == 130) leave(f);
+            if (f.framesWaited <= 64 || f.framesWaited % 3 != 0 || !application.screens().isOpen()) return;
+            const bool there = application.screens().top() != Screen::Paused ||
+                               menu.page().items[menu.focus()].label == "Title screen";
+            test::strikeKey(there ? GLFW_KEY_ENTER : GLFW_KEY_DOWN);
+        };
+        EXPECT_TRUE(application.run(true));
+        const auto second =
+            tests::readRecorded(folder_ / (eyes_m < 1.4f ? "sits-2.replay" : "stands-2.replay"));
+        ASSERT_TRUE(second) << second.error().message();
+        EXPECT_EQ(second->header().settings.at("seated"), eyes_m < 1.4f ? "on" : "off");
+    }
+    fake.framesWaited = 0;
+    fake.onWait = {};
+    PlayOptions o = options();
+    o.posture = Posture::Seated;
+    o.record = folder_ / "a.replay";
+    EXPECT_EQ(run(o, 60).status, 0);
+    const auto recording = tests::readRecorded(o.record);
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(recording->header().settings.at("seated"), "on");
+    expectReplays(*recording);
+}
+
 // The headset tells 72 times a second where things are, the game asks 120 times: a steady motion stays
 // steady, or hands would seem to stop and leap.
 TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
@@ -432,15 +496,15 @@ INSTANTIATE_TEST_SUITE_P(
     Every, XrCall,
     testing::Values("xrCreateInstance", "xrGetInstanceProperties", "xrGetSystem", "xrGetSystemProperties",
                     "xrEnumerateViewConfigurationViews", "xrEnumerateEnvironmentBlendModes",
-                    "xrGetOpenGLGraphicsRequirementsKHR", "xrCreateSession", "xrCreateReferenceSpace",
-                    "xrCreateHandTrackerEXT", "xrStringToPath", "xrCreateActionSet", "xrCreateAction",
-                    "xrSuggestInteractionProfileBindings", "xrCreateActionSpace", "xrAttachSessionActionSets",
-                    "xrEnumerateSwapchainFormats", "xrCreateSwapchain", "xrEnumerateSwapchainImages",
-                    "xrPollEvent", "xrBeginSession", "xrWaitFrame", "xrLocateViews", "xrLocateHandJointsEXT",
-                    "xrSyncActions", "xrGetActionStatePose", "xrGetActionStateFloat",
-                    "xrGetActionStateBoolean", "xrLocateSpace", "xrBeginFrame", "xrAcquireSwapchainImage",
-                    "xrWaitSwapchainImage", "xrReleaseSwapchainImage", "xrEndFrame", "xrEndSession",
-                    "xrApplyHapticFeedback", "xrStopHapticFeedback"),
+                    "xrGetOpenGLGraphicsRequirementsKHR", "xrCreateSession", "xrEnumerateReferenceSpaces",
+                    "xrCreateReferenceSpace", "xrCreateHandTrackerEXT", "xrStringToPath", "xrCreateActionSet",
+                    "xrCreateAction", "xrSuggestInteractionProfileBindings", "xrCreateActionSpace",
+                    "xrAttachSessionActionSets", "xrEnumerateSwapchainFormats", "xrCreateSwapchain",
+                    "xrEnumerateSwapchainImages", "xrPollEvent", "xrBeginSession", "xrWaitFrame",
+                    "xrLocateViews", "xrLocateHandJointsEXT", "xrSyncActions", "xrGetActionStatePose",
+                    "xrGetActionStateFloat", "xrGetActionStateBoolean", "xrLocateSpace", "xrBeginFrame",
+                    "xrAcquireSwapchainImage", "xrWaitSwapchainImage", "xrReleaseSwapchainImage",
+                    "xrEndFrame", "xrEndSession", "xrApplyHapticFeedback", "xrStopHapticFeedback"),
     [](const auto& parameter) { return std::string(parameter.param); });
 
 // Every test of these demands that the validation layer has nothing to say; here all is used in one dive, and

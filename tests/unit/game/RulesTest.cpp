@@ -274,6 +274,44 @@ TEST(BadInput, IsNotBelieved) {
     EXPECT_FALSE(one.world.hands[1].visible);
 }
 
+// Who cannot step or bend to a fish finds it above the lap, and nearer.
+TEST(Seated, FishCircleWhereTheyAreReached) {
+    const auto reef = loadDiveFiles("reef");
+    ASSERT_TRUE(reef) << reef.error().message();
+    struct Found {
+        double belowLap = 0, radius_m = 0; // share, mean
+        float lowest_m = 0;
+    };
+    const auto find = [&](bool seated) {
+        DiveRules rules;
+        rules.seated = seated;
+        rules.freeSwim = true; // no shark frightens them
+        Dive dive(reef->species, reef->dive, 3, rules);
+        Events events;
+        Found found;
+        int count = 0;
+        for (int tick = 0; tick < 60 * 120; ++tick) {
+            dive.step({}, events);
+            for (const Fish& fish : dive.state().fish) {
+                found.belowLap += fish.position.y < -0.5f;
+                found.radius_m += std::hypot(fish.position.x, fish.position.z);
+                found.lowest_m = std::min(found.lowest_m, fish.position.y);
+                ++count;
+            }
+        }
+        found.belowLap /= count;
+        found.radius_m /= count;
+        return found;
+    };
+    const Found standing = find(false), seated = find(true);
+    std::printf("below the lap %.1f and %.1f %%, radius %.2f and %.2f m, lowest %.2f and %.2f m\n",
+                100 * standing.belowLap, 100 * seated.belowLap, standing.radius_m, seated.radius_m,
+                static_cast<double>(standing.lowest_m), static_cast<double>(seated.lowest_m));
+    EXPECT_LT(seated.belowLap, standing.belowLap / 4);
+    EXPECT_LT(seated.radius_m, standing.radius_m - 0.1);
+    EXPECT_GT(seated.lowest_m, -0.9f); // the floor of a room in which somebody sits
+}
+
 TEST(Course, DiveEndsInResultsAndRestartsWithTheNextSeed) {
     OneFish one;
     const int ticks = static_cast<int>(one.world.file().duration_s * 120);

@@ -122,7 +122,7 @@ TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
 }
 
 TEST(Replays, CarryTheirRulesAndOldOnesMeanTheDefaults) {
-    const DiveRules rules{Assist::Strong, true, true};
+    const DiveRules rules{Assist::Strong, true, true, true};
     const Dive dive(cove().species, cove().dive, 3, rules);
     sim::RecordingHeader header = recordingHeader(dive);
     ASSERT_TRUE(rulesOf(header));

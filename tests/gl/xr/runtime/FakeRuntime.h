@@ -89,7 +89,11 @@ struct FakeRuntime {
                                                       XR_ENVIRONMENT_BLEND_MODE_OPAQUE};
     uint32_t eyeWidth = 200, eyeHeight = 240;
     XrVersion minOpenGl = XR_MAKE_VERSION(3, 3, 0);
-    std::array<XrView, 2> views; // in LOCAL's frame
+    // Those it offers, in LOCAL's frame; LOCAL_FLOOR with XR_EXT_local_floor.
+    std::map<XrReferenceSpaceType, XrPosef> referenceSpaces = {
+        {XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0, 0, 0}}}};
+    XrSpaceLocationFlags spaceFlags = 0xf; // of all but LOCAL
+    std::array<XrView, 2> views;           // in LOCAL's frame
     XrViewStateFlags viewFlags = 0xf;
     std::array<FakeHand, 2> hands;
     std::array<FakeController, 2> controllers;
@@ -112,7 +116,7 @@ struct FakeRuntime {
     }
     void say(XrSessionState state);
     void sayInstanceLoss();
-    void sayRecentred();
+    void sayRecentred(XrReferenceSpaceType which = XR_REFERENCE_SPACE_TYPE_LOCAL, XrTime when = 0);
     void sayWorn(bool worn);
 
     // What it saw.

@@ -158,7 +158,8 @@ XrResult xrCreateActionSpace(XrSession, const XrActionSpaceCreateInfo* info, XrS
     const int hand = handOf(info->subactionPath);
     if (hand < 0) return XR_ERROR_PATH_UNSUPPORTED;
     ++shoalFakeRuntime().spaces;
-    *out = handleOf<XrSpace>(new FakeSpace{hand, placeOf(info->poseInActionSpace)});
+    *out = handleOf<XrSpace>(
+        new FakeSpace{hand, XR_REFERENCE_SPACE_TYPE_LOCAL, placeOf(info->poseInActionSpace)});
     return XR_SUCCESS;
 }
 

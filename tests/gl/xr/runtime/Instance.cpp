@@ -47,12 +47,12 @@ void FakeRuntime::say(XrSessionState next) {
 void FakeRuntime::sayInstanceLoss() {
     say(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, 0});
 }
-void FakeRuntime::sayRecentred() {
+void FakeRuntime::sayRecentred(XrReferenceSpaceType which, XrTime when) {
     say(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING,
                                                nullptr,
                                                handleOf<XrSession>(&session()),
-                                               XR_REFERENCE_SPACE_TYPE_LOCAL,
-                                               0,
+                                               which,
+                                               when,
                                                XR_FALSE,
                                                {{0, 0, 0, 1}, {0, 0, 0}}});
 }

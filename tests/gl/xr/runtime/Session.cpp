@@ -14,7 +14,7 @@ Session& session() {
 
 Place localFromSpace(XrSpace space) {
     const FakeSpace& of = objectOf<FakeSpace>(space);
-    if (of.hand < 0) return of.offset;
+    if (of.hand < 0) return placeOf(shoalFakeRuntime().referenceSpaces.at(of.type)) * of.offset;
     return placeOf(shoalFakeRuntime().controllers[static_cast<size_t>(of.hand)].grip) * of.offset;
 }
 
@@ -73,14 +73,32 @@ XrResult xrRequestExitSession(XrSession) {
     return XR_SUCCESS;
 }
 
+// The extension's only where it is enabled.
+std::vector<XrReferenceSpaceType> referenceSpaces() {
+    const FakeRuntime& fake = shoalFakeRuntime();
+    std::vector<XrReferenceSpaceType> offered;
+    for (const auto& [type, pose] : fake.referenceSpaces)
+        if (type != XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT ||
+            fake.enabled.contains(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME))
+            offered.push_back(type);
+    return offered;
+}
+
+XrResult xrEnumerateReferenceSpaces(XrSession, uint32_t capacity, uint32_t* count,
+                                    XrReferenceSpaceType* items) {
+    FAKE_XR(xrEnumerateReferenceSpaces);
+    return giveList(referenceSpaces(), capacity, count, items);
+}
 XrResult xrCreateReferenceSpace(XrSession, const XrReferenceSpaceCreateInfo* info, XrSpace* out) {
     FAKE_XR(xrCreateReferenceSpace);
-    if (info->referenceSpaceType != XR_REFERENCE_SPACE_TYPE_LOCAL)
+    const auto offered = referenceSpaces();
+    if (std::ranges::find(offered, info->referenceSpaceType) == offered.end())
         return XR_ERROR_REFERENCE_SPACE_UNSUPPORTED;
     const XrQuaternionf& q = info->poseInReferenceSpace.orientation;
     if (std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1) > 0.01f) return XR_ERROR_POSE_INVALID;
     ++shoalFakeRuntime().spaces;
-    *out = handleOf<XrSpace>(new FakeSpace{-1, placeOf(info->poseInReferenceSpace)});
+    *out =
+        handleOf<XrSpace>(new FakeSpace{-1, info->referenceSpaceType, placeOf(info->poseInReferenceSpace)});
     return XR_SUCCESS;
 }
 XrResult xrDestroySpace(XrSpace space) {
@@ -92,7 +110,9 @@ XrResult xrDestroySpace(XrSpace space) {
 XrResult xrLocateSpace(XrSpace space, XrSpace base, XrTime, XrSpaceLocation* out) {
     FAKE_XR(xrLocateSpace);
     out->pose = poseOf(inverse(localFromSpace(base)) * localFromSpace(space));
-    out->locationFlags = 0xf;
+    const FakeSpace& of = objectOf<FakeSpace>(space);
+    const bool local = of.hand < 0 && of.type == XR_REFERENCE_SPACE_TYPE_LOCAL;
+    out->locationFlags = of.hand >= 0 || local ? 0xf : shoalFakeRuntime().spaceFlags;
     return XR_SUCCESS;
 }
 
@@ -335,6 +355,7 @@ PFN_xrVoidFunction sessionFunction(const std::string& name) {
     GIVE(xrBeginSession);
     GIVE(xrEndSession);
     GIVE(xrRequestExitSession);
+    GIVE(xrEnumerateReferenceSpaces);
     GIVE(xrCreateReferenceSpace);
     GIVE(xrDestroySpace);
     GIVE(xrLocateSpace);

@@ -20,8 +20,9 @@ Place operator*(const Place& a, const Place& b);
 Place inverse(const Place& place);
 
 struct FakeSpace {
-    int hand = -1; // of an action space; else LOCAL
-    Place offset;  // parentFromSpace
+    int hand = -1; // of an action space; else of a reference space
+    XrReferenceSpaceType type = XR_REFERENCE_SPACE_TYPE_LOCAL;
+    Place offset; // parentFromSpace
 };
 
 struct FakeSwapchain {
