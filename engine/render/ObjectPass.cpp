@@ -124,6 +124,7 @@ void ObjectPass::begin() {
     parts_.clear();
     matrices_.clear();
     near_.clear();
+    inRoom_.clear();
     drawCount_ = triangleCount_ = 0;
 }
 
@@ -134,6 +135,7 @@ void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene
     if (parts.empty()) parts_.push_back(bound);
     parts_.insert(parts_.end(), parts.begin(), parts.end());
     const int added = body ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
+    if (body) inRoom_.push_back(isInRoom);
     const int number = occlusion_ ? added : -1;
     for (const int index : model.order) {
         const auto n = static_cast<size_t>(index);

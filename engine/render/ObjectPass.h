@@ -54,6 +54,7 @@ class ObjectPass {
 
     // The bodies of what was added since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
+    bool isInRoom(size_t body) const { return inRoom_[body]; } // as add() was told
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -117,6 +118,7 @@ class ObjectPass {
     std::vector<ToDraw> order_;     // scratch
     std::vector<uint8_t> matrices_; // and occluders
     NearBodies near_;
+    std::vector<bool> inRoom_;  // by body
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     std::vector<Object> objects_;

@@ -24,11 +24,11 @@ TriangleBatch TriangleBatch::make(std::initializer_list<Attribute> attributes) {
 
 TriangleBatch TriangleBatch::make() { return make({{ATTRIBUTE_POSITION, 2}}); }
 
-void TriangleBatch::draw(const void* vertices, size_t stride, size_t count) {
+void TriangleBatch::draw(const void* vertices, size_t stride, size_t count, DepthTest test) {
     glBindVertexArray(vertexArray_.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride), vertices, GL_STREAM_DRAW);
-    glDisable(GL_DEPTH_TEST);
+    test == DepthTest::On ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     // Few at a time: llvmpipe cuts longer draws between the triangles of a rectangle.
     constexpr size_t kAtOnce = 960;

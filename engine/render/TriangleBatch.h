@@ -21,13 +21,14 @@ class TriangleBatch {
     static TriangleBatch make(std::initializer_list<Attribute> attributes);
     static TriangleBatch make(); // of places in a plane: glm::vec2
 
-    // Three vertices a triangle, with the program in use, regardless of depth and of which way round.
-    template <class Vertex> void draw(const std::vector<Vertex>& vertices) {
-        draw(vertices.data(), sizeof(Vertex), vertices.size());
+    enum class DepthTest { Off, On };
+    // Three vertices a triangle, with the program in use, regardless of which way round.
+    template <class Vertex> void draw(const std::vector<Vertex>& vertices, DepthTest test = DepthTest::Off) {
+        draw(vertices.data(), sizeof(Vertex), vertices.size(), test);
     }
 
   private:
-    void draw(const void* vertices, size_t stride, size_t count);
+    void draw(const void* vertices, size_t stride, size_t count, DepthTest test);
 
     gl::VertexArray vertexArray_;
     gl::Buffer vertices_;

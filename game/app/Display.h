@@ -51,6 +51,7 @@ class Display {
     // Ahead is where the player looks now, where the display tracks the head.
     virtual void recentre() {}
 
+    virtual bool seesRoom() const { return false; } // showRoom() can
     // The player's own room in place of the film, from the next picture on. False: the display cannot.
     virtual bool showRoom(bool /*wanted*/) { return true; }
 

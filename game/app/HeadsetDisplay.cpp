@@ -152,7 +152,7 @@ Status HeadsetDisplay::drawEye(int eye, const Painter& painter, glm::ivec2 windo
     render::View view = xr::viewOf(headset_.tracking().eyes[i]);
     view.heightPixels = size.y;
     target.bind();
-    const SceneRenderer::Eye toDraw{eye, view, target, surroundings_};
+    const SceneRenderer::Eye toDraw{eye, view, target, surroundings_, headset_.tracking().floor_m};
     if (Status drawn = painter.scene({&toDraw, 1}, {}); !drawn) return drawn;
     target.bind();
     painter.hud(HudPart::Marks, Audience::HeadsetPlayer, view, size);

@@ -176,6 +176,7 @@ EnvironmentSetup Application::environmentSetup(float minRoughness) {
             .defaultVideo = filmFor(dataRoot() / "content" / config_.dive.video, options_.film, slow),
             .bothEyes = options_.stereo == StereoOutput::SideBySide || options_.xr,
             .drawsDepth = options_.look.skip != render::SkippedPass::Depth,
+            .roomIsSeen = display_->seesRoom(),
             .waterIsCertain = own || options_.water == WaterChoice::On,
             .analysis = analysis,
             .wait = [this](float share) { return drawLoading(share); }};
@@ -187,6 +188,7 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
                {.detail = detail(),
                 .particles = options_.snow && !options_.reducedMotion,
                 .shadows = options_.shadows == ShadowChoice::On && environment_->hasDepthTrack(),
+                .floorShadows = options_.shadows == ShadowChoice::On && display_->seesRoom(),
                 .occlusion = options_.look.occlusion == Occlusion::Ellipsoids,
                 .shown = options_.look.shown,
                 .skip = options_.look.skip,

@@ -239,7 +239,8 @@ struct PlayOptions {
             .shownAs(Picture, "Version of the film");
         table.addKept(
             "--shadows", choice(shadows),
-            "Of what swims and of your hands, on what the film shows, where it has a track of distances");
+            "Of what swims and of your hands, on what the film shows, where it has a track of distances; "
+            "of what swims, on the floor of your own room, where the headset knows it");
         table
             .addKept("--frame-times", &frameTimes,
                      "Shows frame times, and which light is used (F1 in the game)")

@@ -143,13 +143,15 @@ Status Environment::openEnv(const Path& file) {
         log::warn("{}: {}", file.string(), repairs);
     gpu_[0].setFrame(picture->radianceLin);
     uploadLight(found_[0]);
+    if (setup_.analysis.lights) casting_ = lights_.follow(found_[0].lights, 0);
     return Done{};
 }
 
 void Environment::prepareFor(light::LightQuality quality, size_t slots) {
     setup_.analysis.quality = quality;
     setup_.analysis.frames = setup_.options.light;
-    setup_.analysis.lights = setup_.analysis.lights && hasDepthTrack() && setup_.drawsDepth;
+    setup_.analysis.lights =
+        setup_.analysis.lights && ((hasDepthTrack() && setup_.drawsDepth) || setup_.roomIsSeen);
     analysis_.emplace(setup_.analysis);
     found_.resize(slots);
     pictures_.resize(slots);

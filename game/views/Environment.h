@@ -30,6 +30,7 @@ struct EnvironmentSetup {
     Path defaultVideo;          // played where the options name nothing
     bool bothEyes = false;      // a stereo picture shows each eye its own half; else all see the left one
     bool drawsDepth = true;     // else the video's distances are there for the rules alone
+    bool roomIsSeen = false;    // shadows may fall on its floor, not only on what has distances
     bool waterIsCertain = true; // where the analysis looks for it; false: as far as the picture shows it
     AnalysisOptions analysis;
     // Called while something takes its time, a live video's first frame or a photo that is grown, with the
@@ -60,8 +61,8 @@ class Environment {
 
     // As of the last update(). Water: none where the environment is dry.
     water::Water water() const { return water_.water(); }
-    // Light that casts shadows, env frame; none unless asked for, and where no distances are known on which
-    // they could fall.
+    // Light that casts shadows, env frame; none unless asked for, and where there is nothing on which they
+    // could fall.
     const light::ShadowLight& shadowLight() const { return casting_; }
     // Neutral unless asked for, and for an HDR picture.
     camera::CameraResponse cameraResponse() const { return cameraResponse_.response(); }

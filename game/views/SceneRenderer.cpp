@@ -14,9 +14,12 @@ namespace shoal::app {
 Result<SceneRenderer::Passes> SceneRenderer::makePasses(const SceneRendererSetup& setup) {
     auto objects = render::ObjectPass::make(setup.detail, setup.occlusion, setup.shown);
     if (!objects) return objects.error();
-    Passes passes{std::move(*objects), {}, {}};
+    Passes passes{std::move(*objects), {}, {}, {}};
     if (setup.particles) {
         if (Status s = render::ParticlePass::make().moveTo(passes.particles); !s) return s.error();
+    }
+    if (setup.floorShadows) {
+        if (Status s = render::FloorShadowPass::make().moveTo(passes.floorShadows); !s) return s.error();
     }
     if (Status s = render::Compositor::make(setup.compositor).moveTo(passes.compositor); !s) return s.error();
     return passes;
@@ -49,11 +52,18 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     time_s_ = snapshot.time_s;
     headWorld_ = snapshot.headWorld;
     passes_.objects.begin();
+    if (passes_.floorShadows) passes_.floorShadows->begin();
+    floorIsShaded_ = false;
     if (!passes_.compositor.drawsObjects()) return;
     creatureModels_.show(snapshot, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }
 
+bool SceneRenderer::castsShadows() const {
+    return passes_.compositor.drawsObjects() && setup_.skip != render::SkippedPass::Shadows;
+}
+
+// None where no light stands out.
 std::optional<render::CastingLight> SceneRenderer::castingLight() const {
     constexpr float kWidest = 0.75f; // radians: beyond, a cap is no disc
     const light::ShadowLight& found = environment_->shadowLight();
@@ -63,15 +73,14 @@ std::optional<render::CastingLight> SceneRenderer::castingLight() const {
     const glm::vec3 all = glm::max(found.groundIrradiance, 1e-6f);
     light.share = glm::clamp(found.light.irradiance * std::max(light.towards.y, 0.0f) / all, 0.0f, 1.0f);
     light.presence = found.presence * light.raised();
-    if (light.presence == 0) return {};
+    if (light.presence == 0) return std::nullopt;
     return light;
 }
 
 // Of a film whose distances are not known, nothing is: shadows would hang in the water.
 void SceneRenderer::castShadows() {
     const depth::DepthMap* map = environment_->depth();
-    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room ||
-        !passes_.compositor.drawsObjects() || setup_.skip == render::SkippedPass::Shadows)
+    if (!setup_.shadows || !map || pictures_[0].surroundings == render::Surroundings::Room || !castsShadows())
         return;
     const auto light = castingLight();
     if (!light) return;
@@ -90,6 +99,18 @@ void SceneRenderer::castShadows() {
     }
     for (size_t eye = 0; eye < pictures_.size(); ++eye)
         pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
+}
+
+// The player's hands cast theirs themselves.
+void SceneRenderer::castOnFloor(std::optional<float> floor_m) {
+    if (std::exchange(floorIsShaded_, true)) return; // a headset's eyes are drawn one after the other
+    if (pictures_[0].surroundings == render::Surroundings::Film || !floor_m || !castsShadows()) return;
+    const auto light = castingLight();
+    if (!light) return;
+    const render::NearBodies& bodies = passes_.objects.bodies();
+    for (size_t body = 0; body < bodies.count(); ++body)
+        if (!passes_.objects.isInRoom(body))
+            passes_.floorShadows->add(bodies.ellipsoids(body), *light, *floor_m, exposure_.frames);
 }
 
 // A film with distances is drawn as if filmed from the world's origin; one without as if endlessly far. An
@@ -119,6 +140,7 @@ Status SceneRenderer::draw(std::span<const Eye> eyes, const render::Compositor::
     pictures_.clear();
     for (const Eye& eye : eyes) pictures_.push_back(pictureOf(eye));
     castShadows();
+    if (passes_.floorShadows) castOnFloor(eyes[0].floor_m);
     Status drawn = passes_.compositor.draw(pictures_, *this, afterEye);
     if (drawn || !beforeReload_) return drawn;
     log::warn("{}", drawn.error().message());
@@ -141,9 +163,20 @@ water::Water SceneRenderer::waterAround(const render::EyePicture& picture) const
 
 Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
-    const gl::PassTimers::Scope scope(timers_, "objects");
-    return passes_.objects.draw(picture.environment, picture.view, picture.envFromWorld, picture.exposure,
-                                waterAround(picture), glossy_, picture.eyeInFilm, picture.surroundings);
+    {
+        const gl::PassTimers::Scope scope(timers_, "objects");
+        if (Status drawn = passes_.objects.draw(picture.environment, picture.view, picture.envFromWorld,
+                                                picture.exposure, waterAround(picture), glossy_,
+                                                picture.eyeInFilm, picture.surroundings);
+            !drawn)
+            return drawn;
+    }
+    const bool inRoom = picture.surroundings == render::Surroundings::Room;
+    if (inRoom && passes_.floorShadows && !passes_.floorShadows->empty()) {
+        const gl::PassTimers::Scope scope(timers_, "shadows");
+        passes_.floorShadows->draw(picture.view);
+    }
+    return Done{};
 }
 
 Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::EyePicture& picture) {
@@ -164,9 +197,17 @@ render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const 
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
-    return passes_.objects.visibleSpheres(view);
+    const auto objects = passes_.objects.visibleSpheres(view);
+    if (!passes_.floorShadows || passes_.floorShadows->empty()) return objects;
+    const auto shadows = passes_.floorShadows->spheres();
+    spheres_.assign(objects.begin(), objects.end());
+    spheres_.insert(spheres_.end(), shadows.begin(), shadows.end());
+    return spheres_;
 }
 
-int SceneRenderer::drawCount() const { return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0); }
+int SceneRenderer::drawCount() const {
+    return passes_.objects.drawCount() + 1 + (passes_.particles ? 1 : 0) +
+           (passes_.floorShadows && !passes_.floorShadows->empty() ? 1 : 0);
+}
 
 } // namespace shoal::app

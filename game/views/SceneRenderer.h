@@ -4,6 +4,7 @@
 
 #include "engine/render/Compositor.h"
 #include "engine/render/FilmShadows.h"
+#include "engine/render/FloorShadowPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
 #include "game/views/CreatureModels.h"
@@ -21,7 +22,8 @@ struct SceneRendererSetup {
     bool particles = true; // particles drift in the water, where there is water
     bool shadows =
         true; // on what the film shows, where its distances are known and the environment finds lights
-    bool occlusion = true; // between bodies
+    bool floorShadows = false; // on the floor of the player's room
+    bool occlusion = true;     // between bodies
     render::ShownQuantity shown = render::ShownQuantity::Light;
     render::SkippedPass skip = render::SkippedPass::None;
     render::CompositorSetup compositor;
@@ -50,6 +52,7 @@ class SceneRenderer final : private render::CompositorScene {
         render::View view;
         const gl::Target& canvas;
         render::Surroundings surroundings = render::Surroundings::Film;
+        std::optional<float> floor_m{}; // height of the room's floor, world; empty: it is not known
     };
     // Into each eye's canvas. afterEye is called when an eye's picture is complete, with its canvas bound.
     Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
@@ -72,13 +75,16 @@ class SceneRenderer final : private render::CompositorScene {
     struct Passes { // what has shaders
         render::ObjectPass objects;
         std::optional<render::ParticlePass> particles;
+        std::optional<render::FloorShadowPass> floorShadows;
         render::Compositor compositor;
     };
     static Result<Passes> makePasses(const SceneRendererSetup& setup);
     SceneRenderer(CreatureModels creatureModels, const SceneRendererSetup& setup, Passes passes)
         : creatureModels_(std::move(creatureModels)), setup_(setup), passes_(std::move(passes)) {}
-    void castShadows();
+    bool castsShadows() const;
     std::optional<render::CastingLight> castingLight() const;
+    void castShadows();
+    void castOnFloor(std::optional<float> floor_m);
     glm::vec3 eyeInFilm(const render::View& view) const;
     render::EyePicture pictureOf(const Eye& eye) const;
     water::Water waterAround(const render::EyePicture& picture) const;
@@ -99,6 +105,8 @@ class SceneRenderer final : private render::CompositorScene {
     std::vector<render::View> filmed_;         // scratch: where each is filmed from
     // Of the film, or of each eye's.
     std::array<render::FilmShadows, 2> shadows_;
+    std::vector<scene::Sphere> spheres_; // scratch
+    bool floorIsShaded_ = false;         // in this frame
     double time_s_ = 0;
     glm::vec3 headWorld_{0};
 };

@@ -12,7 +12,7 @@ namespace {
 
 using occlusion::LayerMethod, occlusion::LayersGpu;
 
-constexpr float kLight = 0.8f; // radiance all around
+constexpr float kEvenLight = 0.8f; // radiance all around
 constexpr int kSize = 32;
 
 class LayersPicture : public WithContext {
@@ -138,7 +138,7 @@ TEST_F(LayersPicture, WhiteInEvenLightStaysWhite) {
             const glm::vec3 place = wall(-0.4f), eye(-0.5f, 0.866f, 0);
             // The split sum's own loss at the surface itself is in both.
             const float off = radianceAt(model, place, eye, {}).g;
-            EXPECT_NEAR(off, kLight, 0.03f);
+            EXPECT_NEAR(off, kEvenLight, 0.03f);
             EXPECT_NEAR(radianceAt(model, place, eye, method).g, off, 0.03f) << metallic;
         }
 }

@@ -20,6 +20,7 @@ class XrPicture : public test::WithFakeRuntime {
     std::optional<platform::Window> window_;
     std::optional<SessionConfig> plan_;
     std::unique_ptr<Environment> environment_;
+    float minRoughness_ = 1;
     std::optional<SceneRenderer> sceneRenderer_;
     std::optional<app::GameSession> run_;
     std::function<void(game::Snapshot&)> showOnly_; // changes what is drawn
@@ -36,12 +37,10 @@ class XrPicture : public test::WithFakeRuntime {
         auto cast = CreatureModels::load(plan_->species, game::speciesShown(plan_->species, plan_->dive),
                                          "light", reflectanceIn({}), render::Detail::Lean);
         ASSERT_TRUE(cast) << cast.error().message();
-        auto environment = Environment::open({.defaultVideo = dataRoot() / "content" / plan_->dive.video,
-                                              .bothEyes = true,
-                                              .analysis = {.minRoughness = cast->minRoughness()}});
-        ASSERT_TRUE(environment) << environment.error().message();
-        environment_ = std::move(*environment);
-        auto sceneRenderer = SceneRenderer::make(std::move(*cast), {.detail = render::Detail::Lean});
+        minRoughness_ = cast->minRoughness();
+        openEnvironment({});
+        auto sceneRenderer =
+            SceneRenderer::make(std::move(*cast), {.detail = render::Detail::Lean, .floorShadows = true});
         ASSERT_TRUE(sceneRenderer) << sceneRenderer.error().message();
         sceneRenderer_ = std::move(*sceneRenderer);
         run_.emplace(*plan_);
@@ -55,6 +54,24 @@ class XrPicture : public test::WithFakeRuntime {
         environment_.reset();
         window_.reset();
         WithFakeRuntime::TearDown();
+    }
+
+    struct Known {
+        bool depth = true;   // of the film
+        bool lights = false; // that cast shadows
+    };
+    // With the dive's film.
+    void openEnvironment(const Known& known) {
+        environment_.reset();
+        EnvironmentSetup setup{.defaultVideo = dataRoot() / "content" / plan_->dive.video,
+                               .bothEyes = true,
+                               .roomIsSeen = true,
+                               .analysis = {.minRoughness = minRoughness_}};
+        setup.options.depth = known.depth;
+        setup.analysis.lights = known.lights;
+        auto environment = Environment::open(setup);
+        ASSERT_TRUE(environment) << environment.error().message();
+        environment_ = std::move(*environment);
     }
 
     Status draw(int eye, const render::View& view, const gl::Target& canvas) {
@@ -231,9 +248,85 @@ TEST_F(XrPicture, WhatCoversHalfAPixelOfTheRoomGivesHalfItsLight) {
     }
 }
 
+// Under an animal the floor is darker, as far as its shadow reaches, where the headset knows the floor.
+TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
+    withoutValidation();
+    openEnvironment({.depth = false, .lights = true});
+    constexpr float kFloor_m = -1.3f, kLength_m = 0.5f;
+    fake.extensions.insert(XR_EXT_LOCAL_FLOOR_EXTENSION_NAME);
+    fake.blendModes = {XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND};
+    const glm::quat down = glm::angleAxis(-0.8f, glm::vec3(1, 0, 0));
+    for (XrView& view : fake.views) view.pose.orientation = {down.x, down.y, down.z, down.w};
+    const glm::vec3 fish(0, -0.6f, -1.2f);
+    const auto pose = hands::reachingHand(plan_->rig, hands::Side::Right, {0, -0.5f, -0.5f}, 0.5f);
+    const auto shown = [&](bool animal, bool floor) {
+        fake.referenceSpaces.erase(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT);
+        if (floor)
+            fake.referenceSpaces[XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT] = {{0, 0, 0, 1}, {0, kFloor_m, 0}};
+        showOnly_ = [&, animal](game::Snapshot& snapshot) {
+            snapshot.creatures.resize(1);
+            snapshot.creatures[0] = {.species = snapshot.creatures[0].species,
+                                     .position = fish,
+                                     .worldFromBody = glm::angleAxis(1.57f, glm::vec3(0, 1, 0)),
+                                     .length = kLength_m};
+            snapshot.hands = {};
+            if (animal) return;
+            snapshot.creatures.clear();
+            snapshot.hands[1].visible = true;
+            for (size_t i = 0; i < pose.joints.size(); ++i) snapshot.hands[1].joints[i] = pose.joints[i];
+        };
+        auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
+        EXPECT_TRUE(headset);
+        EXPECT_TRUE(headset->showRoom(true));
+        show(*headset, 1);
+        return fake.last.eyes.value();
+    };
+    const auto with = shown(true, true), without = shown(true, false), handAlone = shown(false, true);
+    const light::ShadowLight& light = environment_->shadowLight();
+    const glm::vec3 towards = glm::transpose(environment_->envFromWorld()) * light.light.direction;
+    ASSERT_GT(light.presence, 0.5f);
+    ASSERT_GT(towards.y, 0.6f);
+    const float fall_m = (fish.y - kFloor_m) / towards.y;
+    const glm::vec3 middle = fish - towards * fall_m;
+    const float reach_m = (kLength_m / 2 + std::tan(light.light.radius) * fall_m) / towards.y + 0.1f;
+    for (size_t e = 0; e < 2; ++e) {
+        const test::ShownEye& eye = with[e];
+        const int width = eye.rect.extent.width, height = eye.rect.extent.height;
+        const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
+        const float bottom = std::tan(eye.fov.angleDown), top = std::tan(eye.fov.angleUp);
+        const XrVector3f& p = eye.localFromEye.position;
+        const glm::vec3 at(p.x, p.y, p.z);
+        int shaded = 0, strongest = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const size_t i = 4 * static_cast<size_t>(y * width + x);
+                const int alpha = eye.picture.rgba[i + 3], alone = without[e].picture.rgba[i + 3];
+                ASSERT_EQ(handAlone[e].picture.rgba[i + 3], 0) << "hands cast their own";
+                ASSERT_GE(alpha, alone);
+                if (alpha == alone) continue;
+                const glm::vec2 share((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                                      (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
+                const glm::vec3 ray =
+                    down * glm::vec3(left + (right - left) * share.x, bottom + (top - bottom) * share.y, -1);
+                ASSERT_LT(ray.y, 0);
+                const glm::vec3 place = at + ray * ((kFloor_m - at.y) / ray.y);
+                ASSERT_LT(glm::distance(place, middle), reach_m);
+                if (alone == 0) {
+                    EXPECT_EQ(eye.picture.rgba[i] + eye.picture.rgba[i + 1], 0) << "black";
+                }
+                ++shaded;
+                strongest = std::max(strongest, alpha - alone);
+            }
+        std::printf("eye %zu: %d pixels shaded, alpha up to %d\n", e, shaded, strongest);
+        EXPECT_GT(shaded, 300);
+        EXPECT_GT(strongest, 12);
+    }
+}
+
 // However objects are combined with the film, in the canvas or in a layer of another size, and whatever the
 // size that is drawn: depth is less than the far plane's where an animal is, and that of its distance.
 TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
+    openEnvironment({.depth = false});
     fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
     fake.formats.push_back(GL_DEPTH_COMPONENT32F);
     constexpr float kRight_m = 0.6f, kUp_m = 0.4f, kAway_m = 1.0f, kLength_m = 0.4f;

@@ -1,0 +1,5 @@
+// Pairs with engine/render/FloorShadowPass.
+in float taken;
+out vec4 colour; // premultiplied
+
+void main() { colour = vec4(0.0, 0.0, 0.0, taken); }
