@@ -44,8 +44,8 @@ class Compositor {
     // Draws each eye's picture; afterEye is called with its canvas bound.
     Status draw(std::span<const EyePicture> eyes, CompositorScene& scene, const AfterEye& afterEye);
 
-    // The depth of the objects that were just drawn in this picture, whether in the canvas or in a layer,
-    // into a framebuffer with depth; where there is none, the far plane's.
+    // The depth of the objects that were just drawn in this picture, whether in the canvas or in a layer, and
+    // of the film, where it is known, into a framebuffer with depth; where there is none, the far plane's.
     Status drawDepth(const EyePicture& picture, GLuint into);
 
     bool drawsObjects() const { return composition_ != Composition::BackgroundOnly; }

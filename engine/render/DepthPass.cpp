@@ -4,13 +4,14 @@ namespace shoal::render {
 
 Result<DepthPass> DepthPass::make() {
     DepthPass pass;
-    if (Status s = gl::Program::load("render/Depth").moveTo(pass.program_); !s) return s.error();
+    if (Status s = gl::Program::load("render/Depth").moveTo(pass.plain_); !s) return s.error();
+    if (Status s = gl::Program::load("render/Depth", {"FILM"}).moveTo(pass.filmed_); !s) return s.error();
     pass.picture_ = WholePicture::make();
     pass.copyTarget_ = gl::Framebuffer::make();
     return pass;
 }
 
-void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size) {
+void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size, const Film* film) {
     const glm::ivec2 fromSize(from.width(), from.height());
     glBindFramebuffer(GL_FRAMEBUFFER, copyTarget_.name());
     if (copySize_ != fromSize) {
@@ -28,9 +29,17 @@ void DepthPass::draw(const gl::Target& from, float part, GLuint into, glm::ivec2
                       GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, into);
     glViewport(0, 0, size.x, size.y);
-    program_.use();
-    program_.setTexture("depth", 0, copy_.name());
-    program_.set("part", part);
+    const gl::Program& program = film ? filmed_ : plain_;
+    program.use();
+    program.setTexture("depth", 0, copy_.name());
+    program.set("part", part);
+    if (film) {
+        film->environment.bindDepth(program, film->eyeInFilm);
+        program.set("envFromEye", film->envFromEye);
+        program.set("rayScale", film->view.halfExtent());
+        program.set("rayShift", film->view.shift);
+        program.set("planes", glm::vec2(film->view.near_m, film->view.far_m));
+    }
     glEnable(GL_DEPTH_TEST); // without it nothing is written
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);

@@ -1,9 +1,11 @@
-// Copies the depth of what was drawn into a target to a framebuffer of another size or format. Pairs with
-// shaders/render/Depth.
+// Copies the depth of what was drawn into a target to a framebuffer of another size or format, and adds that
+// of a film. Pairs with shaders/render/Depth.
 #pragma once
 
 #include "engine/gl/Program.h"
 #include "engine/gl/Target.h"
+#include "engine/render/EnvironmentGpu.h"
+#include "engine/render/View.h"
 #include "engine/render/WholePicture.h"
 
 #include <glm/vec2.hpp>
@@ -14,12 +16,20 @@ class DepthPass {
   public:
     static Result<DepthPass> make();
 
+    // A film with distances, as an eye sees it.
+    struct Film {
+        const EnvironmentGpu& environment;
+        const View& view;
+        glm::mat3 envFromEye;
+        glm::vec3 eyeInFilm; // as EyePicture has it
+    };
+
     // Of one sample a pixel, the nearest, not filtered. part: of the target's width and height, about its
-    // middle. `into` has depth; its lowest left `size` pixels are filled.
-    void draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size);
+    // middle. `into` has depth; its lowest left `size` pixels are filled. film: null where it has no depth.
+    void draw(const gl::Target& from, float part, GLuint into, glm::ivec2 size, const Film* film = nullptr);
 
   private:
-    gl::Program program_;
+    gl::Program plain_, filmed_;
     WholePicture picture_;
     gl::Texture copy_; // without samples
     gl::Framebuffer copyTarget_;

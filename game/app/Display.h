@@ -23,7 +23,7 @@ struct Painter {
     using AfterEye = render::Compositor::AfterEye;
     // The scene as these eyes see it, into their canvases; see SceneRenderer::draw().
     std::function<Status(std::span<const SceneRenderer::Eye>, const AfterEye&)> scene;
-    // The depth of the objects that were just drawn for this eye, into a framebuffer with depth.
+    // The depth of what was just drawn for this eye, into a framebuffer with depth.
     std::function<Status(const SceneRenderer::Eye&, uint32_t framebuffer)> depth;
     // Into the bound framebuffer, which is `size` pixels large.
     std::function<void(HudPart, Audience, const render::View&, glm::ivec2 size)> hud;

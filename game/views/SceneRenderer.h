@@ -57,8 +57,8 @@ class SceneRenderer final : private render::CompositorScene {
     // Into each eye's canvas. afterEye is called when an eye's picture is complete, with its canvas bound.
     Status draw(std::span<const Eye> eyes, const render::Compositor::AfterEye& afterEye = {});
 
-    // The depth of the objects that were just drawn for this eye, into a framebuffer with depth; beside them
-    // the far plane's.
+    // The depth of what was just drawn for this eye, into a framebuffer with depth: objects and film; where
+    // that of the film is not known, the far plane's.
     Status drawDepth(const Eye& eye, uint32_t into) {
         return passes_.compositor.drawDepth(pictureOf(eye), into);
     }

@@ -1,5 +1,6 @@
 // What of a film is nearer hides an object, and what drifts in the water.
 #include "Spheres.h"
+#include "engine/render/DepthPass.h"
 #include "engine/render/ParticlePass.h"
 #include "tests/unit/depth/MadeMap.h"
 
@@ -93,6 +94,42 @@ class FilmDepthGL : public WithContext {
     depth::DepthMap map_;
     depth::DepthRange range_;
 };
+
+// A wall 3 m ahead of the camera, as DepthPass hands it on, seen from where the eye is; before what was drawn
+// farther off, behind what was drawn nearer.
+TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
+    setFilm([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / 3; });
+    render::EnvironmentGpu environment;
+    environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
+    environment.setDepth(&map_, &range_);
+    auto pass = render::DepthPass::make();
+    ASSERT_TRUE(pass) << pass.error().message();
+    const gl::Target drawn(64, 64, 1), into(64, 64, 1);
+    for (const glm::vec3 eye : {glm::vec3(0), glm::vec3(0.1f, 0.05f, -0.2f)})
+        for (const float drawn_m : {100.0f, 50.0f, 2.0f}) {
+            render::View seen = view(eye);
+            seen.shift = {0.1f, -0.05f};
+            const auto depthOf = [&](float away_m) {
+                return (seen.far_m - seen.near_m * seen.far_m / away_m) / (seen.far_m - seen.near_m);
+            };
+            drawn.bind();
+            glDepthMask(GL_TRUE);
+            glClearDepth(static_cast<double>(depthOf(drawn_m)));
+            glClear(GL_DEPTH_BUFFER_BIT);
+            glClearDepth(1);
+            const render::DepthPass::Film film{environment, seen, glm::mat3(1), eye};
+            pass->draw(drawn, 1, into.framebuffer(), {64, 64}, &film);
+            std::vector<float> values(64 * 64);
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, into.framebuffer());
+            glReadPixels(0, 0, 64, 64, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
+            const float expected_m = std::min(drawn_m, 3 + eye.z);
+            for (const float value : values) {
+                const float away_m =
+                    seen.near_m * seen.far_m / (seen.far_m - value * (seen.far_m - seen.near_m));
+                ASSERT_NEAR(away_m, expected_m, 0.02f * expected_m); // a step of the map is 1.2 % at 3 m
+            }
+        }
+}
 
 TEST_F(FilmDepthGL, NothingHidesWhatIsNearer) {
     const Drawn free = draw([](const glm::vec3&) { return 0.0f; });

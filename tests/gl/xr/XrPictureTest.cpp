@@ -323,6 +323,71 @@ TEST_F(XrPicture, ShadowsOfAnimalsFallOnTheRoomsFloor) {
     }
 }
 
+// What the film shows has the distance that its track tells, for each eye where that is; and what the runtime
+// does not take is not made.
+TEST_F(XrPicture, DepthIsThatOfTheFilmToo) {
+    ASSERT_TRUE(environment_->depth()) << "the reef's film comes with a track of distances";
+    showOnly_ = [](game::Snapshot& shown) {
+        shown.hands = {};
+        shown.creatures.clear();
+    };
+    {
+        auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
+        ASSERT_TRUE(headset) << headset.error().message();
+        show(*headset, 1,
+             {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
+                           const auto&) { return sceneRenderer_->draw(eyes); },
+              .depth =
+                  [](const SceneRenderer::Eye&, uint32_t) {
+                      ADD_FAILURE() << "the runtime takes no depth";
+                      return Status(Done{});
+                  },
+              .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}});
+    }
+    fake.extensions.insert(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    fake.formats.push_back(GL_DEPTH_COMPONENT32F);
+    const glm::quat down = glm::angleAxis(-0.3f, glm::vec3(1, 0, 0));
+    for (XrView& view : fake.views) view.pose.orientation = {down.x, down.y, down.z, down.w};
+    auto headset = HeadsetDisplay::open(*window_, plan_->rig, 1);
+    ASSERT_TRUE(headset) << headset.error().message();
+    show(*headset, 1);
+    ASSERT_TRUE(fake.last.eyes);
+    const glm::mat3 envFromWorld = environment_->envFromWorld();
+    for (const test::ShownEye& eye : *fake.last.eyes) {
+        ASSERT_TRUE(eye.depth);
+        const float near_m = eye.depth->near_m, far_m = eye.depth->far_m;
+        const int width = eye.rect.extent.width, height = eye.rect.extent.height;
+        const float left = std::tan(eye.fov.angleLeft), right = std::tan(eye.fov.angleRight);
+        const float bottom = std::tan(eye.fov.angleDown), top = std::tan(eye.fov.angleUp);
+        const XrVector3f& p = eye.localFromEye.position;
+        const glm::vec3 eyeEnv = envFromWorld * glm::vec3(p.x, p.y, p.z);
+        int asked = 0, known = 0, wrong = 0;
+        for (int y = 4; y < height; y += 8)
+            for (int x = 4; x < width; x += 8) {
+                const glm::vec2 share((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                                      (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
+                const glm::vec3 ray(left + (right - left) * share.x, bottom + (top - bottom) * share.y, -1);
+                const glm::vec3 dirEnv = envFromWorld * (down * glm::normalize(ray));
+                const depth::Seen seen = depth::searchAlong(*environment_->depth(), eyeEnv, dirEnv);
+                // 1/m along the eye's axis.
+                const glm::vec3 toPlace = seen.dirEnv - eyeEnv * seen.inverse_perM;
+                const float expected =
+                    seen.inverse_perM * glm::length(ray) / std::max(glm::length(toPlace), 1e-3f);
+                const float value = eye.depth->values[static_cast<size_t>(y * width + x)];
+                const float found = (1 - value * (far_m - near_m) / far_m) / near_m;
+                ++asked;
+                if (std::max(expected, found) < 2 / far_m) continue; // as good as the far plane
+                ++known;
+                // A step of the map, and what 24 and 32 bits of depth leave of it.
+                wrong += std::abs(found - expected) > depth::DepthMap::perM(1) + 0.02f * expected;
+            }
+        std::printf("%d of %d places have a distance, %d are not as the track has them\n", known, asked,
+                    wrong);
+        EXPECT_GT(known, asked / 4);
+        EXPECT_LT(wrong, known / 25); // at edges, where a texel decides
+    }
+}
+
 // However objects are combined with the film, in the canvas or in a layer of another size, and whatever the
 // size that is drawn: depth is less than the far plane's where an animal is, and that of its distance.
 TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
