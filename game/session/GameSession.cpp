@@ -105,11 +105,11 @@ void GameSession::track(const SessionConfig& config) {
         tracked.emplace(config.handSource, config.hands, config.rig, config.live);
 }
 
-void GameSession::tick(float share, int ticksLeft) {
+void GameSession::tick(float share, float ago_s) {
     game::TickInput input;
     if (playedByAPerson(source)) {
         if (auto* mouse = std::get_if<MouseSource>(&source)) mouse->next(input);
-        if (tracked) tracked->tick(input, ticksLeft);
+        if (tracked) tracked->tick(input, ago_s);
         if (auto* headset = std::get_if<OpenXrSource>(&source)) headset->next(input, share);
         if (head) {
             const xr::Pose at = xr::between(headBefore_.value_or(*head), *head, share);
@@ -175,8 +175,8 @@ void GameSession::advance(double elapsed_s) {
     if (tracked) tracked->frame(elapsed_s);
     const int count = clock.advance(elapsed_s);
     for (int i = 0; i < count && !ended; ++i) {
-        const double ticksAfter = static_cast<double>(clock.alpha()) + count - 1 - i; // to this frame
-        tick(static_cast<float>(1 - std::min(1.0, ticksAfter / sim::kTickRate_Hz / elapsed_s)), count - i);
+        const double ago_s = (static_cast<double>(clock.alpha()) + count - 1 - i) / sim::kTickRate_Hz;
+        tick(static_cast<float>(1 - std::min(1.0, ago_s / elapsed_s)), static_cast<float>(ago_s));
     }
     headBefore_ = head;
     game::interpolate(before, after, clock.alpha(), shown);

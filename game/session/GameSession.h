@@ -65,9 +65,9 @@ struct GameSession {
     Status verdict = Done{};
 
   private:
-    // share: the tick's time between the frame before (0) and this one (1). ticksLeft: of this frame, with
-    // this one.
-    void tick(float share, int ticksLeft);
+    // share: the tick's time between the frame before (0) and this one (1). ago_s: how long before this
+    // frame's time it lies.
+    void tick(float share, float ago_s);
     void addToRecording(const game::TickInput& input);
     std::map<std::string, std::string> inputSettings_; // for the recording's header
     std::optional<sim::RecordingWriter> recording_;

@@ -140,7 +140,7 @@ void TrackedHands::announce() {
 
 void TrackedHands::frame(double elapsed_s) {
     hands::HandStream& stream = tracker_->stream();
-    hands_.advance(stream, elapsed_s);
+    hands_.advance(stream, elapsed_s, hands::Clock::now());
     played_s_ += elapsed_s;
     constexpr double kElbowEase_s = 0.05;
     const auto share = static_cast<float>(1 - std::exp(-elapsed_s / kElbowEase_s));
@@ -152,8 +152,8 @@ void TrackedHands::frame(double elapsed_s) {
     if (announced_ != state_.present && (state_.present || played_s_ > kFindDevices_s)) announce();
 }
 
-void TrackedHands::tick(game::TickInput& input, int ticksLeft) {
-    choice_.tick(hands_, input.hands, ticksLeft, static_cast<float>(sim::kTick_s));
+void TrackedHands::tick(game::TickInput& input, float ago_s) {
+    choice_.tick(hands_, input.hands, ago_s, static_cast<float>(sim::kTick_s));
 }
 
 void TrackedHands::showElbows(game::Snapshot& shown) const {

@@ -82,8 +82,9 @@ class TrackedHands {
     // Once a frame of the display.
     void frame(double elapsed_s);
 
-    // Once a tick: replaces the mouse's hands in `input` by those of the device, if one sees hands.
-    void tick(game::TickInput& input, int ticksLeft);
+    // Once a tick, which lies so long before the frame's time: replaces the mouse's hands in `input` by those
+    // of the device, if one sees hands.
+    void tick(game::TickInput& input, float ago_s);
 
     // Arms follow the elbows that the device sees. Not recorded: the picture alone has them.
     void showElbows(game::Snapshot& shown) const;

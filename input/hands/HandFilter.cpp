@@ -42,6 +42,7 @@ float smoothing(float cutoff_Hz, float dt_s) {
 template <class Value> void OneEuro<Value>::reset(const Value& value) {
     value_ = raw_ = value;
     speed_ = glm::vec3(0);
+    lag_s_ = 0;
 }
 
 template <class Value> const Value& OneEuro<Value>::step(const Value& value, float dt_s) {
@@ -49,11 +50,32 @@ template <class Value> const Value& OneEuro<Value>::step(const Value& value, flo
     speed_ += (wayBetween(raw_, value) / dt_s - speed_) * smoothing(tuning_.speedCutoff_Hz, dt_s);
     raw_ = value;
     const float cutoff_Hz = tuning_.minCutoff_Hz + tuning_.slope * glm::length(speed_);
-    return value_ = moved(value_, wayBetween(value_, value) * smoothing(cutoff_Hz, dt_s));
+    const float share = smoothing(cutoff_Hz, dt_s);
+    lag_s_ = dt_s * (1 - share) / share;
+    return value_ = moved(value_, wayBetween(value_, value) * share);
 }
 
 template class OneEuro<glm::vec3>;
 template class OneEuro<glm::quat>;
+
+template <class Value> void DeadReckoning<Value>::step(const Value& from, const Value& to, float dt_s) {
+    if (!(dt_s > 0)) return;
+    const float before = glm::length(velocity_);
+    const float cutoff_Hz = tuning_.minCutoff_Hz + tuning_.slope * before;
+    velocity_ += (wayBetween(from, to) / dt_s - velocity_) * smoothing(cutoff_Hz, dt_s);
+    const float now = glm::length(velocity_);
+    used_ = now < before ? velocity_ * std::max(0.0f, 2 - before / std::max(now, 1e-9f)) : velocity_;
+}
+
+template <class Value> Value DeadReckoning<Value>::ahead(const Value& value, float ahead_s) const {
+    const float t = std::clamp(ahead_s, -kStops_s, kStops_s);
+    const glm::vec3 way = used_ * (t - t * t / (2 * kStops_s));
+    const float length = glm::length(way);
+    return moved(value, length > tuning_.farthest ? way * (tuning_.farthest / length) : way);
+}
+
+template class DeadReckoning<glm::vec3>;
+template class DeadReckoning<glm::quat>;
 
 Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
     const float share = begun_ ? 1 - std::exp(-std::max(dt_s, 0.0f) / kStrengthTau_s) : 1.0f;
@@ -84,9 +106,25 @@ Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
     return gesture_;
 }
 
+HandPose carried(const HandPose& hand, const Palm& from, const Palm& to) {
+    const glm::quat turn = to.turn * glm::conjugate(from.turn);
+    HandPose pose = hand;
+    for (Joint& joint : pose.joints) {
+        joint.position = to.position + turn * (joint.position - from.position);
+        joint.orientation = glm::normalize(turn * joint.orientation);
+    }
+    return pose;
+}
+
 HandFilter::HandFilter()
-    : palm_(kPosition), palmTurn_(kOrientation), palmFromJoint_(kJointCount, OneEuroPoint(kFinger)),
+    : palm_(kPosition), palmTurn_(kOrientation), palmMotion_(kPalmVelocity), palmSpin_(kPalmSpin),
+      palmFromJoint_(kJointCount, OneEuroPoint(kFinger)),
       palmFromJointTurn_(kJointCount, OneEuroTurn(kOrientation)) {}
+
+Palm HandFilter::palm(float after_s) const {
+    return {palmMotion_.ahead(palm_.value(), after_s + palm_.lag_s()),
+            palmSpin_.ahead(palmTurn_.value(), after_s + palmTurn_.lag_s())};
+}
 
 bool HandFilter::continues(const HandPose& seen, int64_t identity, float dt_s) const {
     return pose_.tracked && identity == identity_ && dt_s >= 0 && dt_s <= kGap_s &&
@@ -115,9 +153,14 @@ void HandFilter::step(const HandPose& seen, int64_t identity, int64_t time_us) {
     if (!goesOn) {
         ++stretch_;
         latch_.reset();
+        palmMotion_.reset();
+        palmSpin_.reset();
     }
+    const Palm before{palm_.value(), palmTurn_.value()};
     const glm::vec3 palmAt = filtered(palm_, palm.position);
     const glm::quat palmTurn = filtered(palmTurn_, palm.orientation);
+    palmMotion_.step(before.position, palmAt, dt_s);
+    palmSpin_.step(before.turn, palmTurn, dt_s);
 
     pose_ = raw_;
     for (int i = 0; i < kJointCount; ++i) {

@@ -23,9 +23,24 @@ struct OneEuroTuning {
 namespace tuning {
 
 // Filtering: more slope, less latency in motion; less cut-off, less jitter at rest.
-constexpr OneEuroTuning kPosition{4.0f, 80.0f, 4.0f};   // m/s; of the palm in the viewer's frame
+constexpr OneEuroTuning kPosition{3.0f, 40.0f, 4.0f};   // m/s; of the palm in the viewer's frame
 constexpr OneEuroTuning kFinger{4.0f, 60.0f, 4.0f};     // m/s; of the other joints in the palm's frame
 constexpr OneEuroTuning kOrientation{4.0f, 3.0f, 4.0f}; // rad/s; of every joint
+
+// Prediction. Of the velocities: more slope, less lag behind a hand that changes its mind; less cut-off, less
+// jitter at rest.
+struct VelocityTuning {
+    float minCutoff_Hz;
+    float slope; // Hz per unit of velocity
+    float farthest;
+};
+constexpr VelocityTuning kPalmVelocity{0.5f, 40.0f, 0.15f}; // m/s, m
+constexpr VelocityTuning kPalmSpin{0.5f, 4.0f, 0.5f}; // rad/s, rad; as kPalmVelocity, 0.1 m from the wrist
+// A hand is taken to slow down evenly and to stop within so long: the longer, the less it lags, and the
+// farther it goes on when it stops at once.
+constexpr float kStops_s = 0.15f;
+// A prediction that was wrong is corrected within an interval of the device's, but not faster than this.
+constexpr float kCorrect_s = 1.0f / 60;
 
 // Losses.
 constexpr float kBridge_s = 0.3f;     // a hand not seen for so long is still where it was
@@ -72,14 +87,33 @@ template <class Value> class OneEuro {
     void reset(const Value& value);
     const Value& step(const Value& value, float dt_s); // dt_s <= 0: nothing new
     const Value& value() const { return value_; }
+    float lag_s() const { return lag_s_; } // of value() behind one that moves steadily
 
   private:
     OneEuroTuning tuning_;
     Value value_{}, raw_{};
     glm::vec3 speed_{0}; // itself low-passed
+    float lag_s_ = 0;
 };
 using OneEuroPoint = OneEuro<glm::vec3>;
 using OneEuroTurn = OneEuro<glm::quat>;
+
+// Dead reckoning: where a filtered value will be, by a velocity that falls to nothing within kStops_s. It is
+// low-passed with a cut-off that grows with it, as in the one-euro filter. What slows down is taken to lose
+// as much again, or a hand that stops would be drawn beyond.
+template <class Value> class DeadReckoning {
+  public:
+    explicit DeadReckoning(const tuning::VelocityTuning& tuning) : tuning_(tuning) {}
+    void reset() { velocity_ = used_ = glm::vec3(0); }
+    void step(const Value& from, const Value& to,
+              float dt_s); // the value went so far; dt_s <= 0: nothing new
+    // ahead_s < 0: where it was.
+    Value ahead(const Value& value, float ahead_s) const;
+
+  private:
+    tuning::VelocityTuning tuning_;
+    glm::vec3 velocity_{0}, used_{0};
+};
 
 enum class Gesture { Open, Pinch, Fist };
 
@@ -97,6 +131,14 @@ class GestureLatch {
     float grip_ = 0, pinch_ = 0;
     bool begun_ = false;
 };
+
+// Where a hand's palm joint is.
+struct Palm {
+    glm::vec3 position{0};
+    glm::quat turn{1, 0, 0, 0};
+};
+// The whole hand goes with its palm.
+HandPose carried(const HandPose& hand, const Palm& from, const Palm& to);
 
 // One hand. The palm is filtered in the viewer's frame and every other joint in the palm's, so that fingers
 // do not trail behind a moving hand; bones keep the length that the device gave them.
@@ -116,12 +158,18 @@ class HandFilter {
     // begins with that one.
     float interval_s() const { return interval_s_; }
 
+    // Where its palm will be, so long after the last time that it was seen: predicted, the filter's lag
+    // made good.
+    Palm palm(float after_s) const;
+
   private:
     bool continues(const HandPose& seen, int64_t identity, float dt_s) const;
 
     HandPose pose_, raw_;
     OneEuroPoint palm_;
     OneEuroTurn palmTurn_;
+    DeadReckoning<glm::vec3> palmMotion_;
+    DeadReckoning<glm::quat> palmSpin_;
     std::vector<OneEuroPoint> palmFromJoint_; // by joint
     std::vector<OneEuroTurn> palmFromJointTurn_;
     GestureLatch latch_;

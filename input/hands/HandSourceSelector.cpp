@@ -35,18 +35,24 @@ bool DeviceHands::due(HandStream& stream, HandFrame& frame) {
     return true;
 }
 
-void DeviceHands::advance(HandStream& stream, double elapsed_s) {
+void DeviceHands::advance(HandStream& stream, double elapsed_s, Clock::time_point now) {
     game_us_ += static_cast<int64_t>(elapsed_s * 1e6);
     for (float& s : notSeen_s_) s += static_cast<float>(elapsed_s);
     HandFrame frame;
-    while (due(stream, frame))
+    while (due(stream, frame)) {
+        const std::chrono::duration<float> late =
+            time_ == DeviceTime::Live ? now - frame.seenAt
+                                      : std::chrono::duration<float>(std::chrono::microseconds(
+                                            game_us_ - gameFromDevice_us_ - frame.time_us));
         for (size_t side = 0; side < 2; ++side) {
             filters_[side].step(frame.hands[side], frame.identity[side], frame.time_us);
             if (!filters_[side].seen()) continue;
             notSeen_s_[side] = 0;
+            lateness_s_[side] = std::max(late.count(), 0.0f);
             towardsElbow_[side] = frame.towardsElbow[side];
             asRig_m_[side] = frame.asRig_m[side];
         }
+    }
 }
 
 HandPose between(const HandPose& a, const HandPose& b, float share) {
@@ -92,7 +98,7 @@ const HandPose& PoseBlend::step(const HandPose& seen, int stretch, float notSeen
     return pose_;
 }
 
-void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>& given, int ticksLeft,
+void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>& given, float ago_s,
                               float dt_s) {
     fromDevice_ = device.seesHands(kMouseReturns_s);
     everFromDevice_ |= fromDevice_;
@@ -103,17 +109,31 @@ void HandSourceSelector::tick(const DeviceHands& device, std::array<HandPose, 2>
             hand.continuity.take(pose); // so that the first change of source is a glide too
             continue;
         }
-        const int stretch = fromDevice_ ? device.hand(side).stretch() : kMouse;
-        const HandPose& newest = fromDevice_ ? device.hand(side).pose() : pose;
-        const bool goesOn = fromDevice_ && stretch == hand.targetStretch;
-        // What came last is reached when the display's frame ends, or the device's, if that is longer.
-        const float deviceLeft_s =
-            device.hand(side).interval_s() - device.notSeen_s(side) - hand.sinceFrame_s;
-        const float left = std::max(static_cast<float>(std::max(ticksLeft, 1)), deviceLeft_s / dt_s);
-        hand.sinceFrame_s = ticksLeft > 1 ? hand.sinceFrame_s + dt_s : 0;
-        hand.target = goesOn ? between(hand.target, newest, 1 / left) : newest;
-        hand.targetStretch = stretch;
-        pose = hand.continuity.step(hand.target, stretch, fromDevice_ ? device.notSeen_s(side) : 0, dt_s);
+        if (!fromDevice_) {
+            hand.target = pose;
+            hand.targetStretch = kMouse;
+            pose = hand.continuity.step(hand.target, kMouse, 0, dt_s);
+            continue;
+        }
+        const HandFilter& seen = device.hand(side);
+        const float age_s = device.age_s(side) - ago_s;
+        const Palm palm = seen.palm(age_s);
+        const Joint& filtered = seen.pose().joints[kPalmJoint];
+        const HandPose newest = carried(seen.pose(), {filtered.position, filtered.orientation}, palm);
+        const bool isNew = seen.pose().time_us != hand.target.time_us;
+        hand.sinceFrame_s = isNew ? 0 : hand.sinceFrame_s + dt_s;
+        if (seen.stretch() == hand.targetStretch) {
+            // A slow device's hands have nearly stopped when its next frame comes, or does not yet: they are
+            // to be on their way even then.
+            const float slow_s = std::max(0.0f, seen.interval_s() - kStops_s / 2);
+            const float left_s = std::max(seen.interval_s(), kCorrect_s) + slow_s - hand.sinceFrame_s;
+            hand.target = between(carried(hand.target, seen.palm(age_s - dt_s), palm), newest,
+                                  1 / std::max(left_s / dt_s, 1.0f));
+        } else {
+            hand.target = newest;
+        }
+        hand.targetStretch = seen.stretch();
+        pose = hand.continuity.step(hand.target, seen.stretch(), device.notSeen_s(side), dt_s);
     }
 }
 

@@ -16,11 +16,13 @@ class DeviceHands {
   public:
     explicit DeviceHands(DeviceTime time) : time_(time) {}
 
-    // Takes what the stream holds for the next elapsed_s of the game.
-    void advance(HandStream& stream, double elapsed_s);
+    // Takes what the stream holds for the next elapsed_s of the game, which end now.
+    void advance(HandStream& stream, double elapsed_s, Clock::time_point now);
 
     const HandFilter& hand(int side) const { return filters_[static_cast<size_t>(side)]; }
     float notSeen_s(int side) const { return notSeen_s_[static_cast<size_t>(side)]; } // since it last was
+    // Since the moment at which it was where hand() has it: notSeen_s() and what a picture takes to get here.
+    float age_s(int side) const { return notSeen_s(side) + lateness_s_[static_cast<size_t>(side)]; }
     // As in HandFrame, of the last time that the hand was seen.
     glm::vec3 towardsElbow(int side) const { return towardsElbow_[static_cast<size_t>(side)]; }
     float asRig_m(int side) const { return asRig_m_[static_cast<size_t>(side)]; } // the same
@@ -32,6 +34,7 @@ class DeviceHands {
     DeviceTime time_;
     std::array<HandFilter, 2> filters_;
     std::array<float, 2> notSeen_s_{1e6f, 1e6f};
+    std::array<float, 2> lateness_s_{};
     std::array<glm::vec3, 2> towardsElbow_{};
     std::array<float, 2> asRig_m_{};
     // For Stamps.
@@ -72,18 +75,19 @@ HandPose between(const HandPose& a, const HandPose& b, float share);
 class HandSourceSelector {
   public:
     // Once a tick, after the device has advanced for the frame: takes the mouse's hands and gives those
-    // chosen. ticksLeft: of this frame, this one among them; what came since the last frame is spread over
-    // them, or over as much time as lies between the frames of a device slower than the display, so that a
-    // hand moves evenly.
-    void tick(const DeviceHands& device, std::array<HandPose, 2>& hands, int ticksLeft, float dt_s);
+    // chosen. ago_s: of the tick, before the frame's time. A device's hand is where it is predicted to be
+    // then, and moves on so from tick to tick; by as much as that was wrong it is corrected evenly, over the
+    // interval of the device's frames, so that it does not leap. (Murphy 2011, "Believable Dead Reckoning for
+    // Networked Games", in Game Engine Gems 2, blends so between two predictions.)
+    void tick(const DeviceHands& device, std::array<HandPose, 2>& hands, float ago_s, float dt_s);
 
     bool fromDevice() const { return fromDevice_; } // else the mouse's
 
   private:
     struct Hand {
-        HandPose target; // on the way to the newest of the device
+        HandPose target; // predicted and corrected, or the mouse's
         int targetStretch = 0;
-        float sinceFrame_s = 0; // since the first tick of the display's frame
+        float sinceFrame_s = 0; // since the first tick with the device's last
         PoseBlend continuity;
     };
     bool fromDevice_ = false;

@@ -9,11 +9,12 @@ Path handModelFolder() { return scoreFolder() / "models"; }
 
 HandStream::HandStream(size_t capacity, Full full) : capacity_(capacity), full_(full) {}
 
-void HandStream::push(const HandFrame& frame) {
+void HandStream::push(HandFrame frame) {
+    if (frame.seenAt == Clock::time_point()) frame.seenAt = Clock::now();
     std::unique_lock lock(mutex_);
     if (full_ == Full::Wait) changed_.wait(lock, [&] { return closed_ || frames_.size() < capacity_; });
     if (frames_.size() >= capacity_) frames_.pop_front();
-    frames_.push_back(frame);
+    frames_.push_back(std::move(frame));
     changed_.notify_all();
 }
 

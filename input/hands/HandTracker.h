@@ -17,8 +17,12 @@
 
 namespace shoal::hands {
 
+using Clock = std::chrono::steady_clock;
+
 struct HandFrame {
-    int64_t time_us = 0;               // by the device's clock; may start anew when the device does
+    int64_t time_us = 0; // by the device's clock; may start anew when the device does
+    Clock::time_point
+        seenAt{}; // by this machine's: when a picture was taken; HandStream's where none is given
     std::array<HandPose, 2> hands{};   // left, right; unfiltered, viewer's frame
     std::array<int64_t, 2> identity{}; // changes when the device no longer knows that it is the same hand
     // From the wrist, unit, viewer's frame; 0 where the device sees no elbow. For the picture only.
@@ -45,7 +49,7 @@ class HandStream {
     enum class Full { Drop, Wait };
     explicit HandStream(size_t capacity = 1024, Full full = Full::Drop);
 
-    void push(const HandFrame& frame);
+    void push(HandFrame frame); // without seenAt it is taken to be seen now
     // The oldest frame; false: none. Programs that do not run in real time wait so long for one.
     bool take(HandFrame& out, std::chrono::milliseconds patience = {});
     void close(); // no call waits any longer

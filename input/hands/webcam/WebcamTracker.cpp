@@ -25,7 +25,6 @@ namespace shoal::hands {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kRetry{1};
 
 #ifndef SHOAL_HAND_LANDMARKS
@@ -72,9 +71,12 @@ class WebcamTracker final : public HandTracker {
     std::string place() const {
         return options_.file.empty() ? "camera " + std::to_string(options_.index) : options_.file;
     }
-    void detect(HandFinder& finder, const cv::Mat& picture, double time_s) {
+    // takenAt: the picture; time_s: since the first.
+    void detect(HandFinder& finder, const cv::Mat& picture, Clock::time_point takenAt, double time_s) {
         HandFrame frame = finder.detect(picture, time_s);
-        const float size = std::clamp(handSize_.load(), kHandSizeMin, kHandSizeMax);
+        frame.seenAt = takenAt;
+        const float size =
+            std::clamp(handSize_.load(), kHandSizeMin, kHandSizeMax);
         for (size_t side = 0; side < 2; ++side) {
             if (!frame.hands[side].tracked) continue;
             frame.asRig_m[side] = glm::length(frame.hands[side].joints[kPalmJoint].position);
@@ -118,10 +120,9 @@ class WebcamTracker final : public HandTracker {
         for (int64_t number = 0; !ending.stop_requested() && source->grab() && source->retrieve(picture);
              ++number) {
             const std::chrono::duration<double> time(static_cast<double>(number) / source->info().fps);
-            if (options_.live &&
-                !waitUntil(ending, began + std::chrono::duration_cast<Clock::duration>(time)))
-                break;
-            detect(*finder, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()),
+            const Clock::time_point due = began + std::chrono::duration_cast<Clock::duration>(time);
+            if (options_.live && !waitUntil(ending, due)) break;
+            detect(*finder, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()), due,
                    time.count());
         }
         return options_.file + " is over";
@@ -136,8 +137,11 @@ class WebcamTracker final : public HandTracker {
             const auto finder = makeFinder(options_.models, rig_);
             const Clock::time_point began = Clock::now();
             cv::Mat picture;
-            while (!ending.stop_requested() && camera(nullptr) && camera(&picture))
-                detect(*finder, picture, std::chrono::duration<double>(Clock::now() - began).count());
+            while (!ending.stop_requested() && camera(nullptr)) {
+                const Clock::time_point takenAt = Clock::now();
+                if (!camera(&picture)) break;
+                detect(*finder, picture, takenAt, std::chrono::duration<double>(takenAt - began).count());
+            }
         } catch (const cv::Exception&) { // of a driver: as good as unplugged
         }
         return place() + " gives no pictures";

@@ -51,6 +51,7 @@ class UnderATracker {
     void frame(const Action& action, const game::Snapshot&) {
         constexpr float kClose_s = 0.2f, kNoise_m = 0.003f;
         constexpr int kDelay_frames = 2; // 33 ms
+        now_ += std::chrono::microseconds(1'000'000 / kFrameRate_Hz);
         const float step = kFrame_s / kClose_s;
         closed_ += std::clamp((action.close ? 1.0f : 0.0f) - closed_, -step, step);
         hands::HandFrame seen;
@@ -63,13 +64,14 @@ class UnderATracker {
         if (static_cast<int>(late_.size()) > kDelay_frames) {
             time_us_ += static_cast<int64_t>(1e6f * kFrame_s);
             late_.front().time_us = time_us_;
+            late_.front().seenAt = now_; // it does not say how late it is
             stream_.push(late_.front());
             late_.pop_front();
         }
-        hands_.advance(stream_, static_cast<double>(kFrame_s));
+        hands_.advance(stream_, static_cast<double>(kFrame_s), now_);
     }
     void tick(game::TickInput& input, int ticksLeft) {
-        choice_.tick(hands_, input.hands, ticksLeft, sim::kTick_s);
+        choice_.tick(hands_, input.hands, static_cast<float>(ticksLeft - 1) * sim::kTick_s, sim::kTick_s);
     }
 
   private:
@@ -83,6 +85,7 @@ class UnderATracker {
     float closed_ = 0;
     std::deque<hands::HandFrame> late_;
     int64_t time_us_ = 0;
+    hands::Clock::time_point now_{};
     hands::HandStream stream_;
     hands::DeviceHands hands_{hands::DeviceTime::Live};
     hands::HandSourceSelector choice_;

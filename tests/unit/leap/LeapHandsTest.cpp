@@ -368,9 +368,9 @@ TEST(LeapHands, AMovingHandIsSolidAndSteadyAtAnyRate) {
         std::array<HandPose, 2> hands{};
         float before = 0;
         for (int frame = 0; frame < 150; ++frame) { // 2.5 s
-            device.advance(tracker->stream(), 1.0 / 60);
+            device.advance(tracker->stream(), 1.0 / 60, {});
             for (int left = 2; left > 0; --left) {
-                selector.tick(device, hands, left, kTick_s);
+                selector.tick(device, hands, static_cast<float>(left - 1) * kTick_s, kTick_s);
                 const float x = hands[1].joints[kPalmJoint].position.x;
                 const float shown_mps = (x - before) / kTick_s;
                 before = x;

@@ -4,6 +4,7 @@
 #include "input/hands/HandSourceSelector.h"
 #include "input/hands/leap/LeapMessage.h"
 #include "tests/TestRig.h"
+#include "tests/unit/hands/SimulatedTracker.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ using tests::rig;
 // The palm of one hand over one unbroken stretch of tracking; hands as they are, on no mount.
 struct Track {
     std::vector<double> t_s;
-    std::vector<glm::dvec3> raw, filtered; // metres
+    std::vector<glm::dvec3> raw, filtered; // metres; the filter's lag made good
 };
 
 struct Played {
@@ -53,7 +54,7 @@ Played play(const std::vector<std::string>& messages) {
             Track& track = found[{side, filter.stretch()}];
             track.t_s.push_back(static_cast<double>(frame.time_us - first_us) * 1e-6);
             track.raw.emplace_back(frame.hands[side].joints[0].position);
-            track.filtered.emplace_back(filter.pose().joints[0].position);
+            track.filtered.emplace_back(filter.palm(0).position);
         }
     }
     played.length_s = static_cast<double>(last_us - first_us) * 1e-6;
@@ -129,14 +130,14 @@ void print(const char* name, const Row& row) {
 
 struct Case {
     const char* name;
-    double maxLatency_ms; // one and a half frames, half of a long one, or what a still hand costs
+    double maxLatency_ms; // one frame, half of a long one, or what a still hand costs
     double maxShare;      // of the jitter that may be left
 };
 
 class Recording : public testing::TestWithParam<Case> {};
 
-// A hand that moves is followed within about a frame of the device; a still one (pinch: it creeps at 1 mm/s)
-// is held by the least cut-off, whose lag is 1 / (2 pi 4 Hz) = 40 ms.
+// A hand that moves is followed within a frame of the device, with the filter's lag made good; a still one
+// (pinch: it creeps at 1 mm/s) is held by the least cut-offs.
 TEST_P(Recording, TremblesLessAndComesLittleLater) {
     const Path file = test::sharedRecording(GetParam().name);
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
@@ -147,13 +148,48 @@ TEST_P(Recording, TremblesLessAndComesLittleLater) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Recording,
-                         testing::Values(Case{"grab", 1.5e3 / 114, 0.5}, Case{"flapping", 1.5e3 / 106, 0.8},
+                         testing::Values(Case{"grab", 1e3 / 114, 0.5}, Case{"flapping", 1e3 / 106, 0.8},
                                          Case{"confidence-37fps", 0.5e3 / 37, 0.85},
                                          Case{"pinch-57fps", 40, 0.7}),
                          [](const auto& parameter) {
                              const std::string name = parameter.param.name;
                              return name.substr(0, name.find('-'));
                          });
+
+// The same hands before a webcam that sees them thirty times a second and 14 ms late: 12 to 33 ms late in the
+// simulation, where an even movement between pictures was 41 to 44; and nearer to where they are than where
+// they were seen last.
+TEST(SharedRecording, HandsBeforeAWebcamAreHardlyAPictureLate) {
+    for (const char* name : {"grab", "flapping", "confidence-37fps"}) {
+        const Path file = test::sharedRecording(name);
+        if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs the reference data: " << file;
+        for (const Track& track : play(test::readRecordingMessages(file)).tracks) {
+            const double length_s = track.t_s.back() - track.t_s.front();
+            if (length_s < 2) continue;
+            const test::Motion motion = [&](double t_s) {
+                return static_cast<double>(kReach) * at(track, track.t_s.front() + t_s);
+            };
+            double late_s = 0, off_m2 = 0, held_m2 = 0;
+            int count = 0;
+            for (int phase = 0; phase < 8; ++phase) {
+                const auto moments =
+                    test::played(motion, length_s, rig().pose(Side::Right, {}, {}), {.phase = phase});
+                late_s += test::delayOf(motion, moments) / 8;
+                for (const test::Moment& m : moments) {
+                    if (m.t_s < 0.5) continue;
+                    const glm::dvec3 off = m.palm - motion(m.t_s), held = m.filtered - motion(m.t_s);
+                    off_m2 += glm::dot(off, off);
+                    held_m2 += glm::dot(held, held);
+                    ++count;
+                }
+            }
+            std::printf("%-18s %4.1f ms late, %4.1f mm off; as it was seen last %4.1f mm\n", name,
+                        1e3 * late_s, 1e3 * std::sqrt(off_m2 / count), 1e3 * std::sqrt(held_m2 / count));
+            EXPECT_LT(late_s, 0.036);
+            EXPECT_LT(off_m2, held_m2);
+        }
+    }
+}
 
 // The same without reference data: a hand that waves at 1 Hz with noise of 0.2 mm upon it.
 TEST(MadeRecording, TremblesLessAndComesLittleLater) {
@@ -176,7 +212,7 @@ TEST(MadeRecording, TremblesLessAndComesLittleLater) {
     const Row row = measure(play(messages));
     print("made", row);
     EXPECT_NEAR(row.raw_mm, 0.2 * 1.538, 0.05); // the median length of three such numbers together
-    EXPECT_LT(row.latency_ms, 1.5 * 9);
+    EXPECT_LT(row.latency_ms, 9);
     EXPECT_LT(row.filtered_mm, 0.8 * row.raw_mm);
     EXPECT_EQ(row.losses, 0);
 }

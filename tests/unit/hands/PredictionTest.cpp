@@ -1,0 +1,184 @@
+// Hands are drawn where they will be, not where a picture saw them: how late they are, how far they go beyond
+// where they stop, and how they tremble at rest. Prints tables.
+#include "tests/TestRig.h"
+#include "tests/unit/hands/SimulatedTracker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace shoal::hands {
+namespace {
+
+using test::Moment;
+using test::Motion;
+using test::TrackerModel;
+
+std::vector<Moment> played(const Motion& motion, double length_s, const TrackerModel& tracker) {
+    return test::played(motion, length_s, tests::rig().pose(Side::Right, {}, {{0, 0, -0.5f}, {1, 0, 0, 0}}),
+                        tracker);
+}
+
+// Along x, from a second on, with the least jerk (Flash & Hogan 1985), as people reach.
+Motion reach(double way_m, double length_s) {
+    return [=](double t_s) {
+        const double s = std::clamp((t_s - 1) / length_s, 0.0, 1.0);
+        return glm::dvec3(way_m * s * s * s * (10 + s * (6 * s - 15)), 0, -0.5);
+    };
+}
+
+// From a second on for half of one, and not one moment longer.
+Motion dash(double speed_mps) {
+    return [=](double t_s) { return glm::dvec3(speed_mps * std::clamp(t_s - 1, 0.0, 0.5), 0, -0.5); };
+}
+
+struct Delay {
+    double mean_ms = 0, most_ms = 0;
+};
+
+// How long ago a hand that moves steadily was where the simulation has it, over every phase between pictures
+// and display.
+Delay delayAt(double speed_mps, double rate_Hz) {
+    Delay delay;
+    int count = 0;
+    for (int phase = 0; phase < 8; ++phase)
+        for (const Moment& m : played([&](double t_s) { return glm::dvec3(speed_mps * t_s, 0, -0.5); }, 2,
+                                      {.rate_Hz = rate_Hz, .phase = phase})) {
+            if (m.t_s < 1) continue;
+            const double ago_ms = 1e3 * (m.t_s - m.palm.x / speed_mps);
+            delay.mean_ms += ago_ms;
+            delay.most_ms = std::max(delay.most_ms, ago_ms);
+            ++count;
+        }
+    delay.mean_ms /= count;
+    return delay;
+}
+
+// What comes after the simulation is not in it: what is shown lies a tick behind (8 ms, game::interpolate),
+// then drawing and the display's refresh, 17 ms: below 40 ms in all.
+TEST(HandDelay, OfAWebcamIsMadeGoodButForWhatItsSlowingDownLeaves) {
+    for (const double speed_mps : {0.1, 0.3, 1.0}) {
+        const Delay delay = delayAt(speed_mps, 30);
+        std::printf("%.1f m/s: picture to simulation %.1f ms, at most %.1f\n", speed_mps, delay.mean_ms,
+                    delay.most_ms);
+        EXPECT_LT(delay.mean_ms, 15);
+        EXPECT_LT(delay.most_ms, 22);
+        EXPECT_GT(delay.mean_ms, 0) << "a hand is not drawn ahead of itself";
+    }
+}
+
+struct Beyond {
+    double most_mm = 0, later_mm = 0; // later: a fifth of a second after the stop
+    double delay_ms = 0;
+};
+
+Beyond beyond(const Motion& motion, double stop_s, TrackerModel tracker) {
+    Beyond out;
+    for (tracker.phase = 0; tracker.phase < 8; ++tracker.phase) {
+        const auto moments = played(motion, stop_s + 0.7, tracker);
+        const double end = motion(stop_s).x;
+        double most = 0;
+        for (const Moment& m : moments) {
+            most = std::max(most, 1e3 * (m.palm.x - end));
+            if (m.t_s > stop_s + 0.2) out.later_mm = std::max(out.later_mm, 1e3 * std::abs(m.palm.x - end));
+        }
+        out.most_mm += most / 8;
+        out.delay_ms += 1e3 * test::delayOf(motion, moments) / 8;
+    }
+    return out;
+}
+
+// Root mean squares at rest, mm.
+struct Trembling {
+    double shown_mm = 0, filtered_mm = 0;
+};
+
+Trembling trembling(const TrackerModel& tracker) {
+    const glm::dvec3 at(0, 0, -0.5);
+    Trembling sum;
+    int count = 0;
+    for (const Moment& m : played([&](double) { return at; }, 20, tracker)) {
+        if (m.t_s < 1) continue;
+        sum.shown_mm += glm::dot(m.palm - at, m.palm - at);
+        sum.filtered_mm += glm::dot(m.filtered - at, m.filtered - at);
+        ++count;
+    }
+    return {1e3 * std::sqrt(sum.shown_mm / count), 1e3 * std::sqrt(sum.filtered_mm / count)};
+}
+
+TEST(Prediction, AHandThatStopsIsNotSeenFarBeyondAndAStillOneHardlyTremblesMore) {
+    for (const double rate_Hz : {30.0, 60.0, 120.0})
+        for (const double noise_m : {0.0, 0.003}) {
+            const TrackerModel tracker{.rate_Hz = rate_Hz, .noise_m = noise_m};
+            const Beyond slow = beyond(reach(0.4, 0.5), 1.5, tracker),
+                         fast = beyond(reach(0.3, 0.3), 1.3, tracker), sudden = beyond(dash(1), 1.5, tracker);
+            const Trembling rest = trembling(tracker);
+            std::printf(
+                "%3.0f Hz, noise %.0f mm: reach 0.4 m in 0.5 s %4.1f ms late, %4.1f mm beyond; 0.3 m in "
+                "0.3 s %4.1f mm; from 1 m/s at once %4.1f mm; at rest %.2f mm (filtered %.2f)\n",
+                rate_Hz, noise_m * 1e3, slow.delay_ms, slow.most_mm, fast.most_mm, sudden.most_mm,
+                rest.shown_mm, rest.filtered_mm);
+            EXPECT_LT(rest.shown_mm, 1.2 * rest.filtered_mm + 1e-3);
+            if (noise_m > 0) continue;
+            EXPECT_LT(slow.most_mm, 3);
+            EXPECT_LT(fast.most_mm, 4);
+            // No prediction knows that a hand will stop at once: what it has gone since the picture.
+            EXPECT_LT(sudden.most_mm, rate_Hz < 60 ? 25 : 16);
+            EXPECT_LT(std::max({slow.later_mm, fast.later_mm, sudden.later_mm}), 1);
+        }
+}
+
+// Half of what its velocity would take it in kStops_s, however long it is awaited.
+TEST(Prediction, AHandNotSeenAnyMoreGoesOnAndStops) {
+    HandFilter filter;
+    HandPose hand = tests::rig().pose(Side::Right, {}, {{0, 0, -0.5f}, {1, 0, 0, 0}});
+    for (int i = 0; i < 60; ++i) {
+        filter.step(hand, 1, i * 10'000);
+        for (Joint& joint : hand.joints) joint.position.x += 0.005f; // 0.5 m/s
+    }
+    const float last = filter.palm(0).position.x;
+    const float far = filter.palm(tuning::kStops_s).position.x;
+    EXPECT_NEAR(far - last, 0.5f * tuning::kStops_s / 2, 0.005f);
+    EXPECT_EQ(filter.palm(1e6f).position.x, far);
+}
+
+TEST(Prediction, NothingIsThrownFartherThanFarthest) {
+    HandFilter filter;
+    HandPose hand = tests::rig().pose(Side::Right, {}, {{-2, 0, -0.5f}, {1, 0, 0, 0}});
+    for (int i = 0; i < 20; ++i) {
+        filter.step(hand, 1, i * 10'000);
+        for (Joint& joint : hand.joints) joint.position.x += 0.2f; // 20 m/s
+    }
+    const glm::vec3 seen = filter.pose().joints[kPalmJoint].position;
+    EXPECT_NEAR(glm::distance(filter.palm(1).position, seen), tuning::kPalmVelocity.farthest, 1e-4f);
+}
+
+// Turned as fast as a wrist turns, the hand is drawn turned on, about its palm, and its bones stay as they
+// are.
+TEST(Prediction, AHandThatTurnsIsTurnedOn) {
+    constexpr float kSpin_radps = 3, kInterval_s = 0.01f;
+    HandFilter filter;
+    float angle = 0;
+    const auto at = [](float radians) {
+        return tests::rig().pose(Side::Right, {},
+                                 {{0, 0, -0.5f}, glm::angleAxis(radians, glm::vec3(0, 0, 1))});
+    };
+    for (int i = 0; i < 60; ++i) filter.step(at(angle += kSpin_radps * kInterval_s), 1, i * 10'000);
+    const Palm now = filter.palm(0), ahead = filter.palm(0.03f);
+    const auto between = [](const glm::quat& a, const glm::quat& b) {
+        return glm::angle(glm::conjugate(a) * b);
+    };
+    EXPECT_NEAR(between(at(angle).joints[kPalmJoint].orientation, now.turn), 0, 0.015f);
+    EXPECT_NEAR(between(now.turn, ahead.turn), kSpin_radps * 0.03f, 0.02f);
+    const Joint& seen = filter.pose().joints[kPalmJoint];
+    const HandPose turned = carried(filter.pose(), {seen.position, seen.orientation}, ahead);
+    for (int i = 2; i < kJointCount; ++i)
+        EXPECT_NEAR(
+            glm::distance(turned.joints[i].position, turned.joints[kJointParent[i]].position),
+            glm::distance(filter.pose().joints[i].position, filter.pose().joints[kJointParent[i]].position),
+            1e-5f);
+}
+
+} // namespace
+} // namespace shoal::hands
