@@ -69,6 +69,7 @@ Status Application::begin(Mode mode, bool measured) {
                                    : window_         ? FrameClock::Mode::RealTime
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
+    noteWebcam();
     const bool records = measured && !options_.record.empty() && mode != Mode::Title;
     return records ? play_->session.record(recordingFile()) : Done{};
 }
@@ -205,17 +206,22 @@ void Application::readMenuInput() {
     screens_.input(menu);
 }
 
+// Whenever the source of hands may be another.
+void Application::noteWebcam() {
+    const std::optional<TrackedHands>& tracked = play_->session.tracked;
+    const bool webcam = tracked && tracked->hasCamera();
+    if (std::exchange(screens_.facts.webcam, webcam) != webcam) screens_.refresh();
+}
+
 // While its page is open, anew each time.
 void Application::measureHand() {
     ScreenFacts& facts = screens_.facts;
-    const std::optional<TrackedHands>& tracked = play_->session.tracked;
-    const bool webcam = tracked && tracked->hasCamera();
-    if (std::exchange(facts.webcam, webcam) != webcam) screens_.refresh();
     if (screens_.top() != Screen::HandSize) {
         facts.handSizing = {};
         return;
     }
     if (facts.handSizing.size()) return;
+    const std::optional<TrackedHands>& tracked = play_->session.tracked;
     facts.handSizing.see(tracked ? tracked->openHand_m() : std::nullopt,
                          static_cast<float>(play_->elapsed_s));
     if (const auto size = facts.handSizing.size()) {

@@ -81,6 +81,7 @@ class Application {
     Status frame(bool measured);
     void readInput();
     void noteDevice();
+    void noteWebcam();
     void measureHand();
     void readMenuInput();
     void globalActions(const Controls& controls);

@@ -5,6 +5,7 @@
 #include "engine/media/StereoView.h"
 #include "game/settings/Choices.h"
 #include "game/settings/Setting.h"
+#include "input/hands/HandSize.h"
 
 #include <string>
 
@@ -122,7 +123,7 @@ struct HandOptions {
         table
             .addKept("--hand-size", &size,
                      "Of your hands before a webcam, which cannot tell, in times of one that is 19 cm long")
-            .between(0.7, 1.4)
+            .between(hands::kHandSizeMin, hands::kHandSizeMax)
             .shownAs(SettingsPage::Hands, "Hand size (webcam)");
         addLeapTo(table);
         table.addKept(

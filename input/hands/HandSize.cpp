@@ -28,7 +28,7 @@ void HandSizing::see(std::optional<float> asRig_m, float dt_s) {
         return;
     }
     missing_s_ = 0;
-    const float size = kAt_m / std::max(*asRig_m, 1e-3f);
+    const auto size = static_cast<double>(kAt_m / std::max(*asRig_m, 1e-3f));
     if (size < kHandSizeMin || size > kHandSizeMax) {
         begin(0);
         state_ = State::Elsewhere;

@@ -6,7 +6,7 @@
 
 namespace shoal::hands {
 
-constexpr float kHandSizeMin = 0.7f, kHandSizeMax = 1.4f; // a child's, a giant's
+constexpr double kHandSizeMin = 0.7, kHandSizeMax = 1.4; // a child's, a giant's; of the setting too
 
 // In place, in the camera's frame: a hand of the rig's size becomes the one of this size that looks the same.
 void resize(HandPose& hand, float size);

@@ -76,7 +76,7 @@ class WebcamTracker final : public HandTracker {
         HandFrame frame = finder.detect(picture, time_s);
         frame.seenAt = takenAt;
         const float size =
-            std::clamp(handSize_.load(), kHandSizeMin, kHandSizeMax);
+            std::clamp(handSize_.load(), static_cast<float>(kHandSizeMin), static_cast<float>(kHandSizeMax));
         for (size_t side = 0; side < 2; ++side) {
             if (!frame.hands[side].tracked) continue;
             frame.asRig_m[side] = glm::length(frame.hands[side].joints[kPalmJoint].position);
