@@ -1,5 +1,7 @@
 #include "engine/camera/EstimateCameraResponse.h"
 
+#include "engine/math/Quantile.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -45,12 +47,6 @@ constexpr float kFollow_s = 2.2f; // time constant
 constexpr float kUsualGlare = 0.03f, kMaxGlare = 0.1f;
 
 float shareOf(float dt_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / kFollow_s); }
-
-float quantile(std::vector<float>& values, double share) {
-    const auto at = values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
 
 // Mean square response of the kernel (1 -2 1; -2 4 -2; 1 -2 1), which is 0 for gradients and for curvature
 // along one axis, over size x size values; for white noise it is 36 times the variance. Immerkaer 1996, "Fast
@@ -127,7 +123,7 @@ void CameraResponseEstimator::measureBlur(CameraResponseEstimate& out) {
     for (const Edge& edge : edges_)
         if (edge.step >= kAboveNoise * noise) blurs_.push_back(edge.blur_texels);
     out.edges = static_cast<int>(blurs_.size());
-    if (out.edges >= kFewEdges) out.response.blur_texels = quantile(blurs_, kSharpest);
+    if (out.edges >= kFewEdges) out.response.blur_texels = math::quantile(blurs_, kSharpest);
 }
 
 void CameraResponseEstimator::measureNoise(CameraResponseEstimate& out) {
@@ -201,8 +197,8 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
 
     for (size_t band = 0; band < kBrightnesses; ++band) {
         if (out.flatBlocks[band] < kFewBlocks) continue;
-        const float fine = std::max(quantile(blocks_[band].fine, kFlattest) / kFineLuck, 0.0f);
-        const float coarse = std::max(quantile(blocks_[band].coarse, kFlattest) / kCoarseLuck, 0.0f);
+        const float fine = std::max(math::quantile(blocks_[band].fine, kFlattest) / kFineLuck, 0.0f);
+        const float coarse = std::max(math::quantile(blocks_[band].coarse, kFlattest) / kCoarseLuck, 0.0f);
         const float fineVariance = std::max(fine * fine - kRounding, 0.0f);
         const float coarseVariance = std::max(coarse * coarse - fine * fine / 4, 0.0f);
         out.response.fineNoise[band] = std::sqrt(fineVariance) / 255;

@@ -4,9 +4,9 @@
 #include "engine/depth/estimate/DepthPreview.h"
 #include "engine/depth/estimate/FrameRecord.h"
 #include "engine/depth/estimate/MotionPass.h"
-#include "engine/depth/estimate/Quantile.h"
 #include "engine/depth/estimate/SweepPass.h"
 #include "engine/depth/estimate/TrackFilter.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/VideoPlayer.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void guessScale(CameraPath& path, double fps, const FilmDepthOptions& options) {
         else if (path.motions[t].height > 0)
             seen.push_back(path.baselines_m[t] * path.motions[t].height / options.height_m);
     }
-    const double scale = median(seen);
+    const double scale = math::median(seen);
     for (double& each : path.baselines_m) each /= scale > 0 ? scale : 1;
 }
 
@@ -127,7 +127,7 @@ class Maker {
             for (size_t i = 0; i < kEstimateTexels; ++i)
                 if (depth.confidence[i] > 0.5f) inverses.push_back(static_cast<double>(depth.inverse[i]));
         }
-        const double nearest = inverses.empty() ? 1 : 1.3 * quantile(inverses, 0.995);
+        const double nearest = inverses.empty() ? 1 : 1.3 * math::quantile(inverses, 0.995);
         inverse_perM =
             static_cast<float>(std::clamp(nearest, 0.1, static_cast<double>(media::kMaxInverse_perM)));
         return Done{};

@@ -1,6 +1,6 @@
 #include "engine/depth/estimate/MotionPass.h"
 
-#include "engine/depth/estimate/Quantile.h"
+#include "engine/math/Quantile.h"
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ bool MotionPass::chooseGap() {
             moving += isTranslation(pair.pose);
             parallaxes.push_back(pair.pose.parallax_rad);
         }
-        const double parallax = median(parallaxes);
+        const double parallax = math::median(parallaxes);
         if (moving * 3 >= kPlaces && moving * std::min(parallax, kGoodParallax) > bestScore)
             bestScore = moving * std::min(parallax, kGoodParallax), best = gap;
         if (best > 0 && parallax >= kGoodParallax) {

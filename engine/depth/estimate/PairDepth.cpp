@@ -1,6 +1,6 @@
 #include "engine/depth/estimate/PairDepth.h"
 
-#include "engine/depth/estimate/Quantile.h"
+#include "engine/math/Quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ double heightBelow(const DepthEstimate& depth) {
         if (dir.y < -0.5f && depth.confidence[i] > 0.5f && depth.inverse[i] > 1e-4f)
             heights.push_back(static_cast<double>(-dir.y / depth.inverse[i]));
     }
-    return heights.size() < 100 ? 0 : median(heights);
+    return heights.size() < 100 ? 0 : math::median(heights);
 }
 
 } // namespace
@@ -75,7 +75,7 @@ FrameRecord joined(const PairDepth* begins, const PairDepth* ends) {
                     std::log(static_cast<double>(begins->first.inverse[i] / ends->second.inverse[i])));
         if (ratios.size() > 200) {
             record.motion.ratioWeight = 1;
-            record.motion.logRatio = median(ratios);
+            record.motion.logRatio = math::median(ratios);
         }
         ratio = std::exp(record.motion.logRatio);
     }

@@ -1,6 +1,6 @@
 #include "engine/depth/estimate/RelativePose.h"
 
-#include "engine/depth/estimate/Quantile.h"
+#include "engine/math/Quantile.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -50,7 +50,7 @@ glm::dmat3 fitRotation(const std::vector<Correspondence>& points) {
         errors.clear();
         for (const Correspondence& p : points) errors.push_back(glm::length(p.second - estimate * p.first));
         std::vector<double> sorted = errors;
-        const double scale = std::max(median(sorted), kMinScale_rad);
+        const double scale = std::max(math::median(sorted), kMinScale_rad);
         std::array<std::array<double, 4>, 3> rows{};
         for (size_t i = 0; i < points.size(); ++i) {
             const glm::dvec3 d = estimate * points[i].first;
@@ -167,7 +167,7 @@ RelativePose relativePose(const std::vector<Correspondence>& points) {
     const glm::dmat3 turned = fitRotation(points);
     std::vector<double> moved;
     for (const Correspondence& p : points) moved.push_back(glm::length(p.second - turned * p.first));
-    const double scale = std::max(0.2 * median(moved), kMinScale_rad);
+    const double scale = std::max(0.2 * math::median(moved), kMinScale_rad);
     // From thirteen axes and both ways of none: the error does not change with the sign of the movement.
     Fit best{turned, {0, 0, -1}, 1e30};
     for (int x = -1; x <= 1; ++x)
@@ -192,7 +192,7 @@ RelativePose relativePose(const std::vector<Correspondence>& points) {
         moved.push_back(std::abs(t.parallax_rad));
     }
     if (forwards < 0) result.towards = -result.towards;
-    result.parallax_rad = median(moved);
+    result.parallax_rad = math::median(moved);
     result.agreement = all > 0 ? std::abs(forwards) / all : 0;
     return result;
 }

@@ -1,6 +1,6 @@
 #include "tests/bench/estimate/Accuracy.h"
 
-#include "engine/depth/estimate/Quantile.h"
+#include "engine/math/Quantile.h"
 #include "engine/media/DepthTrack.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ double factorOf(const std::vector<std::vector<Texel>>& frames) {
         for (const Texel& each : texels)
             if (each.isConfident && each.truth_perM > kBeyond_perM && each.estimated_perM > 0)
                 factors.push_back(each.truth_perM / each.estimated_perM);
-    return factors.empty() ? 1 : depth::median(factors);
+    return factors.empty() ? 1 : math::median(factors);
 }
 
 double rightShare(const std::vector<Texel>& texels, double factor) {
