@@ -215,14 +215,16 @@ LandmarkFinder::Fit LandmarkFinder::firstFit(const Seen& seen,
 }
 
 LandmarkFinder::Residuals LandmarkFinder::residuals(const Fit& fit, const Seen& seen, Side side) const {
-    constexpr float kAcross_m = 0.003f, kDepth_m = 0.3f, kSpread = 2, kCurl = 0.3f; // standard deviations
+    // Standard deviations. Nothing marks a wrist on an arm, and a sleeve hides it.
+    constexpr float kAcross_m = 0.003f, kWristAcross_m = 0.01f, kDepth_m = 0.3f, kSpread = 2, kCurl = 0.3f;
     const HandPose pose = rig_.pose(side, fit.hand, {fit.wrist, fit.turn});
     Residuals out;
     for (int i = 0; i < kLandmarkCount; ++i) {
         const auto at = static_cast<size_t>(i);
         const glm::vec3 p = landmarkOf(pose, at);
-        out(3 * i) = (p.x + seen.ray[at].x * p.z) / kAcross_m;
-        out(3 * i + 1) = (p.y + seen.ray[at].y * p.z) / kAcross_m;
+        const float across_m = at == kWrist ? kWristAcross_m : kAcross_m;
+        out(3 * i) = (p.x + seen.ray[at].x * p.z) / across_m;
+        out(3 * i + 1) = (p.y + seen.ray[at].y * p.z) / across_m;
         out(3 * i + 2) = (p.z - fit.wrist.z - seen.shape[at].z + seen.shape[kWrist].z) / kDepth_m;
     }
     out(3 * kLandmarkCount) = fit.hand.spread / kSpread;
