@@ -213,7 +213,8 @@ float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3&
     return meet(FilmRay(film, fromWorld, dirWorld), reach_m);
 }
 
-// How far a piece's shadow falls. before: of the piece beside it, negative where it met nothing.
+// How far a piece's shadow falls; negative: it meets nothing. groundBefore: where that of the piece beside it
+// fell, along the light's way.
 static float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight& light,
                     float groundBefore) {
     const FilmRay ray(film, piece.middle, -light.towards);

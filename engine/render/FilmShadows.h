@@ -46,9 +46,8 @@ class FilmShadows {
     const FrameTiles& tiles() const { return tiles_; }
     // Lat-long, as fine as the distances; 255: all is left. Channels as DisplayFrame has them, blue first.
     const Image<uint8_t, 4>& left() const { return left_; }
-    uint64_t number() const {
-        return number_;
-    } // of begin(), from 1 on: of who has a copy it is known whether it is up to date
+    // Of begin(), from 1 on: tells whoever has a copy whether it is up to date.
+    uint64_t number() const { return number_; }
 
   private:
     void reachTiles(const CastingLight& light, std::span<const View> eyes);
