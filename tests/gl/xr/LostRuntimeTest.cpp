@@ -118,8 +118,7 @@ TEST_F(LostRuntime, WhoGoesOnWithTheMouseIsLeftAlone) {
     ASSERT_EQ(lengths.size(), 4u); // until it is worn, play, lost, play
     EXPECT_GT(lengths[3], 10);
     // The mouse has one hand, which the headset did not show.
-    const auto last =
-        game::fromBytes(recording->input(recording->ticks() - 1).first<game::kTickInputBytes>());
+    const game::TickInput last = inputAt(*recording, recording->ticks() - 1);
     EXPECT_TRUE(last.hands[0].tracked || last.hands[1].tracked);
     expectReplays(*recording);
 }

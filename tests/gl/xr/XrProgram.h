@@ -14,6 +14,10 @@
 
 namespace shoal::app {
 
+inline game::TickInput inputAt(const tests::Recorded& recording, size_t tick) {
+    return game::fromBytes(recording.input(tick).first<game::kTickInputBytes>());
+}
+
 class XrProgram : public test::WithFakeRuntime {
   protected:
     using FakeRuntime = test::FakeRuntime;
@@ -119,7 +123,7 @@ class XrProgram : public test::WithFakeRuntime {
         std::vector<int> lengths{0};
         bool paused = true;
         for (size_t tick = 0; tick < recording.ticks(); ++tick) {
-            const auto input = game::fromBytes(recording.input(tick).first<game::kTickInputBytes>());
+            const game::TickInput input = inputAt(recording, tick);
             if (input.pause != paused) {
                 paused = input.pause;
                 lengths.push_back(0);

@@ -87,10 +87,8 @@ TEST_F(XrProgram, HeadAndHandsAreRecordedAndReplay) {
     EXPECT_EQ(outcome.status, 0) << outcome.said;
     const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording);
-    const auto input = [&](size_t tick) {
-        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
-    };
-    const game::TickInput before = input(110), last = input(recording->ticks() - 9);
+    const game::TickInput before = inputAt(*recording, 110),
+                          last = inputAt(*recording, recording->ticks() - 9);
     constexpr float kTol = 1e-5f; // floats of some metres, turned thrice
     EXPECT_LT(glm::length(before.headWorld), kTol);
     EXPECT_NEAR(std::abs(before.worldFromView.w), 1, kTol);
@@ -119,11 +117,9 @@ TEST_F(XrProgram, AKeyRecentres) {
     EXPECT_EQ(run(o, 120).status, 0);
     const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording);
-    const auto input = [&](size_t tick) {
-        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
-    };
-    EXPECT_NEAR(glm::length(input(85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f), 0.05f); // eyes turn aside
-    const game::TickInput last = input(recording->ticks() - 9);
+    EXPECT_NEAR(glm::length(inputAt(*recording, 85 * 4 / 3).headWorld), std::hypot(0.7f, 0.2f),
+                0.05f); // eyes turn aside
+    const game::TickInput last = inputAt(*recording, recording->ticks() - 9);
     EXPECT_LT(glm::length(last.headWorld), 1e-5f);
     EXPECT_NEAR(std::abs(last.worldFromView.w), 1, 1e-5f);
 }
@@ -181,11 +177,8 @@ TEST_F(XrProgram, SteadyMotionIsSteadyFromTickToTick) {
     EXPECT_EQ(run(o, 120).status, 0);
     const auto recording = tests::readRecorded(o.record);
     ASSERT_TRUE(recording);
-    const auto input = [&](size_t tick) {
-        return game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
-    };
     for (size_t tick = 60; tick < recording->ticks() - 10; ++tick) {
-        const game::TickInput a = input(tick), b = input(tick + 1);
+        const game::TickInput a = inputAt(*recording, tick), b = inputAt(*recording, tick + 1);
         // Floats below 2.
         EXPECT_NEAR(b.headWorld.x - a.headWorld.x, 0.01f * 72 / 120, 2e-6f) << tick;
         const float handA = a.hands[1].joints[9].position.y, handB = b.hands[1].joints[9].position.y;
