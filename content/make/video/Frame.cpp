@@ -135,7 +135,7 @@ Drawn Filming::draw(float turn, int width, bool edges, const vec3& beside) {
     sea_.advance(turn);
     caustics_.advance(sea_);
     world_.advance(turn, route_.at(turn));
-    veil_.fill(scene_, world_, caustics_, camera_);
+    veil_.fill(scene_, world_, caustics_, camera_, width);
     const float pixelAngle = kPi / static_cast<float>(height);
     std::vector<std::vector<Sample>> rows(static_cast<size_t>(height));
 #pragma omp parallel for schedule(dynamic, 4)

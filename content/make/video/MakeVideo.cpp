@@ -6,7 +6,8 @@
 #include "content/make/video/Resize.h"
 #include "content/make/video/Scene.h"
 #include "engine/core/WriteFile.h"
-
+#include "engine/math/LatLong.h"
+#include "engine/math/SphericalHarmonics.h"
 #include "engine/media/Ffmpeg.h"
 #include "engine/media/Pictures.h"
 
@@ -14,11 +15,15 @@ extern "C" {
 #include <libavutil/mem.h>
 }
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <numbers>
 #include <optional>
+#include <sstream>
 
 namespace {
 
@@ -33,13 +38,15 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
     size                         width of these frames and frames a second, to standard output
     truth NAME FRAME...          NAME_NNNN.hdr: linear radiance before the camera
     beside NAME WIDTH X Y Z FRAME...   NAME_NNNN.hdr: the same from so many millimetres beside the camera
+    probes PLACES FILE.tsv       the light at places beside the camera: for each line of PLACES, frame and millimetres
+                                 right, up, back, what it stands at and the radiance there on spherical harmonics
     depth FILE.mkv FILM...       the track of distances that belongs to these versions of the film
     depths NAME WIDTH FRAME...   NAME_NNNN.depth.mkv: distances of single frames, as many as the film has pixels
     enclosure FILE.toml          when the camera is enclosed, and how much
     look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
 )";
 
-constexpr int kTruthWidth = 512, kMeterWidth = 128;
+constexpr int kTruthWidth = 512, kMeterWidth = 128, kProbeWidth = 256;
 // Of a depth track: tests/bench/figures/depth.md tells why these.
 constexpr int kDepthWidth = 256, kDepthEvery = 2; // texels around, frames of the film
 constexpr int kDepthRays = 9;
@@ -178,6 +185,37 @@ Status beside(const Studio& studio, const std::string& name, int width, const ve
     return Done{};
 }
 
+// A hundredth of all directions meets something nearer: how far off a wall is, whatever single leaves are.
+float nearest_m(const Drawn& drawn) {
+    std::vector<std::pair<float, double>> seen; // metres, steradians
+    const int width = drawn.radianceLin.width, height = drawn.radianceLin.height;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            seen.emplace_back(drawn.distance[static_cast<size_t>(y) * width + x],
+                              texelSolidAngle(y, width, height));
+    std::ranges::sort(seen);
+    double within = 0;
+    for (const auto& [metres, solidAngle] : seen)
+        if ((within += solidAngle) > 0.04 * std::numbers::pi) return metres;
+    return seen.back().first;
+}
+
+Status probes(const Studio& studio, const Path& from, const Path& to) {
+    const auto places = readText(from, 1 << 20);
+    if (!places) return places.error();
+    std::string table;
+    std::istringstream lines(*places);
+    int frame = 0;
+    for (vec3 mm(0); lines >> frame >> mm.x >> mm.y >> mm.z;) {
+        const Drawn drawn = studio.filming.draw(studio.turn(frame), kProbeWidth, false, 0.001f * mm);
+        table += fmt::format("{}\t{}\t{}\t{}\t{:.3f}", frame, mm.x, mm.y, mm.z, nearest_m(drawn));
+        for (const glm::dvec3& rgb : math::shProject(drawn.radianceLin))
+            table += fmt::format("\t{:.6g}\t{:.6g}\t{:.6g}", rgb.r, rgb.g, rgb.b);
+        table += '\n';
+    }
+    return writeFileWhole(to, table);
+}
+
 Status depth(const Studio& studio, const Path& to, const std::vector<std::string>& films) {
     std::vector<std::string> identities;
     for (const std::string& film : films) {
@@ -285,6 +323,7 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
         const vec3 metres = 0.001f * vec3(named[1], named[2], named[3]);
         return beside(studio, words[1], named[0], metres, {named.begin() + 4, named.end()});
     }
+    if (task == "probes" && words.size() == 3) return probes(studio, words[1], words[2]);
     if (task == "truth") return truth(studio, words[1], named);
     if (task == "enclosure") return enclosure(studio, words[1]);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), named);

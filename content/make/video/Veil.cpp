@@ -5,6 +5,7 @@
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace shoal::reef {
@@ -18,44 +19,47 @@ constexpr vec3 kSpread[8] = {{1, 0.2f, 0.1f},       {-0.9f, -0.3f, 0.3f}, {0.2f,
                              {0.6f, -0.6f, 0.5f},   {-0.6f, 0.6f, -0.4f}};
 }
 
-void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera) {
-    cells_.resize(static_cast<size_t>(kWidth) * kHeight * kSlices);
+void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics, const vec3& camera,
+                int width) {
+    width_ = std::min(static_cast<int>(std::bit_floor(static_cast<unsigned>(width))), kFinest);
+    height_ = width_ / 2;
+    cells_.resize(static_cast<size_t>(width_) * height_ * kSlices);
     const Water& water = scene.water;
     // No light is wanted from behind what is seen, in a direction or beside it.
-    std::vector<float> seen(static_cast<size_t>(kWidth) * kHeight);
+    std::vector<float> seen(static_cast<size_t>(width_) * height_);
 #pragma omp parallel for schedule(dynamic, 2)
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) {
             Hit hit;
-            const vec3 dir = directionFromLatLong((vec2(x, y) + 0.5f) / vec2(kWidth, kHeight));
+            const vec3 dir = directionFromLatLong((vec2(x, y) + 0.5f) / vec2(width_, height_));
             const bool met = world.trace(camera, dir, edge(kSlices), hit);
-            seen[static_cast<size_t>(y) * kWidth + x] = met ? hit.distance : edge(kSlices);
+            seen[static_cast<size_t>(y) * width_ + x] = met ? hit.distance : edge(kSlices);
         }
     const auto furthest = [&](int x, int y, int step) {
         float distance = 0;
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, kHeight - 1); ++j)
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height_ - 1); ++j)
             for (int i = x - 1; i <= x + step; ++i)
                 distance =
-                    std::max(distance, seen[static_cast<size_t>(j) * kWidth + ((i + kWidth) & (kWidth - 1))]);
+                    std::max(distance, seen[static_cast<size_t>(j) * width_ + ((i + width_) & (width_ - 1))]);
         return distance;
     };
 #pragma omp parallel for schedule(dynamic, 2)
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < height_; ++y) {
         // Towards the poles columns crowd: fill every n-th and repeat it.
         const float ring =
-            std::cos((0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(kHeight)) * 3.14159265f);
+            std::cos((0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)) * 3.14159265f);
         const int step = 1 << std::clamp(static_cast<int>(-std::log2(ring)), 0, 5);
-        for (int x = 0; x < kWidth; x += step) {
+        for (int x = 0; x < width_; x += step) {
             const vec2 uv((static_cast<float>(x) + 0.5f * static_cast<float>(step)) /
-                              static_cast<float>(kWidth),
-                          (static_cast<float>(y) + 0.5f) / static_cast<float>(kHeight));
+                              static_cast<float>(width_),
+                          (static_cast<float>(y) + 0.5f) / static_cast<float>(height_));
             const vec3 dir = directionFromLatLong(uv);
             const float turned = water.phase(glm::dot(scene.sun.toSunWater, dir));
             const float above = dir.y > 0.001f ? -camera.y / dir.y : 1e9f;
             const float wanted = furthest(x, y, step);
             const float jitter = unitFrom(hash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), 77));
             vec3 sum(0), through(1);
-            vec3* out = cells_.data() + (static_cast<size_t>(y) * kWidth + x) * kSlices;
+            vec3* out = cells_.data() + (static_cast<size_t>(y) * width_ + x) * kSlices;
             float from = 0;
             for (int i = 0; i < kSlices; ++i) {
                 const float to = edge(i + 1),
@@ -66,7 +70,7 @@ void Veil::fill(const Scene& scene, const World& world, const Caustics& caustics
                     const int parts = beams ? 8 : i <= 6 || i > 20 ? 1 : scene.lamps.empty() ? 2 : 4;
                     vec3 source(0);
                     for (int k = 0; k < parts; ++k) {
-                        const vec3 aside = beams ? kSpread[k] * (9.0f / static_cast<float>(kWidth)) : vec3(0);
+                        const vec3 aside = beams ? kSpread[k] * (9.0f / static_cast<float>(kFinest)) : vec3(0);
                         const vec3 p =
                             camera +
                             (dir + aside) * (from + length * (static_cast<float>(k) + 0.15f + 0.7f * jitter) /
@@ -96,15 +100,15 @@ void Veil::smooth() {
     for (const bool alongRows : {true, false}) {
         was = cells_;
 #pragma omp parallel for schedule(static)
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) {
                 const auto from = [&](int step) {
-                    const int i = alongRows ? (x + step) & (kWidth - 1) : x,
-                              j = alongRows ? y : std::clamp(y + step, 0, kHeight - 1);
-                    return was.data() + (static_cast<size_t>(j) * kWidth + i) * kSlices;
+                    const int i = alongRows ? (x + step) & (width_ - 1) : x,
+                              j = alongRows ? y : std::clamp(y + step, 0, height_ - 1);
+                    return was.data() + (static_cast<size_t>(j) * width_ + i) * kSlices;
                 };
                 const vec3 *a = from(-1), *b = from(0), *c = from(1);
-                vec3* to = cells_.data() + (static_cast<size_t>(y) * kWidth + x) * kSlices;
+                vec3* to = cells_.data() + (static_cast<size_t>(y) * width_ + x) * kSlices;
                 for (int slice = 0; slice < kSlices; ++slice)
                     to[slice] = 0.25f * (a[slice] + c[slice]) + 0.5f * b[slice];
             }
@@ -112,16 +116,16 @@ void Veil::smooth() {
 }
 
 vec3 Veil::at(const vec2& uv, float distance) const {
-    const vec2 p = uv * vec2(kWidth, kHeight) - 0.5f, base = glm::floor(p), f = p - base;
-    const int x0 = (static_cast<int>(base.x) + kWidth) & (kWidth - 1), x1 = (x0 + 1) & (kWidth - 1);
-    const int y0 = std::clamp(static_cast<int>(base.y), 0, kHeight - 1),
-              y1 = std::min(static_cast<int>(base.y) + 1, kHeight - 1);
+    const vec2 p = uv * vec2(width_, height_) - 0.5f, base = glm::floor(p), f = p - base;
+    const int x0 = (static_cast<int>(base.x) + width_) & (width_ - 1), x1 = (x0 + 1) & (width_ - 1);
+    const int y0 = std::clamp(static_cast<int>(base.y), 0, height_ - 1),
+              y1 = std::min(static_cast<int>(base.y) + 1, height_ - 1);
     const float slice =
         std::clamp(std::log(distance * kFirst / kNearest + 1) / kRatio - 1, -1.0f, kSlices - 1.001f);
     const float floorSlice = std::floor(slice), g = slice - floorSlice;
     const int s = static_cast<int>(floorSlice);
     const auto look = [&](int x, int y) {
-        const vec3* cell = cells_.data() + (static_cast<size_t>(y) * kWidth + x) * kSlices;
+        const vec3* cell = cells_.data() + (static_cast<size_t>(y) * width_ + x) * kSlices;
         return s < 0 ? cell[0] * g : cell[s] * (1 - g) + cell[s + 1] * g;
     };
     return (look(x0, y0) * (1 - f.x) + look(x1, y0) * f.x) * (1 - f.y) +

@@ -1,0 +1,116 @@
+#include "engine/depth/LightBeside.h"
+
+#include "engine/light/Lookup.h"
+#include "engine/math/SphericalHarmonics.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shoal::depth {
+
+int LightBeside::cellOf(const glm::vec3& dir) {
+    const float scale = 1 / std::max(std::abs(dir.x) + std::abs(dir.y) + std::abs(dir.z), 1e-9f);
+    float u = dir.x * scale, v = dir.z * scale;
+    if (dir.y < 0) {
+        const float folded = (1 - std::abs(v)) * (u < 0 ? -1.0f : 1.0f);
+        v = (1 - std::abs(u)) * (v < 0 ? -1.0f : 1.0f);
+        u = folded;
+    }
+    const int x = std::clamp(static_cast<int>((u + 1) * 0.5f * kFine), 0, kFine - 1);
+    const int y = std::clamp(static_cast<int>((v + 1) * 0.5f * kFine), 0, kFine - 1);
+    return y * kFine + x;
+}
+
+glm::vec3 LightBeside::directionOf(int x, int y, int side) {
+    const float u = 2 * (static_cast<float>(x) + 0.5f) / static_cast<float>(side) - 1;
+    const float v = 2 * (static_cast<float>(y) + 0.5f) / static_cast<float>(side) - 1;
+    glm::vec3 dir(u, 1 - std::abs(u) - std::abs(v), v);
+    if (dir.y < 0) {
+        dir.x = (1 - std::abs(v)) * (u < 0 ? -1.0f : 1.0f);
+        dir.z = (1 - std::abs(u)) * (v < 0 ? -1.0f : 1.0f);
+    }
+    return glm::normalize(dir);
+}
+
+// A cell of the octahedron is seen under a solid angle as the cube of its distance from the middle falls.
+const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>& LightBeside::rays() {
+    static const auto made = [] {
+        std::array<Ray, kCoarse * kCoarse> rays;
+        std::array<double, kCoarse * kCoarse> shares;
+        double all = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const int cell = static_cast<int>(i);
+            rays[i].dir = directionOf(cell % kCoarse, cell / kCoarse, kCoarse);
+            const auto sum = static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) +
+                                                 std::abs(rays[i].dir.z));
+            all += shares[i] = sum * sum * sum;
+        }
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const math::ShBasis basis = math::shBasis(glm::dvec3(rays[i].dir));
+            for (size_t k = 0; k < 9; ++k)
+                rays[i].basis[k] = static_cast<float>(basis[k] * 4 * std::numbers::pi * shares[i] / all);
+        }
+        return rays;
+    }();
+    return made;
+}
+
+void LightBeside::make(const ImageRgbF& radianceLin, const DepthMap& map) {
+    inverse_perM_.resize(kFine * kFine);
+    near_.resize(kFine * kFine);
+    radiance_.assign(kCoarse * kCoarse, glm::vec3(0));
+    for (int y = 0; y < kFine; ++y)
+        for (int x = 0; x < kFine; ++x) {
+            const auto cell = static_cast<size_t>(y * kFine + x);
+            const glm::vec3 dir = directionOf(x, y, kFine);
+            inverse_perM_[cell] = map.inverse_perM(dir);
+            near_[cell] = glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[cell]);
+            radiance_[static_cast<size_t>(coarseOf(static_cast<int>(cell)))] +=
+                light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
+        }
+}
+
+// Steps grow with the distance from the place; the one that passes the surface is halved.
+int LightBeside::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
+    const auto passed = [&](float t, int& cell) {
+        const glm::vec3 there = place + dir * t;
+        cell = cellOf(there);
+        const float inverse = inverse_perM_[static_cast<size_t>(cell)];
+        return glm::dot(there, there) * inverse * inverse >= 1 && near_[static_cast<size_t>(cell)] > 0;
+    };
+    constexpr int kHalvings = 3;
+    int cell = 0, met = -1;
+    float low = 0, high = 0.1f;
+    for (; high < 1.5f * kFar_m; low = high, high = 1.35f * high + 0.05f)
+        if (passed(high, met)) break;
+    if (high >= 1.5f * kFar_m) return -1;
+    for (int i = 0; i < kHalvings; ++i) {
+        const float middle = 0.5f * (low + high);
+        if (passed(middle, cell))
+            high = middle, met = cell;
+        else
+            low = middle;
+    }
+    return met;
+}
+
+LightHarmonics LightBeside::at(const glm::vec3& placeEnv) const {
+    LightHarmonics beyond{};
+    const float within = 1 - glm::smoothstep(kFar_m, 1.5f * kFar_m, glm::length(placeEnv));
+    if (radiance_.empty() || within == 0) return beyond;
+    const auto& all = rays();
+    for (size_t i = 0; i < all.size(); ++i) {
+        const int met = firstMet(placeEnv, all[i].dir);
+        if (met < 0) continue;
+        const glm::vec3 change = (radiance_[static_cast<size_t>(coarseOf(met))] - radiance_[i]) *
+                                 (within * near_[static_cast<size_t>(met)]);
+        for (size_t k = 0; k < beyond.size(); ++k) beyond[k] += all[i].basis[k] * change;
+    }
+    return beyond;
+}
+
+} // namespace shoal::depth

@@ -1,0 +1,263 @@
+// bench_bounce places FOLDER: writes FOLDER/NAME.places and FOLDER/NAME.frames, where animals are in each
+// dive, for make_video_frames to trace. bench_bounce measure FOLDER: compares the light there
+// (FOLDER/NAME.tsv) with what is had from the camera's light (FOLDER/NAME_NNNN.hdr, and the film's) and the
+// film's distances. Writes FOLDER/bounce.tsv, and FOLDER/time.tsv: error over time.
+#include "engine/core/WriteFile.h"
+#include "engine/light/Pyramid.h"
+#include "engine/media/Pictures.h"
+#include "engine/media/VideoSource.h"
+#include "tests/bench/bounce/Beside.h"
+#include "tests/bench/bounce/Places.h"
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <map>
+#include <sstream>
+
+namespace {
+
+using namespace shoal;
+using namespace shoal::bench;
+
+struct Film {
+    const char* name;
+    double every_s;
+};
+constexpr Film kFilms[] = {{"reef", 2}, {"night", 5}, {"kelp", 5}};
+
+constexpr int kPasses = 20; // of what is timed
+
+// Of the reef's film, with what is before it and behind it; its frames count apart.
+constexpr double kTunnel_s[2] = {37, 59};
+
+Status writePlaces(const Path& folder) {
+    for (const Film& film : kFilms) {
+        const auto all = placesOf(film.name, film.every_s);
+        if (!all) return all.error();
+        std::string places, frames;
+        for (const Places& one : *all) {
+            frames += fmt::format("{} ", one.frame);
+            places += fmt::format("{} 0 0 0\n", one.frame);
+            for (const glm::ivec3& mm : one.fish_mm)
+                places += fmt::format("{} {} {} {}\n", one.frame, mm.x, mm.y, mm.z);
+        }
+        if (Status s = writeFileWhole(folder / (std::string(film.name) + ".places"), places); !s) return s;
+        if (Status s = writeFileWhole(folder / (std::string(film.name) + ".frames"), frames); !s) return s;
+    }
+    return Done{};
+}
+
+struct Probe {
+    glm::vec3 place{0};
+    float nearest_m = 0;
+    math::ShRgb radiance{};
+};
+
+Result<std::map<int, std::vector<Probe>>> readProbes(const Path& file) {
+    const auto text = readText(file, 16u << 20);
+    if (!text) return text.error();
+    std::map<int, std::vector<Probe>> frames;
+    std::istringstream lines(*text);
+    int frame = 0;
+    for (Probe probe; lines >> frame >> probe.place.x >> probe.place.y >> probe.place.z >> probe.nearest_m;) {
+        probe.place *= 0.001f;
+        for (glm::dvec3& rgb : probe.radiance) lines >> rgb.r >> rgb.g >> rgb.b;
+        frames[frame].push_back(probe);
+    }
+    return frames;
+}
+
+// Over all directions, of the irradiance of such radiance: Parseval's sum.
+double product(const math::ShRgb& a, const math::ShRgb& b) {
+    double sum = 0;
+    for (int l = 0; l < math::kShBands; ++l)
+        for (int i = l * l; i < (l + 1) * (l + 1); ++i)
+            sum += math::kShCosine[static_cast<size_t>(l)] * math::kShCosine[static_cast<size_t>(l)] *
+                   glm::dot(a[static_cast<size_t>(i)], b[static_cast<size_t>(i)]);
+    return sum;
+}
+
+double relativeError(const math::ShRgb& found, const math::ShRgb& truth) {
+    math::ShRgb off;
+    for (size_t i = 0; i < off.size(); ++i) off[i] = found[i] - truth[i];
+    return std::sqrt(product(off, off) / product(truth, truth));
+}
+
+// The camera's light, and what harmonics say that it is more or less at the place.
+math::ShRgb moved(const math::ShRgb& camera, const depth::LightHarmonics& there,
+                  const depth::LightHarmonics& here, double factor) {
+    math::ShRgb sum = camera;
+    for (size_t i = 0; i < there.size(); ++i) sum[i] += factor * glm::dvec3(there[i] - here[i]);
+    return sum;
+}
+
+struct Way {
+    const char* name;
+    int around;  // texels of the film's light
+    float far_m; // what is further is taken to be endlessly far
+    depth::LightHarmonics (Patches::*at)(const glm::vec3&) const;
+};
+constexpr Way kWays[] = {{"discs", 16, 4, &Patches::discs},     {"discs", 32, 4, &Patches::discs},
+                         {"discs", 64, 4, &Patches::discs},     {"discs", 32, 8, &Patches::discs},
+                         {"surface", 16, 4, &Patches::surface}, {"surface", 32, 4, &Patches::surface},
+                         {"surface", 64, 4, &Patches::surface}, {"surface", 32, 8, &Patches::surface}};
+
+struct Error {
+    float nearest_m;
+    double value;
+};
+
+// A share of the errors is below it.
+double quantile(const std::vector<Error>& errors, float from_m, float to_m, double share,
+                size_t* count = nullptr) {
+    std::vector<double> values;
+    for (const Error& e : errors)
+        if (e.nearest_m >= from_m && e.nearest_m < to_m) values.push_back(e.value);
+    if (count) *count = values.size();
+    if (values.empty()) return 0;
+    std::ranges::sort(values);
+    return values[std::min(static_cast<size_t>(share * static_cast<double>(values.size())),
+                           values.size() - 1)];
+}
+
+class Measuring {
+  public:
+    explicit Measuring(Path folder) : folder_(std::move(folder)) {}
+
+    Status add(const char* name) {
+        const auto probes = readProbes(folder_ / (std::string(name) + ".tsv"));
+        if (!probes) return probes.error();
+        const Path film = dataRoot() / "content/video" / (std::string(name) + ".mp4");
+        auto video = media::VideoSource::open(film, media::Layout::Mono);
+        if (!video) return video.error();
+        auto track = media::DepthTrack::open(media::depthTrackOf(film), film);
+        if (!track) return track.error();
+        ImageRgb8 shown(video->info().width, video->info().height);
+        for (const auto& [frame, places] : *probes) {
+            const auto traced = media::readHdr(folder_ / fmt::format("{}_{:04d}.hdr", name, frame));
+            if (!traced) return traced.error();
+            if (!track->read(track->frameAt(frame / video->info().fps), depth_) || !video->seek(frame))
+                return shoal::Error{film, "cannot be read there"};
+            while (video->position() <= frame)
+                if (!video->grab()) return shoal::Error{film, "ends early"};
+            if (!video->retrieve(shown)) return shoal::Error{film, "cannot be converted"};
+            const light::FrameView view{shown.at(0, 0), shown.width, shown.height, ptrdiff_t{3} * shown.width,
+                                        true};
+            refiner_.refine(depth_, view, map_);
+            light::RadiancePyramid pyramid;
+            light::PyramidMaker maker;
+            maker.make(traced->radianceLin, 256, pyramid);
+            const double at_s = frame / video->info().fps;
+            const bool tunnel = at_s >= kTunnel_s[0] && at_s < kTunnel_s[1];
+            const std::string scene = std::string(name) != "reef" ? name
+                                      : tunnel                    ? "reef, tunnel"
+                                                                  : "reef, outside";
+            addFrame(fmt::format("{}\ttrue light", scene), pyramid, places);
+            maker.make(view, 256, pyramid, light::FrameRadiance::Auto);
+            addFrame(fmt::format("{}\tlight of the film", scene), pyramid, places);
+        }
+        return Done{};
+    }
+
+    Status write() const {
+        std::string table =
+            "film\tlight\tway\taround\tfar_m\tplaces\tmedian\tp90\twithin_1m\tmedian\tp90\twithin_2m\tmedian"
+            "\tp90\tbeyond_2m\tmedian\tp90\tplace_us\n";
+        for (const auto& [key, errors] : errors_) {
+            table += key;
+            for (const auto& [from_m, to_m] :
+                 {std::pair{0.0f, 1e9f}, {0.0f, 1.0f}, {0.0f, 2.0f}, {2.0f, 1e9f}}) {
+                size_t count = 0;
+                const double median = quantile(errors, from_m, to_m, 0.5, &count);
+                table += fmt::format("\t{}\t{:.1f}\t{:.1f}", count, 100 * median,
+                                     100 * quantile(errors, from_m, to_m, 0.9));
+            }
+            const auto spent = spent_s_.find(key);
+            table += fmt::format(
+                "\t{:.2f}\n",
+                spent == spent_s_.end() ? 0 : 1e6 * spent->second / static_cast<double>(errors.size()));
+        }
+        return writeFileWhole(folder_ / "bounce.tsv", table);
+    }
+
+  private:
+    void addFrame(const std::string& key, const light::RadiancePyramid& pyramid,
+                  const std::vector<Probe>& probes) {
+        const auto level = [&](int around) -> const ImageRgbF& {
+            return *std::ranges::find_if(pyramid.levels,
+                                         [&](const ImageRgbF& l) { return l.width == around; });
+        };
+        const math::ShRgb& truth = probes[0].radiance; // the first is the camera's
+        const math::ShRgb film = math::shProject(level(64));
+        // Of the film's unit, so that the camera's light is as near to the truth as it can be.
+        const double factor = product(film, truth) / product(film, film);
+        math::ShRgb camera = film;
+        for (glm::dvec3& rgb : camera) rgb *= factor;
+        const auto note = [&](const std::string& way, const Probe& probe, const math::ShRgb& found) {
+            errors_[key + "\t" + way].push_back({probe.nearest_m, relativeError(found, probe.radiance)});
+        };
+        const std::vector<Probe> fish(probes.begin() + 1, probes.end());
+        for (const Probe& probe : fish) {
+            note("camera\t64\t0", probe, camera);
+            math::ShRgb bands = probe.radiance;
+            std::fill(bands.begin() + 9, bands.end(), glm::dvec3(0));
+            note("bound: true, 9 harmonics\t0\t0", probe, bands);
+            // Only as bright as it is there: what one number for each animal could give at best.
+            const double gain = product(camera, probe.radiance) / product(camera, camera);
+            math::ShRgb brighter = camera;
+            for (glm::dvec3& rgb : brighter) rgb *= gain;
+            note("bound: best gain\t0\t0", probe, brighter);
+        }
+        const auto measure = [&](const std::string& name, const depth::LightHarmonics& here, const auto& at) {
+            std::vector<depth::LightHarmonics> found(fish.size());
+            const std::clock_t began = std::clock();
+            for (int pass = 0; pass < kPasses; ++pass)
+                for (size_t i = 0; i < fish.size(); ++i) found[i] = at(fish[i].place);
+            spent_s_[key + "\t" + name] +=
+                static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / kPasses;
+            for (size_t i = 0; i < fish.size(); ++i)
+                note(name, fish[i], moved(camera, found[i], here, factor));
+        };
+        for (const Way& way : kWays) {
+            const Patches patches(level(way.around), depth_, way.far_m);
+            measure(fmt::format("{}\t{}\t{:.0f}", way.name, way.around, way.far_m), patches.atCamera(),
+                    [&](const glm::vec3& place) { return (patches.*way.at)(place); });
+        }
+        depth::LightBeside beside;
+        beside.make(level(64), map_);
+        measure(fmt::format("rays\t64\t{:.0f}", depth::LightBeside::kFar_m), {},
+                [&](const glm::vec3& place) { return beside.at(place); });
+    }
+
+    Path folder_;
+    media::DepthFrame depth_;
+    depth::DepthRefiner refiner_;
+    depth::DepthMap map_;
+    std::map<std::string, std::vector<Error>> errors_;
+    std::map<std::string, double> spent_s_;
+};
+
+Status run(int argc, char** argv) {
+    const std::string task = argc == 3 ? argv[1] : "";
+    if (task == "places") return writePlaces(argv[2]);
+    if (task != "measure") return shoal::Error{"", "bench_bounce places|measure FOLDER"};
+    Measuring measuring(argv[2]);
+    for (const Film& film : kFilms)
+        if (Status s = measuring.add(film.name); !s) return s;
+    return measuring.write();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (const Status done = run(argc, argv); !done) {
+        std::fprintf(stderr, "%s\n", done.error().message().c_str());
+        return 1;
+    }
+    return 0;
+}
