@@ -83,6 +83,17 @@ gl::Texture makeDfgTable() {
     return texture;
 }
 
+// Of radiance's harmonics: each by its basis function's constant and by what a matte surface leaves of its
+// band, over pi (math::kShCosine; Ramamoorthi and Hanrahan 2001).
+depth::LightHarmonics matteFactors(const depth::LightHarmonics& radiance) {
+    constexpr float kEven = 0.282095f, kLinear = 0.488603f * 2 / 3, kMixed = 1.092548f / 4;
+    constexpr std::array kFactors = {kEven,  kLinear,       kLinear, kLinear,      kMixed,
+                                     kMixed, 0.315392f / 4, kMixed,  0.546274f / 4};
+    depth::LightHarmonics matte;
+    for (size_t i = 0; i < matte.size(); ++i) matte[i] = kFactors[i] * radiance[i];
+    return matte;
+}
+
 void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& light) {
     program.setArray("radianceAhead[0]", light.ahead);
     program.setArray("radianceBehind[0]", light.behind);
@@ -130,8 +141,10 @@ void ObjectPass::begin() {
 
 void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
                      const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body,
-                     std::span<const Sphere> parts, float highlight, bool isInRoom) {
-    objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1)});
+                     std::span<const Sphere> parts, float highlight, bool isInRoom,
+                     const depth::LightHarmonics* beside) {
+    objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1),
+                        beside ? matteFactors(*beside) : depth::LightHarmonics{}});
     if (parts.empty()) parts_.push_back(bound);
     parts_.insert(parts_.end(), parts.begin(), parts.end());
     const int added = body ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
@@ -314,7 +327,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         }
         const GLboolean coloured = next.stage != Stage::DepthAlone;
         glColorMask(coloured, coloured, coloured, coloured);
-        drawItem(*current, item, view);
+        drawItem(*current, item, view, inRoom);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         ++drawCount_;
     }
@@ -334,7 +347,9 @@ std::span<const Sphere> ObjectPass::visibleSpheres(const View& view) {
     return spheres_;
 }
 
-void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view) {
+void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view, bool inRoom) {
+    static constexpr depth::LightHarmonics kNone{};
+    program.setArray("lightBeside[0]", inRoom ? kNone : objects_[item.object].matteBeside);
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);

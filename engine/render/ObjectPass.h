@@ -4,6 +4,7 @@
 // have grown.
 #pragma once
 
+#include "engine/depth/LightBeside.h"
 #include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/render/BodyOccluders.h"
@@ -34,10 +35,12 @@ class ObjectPass {
     // what it takes from others' light, and they from its own; null: nothing. parts: smaller spheres that
     // hold it as well, all together; empty: none are known. highlight: 0 to 1, of a rim
     // that marks it for the player. isInRoom: it stands for what is in the player's room as well, such as a
-    // hand.
+    // hand. beside: its light beyond that of the film's camera, copied; null: none. In the player's room it
+    // is left out.
     void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
              const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body = nullptr,
-             std::span<const Sphere> parts = {}, float highlight = 0, bool isInRoom = false);
+             std::span<const Sphere> parts = {}, float highlight = 0, bool isInRoom = false,
+             const depth::LightHarmonics* beside = nullptr);
     // Sends what was added to the graphics side. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
@@ -75,8 +78,9 @@ class ObjectPass {
     };
 
     struct Object {
-        Sphere bound;            // world
-        size_t firstPart, parts; // of parts_
+        Sphere bound;                      // world
+        size_t firstPart, parts;           // of parts_
+        depth::LightHarmonics matteBeside; // as render/LightBeside.glsl has it
     };
 
     enum class Stage { DepthAlone, Opaque, Blended };
@@ -104,7 +108,7 @@ class ObjectPass {
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);
-    void drawItem(const gl::Program& program, const Item& item, const View& view);
+    void drawItem(const gl::Program& program, const Item& item, const View& view, bool inRoom);
 
     gl::Variants programs_;
     Detail detail_ = Detail::Full;

@@ -100,8 +100,9 @@ enum class Surroundings {
 };
 
 // A pass that can be left out, to find out which one draws what, and what it costs. Depth: what of the film
-// is nearer than an object does not hide it, nor are there shadows; the same animals swim where they would.
-enum class SkippedPass { None, Background, Objects, Particles, Shadows, Depth, Overlay };
+// is nearer than an object does not hide it, nor are there shadows and bounce light; the same animals swim
+// where they would. Bounce: what rock near the animals adds to their light, or takes.
+enum class SkippedPass { None, Background, Objects, Particles, Shadows, Depth, Bounce, Overlay };
 
 // What objects are drawn as, to find out where their light comes from.
 enum class ShownQuantity {

@@ -58,7 +58,8 @@ template <> struct EnumNames<render::Composition> {
     static constexpr std::array kNames = {"background", "plain", "resolution", "texels", "camera"};
 };
 template <> struct EnumNames<render::SkippedPass> {
-    static constexpr std::array kNames = {"none", "background", "objects", "particles", "shadows", "depth", "overlay"};
+    static constexpr std::array kNames = {"none",    "background", "objects", "particles",
+                                          "shadows", "depth",      "bounce",  "overlay"};
 };
 template <> struct EnumNames<render::ShownQuantity> {
     static constexpr std::array kNames = {"light", "normals", "roughness", "occlusion", "diffuse", "depth"};

@@ -185,8 +185,10 @@ void CreatureModels::pose(const game::CreatureView& creature, ModelInstance& ins
     scene::updateGlobals(instance.model, instance.pose);
 }
 
-void CreatureModels::show(const game::Snapshot& snapshot, render::ObjectPass& pass) {
-    for (const game::CreatureView& creature : snapshot.creatures) {
+void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& light,
+                          render::ObjectPass& pass) {
+    for (size_t i = 0; i < snapshot.creatures.size(); ++i) {
+        const game::CreatureView& creature = snapshot.creatures[i];
         ModelInstance& instance = species_[static_cast<size_t>(creature.species)];
         pose(creature, instance);
         const glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), creature.position) *
@@ -195,7 +197,8 @@ void CreatureModels::show(const game::Snapshot& snapshot, render::ObjectPass& pa
         scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
         // No fin extends farther from the middle than this, however the body bends.
         pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
-                 {creature.position, creature.length * 0.7f}, &instance.body, spheres_, creature.catchable);
+                 {creature.position, creature.length * 0.7f}, &instance.body, spheres_, creature.catchable,
+                 false, light.of(i));
     }
     const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {

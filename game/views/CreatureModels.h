@@ -10,6 +10,7 @@
 #include "engine/scene/Surface.h"
 #include "game/rules/DiveFile.h"
 #include "game/rules/Snapshot.h"
+#include "game/views/AnimalLight.h"
 #include "game/views/ArmPose.h"
 
 #include <array>
@@ -37,7 +38,7 @@ class CreatureModels {
     float minRoughness() const { return minRoughness_; } // of all surfaces
 
     // Poses every creature and visible hand of the snapshot and adds them to the pass.
-    void show(const game::Snapshot& snapshot, render::ObjectPass& pass);
+    void show(const game::Snapshot& snapshot, const AnimalLight& light, render::ObjectPass& pass);
 
   private:
     struct ModelInstance {

@@ -175,6 +175,7 @@ void Environment::prepareDepth(const media::VideoFrame& frame, const light::Fram
     Depth& depth = depths_[frame.slot];
     depthRefiner_.refine(trackFrame_, leftEye, depth.map);
     depth.range.make(depth.map);
+    depth.light.make(found_[frame.slot].radianceLin, depth.map);
 }
 
 // On the decode thread.
@@ -248,6 +249,7 @@ void Environment::uploadPicture(size_t slot) {
         on.setFrame({frame.at(part.x, part.y), part.width, part.height, frame.width});
         if (!depths_[slot].map.inverse.empty()) on.setDepth(&depths_[slot].map, &depths_[slot].range);
     }
+    beside_ = gpu_[0].depth() ? &depths_[slot].light : nullptr;
     uploadLight(found_[slot]);
 }
 

@@ -4,6 +4,7 @@
 
 #include "engine/core/Files.h"
 #include "engine/depth/DepthRange.h"
+#include "engine/depth/LightBeside.h"
 #include "engine/light/LightOverTime.h"
 #include "engine/media/VideoPlayer.h"
 #include "engine/media/live/LivePlayer.h"
@@ -69,6 +70,8 @@ class Environment {
     // How far off what the frame shows is; null where nobody knows. Of a film with a picture for each eye, of
     // the left one's.
     const depth::DepthMap* depth() const { return gpu_[0].depth(); }
+    // What light there is beside its camera; null where depth() is.
+    const depth::LightBeside* lightBeside() const { return beside_; }
     // Whether distances come with the film.
     bool hasDepthTrack() const { return depthTrack_.has_value(); }
     // Of the video's frame, which counts on as the video repeats; -1: a still.
@@ -137,8 +140,10 @@ class Environment {
     struct Depth {
         depth::DepthMap map;
         depth::DepthRange range;
+        depth::LightBeside light;
     };
     std::vector<Depth> depths_;
+    const depth::LightBeside* beside_ = nullptr; // of the frame shown
     std::optional<media::DepthTrack> depthTrack_;
     media::DepthFrame trackFrame_; // decoded last
     int trackFrameNumber_ = -1;

@@ -11,6 +11,7 @@ namespace {
 constexpr int kVideoLightWidth = 512;
 constexpr int kStillLightWidth = 4096;
 
+constexpr int kBesideWidth = 64;         // maximum, of the map that light beside the camera is made from
 constexpr int kSmoothWidth = 32;         // maximum, of the map that the light for occlusion is made from
 constexpr int kCameraResponseEvery = 24; // frames: a camera hardly changes
 
@@ -35,9 +36,13 @@ void FrameAnalysis::pack(light::TooBright tooBright, FrameFindings& out) {
         made_.glossy.back().radianceLin = made_.diffuse;
     }
     light::packLight(made_, mirrors_, out.light, tooBright);
-    const auto small = std::ranges::find_if(
-        made_.radiance.levels, [](const ImageRgbF& level) { return level.width <= kSmoothWidth; });
-    if (small != made_.radiance.levels.end()) out.smooth = occlusion::smoothLight(*small);
+    const auto levelOf = [&](int width) {
+        return std::ranges::find_if(made_.radiance.levels,
+                                    [=](const ImageRgbF& level) { return level.width <= width; });
+    };
+    const auto none = made_.radiance.levels.end();
+    if (const auto small = levelOf(kSmoothWidth); small != none) out.smooth = occlusion::smoothLight(*small);
+    if (const auto small = levelOf(kBesideWidth); small != none) out.radianceLin = *small;
 }
 
 void FrameAnalysis::makeLight(const light::FrameView& frame, FrameFindings& out) {

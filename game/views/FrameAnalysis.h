@@ -20,6 +20,7 @@ namespace shoal::app {
 struct FrameFindings {
     light::PackedLight light;
     occlusion::SmoothLight smooth; // for occlusion between bodies
+    ImageRgbF radianceLin;         // of few texels, for the light of places beside the camera
     // Empty unless AnalysisOptions asks for it:
     water::WaterEstimate water;
     light::FoundLights lights;

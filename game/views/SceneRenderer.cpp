@@ -55,7 +55,9 @@ void SceneRenderer::set(const game::Snapshot& snapshot, const Environment& envir
     if (passes_.floorShadows) passes_.floorShadows->begin();
     floorIsShaded_ = false;
     if (!passes_.compositor.drawsObjects()) return;
-    creatureModels_.show(snapshot, passes_.objects);
+    const bool bounces = setup_.skip != render::SkippedPass::Bounce;
+    animalLight_.follow(snapshot, bounces ? environment.lightBeside() : nullptr, environment.envFromWorld());
+    creatureModels_.show(snapshot, animalLight_, passes_.objects);
     passes_.objects.upload(environment.envFromWorld());
 }
 

@@ -7,6 +7,7 @@
 #include "engine/render/FloorShadowPass.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/render/ParticlePass.h"
+#include "game/views/AnimalLight.h"
 #include "game/views/CreatureModels.h"
 #include "game/views/Environment.h"
 
@@ -94,6 +95,7 @@ class SceneRenderer final : private render::CompositorScene {
     std::span<const scene::Sphere> visibleSpheres(const render::View& view) override;
 
     CreatureModels creatureModels_;
+    AnimalLight animalLight_;
     SceneRendererSetup setup_;
     Passes passes_;
     std::optional<Passes> beforeReload_;
