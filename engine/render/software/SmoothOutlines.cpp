@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 
 namespace shoal::render {
@@ -65,6 +66,28 @@ uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::a
     return result;
 }
 
+constexpr int kBlock = 16; // pixels of a row that are compared together
+
+using Four = uint32_t __attribute__((vector_size(16)));
+
+Four fourAt(const uint32_t* pixel) {
+    Four four;
+    std::memcpy(&four, pixel, sizeof four);
+    return four;
+}
+
+// Whether a block of pixels and those beside them all have one alpha.
+bool isEven(const uint32_t* block, ptrdiff_t row) {
+    Four other{};
+    for (int x = 0; x < kBlock; x += 4) {
+        const uint32_t* pixel = block + x;
+        const Four here = fourAt(pixel);
+        other |= (here ^ fourAt(pixel - 1)) | (here ^ fourAt(pixel + 1)) | (here ^ fourAt(pixel - row)) |
+                 (here ^ fourAt(pixel + row));
+    }
+    return (other[0] | other[1] | other[2] | other[3]) >> 24 == 0;
+}
+
 } // namespace
 
 void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size) {
@@ -73,6 +96,10 @@ void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size)
     for (int y = 1; y + 1 < size.y; ++y)
         for (int x = 1; x + 1 < size.x; ++x) {
             const uint32_t* pixel = pixels.data() + y * row + x;
+            if (x % kBlock == 1 && x + kBlock < size.x && isEven(pixel, row)) {
+                x += kBlock - 1;
+                continue;
+            }
             const std::array<uint32_t, 4> beside{pixel[-1], pixel[1], pixel[-row], pixel[row]};
             const uint32_t other =
                 (beside[0] ^ *pixel) | (beside[1] ^ *pixel) | (beside[2] ^ *pixel) | (beside[3] ^ *pixel);
