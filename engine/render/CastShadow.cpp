@@ -145,7 +145,6 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
 
 namespace {
 
-constexpr float kReach_m = 8;    // that shadows fall; they fade over its last third
 constexpr float kLevel = 1;      // rise of a surface that a guess at it allows for, by what it goes aside
 constexpr float kHit_m = 0.004f; // gap that counts as none: less than the map's steps from 0.8 m on
 
@@ -219,7 +218,8 @@ static float fallOf(const FilmSurface& film, const FlatPiece& piece, const Casti
                     float groundBefore) {
     const FilmRay ray(film, piece.middle, -light.towards);
     const float guess = groundBefore + glm::dot(piece.middle, light.towards);
-    return guess > 0 ? meetNear(ray, guess, kLevel * 2 * piece.halfAlong_m, kReach_m) : meet(ray, kReach_m);
+    return guess > 0 ? meetNear(ray, guess, kLevel * 2 * piece.halfAlong_m, kShadowReach_m)
+                     : meet(ray, kShadowReach_m);
 }
 
 void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
@@ -231,7 +231,7 @@ void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const C
         if (fall < 0) continue;
         ground = fall - glm::dot(piece.middle, light.towards);
         const float disc = std::max(light.discTangent() * fall, kMinDisc_m);
-        const float fade = 1 - glm::smoothstep(0.67f * kReach_m, kReach_m, fall);
+        const float fade = 1 - glm::smoothstep(0.67f * kShadowReach_m, kShadowReach_m, fall);
         out.push_back({piece, fall, std::hypot(piece.halfAlong_m, piece.halfAside_m) + disc, fade});
     }
 }

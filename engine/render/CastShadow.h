@@ -83,6 +83,8 @@ float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3&
 
 constexpr float kMinDisc_m = 1e-3f; // of the light, seen from a place that a body touches
 
+constexpr float kShadowReach_m = 8; // that shadows fall; they fade over its last third
+
 // Where the shadow of a body's piece falls on what a film shows.
 struct Spot {
     FlatPiece piece;

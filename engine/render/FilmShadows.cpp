@@ -38,6 +38,33 @@ SHOAL_VECTORISE void hide(const Strip& strip, float disc, const float* along, co
     }
 }
 
+Sphere sphereAround(std::span<const occlusion::Ellipsoid> body) {
+    Sphere sphere;
+    for (const auto& part : body) sphere.centre += part.centre / static_cast<float>(body.size());
+    for (const auto& part : body)
+        sphere.radius =
+            std::max(sphere.radius, glm::distance(part.centre, sphere.centre) +
+                                        std::max({part.semiAxes.x, part.semiAxes.y, part.semiAxes.z}));
+    return sphere;
+}
+
+// Whether an eye sees anything of where a body's shadow can fall: spheres hold that, step by step. Most
+// bodies are beside the view, and this is found sooner than their shadows.
+bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const View> eyes) {
+    constexpr int kSteps = 8;
+    constexpr float kStep_m = kShadowReach_m / kSteps;
+    // A piece's middle is off by one radius at most along each axis, and its spot is as reachTiles() has it.
+    constexpr float kOff = std::numbers::sqrt3_v<float> + 2;
+    for (int k = 0; k < kSteps; ++k) {
+        const float end = static_cast<float>(k + 1) * kStep_m;
+        const float disc = std::numbers::sqrt2_v<float> * std::max(light.discTangent() * end, kMinDisc_m);
+        const Sphere step{body.centre - (end - kStep_m / 2) * light.towards,
+                          kOff * body.radius + disc + kStep_m / 2};
+        if (std::ranges::any_of(eyes, [&](const View& eye) { return sees(eye, step); })) return true;
+    }
+    return false;
+}
+
 int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
 } // namespace
@@ -86,7 +113,7 @@ void FilmShadows::begin(const FilmSurface& film, FrameCoding frames, const water
 
 void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingLight& light,
                       std::span<const View> eyes) {
-    if (light.share == glm::vec3(0)) return;
+    if (light.share == glm::vec3(0) || !mayBeSeen(sphereAround(body), light, eyes)) return;
     flatten(body, light, pieces_);
     findSpots(film_, pieces_, light, spots_);
     const glm::vec3 most = light.presence * light.share;
