@@ -176,6 +176,34 @@ TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
         }
 }
 
+// As much light again from all sides, and then as much again from the right as well: seen from ahead, the
+// matte light of a normal n is 1, 2, and 2 + cos(n, right) times the camera's. A white dielectric sends back
+// at least nine tenths of it in this way, the rest is the camera's in its gloss.
+TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
+    const ImageRgb8 frame = uniformFrame(100, 100, 100);
+    const float camera = math::linearOfByte()[100];
+    render::EnvironmentGpu environment;
+    const ImageRgba8 shown = upload(environment, frame);
+    environment.uploadLight(lightOf(frame, light::FrameRadiance::Linear));
+    depth::LightHarmonics beside{};
+    beside[0] = glm::vec3(camera / 0.282095f);
+    const float toTheRight = camera / (0.488603f * 2 / 3);
+    for (const bool uneven : {false, true})
+        for (const render::Detail detail : {render::Detail::Full, render::Detail::Lean}) {
+            beside[3] = glm::vec3(uneven ? toTheRight : 0);
+            const ImageRgba8 picture = drawSphere(
+                sphere(0, 1), environment, {.eyeWorld = {0, 0, 40}, .verticalFov = 0.055f, .aspect = 1}, 0,
+                64, {}, detail, 0, render::ShownQuantity::Light, render::FrameCoding::Srgb, &beside);
+            for (int x = 8; x < 56; x += 4) {
+                const float right = (static_cast<float>(x) + 0.5f - 32) / 32 * 40 * std::tan(0.0275f);
+                const float more = (1 + (uneven ? right : 0)) * camera;
+                const float seen = math::linearOfByte()[picture.at(x, 32)[0]];
+                EXPECT_LT(seen, camera + more + 0.01f) << x << uneven;
+                EXPECT_GT(seen, camera + 0.9f * more - 0.01f) << x << uneven;
+            }
+        }
+}
+
 // A sphere whose node is mirrored shows its outside, lit as any other. Its triangles face one way alone.
 TEST_F(RenderGL, MirroredNodesShowTheirFronts) {
     const ImageRgb8 frame = smoothSurround(128);

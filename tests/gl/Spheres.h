@@ -67,7 +67,8 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
                              const render::View& view, float exposure_ev, int size,
                              const water::Water& water = {}, render::Detail detail = render::Detail::Full,
                              float highlight = 0, render::ShownQuantity shown = render::ShownQuantity::Light,
-                             render::FrameCoding frames = render::FrameCoding::Thesis) {
+                             render::FrameCoding frames = render::FrameCoding::Thesis,
+                             const depth::LightHarmonics* beside = nullptr) {
     auto pass = render::ObjectPass::make(detail, true, shown);
     EXPECT_TRUE(pass) << pass.error().message();
     const auto reflectance =
@@ -81,7 +82,7 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, nullptr, {}, highlight);
+    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, nullptr, {}, highlight, false, beside);
     pass->upload(glm::mat3(1));
     const Status drawn =
         pass->draw(environment, view, glm::mat3(1), {.exposure_ev = exposure_ev, .frames = frames}, water,
