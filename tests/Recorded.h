@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/sim/Recording.h"
+#include "game/rules/TickInput.h"
 
 #include <cstdint>
 #include <span>
@@ -29,6 +30,11 @@ class Recorded {
     std::vector<uint8_t> inputs_; // ticks * inputBytes
     std::vector<uint64_t> hashes_;
 };
+
+// Of a recording of the game.
+inline game::TickInput inputAt(const Recorded& recorded, size_t tick) {
+    return game::fromBytes(recorded.input(tick).first<game::kTickInputBytes>());
+}
 
 inline Status write(const Path& file, const Recorded& recorded) {
     auto writer = sim::RecordingWriter::create(file, recorded.header());

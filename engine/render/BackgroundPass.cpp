@@ -72,8 +72,8 @@ Status BackgroundPass::drawCells(const EyePicture& picture, const TexelLayer* la
     wanted_.assign(FrameTiles::kAll, false);
     for (const auto& [cell, isPainted] : drawn_)
         if (isPainted) want(layer->tiles, *cell);
-    const bool isShaded = picture.shadows && !picture.shadows->empty();
-    const GLuint shadows = isShaded ? shadowTexture_.update(*picture.shadows) : 0;
+    const FilmShadows* seen = picture.seenShadows();
+    const GLuint shadows = seen ? shadowTexture_.update(*seen) : 0;
     if (std::ranges::find(wanted_, true) != wanted_.end()) {
         const FilmedFrame* filmed = layer->filmed ? &picture.filmed : nullptr;
         composite_.paint(picture.environment, layer->tiles, wanted_, layer->layer.layer().texture(),

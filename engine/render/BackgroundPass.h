@@ -36,6 +36,8 @@ struct EyePicture {
     Surroundings surroundings = Surroundings::Film;
 
     glm::ivec2 size() const { return {canvas.width(), canvas.height()}; }
+    // Those that there is anything of; null: none.
+    const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
     // How the eye sees the film in space; without distances where it sees what the camera saw.
     FilmSpace filmSpace() const {
         if (eyeInFilm == glm::vec3(0) || !environment.depth()) return {};

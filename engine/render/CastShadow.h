@@ -81,7 +81,8 @@ float covered(std::span<const FlatPiece> body, const CastingLight& light, const 
 // What begins within the surface, as a hand that touches it, meets it at once. dirWorld: about unit length.
 float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m);
 
-constexpr float kMinDisc_m = 1e-3f; // of the light, seen from a place that a body touches
+constexpr float kMinDisc_m = 1e-3f;    // of the light, seen from a place that a body touches
+constexpr float kLeastShadow = 0.012f; // of a surface's light: three of 255 display values; less is not drawn
 
 constexpr float kShadowReach_m = 8; // that shadows fall; they fade over its last third
 

@@ -12,28 +12,20 @@ namespace shoal::render {
 
 namespace {
 
-constexpr float kMin = 0.012f;    // of the surface's light: at most three of 255 display values
 constexpr float kUnseen = 0.002f; // share of the light
 constexpr float kFar_m = 1e4f;    // stands for what nobody knows; no shadow falls so far
 
-// A spot as a place's coordinates have it, in metres along, aside and towards the light.
-struct Strip {
-    float along, aside, up, halfAlong, halfAside;
-    float lowest, perFade; // what lies lower than this is beyond the surface that the shadow falls on
-    float share;
-};
-
-// Adds what the strip hides from each of these places. disc: of the light, by the distance.
-SHOAL_VECTORISE void hide(const Strip& strip, float disc, const float* along, const float* aside,
-                          const float* up, size_t count, float* hidden) {
+// Adds what the piece hides from each of these places. disc: of the light, by the distance.
+SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const float* along,
+                          const float* aside, const float* up, size_t count, float* hidden) {
     for (size_t i = 0; i < count; ++i) {
-        const float fall = strip.up - up[i];
+        const float fall = piece.up - up[i];
         const float perDisc = 1 / std::max(disc * fall, kMinDisc_m);
-        const float a = strip.along - along[i], b = strip.aside - aside[i];
+        const float a = piece.along - along[i], b = piece.aside - aside[i];
         const float covered =
-            (discBefore((a + strip.halfAlong) * perDisc) - discBefore((a - strip.halfAlong) * perDisc)) *
-            (discBefore((b + strip.halfAside) * perDisc) - discBefore((b - strip.halfAside) * perDisc));
-        const float above = std::min(std::max((up[i] - strip.lowest) * strip.perFade, 0.0f), strip.share);
+            (discBefore((a + piece.halfAlong) * perDisc) - discBefore((a - piece.halfAlong) * perDisc)) *
+            (discBefore((b + piece.halfAside) * perDisc) - discBefore((b - piece.halfAside) * perDisc));
+        const float above = std::min(std::max((up[i] - piece.lowest) * piece.perFade, 0.0f), piece.share);
         hidden[i] += fall > 0 ? covered * above : 0.0f;
     }
 }
@@ -65,6 +57,7 @@ bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const Vi
     return false;
 }
 
+// Of a map whose columns repeat.
 int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
 } // namespace
@@ -118,10 +111,11 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
     findSpots(film_, pieces_, light, spots_);
     const glm::vec3 most = light.presence * light.share;
     const float taken = darkest(spots_, light) * std::max({most.x, most.y, most.z});
-    if (taken <= kMin) return;
+    if (taken <= kLeastShadow) return;
+    findOccluders(light);
     reachTiles(light, eyes);
     // A body that takes a little more than nothing comes in faintly.
-    const float strength = light.presence * glm::smoothstep(kMin, 2 * kMin, taken);
+    const float strength = light.presence * glm::smoothstep(kLeastShadow, 2 * kLeastShadow, taken);
     for (const glm::ivec2& tile : reached_) shadeTile(light, strength, tile);
 }
 
@@ -135,8 +129,7 @@ void FilmShadows::reachTiles(const CastingLight& light, std::span<const View> ey
         if (std::ranges::none_of(eyes, [&](const View& eye) { return sees(eye, around); })) continue;
         tiles_.eachOfSphere(film_.envFromWorld * (around.centre - film_.cameraWorld), around.radius,
                             [&](const glm::ivec2& tile) {
-                                uint32_t& by =
-                                    reachedBy_[static_cast<size_t>(tile.y * FrameTiles::kCount.x + tile.x)];
+                                uint32_t& by = reachedBy_[FrameTiles::indexOf(tile.x, tile.y)];
                                 if (by != bodies_) reached_.push_back(tile);
                                 by = bodies_;
                             });
@@ -208,31 +201,37 @@ float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
     return length > 1e-9f ? std::abs(glm::dot(normal, towardsEnv)) / length : towardsEnv.y;
 }
 
+void FilmShadows::findOccluders(const CastingLight& light) {
+    occluders_.clear();
+    for (const Spot& spot : spots_) {
+        const glm::vec3 middle = spot.piece.middle - film_.cameraWorld;
+        // A little lower than where it meets the surface, which may slope.
+        const float up = glm::dot(middle, light.towards), margin = 0.5f * spot.radius_m + 0.05f;
+        occluders_.push_back({.along = glm::dot(middle, spot.piece.along),
+                              .aside = glm::dot(middle, spot.piece.aside),
+                              .up = up,
+                              .halfAlong = spot.piece.halfAlong_m,
+                              .halfAside = spot.piece.halfAside_m,
+                              .lowest = up - spot.fall_m - spot.radius_m - margin,
+                              .perFade = spot.fade / margin,
+                              .share = spot.fade});
+    }
+}
+
 bool FilmShadows::hideInTile(const CastingLight& light) {
     const auto [left, right] = std::ranges::minmax(along_);
     const auto [front, back] = std::ranges::minmax(aside_);
     const auto [bottom, top] = std::ranges::minmax(up_);
     bool any = false;
-    for (const Spot& spot : spots_) {
-        const glm::vec3 middle = spot.piece.middle - film_.cameraWorld;
-        // A little lower than where it meets the surface, which may slope.
-        const float up = glm::dot(middle, light.towards), margin = 0.5f * spot.radius_m + 0.05f;
-        const Strip strip{.along = glm::dot(middle, spot.piece.along),
-                          .aside = glm::dot(middle, spot.piece.aside),
-                          .up = up,
-                          .halfAlong = spot.piece.halfAlong_m,
-                          .halfAside = spot.piece.halfAside_m,
-                          .lowest = up - spot.fall_m - spot.radius_m - margin,
-                          .perFade = spot.fade / margin,
-                          .share = spot.fade};
-        const float disc = light.discTangent() * (up - std::max(bottom, strip.lowest));
-        const bool reaches = strip.along + strip.halfAlong + disc > left &&
-                             strip.along - strip.halfAlong - disc < right &&
-                             strip.aside + strip.halfAside + disc > front &&
-                             strip.aside - strip.halfAside - disc < back && top > strip.lowest && bottom < up;
+    for (const Occluder& piece : occluders_) {
+        const float disc = light.discTangent() * (piece.up - std::max(bottom, piece.lowest));
+        const bool reaches =
+            piece.along + piece.halfAlong + disc > left && piece.along - piece.halfAlong - disc < right &&
+            piece.aside + piece.halfAside + disc > front && piece.aside - piece.halfAside - disc < back &&
+            top > piece.lowest && bottom < piece.up;
         if (!reaches) continue;
         any = true;
-        hide(strip, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
+        hide(piece, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
              hidden_.data());
     }
     return any;
@@ -263,9 +262,8 @@ void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm
 
 // A tile with its neighbours, whose outermost texels take from it where the map is enlarged.
 void FilmShadows::chooseAround(const glm::ivec2& tile) {
-    const glm::ivec2 count = FrameTiles::kCount;
-    for (int y = std::max(tile.y - 1, 0); y <= std::min(tile.y + 1, count.y - 1); ++y)
-        for (int x = tile.x - 1; x <= tile.x + 1; ++x) tiles_.choose({wrapped(x, count.x), y});
+    for (int y = std::max(tile.y - 1, 0); y <= std::min(tile.y + 1, FrameTiles::kCount.y - 1); ++y)
+        for (int x = tile.x - 1; x <= tile.x + 1; ++x) tiles_.choose({x, y});
 }
 
 } // namespace shoal::render

@@ -49,7 +49,16 @@ class FilmShadows {
     // Of begin(), from 1 on: tells whoever has a copy whether it is up to date.
     uint64_t number() const { return number_; }
 
+    // A body's piece in the light's frame: metres along, aside and up towards the light, from the film's
+    // camera.
+    struct Occluder {
+        float along, aside, up, halfAlong, halfAside;
+        float lowest, perFade; // what lies lower than this is beyond the surface that the shadow falls on
+        float share;
+    };
+
   private:
+    void findOccluders(const CastingLight& light);
     void reachTiles(const CastingLight& light, std::span<const View> eyes);
     bool hideInTile(const CastingLight& light); // whether anything is
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
@@ -71,6 +80,7 @@ class FilmShadows {
     std::array<glm::vec3, 256> arrives_{};  // of light squared, through the water
     std::vector<FlatPiece> pieces_;         // scratch: of one body
     std::vector<Spot> spots_;
+    std::vector<Occluder> occluders_;
     std::vector<glm::ivec2> reached_; // tiles, by one body
     std::vector<uint32_t> reachedBy_; // of each tile the last body, as they are counted
     uint32_t bodies_ = 0;

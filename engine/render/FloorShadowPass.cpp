@@ -13,8 +13,7 @@ namespace shoal::render {
 
 namespace {
 
-constexpr float kMin = 0.012f; // of the floor's light: at most three of 255 values of alpha
-constexpr int kMaxCells = 28;  // along a shadow
+constexpr int kMaxCells = 28; // along a shadow
 constexpr float kFinest_m = 0.03f;
 constexpr glm::vec3 kLuminance(0.2126f, 0.7152f, 0.0722f);
 
@@ -83,8 +82,8 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
             nodes_.push_back({place, hidden > 0 ? takenOf(hidden * light.share, frames) : 0});
             most = std::max(most, nodes_.back().taken);
         }
-    if (most <= kMin) return;
-    const float strength = glm::smoothstep(kMin, 2 * kMin, most); // so that none pops
+    if (most <= kLeastShadow) return;
+    const float strength = glm::smoothstep(kLeastShadow, 2 * kLeastShadow, most); // so that none pops
     for (Node& node : nodes_) node.taken *= strength;
     const auto triangle = [&](int a, int b, int c) {
         const Node corners[] = {nodes_[static_cast<size_t>(a)], nodes_[static_cast<size_t>(b)],

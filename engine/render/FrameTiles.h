@@ -22,6 +22,11 @@ class FrameTiles {
     static constexpr glm::ivec2 kCount{128, 64};
     static constexpr size_t kAll = size_t{128} * 64;
 
+    // Row by row; columns repeat.
+    static size_t indexOf(int x, int y) {
+        return static_cast<size_t>(y * kCount.x + (x + 2 * kCount.x) % kCount.x);
+    }
+
     // None.
     void clear(const glm::ivec2& frameSize);
     void choose(const glm::ivec2& tile) { chosen_[indexOf(tile.x, tile.y)] = true; }
@@ -74,9 +79,6 @@ class FrameTiles {
     }
 
   private:
-    static size_t indexOf(int x, int y) {
-        return static_cast<size_t>(y * kCount.x + (x + 2 * kCount.x) % kCount.x);
-    }
     CellRange cellsOf(const glm::vec3& centreEnv, float radius) const;
 
     glm::ivec2 frameSize_{0};

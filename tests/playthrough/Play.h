@@ -52,7 +52,7 @@ inline Status replay(const tests::Recorded& recording, const DiveFiles& files, c
     Snapshot snapshot;
     for (size_t tick = 0; tick < recording.ticks(); ++tick) {
         events.clear();
-        dive.step(fromBytes(recording.input(tick).first<kTickInputBytes>()), events);
+        dive.step(tests::inputAt(recording, tick), events);
         if (auto same = sim::sameState(tick, recording.hash(tick), dive.stateHash()); !same) return same;
         if (!watch) continue;
         dive.snapshot(snapshot);

@@ -24,10 +24,6 @@ void copyTexels(const DisplayFrame& frame, const glm::ivec2& low, const glm::ive
                     out + y * outStride + low.x);
 }
 
-const FilmShadows* shadowsOn(const EyePicture& picture) {
-    return picture.shadows && !picture.shadows->empty() ? picture.shadows : nullptr;
-}
-
 } // namespace
 
 SoftwareBackground::SoftwareBackground()
@@ -66,7 +62,7 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     const bool same = !states_.empty() && shown == shown_;
     shown_ = shown;
     if (!same) classify(picture);
-    const FilmShadows* shadows = shadowsOn(picture);
+    const FilmShadows* shadows = picture.seenShadows();
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
         State& state = states_[k];
@@ -92,7 +88,7 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         if (!states_[k].here)
             drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
         else if (states_[k].painted)
-            want(layer ? layer->tiles : shadowsOn(picture)->tiles(), cell);
+            want(layer ? layer->tiles : picture.seenShadows()->tiles(), cell);
     }
     if (std::ranges::find(wanted_, true) != wanted_.end()) paintTiles(picture, layer);
     if (drawn_.size() < states_.size()) {
@@ -107,9 +103,9 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
 // The wanted tiles, and those cells of the picture that show them.
 void SoftwareBackground::paintTiles(const EyePicture& picture, const TexelLayer* layer) {
     if (layer)
-        paintFrame(&layer->tiles, paintOf(picture, *layer), shadowsOn(picture));
+        paintFrame(&layer->tiles, paintOf(picture, *layer), picture.seenShadows());
     else
-        paintFrame(nullptr, {}, shadowsOn(picture));
+        paintFrame(nullptr, {}, picture.seenShadows());
     for (State& state : states_) state.due = state.here && state.painted;
     const auto* pixels = reinterpret_cast<const uint8_t*>(texels_.get());
     threadPool_.parallelFor(grid_.rows(),

@@ -278,7 +278,7 @@ TEST_F(WebcamClip, PlaysTheGame) {
     ASSERT_TRUE(recording) << recording.error().message();
     size_t fromWebcam = 0, closed = 0;
     for (size_t tick = 0; tick < recording->ticks(); ++tick) {
-        const auto input = game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+        const auto input = tests::inputAt(*recording, tick);
         fromWebcam += input.hands[1].tracked && input.hands[1].time_us > 0;
         closed += input.hands[1].tracked && input.hands[1].grip > 0.5f && input.hands[1].time_us > 0;
     }

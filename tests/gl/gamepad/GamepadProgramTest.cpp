@@ -245,7 +245,7 @@ TEST_F(GamepadProgram, TheRightStickReachesAndTheTriggerClosesByDegrees) {
     float leftmost = 1, rightmost = -1;
     std::vector<float> grips;
     for (size_t tick = 0; tick < recording->ticks(); ++tick) {
-        const auto input = game::fromBytes(recording->input(tick).first<game::kTickInputBytes>());
+        const auto input = tests::inputAt(*recording, tick);
         const hands::HandPose& hand = input.hands[1];
         leftmost = std::min(leftmost, hand.joints[hands::kPalmJoint].position.x);
         rightmost = std::max(rightmost, hand.joints[hands::kPalmJoint].position.x);

@@ -14,9 +14,7 @@
 
 namespace shoal::app {
 
-inline game::TickInput inputAt(const tests::Recorded& recording, size_t tick) {
-    return game::fromBytes(recording.input(tick).first<game::kTickInputBytes>());
-}
+using tests::inputAt;
 
 class XrProgram : public test::WithFakeRuntime {
   protected:

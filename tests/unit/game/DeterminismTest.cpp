@@ -44,7 +44,7 @@ TEST(Determinism, AReplayedInputOfOtherBitsIsFoundAtItsTick) {
     for (size_t tick = 0; tick < good.ticks(); ++tick) {
         std::vector<uint8_t> input(good.input(tick).begin(), good.input(tick).end());
         if (tick == 321) {
-            TickInput changed = fromBytes(good.input(tick).first<kTickInputBytes>());
+            TickInput changed = tests::inputAt(good, tick);
             changed.hands[0].joints[7].position.x += 1e-6f;
             toBytes(changed, std::span(input).first<kTickInputBytes>());
         }
