@@ -56,22 +56,21 @@ unsigned featuresOf(const Exposure& exposure, const water::Water& water, Glossy 
     return features;
 }
 
-// World metres that no one sees at the sphere's nearest point.
-float toleranceFor(const Sphere& sphere, const View& view, Detail detail) {
+// World metres that no one sees from so far away.
+float toleranceAt(float distance_m, const View& view, Detail detail) {
     if (view.heightPixels <= 0) return 0;
     const float unseen_px = detail == Detail::Lean ? 1.6f : 0.5f;
-    constexpr float kNearest_m = 0.2f; // of what an eye inside of the sphere looks at, such as its own arm
-    const float distance = glm::distance(sphere.centre, view.eyeWorld) - sphere.radius;
-    return std::max(distance, std::max(view.near_m, kNearest_m)) * 2 * view.halfExtent().y /
+    constexpr float kNearest_m = 0.2f; // of what an eye inside of a sphere looks at, such as its own arm
+    return std::max(distance_m, std::max(view.near_m, kNearest_m)) * 2 * view.halfExtent().y /
            static_cast<float>(view.heightPixels) * unseen_px;
 }
 
 // Whether relief may be left out and light come by the vertex. Over a whole picture of a dive, hands and all,
 // that differs by 0.1 % root mean square; only what comes so near that it fills the picture shows its relief.
-bool isSmall(const Sphere& sphere, const View& view) {
+// slope: of the radius to the distance.
+bool isSmall(float slope, const View& view) {
     constexpr float kSmall = 0.42f; // radius, of the picture's height
-    const float distance = std::max(glm::distance(sphere.centre, view.eyeWorld), view.near_m);
-    return view.heightPixels > 0 && sphere.radius / distance < kSmall * 2 * view.halfExtent().y;
+    return view.heightPixels > 0 && slope < kSmall * 2 * view.halfExtent().y;
 }
 
 gl::Texture makeDfgTable() {
@@ -198,10 +197,21 @@ std::span<const Sphere> ObjectPass::partsOf(const Object& object) const {
     return std::span(parts_).subspan(object.firstPart, object.parts);
 }
 
-// By its parts: the sphere around an arm reaches into views that the arm does not.
-bool ObjectPass::isSeen(const Object& object, const View& view) const {
-    return sees(view, object.bound) &&
-           std::ranges::any_of(partsOf(object), [&](const Sphere& part) { return sees(view, part); });
+// By its parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
+ObjectPass::Seen ObjectPass::seenIn(const View& view, const Object& object) const {
+    Seen seen;
+    if (!sees(view, object.bound)) return seen;
+    const float middle = glm::distance(object.bound.centre, view.eyeWorld);
+    const bool holdsEye = middle < object.bound.radius;
+    if (!holdsEye) seen.slope = object.bound.radius / std::max(middle, view.near_m);
+    for (const Sphere& part : partsOf(object)) {
+        if (!sees(view, part)) continue;
+        const float distance = glm::distance(part.centre, view.eyeWorld);
+        seen.any = true;
+        seen.nearest_m = std::min(seen.nearest_m, distance - part.radius);
+        if (holdsEye) seen.slope = std::max(seen.slope, part.radius / std::max(distance, view.near_m));
+    }
+    return seen;
 }
 
 // By the film's range within the caps behind which the object's parts stand, widened by what an eye beside
@@ -222,6 +232,7 @@ ObjectPass::Behind ObjectPass::behindFilm(const Object& object, const Environmen
         if (film.max_perM * (distance + radius + beside) <= 1) return Behind::Nothing;
         return film.min_perM * (distance - radius - beside) > 1 ? Behind::All : Behind::Perhaps;
     };
+    if (const Behind whole = behind(object.bound); whole != Behind::Perhaps) return whole;
     const std::span<const Sphere> parts = partsOf(object);
     const Behind all = behind(parts[0]);
     return std::ranges::all_of(parts, [&](const Sphere& part) { return behind(part) == all; })
@@ -247,21 +258,23 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
                         const Exposure& exposure, const water::Water& water, Glossy glossy,
                         const glm::vec3& eyeInFilm, Surroundings surroundings) {
     const bool inRoom = surroundings == Surroundings::Room;
+    seen_.clear();
+    for (const Object& object : objects_) {
+        Seen& seen = seen_.emplace_back(seenIn(view, object));
+        if (seen.any && !inRoom) seen.behind = behindFilm(object, environment, view, envFromWorld, eyeInFilm);
+    }
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
-        const Object& object = objects_[item.object];
-        if (!isSeen(object, view)) continue;
-        const Behind behind =
-            inRoom ? Behind::Nothing : behindFilm(object, environment, view, envFromWorld, eyeInFilm);
-        if (behind == Behind::All) continue;
+        const Seen& seen = seen_[item.object];
+        if (!seen.any || seen.behind == Behind::All) continue;
         const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
         const Stage stage = inRoom && item.isInRoom ? Stage::DepthAlone
                             : blended               ? Stage::Blended
                                                     : Stage::Opaque;
         const float distance = glm::distance(boundOf(item).centre, view.eyeWorld);
         order_.push_back(
-            {stage, stage == Stage::Blended ? -distance : distance, behind == Behind::Perhaps, i});
+            {stage, stage == Stage::Blended ? -distance : distance, seen.behind == Behind::Perhaps, i});
     }
     std::sort(order_.begin(), order_.end());
 
@@ -290,7 +303,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
         if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
             features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
-        else if (lean && isSmall(boundOf(item), view))
+        else if (lean && isSmall(seen_[item.object].slope, view))
             features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
         else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
             features |= VERTEX_DIFFUSE;
@@ -393,7 +406,8 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
         glBindBufferRange(GL_UNIFORM_BUFFER, BLOCK_OCCLUDERS, matrixBuffer_.name(),
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
     }
-    const DetailGpu& detail = item.primitive->detail(toleranceFor(boundOf(item), view, detail_) / item.scale);
+    const DetailGpu& detail =
+        item.primitive->detail(toleranceAt(seen_[item.object].nearest_m, view, detail_) / item.scale);
     glBindVertexArray(detail.vertexArray.name());
     triangleCount_ += detail.indexCount / 3;
     glDrawElements(GL_TRIANGLES, detail.indexCount, GL_UNSIGNED_INT, nullptr);

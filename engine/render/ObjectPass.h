@@ -13,6 +13,7 @@
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
+#include <cmath>
 #include <compare>
 #include <vector>
 
@@ -100,8 +101,15 @@ class ObjectPass {
 
     const Sphere& boundOf(const Item& item) const { return objects_[item.object].bound; }
     std::span<const Sphere> partsOf(const Object& object) const;
-    bool isSeen(const Object& object, const View& view) const;
     enum class Behind { Nothing, Perhaps, All };
+    struct Seen {
+        bool any = false;
+        float nearest_m = INFINITY; // from the eye to the nearest of the parts in the view
+        // Its radius per distance; where its sphere holds the eye, the largest of these parts'.
+        float slope = 0;
+        Behind behind = Behind::Nothing;
+    };
+    Seen seenIn(const View& view, const Object& object) const;
     // Whether the film has something that is nearer.
     Behind behindFilm(const Object& object, const EnvironmentGpu& environment, const View& view,
                       const glm::mat3& envFromWorld, const glm::vec3& eyeInFilm) const;
@@ -126,6 +134,7 @@ class ObjectPass {
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
     std::vector<Object> objects_;
+    std::vector<Seen> seen_; // scratch: of the objects, in the view that is drawn
     std::vector<Sphere> parts_;
     std::vector<Sphere> spheres_; // scratch
     int drawCount_ = 0, triangleCount_ = 0;
