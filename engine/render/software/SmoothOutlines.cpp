@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 
 namespace shoal::render {
@@ -68,24 +67,16 @@ uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::a
 
 constexpr int kBlock = 16; // pixels of a row that are compared together
 
-using Four = uint32_t __attribute__((vector_size(16)));
-
-Four fourAt(const uint32_t* pixel) {
-    Four four;
-    std::memcpy(&four, pixel, sizeof four);
-    return four;
+// In its highest byte: where the alpha of a pixel is not that of those beside it.
+uint32_t differenceBeside(const uint32_t* pixel, ptrdiff_t row) {
+    return (pixel[-1] ^ *pixel) | (pixel[1] ^ *pixel) | (pixel[-row] ^ *pixel) | (pixel[row] ^ *pixel);
 }
 
 // Whether a block of pixels and those beside them all have one alpha.
 bool isEven(const uint32_t* block, ptrdiff_t row) {
-    Four other{};
-    for (int x = 0; x < kBlock; x += 4) {
-        const uint32_t* pixel = block + x;
-        const Four here = fourAt(pixel);
-        other |= (here ^ fourAt(pixel - 1)) | (here ^ fourAt(pixel + 1)) | (here ^ fourAt(pixel - row)) |
-                 (here ^ fourAt(pixel + row));
-    }
-    return (other[0] | other[1] | other[2] | other[3]) >> 24 == 0;
+    uint32_t difference = 0;
+    for (int x = 0; x < kBlock; ++x) difference |= differenceBeside(block + x, row);
+    return difference >> 24 == 0;
 }
 
 } // namespace
@@ -100,10 +91,8 @@ void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size)
                 x += kBlock - 1;
                 continue;
             }
+            if (differenceBeside(pixel, row) >> 24 == 0) continue;
             const std::array<uint32_t, 4> beside{pixel[-1], pixel[1], pixel[-row], pixel[row]};
-            const uint32_t other =
-                (beside[0] ^ *pixel) | (beside[1] ^ *pixel) | (beside[2] ^ *pixel) | (beside[3] ^ *pixel);
-            if (other >> 24 == 0) continue;
             std::array<float, 4> shares{};
             const auto look = [&](size_t k, ptrdiff_t along, ptrdiff_t across, int back, int on) {
                 if (differ(*pixel, beside[k])) shares[k] = shareOf(pixel, along, across, back, on);
