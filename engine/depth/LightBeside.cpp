@@ -1,6 +1,7 @@
 #include "engine/depth/LightBeside.h"
 
 #include "engine/light/Lookup.h"
+#include "engine/math/Octahedron.h"
 #include "engine/math/SphericalHarmonics.h"
 
 #include <glm/common.hpp>
@@ -13,27 +14,13 @@
 namespace shoal::depth {
 
 int LightBeside::cellOf(const glm::vec3& dir) {
-    const float scale = 1 / std::max(std::abs(dir.x) + std::abs(dir.y) + std::abs(dir.z), 1e-9f);
-    float u = dir.x * scale, v = dir.z * scale;
-    if (dir.y < 0) {
-        const float folded = (1 - std::abs(v)) * (u < 0 ? -1.0f : 1.0f);
-        v = (1 - std::abs(u)) * (v < 0 ? -1.0f : 1.0f);
-        u = folded;
-    }
-    const int x = std::clamp(static_cast<int>((u + 1) * 0.5f * kFine), 0, kFine - 1);
-    const int y = std::clamp(static_cast<int>((v + 1) * 0.5f * kFine), 0, kFine - 1);
-    return y * kFine + x;
+    const glm::vec2 place = (math::octahedralFromDirection(dir) + 1.0f) * (0.5f * kFine);
+    const int x = std::clamp(static_cast<int>(place.x), 0, kFine - 1);
+    return std::clamp(static_cast<int>(place.y), 0, kFine - 1) * kFine + x;
 }
 
 glm::vec3 LightBeside::directionOf(int x, int y, int side) {
-    const float u = 2 * (static_cast<float>(x) + 0.5f) / static_cast<float>(side) - 1;
-    const float v = 2 * (static_cast<float>(y) + 0.5f) / static_cast<float>(side) - 1;
-    glm::vec3 dir(u, 1 - std::abs(u) - std::abs(v), v);
-    if (dir.y < 0) {
-        dir.x = (1 - std::abs(v)) * (u < 0 ? -1.0f : 1.0f);
-        dir.z = (1 - std::abs(u)) * (v < 0 ? -1.0f : 1.0f);
-    }
-    return glm::normalize(dir);
+    return math::directionFromOctahedral((glm::vec2(x, y) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f);
 }
 
 // A cell of the octahedron is seen under a solid angle as the cube of its distance from the middle falls.
@@ -78,9 +65,11 @@ void LightBeside::make(const ImageRgbF& radianceLin, const DepthMap& map) {
 int LightBeside::firstMet(const glm::vec3& place, const glm::vec3& dir) const {
     const auto passed = [&](float t, int& cell) {
         const glm::vec3 there = place + dir * t;
+        const float square = glm::dot(there, there);
+        if (square == 0) return false; // at the camera
         cell = cellOf(there);
         const float inverse = inverse_perM_[static_cast<size_t>(cell)];
-        return glm::dot(there, there) * inverse * inverse >= 1 && near_[static_cast<size_t>(cell)] > 0;
+        return square * inverse * inverse >= 1 && near_[static_cast<size_t>(cell)] > 0;
     };
     constexpr int kHalvings = 3;
     int cell = 0, met = -1;

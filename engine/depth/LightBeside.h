@@ -33,8 +33,7 @@ class LightBeside {
     LightHarmonics at(const glm::vec3& placeEnv) const;
 
   private:
-    // Directions lie on an octahedron unfolded to a square (Meyer et al. 2010, "On floating-point normal
-    // vectors").
+    // Directions lie on an octahedron unfolded to a square (math/Octahedron.h).
     static constexpr int kCoarse = 12, kFine = 48, kAcross = kFine / kCoarse; // rays; distances
     static int cellOf(const glm::vec3& dir);                                  // of the fine grid; dir: not 0
     static glm::vec3 directionOf(int x, int y, int side); // of a cell's middle, unit length

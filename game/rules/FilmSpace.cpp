@@ -1,6 +1,7 @@
 #include "game/rules/FilmSpace.h"
 
 #include "engine/core/Hash.h"
+#include "engine/math/Octahedron.h"
 #include "game/rules/Steering.h"
 
 #include <algorithm>
@@ -19,22 +20,10 @@ constexpr float kWallSpeed_mps = 0.6f;
 // ...and the room narrows no faster than this from direction to direction, metres per radian.
 constexpr float kNarrowing_m = 2.5f;
 
-float sign(float x) { return x < 0 ? -1.0f : 1.0f; }
-
-// Place on the unfolded octahedron in cells, 0 to kSide; +Y in the middle, -Y in the corners.
-struct Place2 {
-    float x, y;
-};
-Place2 unfolded(glm::vec3 dir) {
-    const float sum = std::fabs(dir.x) + std::fabs(dir.y) + std::fabs(dir.z);
-    float x = dir.x / sum, z = dir.z / sum;
-    if (dir.y < 0) {
-        const float folded = (1 - std::fabs(z)) * sign(x);
-        z = (1 - std::fabs(x)) * sign(z);
-        x = folded;
-    }
+// In cells, 0 to kSide.
+glm::vec2 unfolded(const glm::vec3& dir) {
     constexpr float kHalf = 0.5f * FilmSpace::kSide;
-    return {(x + 1) * kHalf, (z + 1) * kHalf};
+    return (math::octahedralFromDirection(dir) + 1.0f) * kHalf;
 }
 
 size_t cellAt(int x, int y) { return static_cast<size_t>(y + 1) * kBordered + static_cast<size_t>(x + 1); }
@@ -148,18 +137,16 @@ void FilmSpace::makeRoom() {
 }
 
 int FilmSpace::cellOf(glm::vec3 dir) {
-    const auto [x, y] = unfolded(dir);
-    const int column = std::clamp(static_cast<int>(x), 0, kSide - 1);
-    return std::clamp(static_cast<int>(y), 0, kSide - 1) * kSide + column;
+    const glm::vec2 place = unfolded(dir);
+    const int column = std::clamp(static_cast<int>(place.x), 0, kSide - 1);
+    return std::clamp(static_cast<int>(place.y), 0, kSide - 1) * kSide + column;
 }
 
 glm::vec3 FilmSpace::directionOf(int cell) {
     constexpr float kHalf = 0.5f * kSide;
     const float x = (static_cast<float>(cell % kSide) + 0.5f) / kHalf - 1;
     const float z = (static_cast<float>(cell / kSide) + 0.5f) / kHalf - 1;
-    const float y = 1 - std::fabs(x) - std::fabs(z);
-    const float over = std::max(0.0f, -y);
-    return glm::normalize(glm::vec3(x - over * sign(x), y, z - over * sign(z)));
+    return math::directionFromOctahedral({x, z});
 }
 
 uint64_t FilmSpace::hash() const {
@@ -179,9 +166,9 @@ FilmSpace::Moment FilmSpace::at(double time_s) const {
 }
 
 float FilmSpace::lookUp(const std::vector<uint16_t>& grid, const Moment& moment, glm::vec3 dir) const {
-    const auto [x, y] = unfolded(dir);
-    const float left = std::floor(x - 0.5f), top = std::floor(y - 0.5f);
-    const float across = x - 0.5f - left, down = y - 0.5f - top;
+    const glm::vec2 place = unfolded(dir);
+    const float left = std::floor(place.x - 0.5f), top = std::floor(place.y - 0.5f);
+    const float across = place.x - 0.5f - left, down = place.y - 0.5f - top;
     const size_t first = cellAt(std::clamp(static_cast<int>(left), -1, kSide - 1),
                                 std::clamp(static_cast<int>(top), -1, kSide - 1));
     const auto inStep = [&](size_t step) {

@@ -2,8 +2,8 @@
 // dive, that the rules read. Plain data. World frame, metres from the film's camera, which is where the
 // viewer's eyes are at rest; seconds of the film, which starts with the dive and repeats.
 //
-// Directions lie on an octahedron unfolded to a square (Meyer et al. 2010, "On floating-point normal
-// vectors"): sums and one quotient, no trigonometry, so that a lookup is the same on every machine.
+// Directions lie on an octahedron unfolded to a square (math/Octahedron.h): no trigonometry, so that a lookup
+// is the same on every machine.
 #pragma once
 
 #include "engine/physics/Capsule.h"

@@ -1,6 +1,7 @@
 #include "tests/bench/occlusion/Cells.h"
 
 #include "engine/math/LatLong.h"
+#include "engine/math/Octahedron.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +13,12 @@ namespace {
 constexpr int kBase = 96, kFine = 768; // cells along the square's side: the widest, the narrowest
 constexpr float kShare = 1e-3f;        // of an environment's whole light: a cell with more is cut in four
 
-float signOf(float x) { return x < 0 ? -1.0f : 1.0f; }
-
-glm::vec2 folded(const glm::vec2& at) {
-    return {(1 - std::abs(at.y)) * signOf(at.x), (1 - std::abs(at.x)) * signOf(at.y)};
-}
-
 } // namespace
 
-glm::vec3 directionOfSquare(const glm::vec2& at) {
-    const glm::vec2 p = at * 2.0f - 1.0f;
-    const float y = 1 - std::abs(p.x) - std::abs(p.y);
-    const glm::vec2 flat = y < 0 ? folded(p) : p;
-    return glm::normalize(glm::vec3(flat.x, y, flat.y));
-}
+glm::vec3 directionOfSquare(const glm::vec2& at) { return math::directionFromOctahedral(at * 2.0f - 1.0f); }
 
-glm::vec2 squareOfDirection(const glm::vec3& d) {
-    const glm::vec3 p = d / (std::abs(d.x) + std::abs(d.y) + std::abs(d.z));
-    const glm::vec2 flat(p.x, p.z);
-    return (p.y < 0 ? folded(flat) : flat) * 0.5f + 0.5f;
+glm::vec2 squareOfDirection(const glm::vec3& direction) {
+    return math::octahedralFromDirection(direction) * 0.5f + 0.5f;
 }
 
 Fine fineOf(const ImageRgbF& image) {

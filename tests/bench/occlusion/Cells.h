@@ -32,7 +32,7 @@ struct Cells {
     }
 };
 
-glm::vec3 directionOfSquare(const glm::vec2& at); // [0, 1]^2; Meyer et al. 2010, octahedral map
+glm::vec3 directionOfSquare(const glm::vec2& at); // [0, 1]^2; math/Octahedron.h
 glm::vec2 squareOfDirection(const glm::vec3& direction);
 
 // Radiance summed on a fine square; one an environment.

@@ -1,0 +1,31 @@
+// Directions on a square: an octahedron around them, unfolded (Meyer et al. 2010, "On Floating-Point Normal
+// Vectors"). +Y is in the middle, -Y in the corners. Only sums, products, quotients and a square root, so
+// that results are the same on every machine.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal::math {
+
+// dir: of any length but 0. Result in [-1, 1]^2: along X, along Z.
+inline glm::vec2 octahedralFromDirection(const glm::vec3& dir) {
+    const auto sign = [](float x) { return x < 0 ? -1.0f : 1.0f; };
+    const float sum = std::abs(dir.x) + std::abs(dir.y) + std::abs(dir.z);
+    const float x = dir.x / sum, z = dir.z / sum;
+    if (dir.y >= 0) return {x, z};
+    return {(1 - std::abs(z)) * sign(x), (1 - std::abs(x)) * sign(z)};
+}
+
+// Unit length.
+inline glm::vec3 directionFromOctahedral(const glm::vec2& square) {
+    const auto sign = [](float x) { return x < 0 ? -1.0f : 1.0f; };
+    const float y = 1 - std::abs(square.x) - std::abs(square.y), over = std::max(-y, 0.0f);
+    return glm::normalize(glm::vec3(square.x - over * sign(square.x), y, square.y - over * sign(square.y)));
+}
+
+} // namespace shoal::math
