@@ -82,7 +82,7 @@ void LayerPass::smoothOutlines() {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, pixels_.data());
 }
 
-void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
+void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& view) {
     marked_.assign(static_cast<size_t>(kCells.x * kCells.y), false);
     for (const scene::Sphere& sphere : spheres) {
         const Box box = boxAround(sphere.centre, sphere.radius, view);
@@ -96,6 +96,31 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
         for (int y = first.y; y <= last.y; ++y)
             for (int x = first.x; x <= last.x; ++x) marked_[static_cast<size_t>(y * kCells.x + x)] = true;
     }
+}
+
+void LayerPass::unmarkEmpty() {
+    const glm::ivec2 size(layer_->width(), layer_->height());
+    const auto isEmpty = [&](const glm::ivec2& cell) {
+        // And a texel more on each side, which the filter reaches.
+        const glm::ivec2 low = glm::max(cell * size / kCells - 1, 0);
+        const glm::ivec2 high = glm::min((cell + 1) * size / kCells + 2, size);
+        for (int y = low.y; y < high.y; ++y) {
+            const uint32_t* row = pixels_.data() + ptrdiff_t{y} * size.x;
+            if (std::any_of(row + low.x, row + high.x, [](uint32_t pixel) { return pixel != 0; }))
+                return false;
+        }
+        return true;
+    };
+    for (int y = 0; y < kCells.y; ++y)
+        for (int x = 0; x < kCells.x; ++x) {
+            const auto cell = static_cast<size_t>(y * kCells.x + x);
+            if (marked_[cell]) marked_[cell] = !isEmpty({x, y});
+        }
+}
+
+void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view) {
+    markSpheres(spheres, view);
+    if (areRead_) unmarkEmpty();
     corners_.clear();
     eachRun(marked_, kCells, [&](int first, int end, int row) {
         const auto placeOf = [](int x, int y) { return glm::vec2(x, y) / glm::vec2(kCells) * 2.0f - 1.0f; };

@@ -46,7 +46,7 @@ class LayerPass {
     void smoothOutlines();
 
     // Over the bound framebuffer, wherever one of the spheres is seen: there must be nothing in the layer
-    // beside them.
+    // beside them. Where its pixels have been read, only the cells of the picture in which there are any.
     void layOver(std::span<const scene::Sphere> spheres, const View& view);
 
     const gl::Target& layer() const { return *layer_; } // after begin()
@@ -54,6 +54,9 @@ class LayerPass {
     std::vector<uint32_t>& pixels();
 
   private:
+    void markSpheres(std::span<const scene::Sphere> spheres, const View& view);
+    void unmarkEmpty(); // needs the pixels
+
     gl::Program program_;
     TriangleBatch drawn_;
     std::optional<gl::Target> layer_;
