@@ -37,6 +37,7 @@ Status Application::run(bool measured) {
             played = Done{};
         }
         if (!played) break;
+        if (played = beginSeated(measured); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         awaitHeadset();
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
@@ -80,6 +81,17 @@ bool Application::isSeated() const {
     if (options_.posture != Posture::Auto) return options_.posture == Posture::Seated;
     const std::optional<float> eyes_m = display_->eyesAboveFloor_m();
     return eyes_m && *eyes_m < kStandingEyes_m;
+}
+
+// A headset finds its player only with its first frames, when the first dive has been set up.
+Status Application::beginSeated(bool measured) {
+    constexpr uint64_t kFirst_ticks = 60; // half a second
+    const GameSession& session = play_->session;
+    const bool byPerson = !config_.script && !config_.replay;
+    if (!byPerson || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
+        return Done{};
+    recordings_ = std::max(recordings_ - 1, 0); // the recording begins anew as well
+    return begin(play_->states.mode(), measured);
 }
 
 // Each session has a recording of its own: FILE, FILE-2, FILE-3.

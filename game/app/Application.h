@@ -75,6 +75,7 @@ class Application {
     Mode firstMode() const;
     Status begin(Mode mode, bool measured = true);
     bool isSeated() const;
+    Status beginSeated(bool measured); // again, where who dives turns out to sit
     Path recordingFile();
     Status endPlay();
 
