@@ -14,6 +14,7 @@ namespace {
 
 constexpr float kUnseen = 0.002f; // share of the light
 constexpr float kFar_m = 1e4f;    // stands for what nobody knows; no shadow falls so far
+constexpr int kSame = 2;          // codes: of texels that differ by so much the mean is taken
 
 // Adds what the piece hides from each of these places. disc: of the light, by the distance.
 SHOAL_VECTORISE void hide(const FilmShadows::Occluder& piece, float disc, const float* along,
@@ -112,6 +113,8 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
     const glm::vec3 most = light.presence * light.share;
     const float taken = darkest(spots_, light) * std::max({most.x, most.y, most.z});
     if (taken <= kLeastShadow) return;
+    lightFromEnv_ = glm::transpose(film_.envFromWorld *
+                                   glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
     findOccluders(light);
     reachTiles(light, eyes);
     // A body that takes a little more than nothing comes in faintly.
@@ -138,14 +141,11 @@ void FilmShadows::reachTiles(const CastingLight& light, std::span<const View> ey
 
 // In the light's frame. Codes are means of those around that are nearly the same: of a surface that slopes
 // little, whole numbers leave steps.
-void FilmShadows::findPlaces(const CastingLight& light, const glm::ivec2& low, const glm::ivec2& high) {
+void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
     const Image<uint8_t, 1>& codes = film_.map->inverse;
-    const glm::mat3 lightFromEnv = glm::transpose(
-        film_.envFromWorld * glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
     const auto count = static_cast<size_t>(high.x - low.x) * static_cast<size_t>(high.y - low.y);
     for (std::vector<float>* each : {&along_, &aside_, &up_}) each->resize(count);
     hidden_.assign(count, 0);
-    constexpr int kSame = 2;
     size_t i = 0;
     for (int y = low.y; y < high.y; ++y) {
         const std::array<const uint8_t*, 3> rows{codes.at(0, std::max(y - 1, 0)), codes.at(0, y),
@@ -162,8 +162,8 @@ void FilmShadows::findPlaces(const CastingLight& light, const glm::ivec2& low, c
             const float distance =
                 code == 0 ? kFar_m : 9 / (static_cast<float>(sum) * depth::DepthMap::perM(1));
             const glm::vec2& turn = columns_[static_cast<size_t>(x)];
-            const glm::vec3 place = lightFromEnv * (distance * glm::vec3(cosLatitude * turn.x, sinLatitude,
-                                                                         -cosLatitude * turn.y));
+            const glm::vec3 place = lightFromEnv_ * (distance * glm::vec3(cosLatitude * turn.x, sinLatitude,
+                                                                          -cosLatitude * turn.y));
             along_[i] = place.x, aside_[i] = place.y, up_[i] = place.z;
         }
     }
@@ -218,18 +218,43 @@ void FilmShadows::findOccluders(const CastingLight& light) {
     }
 }
 
+// By the nearest and the furthest of its texels: most tiles that a spot's sphere reaches lie before or behind
+// it.
+FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec2& high) const {
+    const Image<uint8_t, 1>& codes = film_.map->inverse;
+    int least = 255, most = 0;
+    for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) {
+            least = std::min<int>(least, *codes.at(x, y));
+            most = std::max<int>(most, *codes.at(x, y));
+        }
+    const float furthest = distance_m_[static_cast<size_t>(std::max(least - kSame, 0))];
+    const float nearest = most == 0 ? kFar_m : distance_m_[static_cast<size_t>(std::min(most + kSame, 255))];
+    const glm::ivec2 middle = (low + high) / 2;
+    const glm::vec2 &turn = columns_[static_cast<size_t>(middle.x)],
+                    &height = rows_[static_cast<size_t>(middle.y)];
+    const glm::vec3 towards = lightFromEnv_ * glm::vec3(height.y * turn.x, height.x, -height.y * turn.y);
+    const float texel = std::numbers::pi_v<float> / static_cast<float>(codes.height);
+    const float beside = furthest * texel * (0.5f * glm::length(glm::vec2(high - low)) + 1);
+    const glm::vec3 near = nearest * towards, far = furthest * towards;
+    return {glm::min(near, far) - beside, glm::max(near, far) + beside};
+}
+
+bool FilmShadows::reaches(const Occluder& piece, const Extent& extent, float discTangent) {
+    const glm::vec3 &low = extent.low, &high = extent.high; // along, aside, up
+    const float disc = discTangent * (piece.up - std::max(low.z, piece.lowest));
+    return piece.along + piece.halfAlong + disc > low.x && piece.along - piece.halfAlong - disc < high.x &&
+           piece.aside + piece.halfAside + disc > low.y && piece.aside - piece.halfAside - disc < high.y &&
+           high.z > piece.lowest && low.z < piece.up;
+}
+
 bool FilmShadows::hideInTile(const CastingLight& light) {
     const auto [left, right] = std::ranges::minmax(along_);
     const auto [front, back] = std::ranges::minmax(aside_);
     const auto [bottom, top] = std::ranges::minmax(up_);
     bool any = false;
     for (const Occluder& piece : occluders_) {
-        const float disc = light.discTangent() * (piece.up - std::max(bottom, piece.lowest));
-        const bool reaches =
-            piece.along + piece.halfAlong + disc > left && piece.along - piece.halfAlong - disc < right &&
-            piece.aside + piece.halfAside + disc > front && piece.aside - piece.halfAside - disc < back &&
-            top > piece.lowest && bottom < piece.up;
-        if (!reaches) continue;
+        if (!reaches(piece, {{left, front, bottom}, {right, back, top}}, light.discTangent())) continue;
         any = true;
         hide(piece, light.discTangent(), along_.data(), aside_.data(), up_.data(), hidden_.size(),
              hidden_.data());
@@ -239,7 +264,11 @@ bool FilmShadows::hideInTile(const CastingLight& light) {
 
 void FilmShadows::shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile) {
     const glm::ivec2 low = tiles_.lowOf(tile), high = tiles_.lowOf(tile + 1);
-    findPlaces(light, low, high);
+    const Extent extent = extentOf(low, high);
+    if (std::ranges::none_of(
+            occluders_, [&](const Occluder& piece) { return reaches(piece, extent, light.discTangent()); }))
+        return;
+    findPlaces(low, high);
     if (!hideInTile(light)) return;
     bool any = false;
     const glm::vec3 towardsEnv = film_.envFromWorld * light.towards;

@@ -60,10 +60,17 @@ class FilmShadows {
   private:
     void findOccluders(const CastingLight& light);
     void reachTiles(const CastingLight& light, std::span<const View> eyes);
+    // A box in the light's frame.
+    struct Extent {
+        glm::vec3 low, high;
+    };
+    // Holds all places of a tile.
+    Extent extentOf(const glm::ivec2& low, const glm::ivec2& high) const;
+    static bool reaches(const Occluder& piece, const Extent& extent, float discTangent);
     bool hideInTile(const CastingLight& light); // whether anything is
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void chooseAround(const glm::ivec2& tile);
-    void findPlaces(const CastingLight& light, const glm::ivec2& low, const glm::ivec2& high);
+    void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
     // From the film's camera, env frame; far away where nothing is known.
     glm::vec3 placeAt(int x, int y) const;
     // Of the angle between the surface's normal at a texel of the map and a direction, env frame.
@@ -78,6 +85,7 @@ class FilmShadows {
     std::vector<glm::vec2> columns_, rows_; // of the map: sine and cosine of longitude, of latitude
     std::array<float, 256> distance_m_{};   // by a map's code
     std::array<glm::vec3, 256> arrives_{};  // of light squared, through the water
+    glm::mat3 lightFromEnv_{1};             // of the body that is added: along, aside, up
     std::vector<FlatPiece> pieces_;         // scratch: of one body
     std::vector<Spot> spots_;
     std::vector<Occluder> occluders_;
