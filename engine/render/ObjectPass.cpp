@@ -138,10 +138,8 @@ void ObjectPass::begin() {
     drawCount_ = triangleCount_ = 0;
 }
 
-void ObjectPass::add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-                     const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body,
-                     std::span<const Sphere> parts, float highlight, bool isInRoom,
-                     const depth::LightHarmonics* beside) {
+void ObjectPass::add(const Object& object) {
+    const auto& [model, gpu, pose, worldFromModel, bound, parts, body, highlight, isInRoom, beside] = object;
     objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1),
                         beside ? matteFactors(*beside) : depth::LightHarmonics{}});
     if (parts.empty()) parts_.push_back(bound);
@@ -193,12 +191,12 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
                  GL_STREAM_DRAW);
 }
 
-std::span<const Sphere> ObjectPass::partsOf(const Object& object) const {
+std::span<const Sphere> ObjectPass::partsOf(const Added& object) const {
     return std::span(parts_).subspan(object.firstPart, object.parts);
 }
 
 // By its parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
-ObjectPass::Seen ObjectPass::seenIn(const View& view, const Object& object) const {
+ObjectPass::Seen ObjectPass::seenIn(const View& view, const Added& object) const {
     Seen seen;
     if (!sees(view, object.bound)) return seen;
     const float middle = glm::distance(object.bound.centre, view.eyeWorld);
@@ -216,7 +214,7 @@ ObjectPass::Seen ObjectPass::seenIn(const View& view, const Object& object) cons
 
 // By the film's range within the caps behind which the object's parts stand, widened by what an eye beside
 // the camera sees past their edges. By its parts: the sphere around an arm holds the eye, the arm does not.
-ObjectPass::Behind ObjectPass::behindFilm(const Object& object, const EnvironmentGpu& environment,
+ObjectPass::Behind ObjectPass::behindFilm(const Added& object, const EnvironmentGpu& environment,
                                           const View& view, const glm::mat3& envFromWorld,
                                           const glm::vec3& eyeInFilm) const {
     if (!environment.depthRange()) return Behind::Nothing;
@@ -259,7 +257,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
                         const glm::vec3& eyeInFilm, Surroundings surroundings) {
     const bool inRoom = surroundings == Surroundings::Room;
     seen_.clear();
-    for (const Object& object : objects_) {
+    for (const Added& object : objects_) {
         Seen& seen = seen_.emplace_back(seenIn(view, object));
         if (seen.any && !inRoom) seen.behind = behindFilm(object, environment, view, envFromWorld, eyeInFilm);
     }
@@ -353,7 +351,7 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
 
 std::span<const Sphere> ObjectPass::visibleSpheres(const View& view) {
     spheres_.clear();
-    for (const Object& object : objects_)
+    for (const Added& object : objects_)
         if (sees(view, object.bound))
             for (const Sphere& part : partsOf(object))
                 if (sees(view, part)) spheres_.push_back(part);

@@ -30,18 +30,23 @@ class ObjectPass {
     // OpenGL 4.3, Detail::Full. Must live until draw().
     void setLayers(const occlusion::LayersGpu* layers) { layers_ = layers; }
 
+    // A posed model. model and gpu must live until draw(), all else is copied.
+    struct Object {
+        const scene::Model& model;
+        const ModelGpu& gpu;
+        const scene::Pose& pose;
+        glm::mat4 worldFromModel = glm::mat4(1);
+        Sphere bound;                        // world; holds the posed model: outside the view it is not drawn
+        std::span<const Sphere> parts = {};  // smaller spheres that hold it all together; empty: not known
+        const BodyOccluders* body = nullptr; // what it takes of others' light, and they of its; null: nothing
+        float highlight = 0;                 // 0 to 1, of a rim that marks it for the player
+        bool isInRoom = false; // it stands for what is in the player's room as well, such as a hand
+        // Its light beyond that of the film's camera; null: none. In the player's room it is left out.
+        const depth::LightHarmonics* beside = nullptr;
+    };
+
     void begin();
-    // Every mesh of the posed model. model and gpu must live until draw(); pose is copied.
-    // bound: a sphere in the world that holds the posed model; what lies outside the view is not drawn. body:
-    // what it takes from others' light, and they from its own; null: nothing. parts: smaller spheres that
-    // hold it as well, all together; empty: none are known. highlight: 0 to 1, of a rim
-    // that marks it for the player. isInRoom: it stands for what is in the player's room as well, such as a
-    // hand. beside: its light beyond that of the film's camera, copied; null: none. In the player's room it
-    // is left out.
-    void add(const scene::Model& model, const ModelGpu& gpu, const scene::Pose& pose,
-             const glm::mat4& worldFromModel, const Sphere& bound, const BodyOccluders* body = nullptr,
-             std::span<const Sphere> parts = {}, float highlight = 0, bool isInRoom = false,
-             const depth::LightHarmonics* beside = nullptr);
+    void add(const Object& object); // every mesh of it
     // Sends what was added to the graphics side. Light's frame is env.
     void upload(const glm::mat3& envFromWorld);
 
@@ -58,7 +63,7 @@ class ObjectPass {
 
     // The bodies of what was added since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
-    bool isInRoom(size_t body) const { return inRoom_[body]; } // as add() was told
+    bool isInRoom(size_t body) const { return inRoom_[body]; } // as its Object said
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
@@ -78,7 +83,7 @@ class ObjectPass {
         bool isInRoom;
     };
 
-    struct Object {
+    struct Added {
         Sphere bound;                      // world
         size_t firstPart, parts;           // of parts_
         depth::LightHarmonics matteBeside; // as render/LightBeside.glsl has it
@@ -100,7 +105,7 @@ class ObjectPass {
     };
 
     const Sphere& boundOf(const Item& item) const { return objects_[item.object].bound; }
-    std::span<const Sphere> partsOf(const Object& object) const;
+    std::span<const Sphere> partsOf(const Added& object) const;
     enum class Behind { Nothing, Perhaps, All };
     struct Seen {
         bool any = false;
@@ -109,9 +114,9 @@ class ObjectPass {
         float slope = 0;
         Behind behind = Behind::Nothing;
     };
-    Seen seenIn(const View& view, const Object& object) const;
+    Seen seenIn(const View& view, const Added& object) const;
     // Whether the film has something that is nearer.
-    Behind behindFilm(const Object& object, const EnvironmentGpu& environment, const View& view,
+    Behind behindFilm(const Added& object, const EnvironmentGpu& environment, const View& view,
                       const glm::mat3& envFromWorld, const glm::vec3& eyeInFilm) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
@@ -133,7 +138,7 @@ class ObjectPass {
     std::vector<bool> inRoom_;  // by body
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
-    std::vector<Object> objects_;
+    std::vector<Added> objects_;
     std::vector<Seen> seen_; // scratch: of the objects, in the view that is drawn
     std::vector<Sphere> parts_;
     std::vector<Sphere> spheres_; // scratch

@@ -229,7 +229,11 @@ Status Viewer::draw(const gl::Target& target) {
     const render::Exposure exposure = environment_->exposure(options_.look.tone, options_.look.exposure_ev);
     objects_->setLayers(layers_ && withLayers_ ? &*layers_ : nullptr);
     objects_->begin();
-    objects_->add(model_, gpu_, pose_, glm::mat4(1), {orbit_.target, orbit_.modelRadius}, &body_);
+    objects_->add({.model = model_,
+                   .gpu = gpu_,
+                   .pose = pose_,
+                   .bound = {orbit_.target, orbit_.modelRadius},
+                   .body = &body_});
     objects_->upload(environment_->envFromWorld());
     const glm::mat3 turn = environment_->envFromWorld();
     if (options_.background == Background::Environment &&

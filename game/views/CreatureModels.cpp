@@ -196,9 +196,15 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
                                                     glm::vec3(creature.length / instance.length_m));
         scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
         // No fin extends farther from the middle than this, however the body bends.
-        pass.add(instance.model, instance.gpu, instance.pose, worldFromModel,
-                 {creature.position, creature.length * 0.7f}, &instance.body, spheres_, creature.catchable,
-                 false, light.of(i));
+        pass.add({.model = instance.model,
+                  .gpu = instance.gpu,
+                  .pose = instance.pose,
+                  .worldFromModel = worldFromModel,
+                  .bound = {creature.position, creature.length * 0.7f},
+                  .parts = spheres_,
+                  .body = &instance.body,
+                  .highlight = creature.catchable,
+                  .beside = light.of(i)});
     }
     const Head head{snapshot.headWorld, snapshot.worldFromView};
     for (size_t side = 0; side < snapshot.hands.size(); ++side) {
@@ -215,11 +221,15 @@ void CreatureModels::show(const game::Snapshot& snapshot, const AnimalLight& lig
 }
 
 void CreatureModels::showPosed(ModelInstance& instance, float margin, render::ObjectPass& pass) {
-    const glm::mat4 worldFromModel(1);
-    scene::placeSpheres(instance.boundingSpheres, instance.pose, worldFromModel, spheres_);
+    scene::placeSpheres(instance.boundingSpheres, instance.pose, glm::mat4(1), spheres_);
     for (scene::Sphere& sphere : spheres_) sphere.radius *= margin;
-    pass.add(instance.model, instance.gpu, instance.pose, worldFromModel, scene::boundingSphereOf(spheres_),
-             &instance.body, spheres_, 0, true);
+    pass.add({.model = instance.model,
+              .gpu = instance.gpu,
+              .pose = instance.pose,
+              .bound = scene::boundingSphereOf(spheres_),
+              .parts = spheres_,
+              .body = &instance.body,
+              .isInRoom = true});
 }
 
 } // namespace shoal::app

@@ -22,7 +22,7 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     render::View view; // from the origin towards -Z
     view.verticalFov = 1;
     pass->begin();
-    pass->add(model, gpu, pose, glm::mat4(1), bound, nullptr, parts);
+    pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts});
     pass->upload(glm::mat3(1));
     EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {}, {}, render::Glossy::Prefiltered));
     EXPECT_EQ(pass->visibleSpheres(view).empty(), pass->drawCount() == 0);

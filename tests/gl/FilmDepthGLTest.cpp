@@ -45,7 +45,11 @@ class FilmDepthGL : public WithContext {
         const glm::vec3 centre = eyeInFilm + glm::vec3(0, 0, -away);
         glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(0.5f));
         pass->begin();
-        pass->add(model, gpu, pose, worldFromModel, {centre, 0.5f});
+        pass->add({.model = model,
+                   .gpu = gpu,
+                   .pose = pose,
+                   .worldFromModel = worldFromModel,
+                   .bound = {centre, 0.5f}});
         pass->upload(glm::mat3(1));
         EXPECT_TRUE(pass->draw(environment, view(eyeInFilm), glm::mat3(1), {}, {},
                                render::Glossy::Prefiltered, eyeInFilm));

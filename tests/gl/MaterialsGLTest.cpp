@@ -70,14 +70,14 @@ TEST_F(MaterialsGL, UnlitColoursAreShownAsTheyAreCoded) {
                 const glm::vec4 coded(200, 100, 3, 255);
                 // A factor: half a step of rounding.
                 expectColour(drawSphere(unlitSphere(linear(coded / 255.0f)), lit.environment, kSphereView,
-                                        exposure_ev, kAcross, {}, detail),
+                                        kAcross, {.exposure_ev = exposure_ev, .detail = detail}),
                              coded, 0.5f);
                 // A texture, decoded and coded: the same steps.
                 scene::Model textured = unlitSphere(glm::vec4(1));
                 addTexture(textured, {200, 100, 3, 255});
-                expectColour(
-                    drawSphere(textured, lit.environment, kSphereView, exposure_ev, kAcross, {}, detail),
-                    coded, 0.5f);
+                expectColour(drawSphere(textured, lit.environment, kSphereView, kAcross,
+                                        {.exposure_ev = exposure_ev, .detail = detail}),
+                             coded, 0.5f);
             }
 }
 
@@ -95,7 +95,7 @@ TEST_F(MaterialsGL, UnlitColoursMultiplyLinearly) {
             expected[c] = expected[c] <= 0.0031308f ? 12.92f * expected[c]
                                                     : 1.055f * std::pow(expected[c], 1 / 2.4f) - 0.055f;
         // Half a step of rounding, and half floats' hundredth of one.
-        expectColour(drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail),
+        expectColour(drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}),
                      255.0f * expected, 0.6f);
     }
 }
@@ -112,7 +112,7 @@ TEST_F(MaterialsGL, UnlitSurfacesHaveAlphaModes) {
         material.baseColourLin.a = 0.5f;
         const auto drawn = [&](scene::AlphaMode mode) {
             material.alphaMode = mode;
-            return drawSphere(model, lit.environment, view, 0, kAcross, {}, detail);
+            return drawSphere(model, lit.environment, view, kAcross, {.detail = detail});
         };
         expectColour(drawn(scene::AlphaMode::Opaque), {200, 100, 50, 255}, 0.5f);
         expectColour(drawn(scene::AlphaMode::Blend), {100, 50, 25, 127.5f}, 1);
@@ -163,7 +163,7 @@ TEST_F(MaterialsGL, DielectricsReflectTheirShareHeadOn) {
                 const glm::vec3 all = single + single * average / (1.0f - lost * average) * lost;
                 const glm::vec3 shown = light::displayFromRadiance(all * arrives) * 255.0f;
                 const ImageRgba8 picture =
-                    drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+                    drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
                 // Rounding, and the table between its steps, where dark colours are steep.
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(picture.at(32, 32)[c], shown[c], 1.5f)
@@ -185,7 +185,7 @@ TEST_F(MaterialsGL, WithoutSpecularASurfaceIsMatte) {
                 const glm::vec3 left =
                     std::pow(base, 1 / 2.2f) * light::radianceFromDisplay(glm::vec3(200, 180, 160) / 255.0f);
                 // A step of the display; half floats hold radiance to 1 in 2048.
-                expectColour(drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail),
+                expectColour(drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}),
                              glm::vec4(light::displayFromRadiance(left) * 255.0f, 255), 1);
             }
 }
@@ -198,10 +198,12 @@ TEST_F(MaterialsGL, DielectricsNextToTheUsualOneLookLikeIt) {
         for (const render::Detail detail : kDetails) {
             scene::Model model = sphere(metallic, 0.4f);
             model.materials[0].baseColourLin = {0.6f, 0.3f, 0.1f, 1};
-            const ImageRgba8 usual = drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+            const ImageRgba8 usual =
+                drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
             model.materials[0].dielectricF0 = glm::vec3(0.0400001f);
             if (metallic == 1) model.materials[0].dielectricF0 = {1, 0, 0.5f};
-            expectAlike(usual, drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail), 1);
+            expectAlike(usual, drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}),
+                        1);
         }
 }
 
@@ -211,7 +213,8 @@ TEST_F(MaterialsGL, ColouredReflectionsLeaveTheMatteLightWithoutColour) {
     for (const render::Detail detail : kDetails) {
         scene::Model model = sphere(0, 0.2f);
         model.materials[0].dielectricF0 = {1, 0, 0}; // of a white base, whose channels would fill up
-        const ImageRgba8 picture = drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+        const ImageRgba8 picture =
+            drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
         EXPECT_NEAR(picture.at(32, 32)[0], 128, 1);
         EXPECT_LT(picture.at(32, 32)[1], 40);
         EXPECT_LT(picture.at(32, 32)[2], 40);
@@ -236,7 +239,7 @@ TEST_F(MaterialsGL, ClearcoatsReflectTheirShareHeadOn) {
                 const auto share = coat * static_cast<float>(0.04 * dfg.scale + dfg.bias);
                 const glm::vec3 shown = light::displayFromRadiance(share * arrives) * 255.0f;
                 const ImageRgba8 picture =
-                    drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail);
+                    drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(picture.at(32, 32)[c], shown[c], 1.5f)
                         << "channel " << c << " coat " << coat << " roughness " << coatRoughness;
@@ -254,7 +257,8 @@ TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
             model.materials[0].clearcoat = 1;
             model.materials[0].clearcoatRoughness = coatRoughness;
             // A step of the display; half floats hold radiance to 1 in 2048.
-            expectColour(drawSphere(model, lit.environment, kSphereView, 0, kAcross, {}, detail), video, 1);
+            expectColour(drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail}), video,
+                         1);
         }
     scene::Model glowing = sphere(0, 1);
     glowing.materials[0].baseColourLin = {0, 0, 0, 1};
@@ -262,7 +266,7 @@ TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {
     glowing.materials[0].dielectricF90 = 0;
     glowing.materials[0].emissiveLin = light::radianceFromDisplay(glm::vec3(video) / 255.0f);
     glowing.materials[0].clearcoat = 1;
-    expectColour(drawSphere(glowing, lit.environment, kSphereView, 0, kAcross), video, 1);
+    expectColour(drawSphere(glowing, lit.environment, kSphereView, kAcross), video, 1);
 }
 
 } // namespace

@@ -22,8 +22,8 @@ TEST_P(NormalsGL, StandOnTheEllipsoid) {
     render::EnvironmentGpu environment;
     environment.uploadLight(lightOf(frame));
     const render::View view{.eyeWorld = {0, 0, 5}, .verticalFov = 0.5f, .aspect = 1};
-    const ImageRgba8 picture = drawSphere(model, environment, view, 0, kPixels, {}, render::Detail::Full, 0,
-                                          render::ShownQuantity::Normals);
+    const ImageRgba8 picture =
+        drawSphere(model, environment, view, kPixels, {.shown = render::ShownQuantity::Normals});
     int compared = 0;
     for (int y = 0; y < kPixels; ++y)
         for (int x = 0; x < kPixels; ++x) {

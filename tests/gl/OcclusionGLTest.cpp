@@ -86,10 +86,14 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
     const render::BodyOccluders self = itself();
-    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, &self);
+    pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1}, .body = &self});
     for (const Other& other : others)
-        pass->add(nothing, gpu, pose, other.worldFromModel, {glm::vec3(other.worldFromModel[3]), 1},
-                  &other.body);
+        pass->add({.model = nothing,
+                   .gpu = gpu,
+                   .pose = pose,
+                   .worldFromModel = other.worldFromModel,
+                   .bound = {glm::vec3(other.worldFromModel[3]), 1},
+                   .body = &other.body});
     pass->upload(glm::mat3(1));
     EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {.curve = render::ToneCurve::Linear}, {},
                            render::Glossy::Prefiltered));

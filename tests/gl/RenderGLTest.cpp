@@ -130,7 +130,7 @@ TEST_F(RenderGL, HighlightLightensMostAtTheRim) {
             const render::View view{
                 .eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1, .heightPixels = lean ? kPixels : 0};
             const ImageRgba8 picture =
-                drawSphere(sphere(0, 0.5f), environment, view, 0, kPixels, {}, detail, 1);
+                drawSphere(sphere(0, 0.5f), environment, view, kPixels, {.detail = detail, .highlight = 1});
             for (int x = kPixels / 2; x < kPixels; ++x) {
                 // The ray meets the unit sphere at t: its normal there is the place itself.
                 const float across = (2 * (static_cast<float>(x) + 0.5f) / kPixels - 1) * view.halfExtent().x;
@@ -160,7 +160,7 @@ TEST_F(RenderGL, WhiteMatteSphereInAUniformVideoHasTheVideosValue) {
             environment.uploadLight(lightOf(frame));
             const ImageRgba8 picture =
                 drawSphere(sphere(0, roughness), environment,
-                           {.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1}, 0, 64);
+                           {.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1}, 64);
             int covered = 0;
             for (int y = 0; y < 64; ++y)
                 for (int x = 0; x < 64; ++x) {
@@ -192,8 +192,8 @@ TEST_F(RenderGL, LightBesideTheCameraIsAddedToMatteLight) {
         for (const render::Detail detail : {render::Detail::Full, render::Detail::Lean}) {
             beside[3] = glm::vec3(uneven ? toTheRight : 0);
             const ImageRgba8 picture = drawSphere(
-                sphere(0, 1), environment, {.eyeWorld = {0, 0, 40}, .verticalFov = 0.055f, .aspect = 1}, 0,
-                64, {}, detail, 0, render::ShownQuantity::Light, render::FrameCoding::Srgb, &beside);
+                sphere(0, 1), environment, {.eyeWorld = {0, 0, 40}, .verticalFov = 0.055f, .aspect = 1}, 64,
+                {.detail = detail, .frames = render::FrameCoding::Srgb, .beside = &beside});
             for (int x = 8; x < 56; x += 4) {
                 const float right = (static_cast<float>(x) + 0.5f - 32) / 32 * 40 * std::tan(0.0275f);
                 const float more = (1 + (uneven ? right : 0)) * camera;
@@ -213,10 +213,10 @@ TEST_F(RenderGL, MirroredNodesShowTheirFronts) {
     scene::Model model = sphere(0, 0.5f);
     model.materials[0].doubleSided = false;
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.9f, .aspect = 1};
-    const ImageRgba8 plain = drawSphere(model, environment, view, 0, 64);
+    const ImageRgba8 plain = drawSphere(model, environment, view, 64);
     for (const glm::vec3 scale : {glm::vec3(-1, 1, 1), glm::vec3(1, -1, 1), glm::vec3(-1, -1, -1)}) {
         model.nodes[0].parentFromNode.scale = scale;
-        const ImageRgba8 mirrored = drawSphere(model, environment, view, 0, 64);
+        const ImageRgba8 mirrored = drawSphere(model, environment, view, 64);
         int covered = 0;
         for (size_t i = 0; i < plain.pixels.size(); i += 4) {
             if (plain.pixels[i + 3] != 255 || mirrored.pixels[i + 3] != 255) continue;
@@ -241,9 +241,9 @@ TEST_F(RenderGL, LightByTheVertexIsTheLightByThePixel) {
                 const ImageRgba8 shown = upload(environment, video);
                 environment.uploadLight(lightOf(video));
                 const scene::Model model = sphere(metallic, roughness);
-                const ImageRgba8 pixel = drawSphere(model, environment, view, 0, kSize);
+                const ImageRgba8 pixel = drawSphere(model, environment, view, kSize);
                 const ImageRgba8 vertex =
-                    drawSphere(model, environment, view, 0, kSize, {}, render::Detail::Lean);
+                    drawSphere(model, environment, view, kSize, {.detail = render::Detail::Lean});
                 int covered = 0;
                 double sum = 0;
                 for (int y = 0; y < kSize; ++y)
@@ -305,8 +305,10 @@ TEST_F(RenderGL, ColoursAndMapsMultiplyWhereverLightComes) {
         if (map) coloured.materials[0].emissive = {0, 0};
         plain.materials[0].emissiveLin = glow * (map ? math::linearFromSrgb(kRight / 255.0f) : 1.0f);
         for (const auto detail : {render::Detail::Full, render::Detail::Lean}) {
-            const ImageRgba8 a = drawSphere(plain, environment, view, 0.5f, kSize, {}, detail);
-            const ImageRgba8 b = drawSphere(coloured, environment, view, 0.5f, kSize, {}, detail);
+            const ImageRgba8 a =
+                drawSphere(plain, environment, view, kSize, {.exposure_ev = 0.5f, .detail = detail});
+            const ImageRgba8 b =
+                drawSphere(coloured, environment, view, kSize, {.exposure_ev = 0.5f, .detail = detail});
             for (int y = 24; y < 40; ++y)
                 for (int x = 24; x < 40; ++x)
                     for (int c = 0; c < 3; ++c)
@@ -334,9 +336,7 @@ TEST_F(RenderGL, MirrorShowsTheVideosOwnColours) {
              {glm::vec3(0, 0, 3), glm::vec3(0, 0, -3), glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-            const ImageRgba8 picture =
-                drawSphere(sphere(1, 0), environment, view, 0, 9, {}, render::Detail::Full, 0,
-                           render::ShownQuantity::Light, coding);
+            const ImageRgba8 picture = drawSphere(sphere(1, 0), environment, view, 9, {.frames = coding});
             // The middle of the sphere throws the look back whence it came.
             const glm::vec3 expected = smoothColour(glm::normalize(eye)) * 255.0f;
             // 1/255 asked for, and half a step of rounding in the frame.
@@ -359,8 +359,8 @@ TEST_F(RenderGL, ClippedLightIsWhiteInAMirrorAndMoreThanThatOnTheGround) {
         const ImageRgba8 shown = upload(environment, frame);
         environment.uploadLight(lightOf(frame, radiance));
         const auto drawn = [&](float metallic, float roughness, float ev) {
-            return drawSphere(sphere(metallic, roughness), environment, view, ev, 9, {}, render::Detail::Full,
-                              0, render::ShownQuantity::Light, render::FrameCoding::Srgb)
+            return drawSphere(sphere(metallic, roughness), environment, view, 9,
+                              {.exposure_ev = ev, .frames = render::FrameCoding::Srgb})
                 .at(4, 4)[1];
         };
         EXPECT_EQ(drawn(1, 0, 0), 255);
@@ -383,8 +383,8 @@ TEST_F(RenderGL, LightBeyondHalfFloatsIsScaled) {
     const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
     for (const float metallic : {0.0f, 1.0f}) {
         const ImageRgba8 picture =
-            drawSphere(sphere(metallic, metallic == 1 ? 0.0f : 1.0f), environment, view, -22, 9, {},
-                       render::Detail::Full, 0, render::ShownQuantity::Light, render::FrameCoding::Srgb);
+            drawSphere(sphere(metallic, metallic == 1 ? 0.0f : 1.0f), environment, view, 9,
+                       {.exposure_ev = -22, .frames = render::FrameCoding::Srgb});
         EXPECT_NEAR(picture.at(4, 4)[1], 255 * math::srgbFromLinear(0.25f), 1.5f) << metallic;
     }
 }
@@ -420,7 +420,7 @@ TEST_F(RenderGL, MetalShowsTheLightThatWasMade) {
                                     glm::vec3(2, 2, -1), glm::vec3(-1, -2.5f, 0.5f)}) {
             const render::View view{
                 .eyeWorld = eye, .worldFromEye = looking(-eye), .verticalFov = 0.1f, .aspect = 1};
-            const ImageRgba8 picture = drawSphere(sphere(1, roughness), environment, view, 0, 9);
+            const ImageRgba8 picture = drawSphere(sphere(1, roughness), environment, view, 9);
             const glm::vec3 dir = glm::normalize(eye);
             const math::Dfg dfg = math::dfg(1, static_cast<double>(roughness));
             const auto kept = static_cast<float>(dfg.scale + dfg.bias);
@@ -446,8 +446,7 @@ TEST_F(RenderGL, ExposureChangesObjectAndBackgroundAlike) {
         for (const float ev : {-1.5f, 0.0f, 0.7f, 3.0f}) {
             const render::View view{.eyeWorld = {0, 0, 3}, .verticalFov = 0.1f, .aspect = 1};
             const ImageRgba8 object =
-                drawSphere(sphere(0, 1), environment, view, ev, 9, {}, render::Detail::Full, 0,
-                           render::ShownQuantity::Light, coding);
+                drawSphere(sphere(0, 1), environment, view, 9, {.exposure_ev = ev, .frames = coding});
             const gl::Target target(9, 9, 1);
             target.bind();
             glClear(GL_DEPTH_BUFFER_BIT);

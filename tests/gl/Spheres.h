@@ -63,17 +63,24 @@ inline light::PackedLight lightOf(const ImageRgb8& frame,
     return packed;
 }
 
+struct SphereLook {
+    float exposure_ev = 0;
+    water::Water water = {};
+    render::Detail detail = render::Detail::Full;
+    float highlight = 0;
+    render::ShownQuantity shown = render::ShownQuantity::Light;
+    render::FrameCoding frames = render::FrameCoding::Thesis;
+    const depth::LightHarmonics* beside = nullptr; // as render::ObjectPass has it
+};
+
+// size: pixels of a side.
 inline ImageRgba8 drawSphere(const scene::Model& model, const render::EnvironmentGpu& environment,
-                             const render::View& view, float exposure_ev, int size,
-                             const water::Water& water = {}, render::Detail detail = render::Detail::Full,
-                             float highlight = 0, render::ShownQuantity shown = render::ShownQuantity::Light,
-                             render::FrameCoding frames = render::FrameCoding::Thesis,
-                             const depth::LightHarmonics* beside = nullptr) {
-    auto pass = render::ObjectPass::make(detail, true, shown);
+                             const render::View& view, int size, const SphereLook& look = {}) {
+    auto pass = render::ObjectPass::make(look.detail, true, look.shown);
     EXPECT_TRUE(pass) << pass.error().message();
     const auto reflectance =
-        frames == render::FrameCoding::Thesis ? render::Reflectance::Coded : render::Reflectance::Linear;
-    const render::ModelGpu gpu = render::uploadModel(model, reflectance, detail);
+        look.frames == render::FrameCoding::Thesis ? render::Reflectance::Coded : render::Reflectance::Linear;
+    const render::ModelGpu gpu = render::uploadModel(model, reflectance, look.detail);
     scene::Pose pose;
     scene::restPose(model, pose);
     scene::updateGlobals(model, pose);
@@ -82,11 +89,16 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     pass->begin();
-    pass->add(model, gpu, pose, glm::mat4(1), {{}, 1}, nullptr, {}, highlight, false, beside);
+    pass->add({.model = model,
+               .gpu = gpu,
+               .pose = pose,
+               .bound = {{}, 1},
+               .highlight = look.highlight,
+               .beside = look.beside});
     pass->upload(glm::mat3(1));
     const Status drawn =
-        pass->draw(environment, view, glm::mat3(1), {.exposure_ev = exposure_ev, .frames = frames}, water,
-                   render::Glossy::Prefiltered);
+        pass->draw(environment, view, glm::mat3(1), {.exposure_ev = look.exposure_ev, .frames = look.frames},
+                   look.water, render::Glossy::Prefiltered);
     EXPECT_TRUE(drawn);
     return target.read();
 }

@@ -36,7 +36,7 @@ TEST_F(WaterGL, ASphereSinksIntoTheVeilAsComputed) {
                                         glm::quat_cast(glm::mat3(side, glm::cross(-ahead, side), -ahead)),
                                     .verticalFov = 0.02f,
                                     .aspect = 1};
-            const ImageRgba8 picture = drawSphere(sphere(0, 1), environment, view, 0, 9, someWater());
+            const ImageRgba8 picture = drawSphere(sphere(0, 1), environment, view, 9, {.water = someWater()});
             const glm::vec3 expected = 255.0f * water::seenThrough(someWater(), display, ahead, distance_m);
             // Rounding of the picture and the frame's light as half floats; vertices a few hundredths of a
             // radian apart on the sphere are at most a millimetre behind its surface.

@@ -75,7 +75,7 @@ class LayersPicture : public WithContext {
         render::BodyOccluders body;
         body.albedo = glm::vec3(model.materials[0].baseColourLin);
         pass->begin();
-        pass->add(model, gpu, pose, glm::mat4(1), {{}, 1.5f}, &body);
+        pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1.5f}, .body = &body});
         pass->upload(glm::mat3(1));
         EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {.curve = render::ToneCurve::Linear}, {},
                                render::Glossy::Prefiltered));
