@@ -19,8 +19,9 @@ int LightBeside::cellOf(const glm::vec3& dir) {
     return std::clamp(static_cast<int>(place.y), 0, kFine - 1) * kFine + x;
 }
 
-glm::vec3 LightBeside::directionOf(int x, int y, int side) {
-    return math::directionFromOctahedral((glm::vec2(x, y) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f);
+glm::vec3 LightBeside::directionOf(int cell, int side) {
+    return math::directionFromOctahedral(
+        (glm::vec2(cell % side, cell / side) + 0.5f) * (2.0f / static_cast<float>(side)) - 1.0f);
 }
 
 // A cell of the octahedron is seen under a solid angle as the cube of its distance from the middle falls.
@@ -30,8 +31,7 @@ const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>&
         std::array<double, kCoarse * kCoarse> shares;
         double all = 0;
         for (size_t i = 0; i < rays.size(); ++i) {
-            const int cell = static_cast<int>(i);
-            rays[i].dir = directionOf(cell % kCoarse, cell / kCoarse, kCoarse);
+            rays[i].dir = directionOf(static_cast<int>(i), kCoarse);
             const auto sum = static_cast<double>(std::abs(rays[i].dir.x) + std::abs(rays[i].dir.y) +
                                                  std::abs(rays[i].dir.z));
             all += shares[i] = sum * sum * sum;
@@ -46,19 +46,26 @@ const std::array<LightBeside::Ray, LightBeside::kCoarse * LightBeside::kCoarse>&
     return made;
 }
 
+const std::vector<glm::vec3>& LightBeside::fineDirections() {
+    static const auto made = [] {
+        std::vector<glm::vec3> directions;
+        for (int cell = 0; cell < kFine * kFine; ++cell) directions.push_back(directionOf(cell, kFine));
+        return directions;
+    }();
+    return made;
+}
+
 void LightBeside::make(const ImageRgbF& radianceLin, const DepthMap& map) {
     inverse_perM_.resize(kFine * kFine);
     near_.resize(kFine * kFine);
     radiance_.assign(kCoarse * kCoarse, glm::vec3(0));
-    for (int y = 0; y < kFine; ++y)
-        for (int x = 0; x < kFine; ++x) {
-            const auto cell = static_cast<size_t>(y * kFine + x);
-            const glm::vec3 dir = directionOf(x, y, kFine);
-            inverse_perM_[cell] = map.inverse_perM(dir);
-            near_[cell] = glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[cell]);
-            radiance_[static_cast<size_t>(coarseOf(static_cast<int>(cell)))] +=
-                light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
-        }
+    for (size_t cell = 0; cell < near_.size(); ++cell) {
+        const glm::vec3& dir = fineDirections()[cell];
+        inverse_perM_[cell] = map.inverse_perM(dir);
+        near_[cell] = glm::smoothstep(1 / kFar_m, 2 / kFar_m, inverse_perM_[cell]);
+        radiance_[static_cast<size_t>(coarseOf(static_cast<int>(cell)))] +=
+            light::lookUp(radianceLin, dir) * (1.0f / (kAcross * kAcross));
+    }
 }
 
 // Steps grow with the distance from the place; the one that passes the surface is halved.

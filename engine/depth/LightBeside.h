@@ -36,7 +36,8 @@ class LightBeside {
     // Directions lie on an octahedron unfolded to a square (math/Octahedron.h).
     static constexpr int kCoarse = 12, kFine = 48, kAcross = kFine / kCoarse; // rays; distances
     static int cellOf(const glm::vec3& dir);                                  // of the fine grid; dir: not 0
-    static glm::vec3 directionOf(int x, int y, int side); // of a cell's middle, unit length
+    static glm::vec3 directionOf(int cell, int side);                         // of its middle, unit length
+    static const std::vector<glm::vec3>& fineDirections();
     static int coarseOf(int fine) { return fine / kFine / kAcross * kCoarse + fine % kFine / kAcross; }
     int firstMet(const glm::vec3& place, const glm::vec3& dir) const; // a fine cell; -1: none
 

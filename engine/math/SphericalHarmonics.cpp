@@ -9,28 +9,38 @@ namespace shoal::math {
 
 using std::numbers::pi;
 
+namespace {
+
+double root(double square) { return std::sqrt(square / pi); }
+
+} // namespace
+
 const std::array<double, kShBands> kShCosine = {pi, 2 * pi / 3, pi / 4, 0, -pi / 24};
+const std::array<double, 9> kShFactors = {root(1.0 / 4),  root(3.0 / 4),  root(3.0 / 4),
+                                          root(3.0 / 4),  root(15.0 / 4), root(15.0 / 4),
+                                          root(5.0 / 16), root(15.0 / 4), root(15.0 / 16)};
 
 // Cartesian forms, e.g. Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks", appendix A2.
 ShBasis shBasis(const glm::dvec3& dir) {
     const double x = dir.x, y = dir.y, z = dir.z;
     const double x2 = x * x, y2 = y * y, z2 = z * z;
-    const auto k = [](double square) { return std::sqrt(square / pi); };
-    static const double k00 = k(1.0 / 4), k1 = k(3.0 / 4), k2 = k(15.0 / 4), k20 = k(5.0 / 16),
-                        k22 = k(15.0 / 16);
-    static const double k33 = k(35.0 / 32), k32 = k(105.0 / 4), k31 = k(21.0 / 32), k30 = k(7.0 / 16);
-    static const double k322 = k(105.0 / 16), k44 = k(315.0 / 16), k43 = k(315.0 / 32), k42 = k(45.0 / 16);
-    static const double k41 = k(45.0 / 32), k40 = k(9.0 / 256), k422 = k(45.0 / 64), k444 = k(315.0 / 256);
+    const auto& k = kShFactors;
+    static const double k33 = root(35.0 / 32), k32 = root(105.0 / 4), k31 = root(21.0 / 32),
+                        k30 = root(7.0 / 16);
+    static const double k322 = root(105.0 / 16), k44 = root(315.0 / 16), k43 = root(315.0 / 32),
+                        k42 = root(45.0 / 16);
+    static const double k41 = root(45.0 / 32), k40 = root(9.0 / 256), k422 = root(45.0 / 64),
+                        k444 = root(315.0 / 256);
     return {
-        k00,
-        k1 * y,
-        k1 * z,
-        k1 * x,
-        k2 * x * y,
-        k2 * y * z,
-        k20 * (3 * z2 - 1),
-        k2 * x * z,
-        k22 * (x2 - y2),
+        k[0],
+        k[1] * y,
+        k[2] * z,
+        k[3] * x,
+        k[4] * x * y,
+        k[5] * y * z,
+        k[6] * (3 * z2 - 1),
+        k[7] * x * z,
+        k[8] * (x2 - y2),
         k33 * y * (3 * x2 - y2),
         k32 * x * y * z,
         k31 * y * (5 * z2 - 1),

@@ -22,6 +22,9 @@ using ShRgb = std::array<glm::dvec3, kShCount>;
 // Condon-Shortley phase.
 ShBasis shBasis(const glm::dvec3& dir);
 
+// Of bands 0 to 2: Y_lm is its factor times 1; y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2.
+extern const std::array<double, 9> kShFactors;
+
 // Integral of radiance times Y_lm over the sphere (their eq. 2); texels taken at their centres, with exact
 // solid angles.
 ShRgb shProject(const ImageRgbF& radianceLin);

@@ -1,6 +1,8 @@
 // Directions: axes over half a sphere, cosine-weighted samples, frames around one, and unit vectors packed.
 #pragma once
 
+#include "engine/math/Octahedron.h"
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -37,31 +39,12 @@ glm::mat3 frameAround(const glm::vec3& normal);
 // A rotation whose third row is `axis` (unit), the others turned by `turn` radians around it.
 glm::mat3 lookingAlong(const glm::vec3& axis, float turn);
 
-// Unit vectors as two numbers: projected onto an octahedron and flattened. Meyer et al. 2010, "On
-// Floating-Point Normal Vectors".
-
-// direction: unit. Result in [-1, 1]^2.
-inline glm::vec2 squareFromDirection(const glm::vec3& direction) {
-    const glm::vec3 a = glm::abs(direction);
-    const glm::vec2 flat = glm::vec2(direction) / (a.x + a.y + a.z);
-    if (direction.z >= 0) return flat;
-    return (1.0f - glm::abs(glm::vec2(flat.y, flat.x))) *
-           glm::vec2(flat.x < 0 ? -1.0f : 1.0f, flat.y < 0 ? -1.0f : 1.0f);
-}
-
-inline glm::vec3 directionFromSquare(const glm::vec2& square) {
-    glm::vec3 v(square, 1.0f - std::abs(square.x) - std::abs(square.y));
-    const float wrap = v.z < 0 ? -v.z : 0.0f;
-    v.x -= v.x < 0 ? -wrap : wrap;
-    v.y -= v.y < 0 ? -wrap : wrap;
-    return v / std::sqrt(glm::dot(v, v));
-}
-
-// Signed steps of 1 / (2^(bits - 1) - 1), x in the low half; bits: of each coordinate, 2 to 16. With 8 the
-// angle is off by at most 0.0167 rad, with 16 by 6.5e-5.
+// Unit vectors as two numbers, on an octahedron unfolded around +Z: signed steps of 1 / (2^(bits - 1) - 1), x
+// in the low half; bits: of each coordinate, 2 to 16. With 8 the angle is off by at most 0.0167 rad, with 16
+// by 6.5e-5.
 inline uint32_t packDirection(const glm::vec3& direction, int bits) {
     const auto top = static_cast<float>((1 << (bits - 1)) - 1);
-    const glm::vec2 square = squareFromDirection(direction);
+    const glm::vec2 square = math::octahedralFromDirection({direction.x, direction.z, direction.y});
     const uint32_t mask = (1u << bits) - 1;
     const auto x = static_cast<uint32_t>(static_cast<int>(std::lround(square.x * top))) & mask;
     const auto y = static_cast<uint32_t>(static_cast<int>(std::lround(square.y * top))) & mask;
@@ -73,7 +56,9 @@ inline glm::vec3 unpackDirection(uint32_t packed, int bits) {
     const auto top = static_cast<float>((1 << (bits - 1)) - 1);
     const int x = static_cast<int32_t>(packed << up) >> up;
     const int y = static_cast<int32_t>(packed >> bits << up) >> up;
-    return directionFromSquare(glm::vec2(static_cast<float>(x), static_cast<float>(y)) / top);
+    const glm::vec3 turned =
+        math::directionFromOctahedral(glm::vec2(static_cast<float>(x), static_cast<float>(y)) / top);
+    return {turned.x, turned.z, turned.y};
 }
 
 } // namespace shoal::occlusion

@@ -2,6 +2,7 @@
 
 #include "engine/light/PhongRings.h"
 #include "engine/math/Brdf.h"
+#include "engine/math/SphericalHarmonics.h"
 #include "engine/render/ToneFeatures.h"
 #include "shaders/render/Attributes.glsl"
 
@@ -82,14 +83,15 @@ gl::Texture makeDfgTable() {
     return texture;
 }
 
-// Of radiance's harmonics: each by its basis function's constant and by what a matte surface leaves of its
-// band, over pi (math::kShCosine; Ramamoorthi and Hanrahan 2001).
+// Of radiance's harmonics: each by its basis function's factor and by what a matte surface leaves of its
+// band, over pi (Ramamoorthi and Hanrahan 2001).
 depth::LightHarmonics matteFactors(const depth::LightHarmonics& radiance) {
-    constexpr float kEven = 0.282095f, kLinear = 0.488603f * 2 / 3, kMixed = 1.092548f / 4;
-    constexpr std::array kFactors = {kEven,  kLinear,       kLinear, kLinear,      kMixed,
-                                     kMixed, 0.315392f / 4, kMixed,  0.546274f / 4};
     depth::LightHarmonics matte;
-    for (size_t i = 0; i < matte.size(); ++i) matte[i] = kFactors[i] * radiance[i];
+    for (size_t i = 0; i < matte.size(); ++i) {
+        const size_t band = i == 0 ? 0 : i < 4 ? 1 : 2;
+        matte[i] = static_cast<float>(math::kShFactors[i] * math::kShCosine[band] / math::kShCosine[0]) *
+                   radiance[i];
+    }
     return matte;
 }
 

@@ -1,6 +1,7 @@
 #include "tests/bench/bounce/Beside.h"
 
 #include "engine/math/LatLong.h"
+#include "engine/math/SphericalHarmonics.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,18 +16,9 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kEndless_perM = 1e-3f;
 
-// As math::shBasis(), of the first three bands.
-void addTo(depth::LightHarmonics& sum, const glm::vec3& d, const glm::vec3& flux) {
-    const float basis[9] = {0.282095f,
-                            0.488603f * d.y,
-                            0.488603f * d.z,
-                            0.488603f * d.x,
-                            1.092548f * d.x * d.y,
-                            1.092548f * d.y * d.z,
-                            0.315392f * (3 * d.z * d.z - 1),
-                            1.092548f * d.x * d.z,
-                            0.546274f * (d.x * d.x - d.y * d.y)};
-    for (size_t i = 0; i < 9; ++i) sum[i] += basis[i] * flux;
+void addTo(depth::LightHarmonics& sum, const glm::vec3& dir, const glm::vec3& flux) {
+    const math::ShBasis basis = math::shBasis(glm::dvec3(dir));
+    for (size_t i = 0; i < sum.size(); ++i) sum[i] += static_cast<float>(basis[i]) * flux;
 }
 
 void scale(depth::LightHarmonics& all, float factor) {
