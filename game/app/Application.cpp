@@ -24,6 +24,7 @@ constexpr float kResultsRest_s = 0.8f;    // in which the results take no choice
 // Between the eyes of a tall person on a chair and of a small one who stands.
 constexpr float kStandingEyes_m = 1.35f;
 constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
+constexpr double kWarmUp_s = 5;           // of a dive, before one is measured
 
 } // namespace
 
@@ -41,6 +42,7 @@ Status Application::run(bool measured) {
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         awaitHeadset();
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
+        if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
         if (played && play_->teaching.stepsAreOver()) played = endFirstSteps();
     }
     const Status ended = endPlay(); // whatever went wrong

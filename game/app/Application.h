@@ -28,7 +28,7 @@ class Application {
 
     Status open();
 
-    // Until the player leaves, or what was asked for is done. measured: not only to warm up.
+    // Until the player leaves, or what was asked for is done; not measured: a few seconds, to warm up.
     Status run(bool measured);
 
     bool hasPicture() const { return !display_->pictures().empty(); }

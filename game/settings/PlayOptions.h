@@ -280,7 +280,7 @@ struct PlayOptions {
         table.add("--stats", &stats, "Writes frame times (milliseconds), counts and the state hash")
             .takes("FILE.json");
         table.add("--timedemo", &timedemo,
-                  "Draws as fast as it can: once to warm up, once measured; the video keeps its own rate");
+                  "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate");
         table
             .add("--load", &load_ms,
                  "Keeps the processor busy for that many milliseconds a frame, to see what --quality auto "
