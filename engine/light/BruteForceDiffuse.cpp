@@ -42,7 +42,7 @@ BruteForceDiffuse::BruteForceDiffuse(int width) : width_(width) {
     assert(width % 16 == 0);
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
-            const auto d = directionFromLatLong(glm::dvec2((column + 0.5) / width, (row + 0.5) / height));
+            const auto d = texelDirection<double>(column, row, width, height);
             for (int c = 0; c < 3; ++c)
                 directions_[static_cast<size_t>(c)].push_back(static_cast<float>(d[c]));
             solidAngleOverPi_.push_back(

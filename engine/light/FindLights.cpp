@@ -4,7 +4,6 @@
 #include "engine/math/LatLong.h"
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -36,7 +35,7 @@ float luminanceAt(const ImageRgbF& level, int x, int y) {
     return thesisLuminance({c[0], c[1], c[2]});
 }
 
-std::vector<glm::vec3> texelDirections(int width) {
+std::vector<glm::vec3> directionsOfTexels(int width) {
     std::vector<glm::vec3> directions;
     for (int y = 0; y < width / 2; ++y)
         for (int x = 0; x < width; ++x)
@@ -78,7 +77,8 @@ struct LightFinder::Moments {
     }
 };
 
-LightFinder::LightFinder() : directions_(texelDirections(kCoarse)), fineDirections_(texelDirections(kFine)) {
+LightFinder::LightFinder()
+    : directions_(directionsOfTexels(kCoarse)), fineDirections_(directionsOfTexels(kFine)) {
     luminance_.resize(directions_.size());
     bright_.reserve(directions_.size());
     near_.reserve(fineDirections_.size());

@@ -6,7 +6,6 @@
 #include "engine/math/LatLong.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 

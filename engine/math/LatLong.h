@@ -12,7 +12,6 @@
 // Texel centres lie at half integers: texel (x, y) of a W x H map has u = (x + 0.5) / W, v = (y + 0.5) / H.
 #pragma once
 
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -51,6 +50,11 @@ template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv)
     const T latitude = (T(0.5) - uv.y) * std::numbers::pi_v<T>;
     const T ring = std::cos(latitude);
     return {ring * std::sin(longitude), std::sin(latitude), -ring * std::cos(longitude)};
+}
+
+// Of the middle of texel (x, y) of a width x height map.
+template <class T = float> glm::vec<3, T> texelDirection(int x, int y, int width, int height) {
+    return directionFromLatLong(glm::vec<2, T>((T(x) + T(0.5)) / T(width), (T(y) + T(0.5)) / T(height)));
 }
 
 // Solid angle in steradians of one texel of row y in a width x height map, exact: the band between two

@@ -65,8 +65,8 @@ ShRgb shProject(const ImageRgbF& radianceLin) {
     for (int row = 0; row < radianceLin.height; ++row) {
         const double solidAngle = texelSolidAngle(row, radianceLin.width, radianceLin.height);
         for (int column = 0; column < radianceLin.width; ++column) {
-            const glm::dvec2 uv((column + 0.5) / radianceLin.width, (row + 0.5) / radianceLin.height);
-            const ShBasis basis = shBasis(directionFromLatLong(uv));
+            const ShBasis basis =
+                shBasis(texelDirection<double>(column, row, radianceLin.width, radianceLin.height));
             const float* texel = radianceLin.at(column, row);
             const glm::dvec3 power = glm::dvec3(texel[0], texel[1], texel[2]) * solidAngle;
             for (size_t i = 0; i < basis.size(); ++i) result[i] += power * basis[i];

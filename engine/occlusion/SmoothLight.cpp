@@ -40,8 +40,7 @@ template <class Visit> void eachTexel(const ImageRgbF& map, Visit&& visit) {
     for (int y = 0; y < map.height; ++y) {
         const double solidAngle = texelSolidAngle(y, map.width, map.height);
         for (int x = 0; x < map.width; ++x)
-            visit(x, y, solidAngle,
-                  directionFromLatLong(glm::dvec2((x + 0.5) / map.width, (y + 0.5) / map.height)));
+            visit(x, y, solidAngle, texelDirection<double>(x, y, map.width, map.height));
     }
 }
 

@@ -60,8 +60,7 @@ Result<light::EnvironmentLight> makeLight(const LightOptions& options) {
 template <class F> void fill(ImageRgbF& map, F&& radianceIn) {
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x) {
-            const glm::vec3 value =
-                radianceIn(directionFromLatLong(glm::dvec2((x + 0.5) / map.width, (y + 0.5) / map.height)));
+            const glm::vec3 value = radianceIn(texelDirection<double>(x, y, map.width, map.height));
             for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value[c];
         }
 }

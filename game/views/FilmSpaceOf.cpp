@@ -25,11 +25,8 @@ std::vector<int> cellsOf(int width, int height, float yaw) {
     std::vector<int> cells;
     cells.reserve(static_cast<size_t>(width) * height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const glm::vec2 uv((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                               (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
-            cells.push_back(FilmSpace::cellOf(worldFromEnv * directionFromLatLong(uv)));
-        }
+        for (int x = 0; x < width; ++x)
+            cells.push_back(FilmSpace::cellOf(worldFromEnv * texelDirection(x, y, width, height)));
     return cells;
 }
 

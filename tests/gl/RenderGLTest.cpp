@@ -30,9 +30,7 @@ ImageRgb8 smoothSurround(int width) {
     ImageRgb8 frame(width, width / 2);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::vec3 colour = smoothColour(directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                          (static_cast<float>(y) + 0.5f) / static_cast<float>(frame.height))));
+            const glm::vec3 colour = smoothColour(texelDirection(x, y, width, frame.height));
             for (int c = 0; c < 3; ++c)
                 frame.at(x, y)[c] = static_cast<uint8_t>(std::lround(colour[c] * 255));
         }
@@ -394,9 +392,7 @@ ImageRgb8 capsFrame(int width) {
     ImageRgb8 frame(width, width / 2);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::vec3 dir = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                          (static_cast<float>(y) + 0.5f) / static_cast<float>(frame.height)));
+            const glm::vec3 dir = texelDirection(x, y, width, frame.height);
             const glm::vec3 along(dir.y, dir.z, dir.x);
             for (int c = 0; c < 3; ++c) frame.at(x, y)[c] = along[c] > 0.8f ? 230 : 60;
         }

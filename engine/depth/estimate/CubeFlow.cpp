@@ -1,5 +1,6 @@
 #include "engine/depth/estimate/CubeFlow.h"
 
+#include "engine/depth/estimate/GreyFilm.h"
 #include "engine/math/LatLong.h"
 
 #include <opencv2/imgproc.hpp>
@@ -77,7 +78,7 @@ struct CubeFlow::Impl {
     cv::Ptr<cv::DISOpticalFlow> flow = cv::DISOpticalFlow::create(cv::DISOpticalFlow::PRESET_MEDIUM);
     std::array<cv::Mat2f, 6> maps; // pixel of the padded film for each pixel of a face
     cv::Size mapped;               // film that they are for
-    cv::Mat1b grey, padded;
+    cv::Mat1b padded;
     cv::Mat2f forward, backward;
     cv::Mat1f contrast[2];
 };
@@ -88,13 +89,7 @@ CubeFlow::~CubeFlow() = default;
 void CubeFlow::makeFaces(const light::FrameView& film, CubeFaces& out) {
     constexpr int kPadding = 4, kWidth = 1024;
     Impl& own = *impl_;
-    const cv::Mat3b source(film.height, film.width,
-                           reinterpret_cast<cv::Vec3b*>(const_cast<uint8_t*>(film.pixels)),
-                           static_cast<size_t>(film.rowStride));
-    cv::cvtColor(source, own.grey, film.bgr ? cv::COLOR_BGR2GRAY : cv::COLOR_RGB2GRAY);
-    cv::resize(own.grey, own.grey, {kWidth, kWidth / 2}, 0, 0,
-               film.width > kWidth ? cv::INTER_AREA : cv::INTER_LINEAR);
-    cv::copyMakeBorder(own.grey, own.padded, 0, 0, kPadding, kPadding, cv::BORDER_WRAP);
+    greyOf(film, kWidth, kPadding, own.padded);
     for (size_t f = 0; f < kFaces.size(); ++f) {
         if (own.maps[f].empty()) {
             own.maps[f].create(kFaceSize, kFaceSize);
@@ -127,9 +122,7 @@ void CubeFlow::match(const CubeFaces& first, const CubeFaces& second, int width,
                                 std::vector<FlowPoint>& out) {
             for (int y = 0; y < height; ++y)
                 for (int x = 0; x < width; ++x) {
-                    const glm::vec3 dir = directionFromLatLong(
-                        glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                                  (static_cast<float>(y) + 0.5f) / static_cast<float>(height)));
+                    const glm::vec3 dir = texelDirection(x, y, width, height);
                     if (faceOf(dir) != f) continue;
                     const cv::Point2f at = pixelOf(kFaces[f], dir);
                     cv::Point2f by, returned;

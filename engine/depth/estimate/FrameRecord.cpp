@@ -21,9 +21,8 @@ uint64_t checkOf(const FrameRecord& record) {
 } // namespace
 
 glm::vec3 estimateDirection(size_t texel) {
-    return directionFromLatLong(
-        glm::vec2((static_cast<float>(texel % kEstimateWidth) + 0.5f) / kEstimateWidth,
-                  (static_cast<float>(texel / kEstimateWidth) + 0.5f) / kEstimateHeight));
+    const int at = static_cast<int>(texel);
+    return texelDirection(at % kEstimateWidth, at / kEstimateWidth, kEstimateWidth, kEstimateHeight);
 }
 
 void FrameRecord::set(const DepthEstimate& depth) {

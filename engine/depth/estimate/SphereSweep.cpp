@@ -1,5 +1,6 @@
 #include "engine/depth/estimate/SphereSweep.h"
 
+#include "engine/depth/estimate/GreyFilm.h"
 #include "engine/math/LatLong.h"
 
 #include <opencv2/core/utility.hpp>
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 namespace shoal::depth {
 
@@ -50,9 +50,7 @@ Directions makeDirections() {
     Directions result;
     for (int row = 0; row < kSweepHeight; ++row)
         for (int column = 0; column < kSweepWidth; ++column) {
-            const glm::vec3 dir =
-                directionFromLatLong(glm::vec2((static_cast<float>(column) + 0.5f) / kSweepWidth,
-                                               (static_cast<float>(row) + 0.5f) / kSweepHeight));
+            const glm::vec3 dir = texelDirection(column, row, kSweepWidth, kSweepHeight);
             result.x.push_back(dir.x), result.y.push_back(dir.y), result.z.push_back(dir.z);
         }
     return result;
@@ -166,14 +164,9 @@ SphereSweep::SphereSweep() : impl_(std::make_unique<Impl>()) {}
 SphereSweep::~SphereSweep() = default;
 
 void makeSweepImage(const light::FrameView& film, SweepImage& out) {
-    const cv::Mat3b source(film.height, film.width,
-                           reinterpret_cast<cv::Vec3b*>(const_cast<uint8_t*>(film.pixels)),
-                           static_cast<size_t>(film.rowStride));
-    cv::Mat1b grey, padded;
-    cv::cvtColor(source, grey, film.bgr ? cv::COLOR_BGR2GRAY : cv::COLOR_RGB2GRAY);
-    cv::resize(grey, grey, {kSweepWidth, kSweepHeight}, 0, 0, cv::INTER_AREA);
     constexpr int kAround = kNormalised + kPadding;
-    cv::copyMakeBorder(grey, padded, 0, 0, kAround, kAround, cv::BORDER_WRAP);
+    cv::Mat1b padded;
+    greyOf(film, kSweepWidth, kAround, padded);
     cv::Mat1f values, mean, deviation, unused, small, normalised, detail;
     padded.convertTo(values, CV_32F);
     deviationOf(values, kNormalised, mean, deviation);

@@ -1,5 +1,7 @@
 #include "engine/depth/estimate/StereoDepth.h"
 
+#include "engine/depth/estimate/GreyFilm.h"
+
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
@@ -13,16 +15,6 @@ namespace {
 
 constexpr int kMaxWidth = 2048;
 constexpr float kMinContrast = 1.5f; // grey values, as in CubeFlow
-
-void greyOf(const light::FrameView& film, int width, int padding, cv::Mat1b& out) {
-    const cv::Mat3b source(film.height, film.width,
-                           reinterpret_cast<cv::Vec3b*>(const_cast<uint8_t*>(film.pixels)),
-                           static_cast<size_t>(film.rowStride));
-    cv::Mat1b grey;
-    cv::cvtColor(source, grey, film.bgr ? cv::COLOR_BGR2GRAY : cv::COLOR_RGB2GRAY);
-    cv::resize(grey, grey, {width, width / 2}, 0, 0, film.width > width ? cv::INTER_AREA : cv::INTER_LINEAR);
-    cv::copyMakeBorder(grey, out, 0, 0, padding, padding, cv::BORDER_WRAP);
-}
 
 } // namespace
 

@@ -45,8 +45,7 @@ std::vector<Sample> samplesFor(const ImageRgbF& environment) {
         for (int x = 0; x < environment.width; ++x)
             if (environment.at(x, y)[1] > maximum) {
                 maximum = environment.at(x, y)[1];
-                axis = directionFromLatLong(
-                    glm::dvec2((x + 0.5) / environment.width, (y + 0.5) / environment.height));
+                axis = texelDirection<double>(x, y, environment.width, environment.height);
             }
     std::vector<Sample> samples;
     spread(axis, 0, 0.05, 24, samples);

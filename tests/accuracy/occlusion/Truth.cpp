@@ -107,9 +107,7 @@ glm::dvec3 Truth::unoccluded(const glm::vec3& normal) const {
     glm::dvec3 sum(0);
     for (int y = 0; y < light_.height; ++y)
         for (int x = 0; x < light_.width; ++x) {
-            const glm::vec3 dir = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(light_.width),
-                          (static_cast<float>(y) + 0.5f) / static_cast<float>(light_.height)));
+            const glm::vec3 dir = texelDirection(x, y, light_.width, light_.height);
             const double cosine = std::max(0.0, static_cast<double>(glm::dot(dir, normal)));
             const float* texel = light_.at(x, y);
             sum += cosine * texelSolidAngle(y, light_.width, light_.height) *

@@ -51,7 +51,7 @@ struct State {
         std::vector<double> gram(count * count), right(count * texels), values(count);
         for (size_t texel = 0; texel < texels; ++texel) {
             const int row = static_cast<int>(texel) / kWidth, column = static_cast<int>(texel) % kWidth;
-            const auto d = directionFromLatLong(glm::dvec2((column + 0.5) / kWidth, (row + 0.5) / height));
+            const auto d = texelDirection<double>(column, row, kWidth, height);
             const double solidAngle = texelSolidAngle(row, kWidth, height);
             for (size_t i = 0; i < count; ++i)
                 values[i] = std::exp(sharpness * (glm::dot(glm::dvec3(axes[i]), d) - 1));

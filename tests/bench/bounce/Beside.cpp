@@ -27,10 +27,7 @@ void scale(depth::LightHarmonics& all, float factor) {
 
 } // namespace
 
-glm::vec3 Patches::direction(int x, int y) const {
-    return directionFromLatLong(glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width_),
-                                          (static_cast<float>(y) + 0.5f) / static_cast<float>(height_)));
-}
+glm::vec3 Patches::direction(int x, int y) const { return texelDirection(x, y, width_, height_); }
 
 Patches::Patches(const ImageRgbF& radianceLin, const media::DepthFrame& depth, float far_m)
     : width_(radianceLin.width), height_(radianceLin.height) {

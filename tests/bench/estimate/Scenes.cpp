@@ -182,8 +182,7 @@ ImageRgb8 filmed(const World& world, Hardship hardship, int frame) {
     for (int row = 0; row < kHeight * eyes; ++row)
         for (int x = 0; x < kWidth; ++x) {
             const int y = row % kHeight;
-            const glm::vec3 own = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / kWidth, (static_cast<float>(y) + 0.5f) / kHeight));
+            const glm::vec3 own = texelDirection(x, y, kWidth, kHeight);
             float distance = 0;
             const float grey = world.look(pose.at + eyeOffset(hardship, own, row / kHeight),
                                           turned(own, pose.turned_rad), distance);

@@ -49,8 +49,7 @@ ImageRgb8 filmed(const ImageRgbF& radianceLin, const glm::dmat3& frameFromPictur
     ImageRgb8 frame(kFrameWidth, kFrameWidth / 2);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
-            const glm::dvec3 direction =
-                directionFromLatLong(glm::dvec2((x + 0.5) / frame.width, (y + 0.5) / frame.height));
+            const glm::dvec3 direction = texelDirection<double>(x, y, frame.width, frame.height);
             const glm::dvec2 uv = latLongFromDirection(pictureFromFrame * direction);
             for (int c = 0; c < 3; ++c) {
                 const float lin = std::clamp(exposure * between(radianceLin, uv, c), 0.0f, 1.0f);
@@ -69,8 +68,7 @@ glm::dvec3 modeFrom(glm::dvec3 direction, double reach, const ImageRgbF& level) 
         glm::dvec3 sum(0);
         for (int y = 0; y < level.height; ++y)
             for (int x = 0; x < level.width; ++x) {
-                const glm::dvec3 d =
-                    directionFromLatLong(glm::dvec2((x + 0.5) / level.width, (y + 0.5) / level.height));
+                const glm::dvec3 d = texelDirection<double>(x, y, level.width, level.height);
                 const float* c = level.at(x, y);
                 sum += std::max(0.0, glm::dot(d, direction) - cosReach) * luminance({c[0], c[1], c[2]}) *
                        texelSolidAngle(y, level.width, level.height) * d;

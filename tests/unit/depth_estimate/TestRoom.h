@@ -43,9 +43,7 @@ struct TestRoom {
         ImageRgb8 picture(width, width / 2);
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < width; ++x) {
-                const glm::vec3 dir = directionFromLatLong(
-                    glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                              (static_cast<float>(y) + 0.5f) / static_cast<float>(picture.height)));
+                const glm::vec3 dir = texelDirection(x, y, width, picture.height);
                 const glm::vec3 right = glm::normalize(glm::vec3(-dir.z, 0, dir.x));
                 const glm::vec3 eye = from + right * (between_m / 2);
                 const auto grey = static_cast<uint8_t>(greyAt(eye + dir * distance(eye, dir)));

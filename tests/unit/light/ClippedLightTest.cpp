@@ -24,8 +24,7 @@ ImageRgb8 filmed(const std::function<float(const glm::vec3&)>& radianceIn) {
     ImageRgb8 frame(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
-            const glm::vec3 towards = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / kWidth, (static_cast<float>(y) + 0.5f) / kHeight));
+            const glm::vec3 towards = texelDirection(x, y, kWidth, kHeight);
             std::fill_n(frame.at(x, y), 3, coded(radianceIn(towards)));
         }
     return frame;
@@ -157,9 +156,7 @@ TEST(ClippedLight, NothingFlickersAtTheEdgeOfClipping) {
     for (int value = 235; value <= 255; ++value) {
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x)
-                if (openAir(directionFromLatLong(glm::vec2((static_cast<float>(x) + 0.5f) / kWidth,
-                                                           (static_cast<float>(y) + 0.5f) / kHeight)),
-                            0.5f) > 0.4f)
+                if (openAir(texelDirection(x, y, kWidth, kHeight), 0.5f) > 0.4f)
                     std::fill_n(frame.at(x, y), 3, static_cast<uint8_t>(value));
         light.push_back(lightOf(frame, FrameRadiance::Auto).diffuse.pixels[0]);
     }

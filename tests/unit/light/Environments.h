@@ -14,8 +14,7 @@ inline ImageRgbF paint(int width, int height, const std::function<glm::dvec3(con
     ImageRgbF image(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::dvec3 value =
-                radiance(directionFromLatLong(glm::dvec2((x + 0.5) / width, (y + 0.5) / height)));
+            const glm::dvec3 value = radiance(texelDirection<double>(x, y, width, height));
             for (int c = 0; c < 3; ++c) image.at(x, y)[c] = static_cast<float>(value[c]);
         }
     return image;

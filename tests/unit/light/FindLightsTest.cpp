@@ -65,7 +65,7 @@ TEST(FindLights, FourTexelSunsOfAVideoToo) {
         ImageRgb8 frame(1024, 512);
         for (int y = 0; y < frame.height; ++y)
             for (int x = 0; x < frame.width; ++x) {
-                const glm::dvec3 d = directionFromLatLong(glm::dvec2((x + 0.5) / 1024, (y + 0.5) / 512));
+                const glm::dvec3 d = texelDirection<double>(x, y, 1024, 512);
                 std::fill_n(frame.at(x, y), 3, degreesBetween(d, sun) < 0.4 ? uint8_t{255} : uint8_t{120});
             }
         const FoundLights found = lightsIn(frame);
@@ -81,7 +81,7 @@ ImageRgb8 hazySun(const glm::dvec3& sun, const glm::dvec3& cloud, double cloudRa
     ImageRgb8 frame(1024, 512);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
-            const glm::dvec3 d = directionFromLatLong(glm::dvec2((x + 0.5) / 1024, (y + 0.5) / 512));
+            const glm::dvec3 d = texelDirection<double>(x, y, 1024, 512);
             const double away = degreesBetween(d, sun), aside = degreesBetween(d, cloud) / 10;
             const double sky =
                 0.15 + 5 * std::pow(std::max(away, 0.3), -1.5) + cloudRadiance * std::exp(-aside * aside);

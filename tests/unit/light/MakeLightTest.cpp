@@ -94,7 +94,7 @@ TEST(MakeLight, HalfTheSphereLit) {
         double worst = 0;
         for (int y = 0; y < 32; ++y)
             for (int x = 0; x < 64; ++x) {
-                const glm::dvec3 n = directionFromLatLong(glm::dvec2((x + 0.5) / 64, (y + 0.5) / 32));
+                const glm::dvec3 n = texelDirection<double>(x, y, 64, 32);
                 const double got = light.diffuse.at(x, y)[0];
                 worst = std::max(worst, std::abs(got - 0.5 - 0.5 * glm::dot(n, axis)));
                 EXPECT_EQ(lookUp(light.glossy.back().radianceLin, glm::vec3(n)).x, // the same integral
@@ -111,11 +111,11 @@ TEST(MakeLight, OneBrightTexelGivesACosine) {
     const int column = 300, row = 100;
     dark.at(column, row)[1] = 1e4f;
     const EnvironmentLight light = lightOf(dark);
-    const glm::dvec3 source = directionFromLatLong(glm::dvec2((column + 0.5) / 512, (row + 0.5) / 256));
+    const glm::dvec3 source = texelDirection<double>(column, row, 512, 256);
     const double peak = 1e4 * texelSolidAngle(row, 512, 256) / std::numbers::pi;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) {
-            const glm::dvec3 n = directionFromLatLong(glm::dvec2((x + 0.5) / 64, (y + 0.5) / 32));
+            const glm::dvec3 n = texelDirection<double>(x, y, 64, 32);
             const double want = peak * std::max(0.0, glm::dot(n, source));
             EXPECT_NEAR(light.diffuse.at(x, y)[1], want, peak * std::numbers::pi / 32 / 8);
             EXPECT_EQ(light.diffuse.at(x, y)[0], 0.0f);
@@ -208,8 +208,8 @@ TEST(MakeLight, StrongSunsKeepTheirEnergy) {
         double sum = 0, want = 0;
         for (int y = 0; y < light.diffuse.height; ++y)
             for (int x = 0; x < light.diffuse.width; ++x) {
-                const glm::dvec3 normal = directionFromLatLong(
-                    glm::dvec2((x + 0.5) / light.diffuse.width, (y + 0.5) / light.diffuse.height));
+                const glm::dvec3 normal =
+                    texelDirection<double>(x, y, light.diffuse.width, light.diffuse.height);
                 const double truth = 1 + (strongest - 1) * std::max(0.0, glm::dot(normal, sun));
                 const auto got = static_cast<double>(light.diffuse.at(x, y)[1]);
                 ASSERT_NEAR(got, truth, 0.015 * strongest) << radiance;

@@ -108,7 +108,7 @@ TEST(Taps, FilteredMapIsWhatGatheringGives) {
     ASSERT_EQ(map.width, 32);
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 32; ++x) {
-            const glm::dvec3 axis = directionFromLatLong(glm::dvec2((x + 0.5) / 32, (y + 0.5) / 16));
+            const glm::dvec3 axis = texelDirection<double>(x, y, 32, 16);
             const glm::dvec3 east = glm::normalize(glm::cross(axis, glm::dvec3(0, 1, 0)));
             const glm::dvec3 north = glm::cross(east, axis);
             glm::vec3 want(0);

@@ -60,8 +60,7 @@ TEST(SphericalHarmonics, AreOrthonormal) {
     constexpr int kWidth = 256, kHeight = 128;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
-            const auto basis =
-                shBasis(directionFromLatLong(glm::dvec2((x + 0.5) / kWidth, (y + 0.5) / kHeight)));
+            const auto basis = shBasis(texelDirection<double>(x, y, kWidth, kHeight));
             for (size_t i = 0; i < kShCount; ++i)
                 for (size_t j = 0; j < kShCount; ++j)
                     gram[i][j] += basis[i] * basis[j] * texelSolidAngle(y, kWidth, kHeight);

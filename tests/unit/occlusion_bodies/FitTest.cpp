@@ -110,8 +110,7 @@ TEST(SmoothLight, FindsTheDominantLightAndKeepsTheMean) {
     double mean = 0;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x) {
-            const glm::vec3 d = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / 64, (static_cast<float>(y) + 0.5f) / 32));
+            const glm::vec3 d = texelDirection(x, y, 64, 32);
             const float value = glm::dot(d, dominant) > 0.95f ? 20.0f : 1.0f;
             for (int c = 0; c < 3; ++c) map.at(x, y)[c] = value;
             mean += static_cast<double>(value) * texelSolidAngle(y, 64, 32) / (4 * std::numbers::pi);

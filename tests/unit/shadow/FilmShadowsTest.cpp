@@ -46,9 +46,7 @@ FilmShadows shadowsOf(const occlusion::Ellipsoid& body, const Scene& scene,
 }
 
 glm::vec3 directionOf(const FilmShadows& shadows, int x, int y) {
-    return directionFromLatLong(
-        glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(shadows.left().width),
-                  (static_cast<float>(y) + 0.5f) / static_cast<float>(shadows.left().height)));
+    return texelDirection(x, y, shadows.left().width, shadows.left().height);
 }
 
 // visit(direction in the film's frame, what is left) of each texel.
