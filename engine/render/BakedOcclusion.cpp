@@ -114,12 +114,9 @@ void keepSelfOcclusion(scene::Model& model, const scene::Pose& pose, std::span<c
             }
             (primitive.*kept).resize(primitive.positions.size());
             for (size_t v = 0; v < primitive.positions.size(); ++v, ++next) {
-                glm::mat4 modelFromMesh = pose.modelFromNode[n];
-                if (node.skin >= 0 && !primitive.joints.empty()) {
-                    modelFromMesh = glm::mat4(0);
-                    for (int k = 0; k < 4; ++k)
-                        modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
-                }
+                const bool skinned = node.skin >= 0 && !primitive.joints.empty();
+                const glm::mat4 modelFromMesh =
+                    skinned ? scene::skinMatrix(primitive, v, joints) : pose.modelFromNode[n];
                 (primitive.*kept)[v] = turned(glm::inverse(glm::mat3(modelFromMesh)), traced[next]);
             }
         }

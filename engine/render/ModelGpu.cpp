@@ -31,12 +31,7 @@ struct MorphVertex {
 std::vector<MorphVertex> morphed(const scene::Primitive& primitive, std::span<const float> weights) {
     std::vector<MorphVertex> vertices(primitive.positions.size());
     for (size_t v = 0; v < vertices.size(); ++v) {
-        glm::vec3 position = primitive.positions[v], normal = primitive.normals[v];
-        for (size_t t = 0; t < primitive.morphTargets.size() && t < weights.size(); ++t) {
-            const scene::MorphTarget& target = primitive.morphTargets[t];
-            if (!target.positions.empty()) position += weights[t] * target.positions[v];
-            if (!target.normals.empty()) normal += weights[t] * target.normals[v];
-        }
+        const auto [position, normal] = scene::morphed(primitive, v, weights);
         const float length = glm::length(normal);
         vertices[v] = {position, length > 0 ? normal / length : glm::vec3(0, 1, 0)};
     }

@@ -1,7 +1,5 @@
 #include "engine/scene/Model.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 #include <cassert>
 
@@ -71,6 +69,22 @@ void skinMatrices(const Model& model, int skin, const Pose& pose, std::vector<gl
     out.resize(from.joints.size());
     for (size_t i = 0; i < out.size(); ++i)
         out[i] = pose.modelFromNode[static_cast<size_t>(from.joints[i])] * from.jointFromMesh[i];
+}
+
+glm::mat4 skinMatrix(const Primitive& primitive, size_t vertex, std::span<const glm::mat4> joints) {
+    glm::mat4 sum(0);
+    for (int k = 0; k < 4; ++k) sum += primitive.weights[vertex][k] * joints[primitive.joints[vertex][k]];
+    return sum;
+}
+
+MorphedVertex morphed(const Primitive& primitive, size_t vertex, std::span<const float> weights) {
+    MorphedVertex moved{primitive.positions[vertex], primitive.normals[vertex]};
+    for (size_t t = 0; t < primitive.morphTargets.size() && t < weights.size(); ++t) {
+        const MorphTarget& target = primitive.morphTargets[t];
+        if (!target.positions.empty()) moved.position += weights[t] * target.positions[vertex];
+        if (!target.normals.empty()) moved.normal += weights[t] * target.normals[vertex];
+    }
+    return moved;
 }
 
 } // namespace shoal::scene

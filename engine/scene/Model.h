@@ -10,9 +10,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -157,6 +157,14 @@ void updateGlobals(const Model&, Pose&);
 // modelFromMesh matrices of a skin's joints: modelFromNode * jointFromMesh. out is resized to the joint
 // count.
 void skinMatrices(const Model&, int skin, const Pose&, std::vector<glm::mat4>& out);
+// By which a vertex moves that hangs on joints. joints: of skinMatrices().
+glm::mat4 skinMatrix(const Primitive&, size_t vertex, std::span<const glm::mat4> joints);
+
+struct MorphedVertex {
+    glm::vec3 position, normal; // the normal of any length
+};
+// weights: of the targets; the others count nothing.
+MorphedVertex morphed(const Primitive&, size_t vertex, std::span<const float> weights);
 
 struct Bounds {
     glm::vec3 low{0}, high{0};

@@ -4,7 +4,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 #include <utility>

@@ -22,22 +22,14 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
     const bool skinned = node.skin >= 0 && !primitive.joints.empty();
     const auto first = static_cast<uint32_t>(surface.positions.size());
     for (size_t v = 0; v < primitive.positions.size(); ++v) {
-        glm::vec3 position = primitive.positions[v], normal = primitive.normals[v];
-        const auto& weights = pose.morphWeights[index];
-        for (size_t t = 0; t < primitive.morphTargets.size() && t < weights.size(); ++t) {
-            const MorphTarget& target = primitive.morphTargets[t];
-            if (!target.positions.empty()) position += weights[t] * target.positions[v];
-            if (!target.normals.empty()) normal += weights[t] * target.normals[v];
-        }
+        const auto [position, normal] = morphed(primitive, v, pose.morphWeights[index]);
         glm::mat4 modelFromMesh = pose.modelFromNode[index];
         uint16_t mover = index;
         if (skinned) {
-            modelFromMesh = glm::mat4(0);
+            modelFromMesh = skinMatrix(primitive, v, joints);
             int maximum = 0;
-            for (int k = 0; k < 4; ++k) {
-                modelFromMesh += primitive.weights[v][k] * joints[primitive.joints[v][k]];
+            for (int k = 1; k < 4; ++k)
                 if (primitive.weights[v][k] > primitive.weights[v][maximum]) maximum = k;
-            }
             mover = static_cast<uint16_t>(
                 model.skins[static_cast<size_t>(node.skin)].joints[primitive.joints[v][maximum]]);
         }

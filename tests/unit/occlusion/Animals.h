@@ -29,11 +29,8 @@ inline Body bodyOf(const scene::Model& model, const scene::Pose& pose) {
                 continue;
             const auto first = static_cast<uint32_t>(body.positions.size());
             for (size_t v = 0; v < part.positions.size(); ++v) {
-                glm::mat4 place = pose.modelFromNode[n];
-                if (node.skin >= 0 && !part.weights.empty()) {
-                    place = glm::mat4(0);
-                    for (int k = 0; k < 4; ++k) place += part.weights[v][k] * skin[part.joints[v][k]];
-                }
+                const bool skinned = node.skin >= 0 && !part.weights.empty();
+                const glm::mat4 place = skinned ? scene::skinMatrix(part, v, skin) : pose.modelFromNode[n];
                 body.positions.emplace_back(place * glm::vec4(part.positions[v], 1));
                 body.normals.push_back(glm::normalize(glm::mat3(place) * part.normals[v]));
             }
