@@ -319,17 +319,14 @@ Result<bool> Application::draw() {
     sceneRenderer_->timers().beginFrame(options_.frameTimes);
     sceneRenderer_->set(shown, *environment_, exposure, options_.look.glossy);
     const Result<bool> drawn = display_->draw(
-        {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
-                      const Painter::AfterEye& afterEye) { return sceneRenderer_->draw(eyes, afterEye); },
-         .depth = [&](const SceneRenderer::Eye& eye,
-                      uint32_t framebuffer) { return sceneRenderer_->drawDepth(eye, framebuffer); },
-         .hud =
-             [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
-                 if (options_.backdropOnly || options_.look.skip == render::SkippedPass::Overlay) return;
-                 if (photo_ && !photo_->notice()) return;
-                 const gl::PassTimers::Scope scope(sceneRenderer_->timers(), "overlay");
-                 drawHud(part, audience, view, size);
-             }},
+        Painter::of(*sceneRenderer_,
+                    [&](HudPart part, Audience audience, const render::View& view, glm::ivec2 size) {
+                        if (options_.backdropOnly || options_.look.skip == render::SkippedPass::Overlay)
+                            return;
+                        if (photo_ && !photo_->notice()) return;
+                        const gl::PassTimers::Scope scope(sceneRenderer_->timers(), "overlay");
+                        drawHud(part, audience, view, size);
+                    }),
         shown, quality.scale);
     statistics_.draws = sceneRenderer_->drawCount();
     statistics_.triangles = sceneRenderer_->triangleCount();

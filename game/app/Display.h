@@ -27,6 +27,13 @@ struct Painter {
     std::function<Status(const SceneRenderer::Eye&, uint32_t framebuffer)> depth;
     // Into the bound framebuffer, which is `size` pixels large.
     std::function<void(HudPart, Audience, const render::View&, glm::ivec2 size)> hud;
+
+    // Scene and depth as this renderer draws them.
+    static Painter of(SceneRenderer& renderer, decltype(hud) hud) {
+        return {[&](auto eyes, const AfterEye& afterEye) { return renderer.draw(eyes, afterEye); },
+                [&](const auto& eye, uint32_t into) { return renderer.drawDepth(eye, into); },
+                std::move(hud)};
+    }
 };
 
 class Display {

@@ -81,15 +81,12 @@ void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
 }
 
 void PhotoMode::move(const Controls& c, float sensitivity, float dt_s, float& fov_deg) {
-    const auto key = [&](Action plus, Action minus) {
-        return static_cast<float>(c.is(plus)) - static_cast<float>(c.is(minus));
-    };
     const glm::vec2 drag = glm::vec2(c.dragged.x, -c.dragged.y) * (kDragTurn_rad * sensitivity);
     look_.turnBy(c.look * (kTurn_radps * dt_s) + drag);
     shown_.worldFromView = look_.worldFromView();
-    const glm::vec3 way(key(Action::LookRight, Action::LookLeft) + c.reach.x,
-                        key(Action::Farther, Action::Nearer),
-                        -key(Action::LookUp, Action::LookDown) - c.reach.y);
+    const glm::vec3 way(c.between(Action::LookRight, Action::LookLeft) + c.reach.x,
+                        c.between(Action::Farther, Action::Nearer),
+                        c.between(Action::LookDown, Action::LookUp) - c.reach.y);
     glm::vec3 from = shown_.headWorld + shown_.worldFromView * way * (kMove_mps * dt_s) - origin_;
     if (const float length = glm::length(from); length > kReach_m) from *= kReach_m / length;
     shown_.headWorld = origin_ + from;
@@ -115,9 +112,7 @@ Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int wi
     ImageRgb8 around(width, width / 2);
     for (int y = 0; y < around.height; ++y)
         for (int x = 0; x < around.width; ++x) {
-            const glm::vec3 d = directionFromLatLong(
-                glm::vec2((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
-                          (static_cast<float>(y) + 0.5f) / static_cast<float>(around.height)));
+            const glm::vec3 d = texelDirection(x, y, width, around.height);
             const size_t face = faceOf(d);
             const glm::vec3 inFace = glm::conjugate(turns[face]) * d;
             const glm::vec2 at =

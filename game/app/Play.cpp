@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -135,17 +134,10 @@ bool Application::drawLoading(float progress) {
     if (sceneRenderer_ && environment_) {
         game::Snapshot nothing;
         sceneRenderer_->set(nothing, *environment_, environment_->exposure(options_.look.tone, 0));
-        if (display_->draw(
-                {.scene =
-                     [&](std::span<const SceneRenderer::Eye> shownEyes, const Painter::AfterEye& after) {
-                         return sceneRenderer_->draw(shownEyes, after);
-                     },
-                 .depth = [&](const SceneRenderer::Eye& eye,
-                              uint32_t framebuffer) { return sceneRenderer_->drawDepth(eye, framebuffer); },
-                 .hud = [&](HudPart, Audience, const render::View&,
-                            glm::ivec2 eye) { hud_->drawLoading(progress, textOptions(), eye); }},
-                nothing, 1))
-            display_->present();
+        const auto hud = [&](HudPart, Audience, const render::View&, glm::ivec2 eye) {
+            hud_->drawLoading(progress, textOptions(), eye);
+        };
+        if (display_->draw(Painter::of(*sceneRenderer_, hud), nothing, 1)) display_->present();
         return !leaving_;
     }
     hud_->drawLoading(progress, textOptions(), size);

@@ -162,50 +162,41 @@ void Screens::back() {
     show(stack_.back().focus);
 }
 
+MenuPage Screens::pageOf(const Level& level) {
+    switch (level.screen) {
+    case Screen::Title:
+        return titlePage();
+    case Screen::Dives:
+        return divesPage();
+    case Screen::Swims:
+        return swimsPage();
+    case Screen::Films:
+        return filmsPage();
+    case Screen::Settings:
+        return settingsPage();
+    case Screen::SettingsGroup:
+        return groupPage(level.group);
+    case Screen::HandSize:
+        return handSizePage();
+    case Screen::Bindings:
+        return bindingsPage();
+    case Screen::HowToPlay:
+        return howToPlayPage();
+    case Screen::Guide:
+        return guidePage();
+    case Screen::Animal:
+        return animalPage(level.species);
+    case Screen::Paused:
+        return pausedPage();
+    case Screen::Results:
+        return resultsPage();
+    }
+    return {};
+}
+
 MenuPage Screens::page() {
     entries_.clear();
-    MenuPage page;
-    switch (stack_.back().screen) {
-    case Screen::Title:
-        page = titlePage();
-        break;
-    case Screen::Dives:
-        page = divesPage();
-        break;
-    case Screen::Swims:
-        page = swimsPage();
-        break;
-    case Screen::Films:
-        page = filmsPage();
-        break;
-    case Screen::Settings:
-        page = settingsPage();
-        break;
-    case Screen::SettingsGroup:
-        page = groupPage(stack_.back().group);
-        break;
-    case Screen::HandSize:
-        page = handSizePage();
-        break;
-    case Screen::Bindings:
-        page = bindingsPage();
-        break;
-    case Screen::HowToPlay:
-        page = howToPlayPage();
-        break;
-    case Screen::Guide:
-        page = guidePage();
-        break;
-    case Screen::Animal:
-        page = animalPage(stack_.back().species);
-        break;
-    case Screen::Paused:
-        page = pausedPage();
-        break;
-    case Screen::Results:
-        page = resultsPage();
-        break;
-    }
+    MenuPage page = pageOf(stack_.back());
     page.camera = showsCamera();
     for (const Entry& entry : entries_) page.items.push_back(entry.item);
     page.error = error_;

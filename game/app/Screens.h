@@ -128,6 +128,7 @@ class Screens {
     void ask(Request::Kind kind, std::string name = {}) { request_ = Request{kind, std::move(name)}; }
     void show(size_t focus);
     MenuPage page();
+    MenuPage pageOf(const Level& level);
 
     // Each fills entries_ and returns the page without its items.
     MenuPage titlePage();

@@ -1,7 +1,6 @@
 #include "game/app/StopSignals.h"
 
 #include <csignal>
-#include <initializer_list>
 
 namespace shoal::app {
 

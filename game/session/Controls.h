@@ -81,6 +81,10 @@ struct Controls {
 
     bool is(Action action) const { return down[static_cast<size_t>(action)]; }
     bool was(Action action) const { return pressed[static_cast<size_t>(action)]; }
+    // 1: the first is held down, -1: the second, 0: neither or both.
+    float between(Action plus, Action minus) const {
+        return static_cast<float>(is(plus)) - static_cast<float>(is(minus));
+    }
 };
 
 Controls readControls(const platform::Window& window, const platform::WindowInput& input,

@@ -1,6 +1,5 @@
 #include "game/session/HandSource.h"
 
-#include "engine/core/Files.h"
 #include "engine/core/Log.h"
 
 #include <algorithm>
@@ -32,16 +31,10 @@ hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handS
     return options;
 }
 
-} // namespace
-
-namespace {
-
 // By how much the view turns in this frame: +x right, +y up, radians. snapped: kept from frame to frame.
 glm::vec2 turnBy(const Controls& c, const ControlOptions& options, float dt_s, bool& snapped) {
-    const auto key = [&](Action plus, Action minus) {
-        return static_cast<float>(c.is(plus)) - static_cast<float>(c.is(minus));
-    };
-    const glm::vec2 keys(key(Action::LookRight, Action::LookLeft), key(Action::LookUp, Action::LookDown));
+    const glm::vec2 keys(c.between(Action::LookRight, Action::LookLeft),
+                         c.between(Action::LookUp, Action::LookDown));
     const float up = options.invertLook ? -1.0f : 1.0f;
     glm::vec2 turn = (keys + c.look * glm::vec2(1, up)) * (kKeyTurn_radps * dt_s);
     if (options.turning == Turning::Snap) {
@@ -76,9 +69,8 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
             pointer_ = {static_cast<float>(c.cursor.x) * 2 - 1, 1 - static_cast<float>(c.cursor.y) * 2};
         pointer_ = glm::clamp(pointer_ + c.reach * (kStickReach_ps * dt_s), -1.0f, 1.0f);
         mouse.cursor = pointer_;
-        mouse.wheel = static_cast<float>(c.wheel) + kKeyNotches_ps * dt_s *
-                                                        (static_cast<float>(c.is(Action::Farther)) -
-                                                         static_cast<float>(c.is(Action::Nearer)));
+        mouse.wheel =
+            static_cast<float>(c.wheel) + kKeyNotches_ps * dt_s * c.between(Action::Farther, Action::Nearer);
         if (hand_ != options.hand) {
             hand_ = options.hand;
             hands_.setActive(options.hand == Handedness::Left ? hands::Side::Left : hands::Side::Right);
@@ -162,7 +154,7 @@ void TrackedHands::showElbows(game::Snapshot& shown) const {
 }
 
 bool TrackedHands::look(ImageRgba8& out) {
-    hands::CameraPreview* preview = tracker_ ? tracker_->preview() : nullptr;
+    hands::CameraPreview* preview = tracker_->preview();
     return preview && preview->look(out);
 }
 

@@ -81,11 +81,7 @@ class XrPicture : public test::WithFakeRuntime {
     // Frames until nothing is dark any more, then one in which the scene stands as it is.
     void show(HeadsetDisplay& headset, float scale) {
         show(headset, scale,
-             {.scene = [&](std::span<const SceneRenderer::Eye> eyes,
-                           const auto&) { return sceneRenderer_->draw(eyes); },
-              .depth = [&](const SceneRenderer::Eye& eye,
-                           uint32_t into) { return sceneRenderer_->drawDepth(eye, into); },
-              .hud = [](HudPart, Audience, const render::View&, glm::ivec2) {}});
+             Painter::of(*sceneRenderer_, [](HudPart, Audience, const render::View&, glm::ivec2) {}));
     }
     void show(HeadsetDisplay& headset, float scale, const Painter& painter) {
         bool drew = false;
@@ -400,7 +396,12 @@ TEST_F(XrPicture, DepthIsThatOfTheAnimals) {
     for (const render::Composition composition : {Plain, VideoTexels})
         for (const int samples : {1, 4})
             for (const bool besideCamera : {false, true}) {
-                ASSERT_TRUE(sceneRenderer_->setCompositor({.composition = composition}));
+                auto renderer = SceneRenderer::make(sceneRenderer_->takeModels(),
+                                                    {.detail = render::Detail::Lean,
+                                                     .floorShadows = true,
+                                                     .compositor = {.composition = composition}});
+                ASSERT_TRUE(renderer) << renderer.error().message();
+                sceneRenderer_ = std::move(*renderer);
                 // One eye where the film's camera is, for which objects are put into the film's own texels.
                 fake.views[0].pose.position.x = besideCamera ? -0.032f : 0.0f;
                 fake.views[1].pose.position.x = besideCamera ? 0.032f : 0.0f;
