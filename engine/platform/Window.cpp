@@ -185,8 +185,6 @@ void Window::holdCursor(bool hold) {
     state_->cursorKnown = false;
 }
 
-void Window::close() { glfwSetWindowShouldClose(state_->window, GLFW_TRUE); }
-
 double Window::refreshRate_Hz() const {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;

@@ -66,7 +66,6 @@ class Window {
     void setVsync(bool on); // whether present() waits for the monitor
     void toggleFullscreen();
     void holdCursor(bool hold); // hides it and lets it move without bounds
-    void close();
     double refreshRate_Hz() const;
     GLFWwindow* handle() const;
 

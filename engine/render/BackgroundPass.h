@@ -13,7 +13,6 @@
 #include "engine/render/TriangleBatch.h"
 
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace shoal::render {

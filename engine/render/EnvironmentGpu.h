@@ -9,7 +9,6 @@
 #include "engine/render/View.h"
 #include "engine/water/Water.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

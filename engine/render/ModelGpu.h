@@ -5,8 +5,6 @@
 #include "engine/scene/Model.h"
 #include "engine/scene/Surface.h"
 
-#include <glm/mat4x4.hpp>
-
 #include <memory>
 #include <span>
 #include <vector>

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <string>
 
 namespace shoal::render {
 
@@ -166,7 +165,7 @@ void ObjectPass::add(const Object& object) {
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         const bool mirrored = glm::determinant(glm::mat3(skinned ? joints_[0] : worldFromNode)) < 0;
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, bytes, scale, mirrored, number,
+            items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, scale, mirrored, number,
                               body ? body->albedo : glm::vec3(0), highlight, isInRoom});
     }
 }

@@ -74,11 +74,10 @@ class ObjectPass {
         const PrimitiveGpu* primitive;
         size_t object;       // of objects_
         size_t matrixOffset; // bytes into the buffer of matrices
-        size_t matrixBytes;
-        float scale;      // world metres for one of the mesh's units
-        bool mirrored;    // by its transform: what was counter-clockwise is clockwise (glTF 2.0, 3.7.4)
-        int body;         // of near_; -1: none
-        glm::vec3 albedo; // mean, of the body that self-occlusion
+        float scale;         // world metres for one of the mesh's units
+        bool mirrored;       // by its transform: what was counter-clockwise is clockwise (glTF 2.0, 3.7.4)
+        int body;            // of near_; -1: none
+        glm::vec3 albedo;    // mean, of the body that self-occlusion
         float highlight;
         bool isInRoom;
     };

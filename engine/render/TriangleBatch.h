@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 
 #include <initializer_list>
-#include <span>
 #include <vector>
 
 namespace shoal::render {

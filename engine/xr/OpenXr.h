@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>

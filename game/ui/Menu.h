@@ -80,12 +80,11 @@ class Menu {
     void place(const Pen& pen);
     void drawItem(const Pen& pen, size_t index) const;
     const Pictures::Picture* pictureOn(const Pen& pen) const; // null: none
-    Rectangle trackOf(size_t item) const; // of a slider
+    Rectangle trackOf(size_t item) const;                     // of a slider
 
     MenuPage page_;
     size_t focus_ = 0;
     std::optional<size_t> sliding_; // the slider that the pointer's button holds
-    bool showsFocus_ = true;
     // As placed last, pixels.
     Rectangle panel_, text_, list_;
     std::vector<Rectangle> areas_;

@@ -64,6 +64,4 @@ void Pen::picture(const Rectangle& area, const Pictures::Picture& shown) const {
                    imVec(middle - half), imVec(middle + half));
 }
 
-void Pen::shade() const { fill({{0, 0}, size}, colour::kShade); }
-
 } // namespace shoal::app

@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 struct ImDrawList;
@@ -27,8 +26,7 @@ enum class Audience {
 // apart. White and grey text on a panel over a white sky keep a contrast of 4.5 to 1 and more (MenuTest).
 namespace colour {
 inline constexpr uint32_t kWhite = 0xFFFFFFFF, kGrey = 0xFFC8C4BC, kGold = 0xFF42E4F0, kOrange = 0xFF009FE6,
-                          kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kShade = 0x60140C02,
-                          kTrack = 0xFF4F3A22;
+                          kPanel = 0xD82A1A06, kSolid = 0xFF000000, kFocus = 0xFF6B4A1C, kTrack = 0xFF4F3A22;
 }
 
 struct Rectangle { // pixels from the upper left
@@ -66,7 +64,6 @@ struct Pen {
     void fill(const Rectangle& area, uint32_t colour, float rounding_px = 0) const;
     // As large as fits, in the middle.
     void picture(const Rectangle& area, const Pictures::Picture& shown) const;
-    void shade() const; // darkens the whole picture
 };
 
 } // namespace shoal::app

@@ -31,12 +31,6 @@ Result<SceneRenderer> SceneRenderer::make(CreatureModels creatureModels, const S
     return SceneRenderer(std::move(creatureModels), setup, std::move(*passes));
 }
 
-Status SceneRenderer::setCompositor(const render::CompositorSetup& setup) {
-    if (Status s = render::Compositor::make(setup).moveTo(passes_.compositor); !s) return s;
-    setup_.compositor = setup;
-    return Done{};
-}
-
 Status SceneRenderer::reloadShaders() {
     auto passes = makePasses(setup_);
     if (!passes) return passes.error();

@@ -37,9 +37,6 @@ class SceneRenderer final : private render::CompositorScene {
     // To give them to another renderer; this one draws no more.
     CreatureModels takeModels() { return std::move(creatureModels_); }
 
-    // Between two frames.
-    Status setCompositor(const render::CompositorSetup& setup);
-
     // Compiles all shaders anew from their files, between two frames. Where one is broken the error says so
     // and the last good ones stay, even if that shows only when an object first needs it.
     Status reloadShaders();

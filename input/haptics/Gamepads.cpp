@@ -2,7 +2,6 @@
 #include "input/haptics/DeviceTable.h"
 #include "input/haptics/HapticFrame.h"
 
-#include <algorithm>
 #include <cmath>
 #include <zlib.h>
 

@@ -50,7 +50,11 @@ class Backends : public testing::Test {
 
     std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes, Composition composition,
                                  Backend backend) {
-        EXPECT_TRUE(renderer_->setCompositor({.composition = composition, .backend = backend}));
+        auto renderer = SceneRenderer::make(
+            renderer_->takeModels(),
+            {.detail = render::Detail::Lean, .compositor = {.composition = composition, .backend = backend}});
+        EXPECT_TRUE(renderer) << renderer.error().message();
+        renderer_ = std::move(*renderer);
         renderer_->set(shown, *environment_, environment_->exposure(Tone::Auto, 0));
         const std::array<gl::Target, 2> canvases = {gl::Target(kSize.x, kSize.y, 1),
                                                     gl::Target(kSize.x, kSize.y, 1)};

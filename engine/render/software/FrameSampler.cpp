@@ -1,9 +1,7 @@
 #include "engine/render/software/FrameSampler.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 
 // Intrinsics, not Highway: version 1.0 has no product of unsigned with signed bytes (maddubs), and the same
 // in 16 bits takes 1.17 to 1.23 times as long.
