@@ -174,13 +174,8 @@ struct Audio::State {
     }
 };
 
-Audio::Audio(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Audio::Audio(Audio&&) noexcept = default;
-Audio& Audio::operator=(Audio&&) noexcept = default;
-Audio::~Audio() = default;
-
 Result<Audio> Audio::open(const AudioOptions& options) {
-    auto state = std::make_unique<State>();
+    auto state = makeHidden<State>();
     state->options = options;
     if (Status opened = state->open(); !opened) return opened.error();
     return Audio(std::move(state));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/core/Hidden.h"
 #include "engine/core/Result.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -10,7 +11,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -68,9 +68,6 @@ class Audio {
   public:
     // Fails where there is no sound device.
     static Result<Audio> open(const AudioOptions& options);
-    Audio(Audio&&) noexcept;
-    Audio& operator=(Audio&&) noexcept;
-    ~Audio();
 
     // Index for Sound::clip, counted from 0 in the order of the calls. The clip is kept,
     // for a device that comes back.
@@ -108,8 +105,8 @@ class Audio {
 
   private:
     struct State;
-    explicit Audio(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit Audio(Hidden<State> state) : state_(std::move(state)) {}
+    Hidden<State> state_;
 };
 
 // Names of the sound outputs; empty without any.

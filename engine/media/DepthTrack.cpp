@@ -133,7 +133,7 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     setUpDecoders();
     const auto failed = [&](const char* reason) { return Error{file.string(), reason}; };
     if (const auto begin = readFileBegin(file, 16); !begin) return begin.error();
-    auto impl = std::make_unique<Impl>();
+    auto impl = makeHidden<Impl>();
     impl->input = openInput(file, av_find_input_format("matroska"));
     if (!impl->input || tagOf(*impl->input, kVersionTag).empty()) return failed("is no depth track");
     const AVFormatContext& input = *impl->input;
@@ -162,11 +162,6 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
     if (!impl->readPacket(info.frameCount - 1)) return failed("is cut short");
     return DepthTrack(std::move(impl));
 }
-
-DepthTrack::DepthTrack(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-DepthTrack::DepthTrack(DepthTrack&&) noexcept = default;
-DepthTrack& DepthTrack::operator=(DepthTrack&&) noexcept = default;
-DepthTrack::~DepthTrack() = default;
 
 const DepthTrackInfo& DepthTrack::info() const { return impl_->info; }
 
@@ -216,7 +211,7 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     const Error failed{"", "FFmpeg's FFV1 encoder is not to be had"};
     if (!isTrack(info)) return Error{"", "no depth track has this size"};
     setUpDecoders();
-    auto impl = std::make_unique<Impl>();
+    auto impl = makeHidden<Impl>();
     impl->info = info;
     const AVCodec* ffv1 = avcodec_find_encoder(AV_CODEC_ID_FFV1);
     impl->codec.reset(avcodec_alloc_context3(ffv1));
@@ -256,11 +251,6 @@ Result<DepthTrackWriter> DepthTrackWriter::make(const DepthTrackInfo& info,
     if (av_frame_get_buffer(impl->frame.get(), 0) < 0) return failed;
     return DepthTrackWriter(std::move(impl));
 }
-
-DepthTrackWriter::DepthTrackWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-DepthTrackWriter::DepthTrackWriter(DepthTrackWriter&&) noexcept = default;
-DepthTrackWriter& DepthTrackWriter::operator=(DepthTrackWriter&&) noexcept = default;
-DepthTrackWriter::~DepthTrackWriter() = default;
 
 Status DepthTrackWriter::add(const DepthFrame& depth) {
     Impl& track = *impl_;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/core/Hidden.h"
 #include "engine/core/Result.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,10 +54,6 @@ class DepthTrack {
     // this version. film: empty for a track by itself, of whatever film.
     static Result<DepthTrack> open(const Path& file, const Path& film = {});
 
-    DepthTrack(DepthTrack&&) noexcept;
-    DepthTrack& operator=(DepthTrack&&) noexcept;
-    ~DepthTrack();
-
     const DepthTrackInfo& info() const;
 
     // The number of the frame nearest to this time of the film, which repeats for ever.
@@ -69,8 +65,8 @@ class DepthTrack {
 
   private:
     struct Impl;
-    explicit DepthTrack(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    explicit DepthTrack(Hidden<Impl> impl) : impl_(std::move(impl)) {}
+    Hidden<Impl> impl_;
 };
 
 // Makes a track, frame by frame.
@@ -82,17 +78,13 @@ class DepthTrackWriter {
     // setUpDecoders() leaves.
     static Result<DepthTrackWriter> make(const DepthTrackInfo& info, std::span<const std::string> films);
 
-    DepthTrackWriter(DepthTrackWriter&&) noexcept;
-    DepthTrackWriter& operator=(DepthTrackWriter&&) noexcept;
-    ~DepthTrackWriter();
-
     Status add(const DepthFrame& frame);
     Status finish(const Path& file); // once all frames are there
 
   private:
     struct Impl;
-    explicit DepthTrackWriter(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    explicit DepthTrackWriter(Hidden<Impl> impl) : impl_(std::move(impl)) {}
+    Hidden<Impl> impl_;
 };
 
 } // namespace shoal::media

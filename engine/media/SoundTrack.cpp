@@ -261,18 +261,13 @@ struct SoundTrack::Impl {
 Result<SoundTrack> SoundTrack::open(const Path& file, double passLength_s) {
     auto decoder = SoundDecoder::open(file);
     if (!decoder) return decoder.error();
-    auto impl = std::make_unique<Impl>(std::move(*decoder));
+    auto impl = makeHidden<Impl>(std::move(*decoder));
     if (!(passLength_s > 0)) passLength_s = impl->decoder.length_s();
     if (!(passLength_s > 0)) passLength_s = kLongest_s;
     impl->pass = std::llround(std::clamp(passLength_s, kShortest_s, kLongest_s) * kSoundRate_Hz);
     impl->thread = std::thread([raw = impl.get()] { raw->run(); });
     return SoundTrack(std::move(impl));
 }
-
-SoundTrack::SoundTrack(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-SoundTrack::SoundTrack(SoundTrack&&) noexcept = default;
-SoundTrack& SoundTrack::operator=(SoundTrack&&) noexcept = default;
-SoundTrack::~SoundTrack() = default;
 
 int64_t SoundTrack::passLength() const { return impl_->pass; }
 

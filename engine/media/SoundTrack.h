@@ -5,10 +5,10 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/core/Hidden.h"
 #include "engine/core/Result.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 namespace shoal::media {
@@ -21,9 +21,6 @@ class SoundTrack {
     // passLength_s: of the video, after which it loops; 0: as the file says. Fails where the file has no
     // sound that can be decoded.
     static Result<SoundTrack> open(const Path& file, double passLength_s);
-    SoundTrack(SoundTrack&&) noexcept;
-    SoundTrack& operator=(SoundTrack&&) noexcept;
-    ~SoundTrack(); // ends the thread after at most the packet in work
 
     int64_t passLength() const; // frames
 
@@ -36,8 +33,8 @@ class SoundTrack {
 
   private:
     struct Impl;
-    explicit SoundTrack(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    explicit SoundTrack(Hidden<Impl> impl) : impl_(std::move(impl)) {}
+    Hidden<Impl> impl_; // its end is that of the thread, after at most the packet in work
 };
 
 } // namespace shoal::media

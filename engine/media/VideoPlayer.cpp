@@ -196,7 +196,7 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
                       return VideoSource::open(file, options.layout);
                   }).get();
     if (!source) return source.error();
-    auto impl = std::make_unique<Impl>(std::move(*source));
+    auto impl = makeHidden<Impl>(std::move(*source));
     impl->file = file;
     const VideoInfo& info = impl->info = impl->source.info();
     impl->options = std::move(options);
@@ -213,11 +213,6 @@ Result<VideoPlayer> VideoPlayer::open(const Path& file, PlayerOptions options) {
     if (!shown) return Error{file.string(), "its first frame cannot be decoded"};
     return VideoPlayer(std::move(impl));
 }
-
-VideoPlayer::VideoPlayer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-VideoPlayer::VideoPlayer(VideoPlayer&&) noexcept = default;
-VideoPlayer& VideoPlayer::operator=(VideoPlayer&&) noexcept = default;
-VideoPlayer::~VideoPlayer() = default;
 
 const VideoInfo& VideoPlayer::info() const { return impl_->info; }
 

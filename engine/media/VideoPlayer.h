@@ -10,9 +10,9 @@
 // Not done here: sound; conversion of wide-gamut or HDR video.
 #pragma once
 
+#include "engine/core/Hidden.h"
 #include "engine/media/VideoFrame.h"
 
-#include <memory>
 #include <string>
 
 namespace shoal::media {
@@ -23,10 +23,6 @@ class VideoPlayer {
     // kMaxVideoSide, or if its first frame cannot be decoded. Layout::Auto is detected from the metadata,
     // else the frame's shape, else the first frame.
     static Result<VideoPlayer> open(const Path& file, PlayerOptions options = {});
-
-    VideoPlayer(VideoPlayer&&) noexcept;
-    VideoPlayer& operator=(VideoPlayer&&) noexcept;
-    ~VideoPlayer(); // ends the decode thread after at most the frame in work
 
     const VideoInfo& info() const;
 
@@ -45,8 +41,8 @@ class VideoPlayer {
 
   private:
     struct Impl;
-    explicit VideoPlayer(std::unique_ptr<Impl> impl);
-    std::unique_ptr<Impl> impl_;
+    explicit VideoPlayer(Hidden<Impl> impl) : impl_(std::move(impl)) {}
+    Hidden<Impl> impl_; // its end is that of the decode thread, after at most the frame in work
 };
 
 } // namespace shoal::media

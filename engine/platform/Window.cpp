@@ -61,18 +61,13 @@ struct Window::State {
     }
 };
 
-Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Window::Window(Window&&) noexcept = default;
-Window& Window::operator=(Window&&) noexcept = default;
-Window::~Window() = default;
-
 Result<Window> Window::open(const WindowOptions& options) {
     glfwSetErrorCallback([](int, const char*) {}); // said in our own words below
     if (!glfwInit())
         return Error{"",
                      "there is no display to open a window on; to see something without one, add --headless "
                      "--at 5 --screenshot shoal.png"};
-    auto state = std::make_unique<State>();
+    auto state = makeHidden<State>();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

@@ -1,13 +1,13 @@
 // A window with an OpenGL 3.3 core context, and what the player does in it since the last poll.
 #pragma once
 
+#include "engine/core/Hidden.h"
 #include "engine/core/Image.h"
 #include "engine/core/Result.h"
 
 #include <glm/vec2.hpp>
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,10 +51,6 @@ class Window {
     // Main thread only. Makes the context current. Fails where there is no display.
     static Result<Window> open(const WindowOptions& options);
 
-    Window(Window&&) noexcept;
-    Window& operator=(Window&&) noexcept;
-    ~Window();
-
     const WindowInput& poll(); // valid until the next poll
     // Sleeps until the player does something, at most so long; the next poll() tells what.
     void wait(double atMost_s);
@@ -71,8 +67,8 @@ class Window {
 
   private:
     struct State;
-    explicit Window(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit Window(Hidden<State> state) : state_(std::move(state)) {}
+    Hidden<State> state_;
 };
 
 } // namespace shoal::platform

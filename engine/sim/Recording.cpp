@@ -122,11 +122,6 @@ struct RecordingWriter::State {
     std::optional<Error> failure;              // for which nothing more is written
 };
 
-RecordingWriter::RecordingWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
-RecordingWriter::RecordingWriter(RecordingWriter&&) noexcept = default;
-RecordingWriter& RecordingWriter::operator=(RecordingWriter&&) noexcept = default;
-RecordingWriter::~RecordingWriter() = default;
-
 Result<RecordingWriter> RecordingWriter::create(const Path& file, const RecordingHeader& header) {
     assert(header.inputBytes > 0 && header.inputBytes <= kMaxInputBytes);
     auto opened = GrowingFile::create(file);
@@ -139,7 +134,7 @@ Result<RecordingWriter> RecordingWriter::create(const Path& file, const Recordin
     append(bytes, static_cast<uint32_t>(text.size()));
     append(bytes, crcOf(asBytes(text)));
     if (Status written = opened->write(bytes + text); !written) return written.error();
-    auto state = std::make_unique<State>(std::move(*opened), header.inputBytes);
+    auto state = makeHidden<State>(std::move(*opened), header.inputBytes);
     if (deflateInit(&state->stream, Z_DEFAULT_COMPRESSION) != Z_OK)
         return Error{file.string(), "cannot be written: not enough memory"};
     state->beginBlock();

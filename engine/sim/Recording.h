@@ -12,6 +12,7 @@
 #pragma once
 
 #include "engine/core/Files.h"
+#include "engine/core/Hidden.h"
 #include "engine/core/Result.h"
 #include "engine/sim/FixedStep.h"
 
@@ -38,20 +39,17 @@ struct RecordingHeader {
 class RecordingWriter {
   public:
     static Result<RecordingWriter> create(const Path& file, const RecordingHeader& header);
-    RecordingWriter(RecordingWriter&&) noexcept;
-    RecordingWriter& operator=(RecordingWriter&&) noexcept;
-    // Without finish() the file ends after its last whole block, as after a crash.
-    ~RecordingWriter();
 
     // input.size() == header.inputBytes. After an error, such as a full disk, nothing more is written.
     Status add(std::span<const uint8_t> input, uint64_t hash);
-    // Marks the end, and waits until the disk has it.
+    // Marks the end, and waits until the disk has it. Without this the file ends after its last whole block,
+    // as after a crash.
     Status finish();
 
   private:
     struct State;
-    explicit RecordingWriter(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit RecordingWriter(Hidden<State> state) : state_(std::move(state)) {}
+    Hidden<State> state_;
 };
 
 struct RecordedTick {

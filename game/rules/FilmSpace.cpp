@@ -202,6 +202,16 @@ glm::vec3 FilmMoment::inward(glm::vec3 place) const {
     return normalizedOr(slope, normalizedOr(-place, kUp));
 }
 
+float FilmMoment::keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy_m, float push) const {
+    if (gap_m >= shy_m) return 0;
+    const glm::vec3 away = inward(soon);
+    const float share = std::min(1 - gap_m / shy_m, 2.0f);
+    const float outwards = -glm::dot(way, away);
+    if (outwards > 0) way += away * (outwards * std::min(share, 1.0f));
+    way += away * (share * push);
+    return share;
+}
+
 float FilmMoment::overshoot_m(const physics::Capsule& body) const {
     if (!known()) return 0;
     constexpr float kBetween_m = 0.35f; // places along the body, at most

@@ -253,17 +253,11 @@ void avoidFloor(const Fish& f, float floor_m, Desire& desire) {
     if (f.position.y > high) desire.way.y -= firmly * (f.position.y - high);
 }
 
-// Along rock and away from it: the nearer it comes, the less of what it wants leads out of its room.
 void avoidRock(const Fish& f, const Species& kind, const FilmMoment& film, Desire& desire) {
     if (!film.known()) return;
     const glm::vec3 soon = f.position + kRockForesee_s * f.velocity;
     const float gap = film.gap_m(soon) - kind.bodyHalf_m - kind.bodyRadius_m;
-    if (gap >= kRockShy_m) return;
-    const glm::vec3 inward = film.inward(soon);
-    const float share = std::min(1 - gap / kRockShy_m, 2.0f);
-    const float outwards = -glm::dot(desire.way, inward);
-    if (outwards > 0) desire.way += inward * (outwards * std::min(share, 1.0f));
-    desire.way += inward * (share * std::max(f.cruise, f.speed));
+    film.keepOff(desire.way, soon, gap, kRockShy_m, std::max(f.cruise, f.speed));
 }
 
 Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) {

@@ -279,18 +279,11 @@ void turnBack(Shark& shark, const FilmMoment& film, glm::vec3 outward) {
     if (ahead < kNarrow_m && water(shark.position - along) > ahead + kWider_m) shark.sense = -shark.sense;
 }
 
-// Along rock and away from it.
 void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, Course& course) {
     if (!film.known()) return;
     const glm::vec3 soon = shark.position + 0.5f * kind.length_m * shark.forward;
     const float gap = film.gap_m(soon) - kind.bodyRadius_m;
-    if (gap >= kSharkRockShy_m) return;
-    const glm::vec3 inward = film.inward(soon);
-    const float share = std::min(1 - gap / kSharkRockShy_m, 2.0f);
-    const float outwards = -glm::dot(course.way, inward);
-    if (outwards > 0) course.way += inward * (outwards * std::min(share, 1.0f));
-    course.way += inward * share;
-    course.turn_radps *= 1 + 0.5f * share;
+    course.turn_radps *= 1 + 0.5f * film.keepOff(course.way, soon, gap, kSharkRockShy_m, 1);
 }
 
 // Towards the player, but never into the room around the eyes.

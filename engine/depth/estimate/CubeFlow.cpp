@@ -83,8 +83,7 @@ struct CubeFlow::Impl {
     cv::Mat1f contrast[2];
 };
 
-CubeFlow::CubeFlow() : impl_(std::make_unique<Impl>()) {}
-CubeFlow::~CubeFlow() = default;
+CubeFlow::CubeFlow() : impl_(makeHidden<Impl>()) {}
 
 void CubeFlow::makeFaces(const light::FrameView& film, CubeFaces& out) {
     constexpr int kPadding = 4, kWidth = 1024;

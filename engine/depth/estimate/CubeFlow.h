@@ -2,12 +2,12 @@
 // seam nor poles, each a little larger than a sixth of the sphere so that what moves stays in it.
 #pragma once
 
+#include "engine/core/Hidden.h"
 #include "engine/depth/estimate/RelativePose.h"
 #include "engine/light/FrameView.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace shoal::depth {
@@ -28,7 +28,6 @@ struct FlowPoint {
 class CubeFlow {
   public:
     CubeFlow();
-    ~CubeFlow();
     // Of one eye's picture.
     void makeFaces(const light::FrameView& film, CubeFaces& out);
 
@@ -38,7 +37,7 @@ class CubeFlow {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    Hidden<Impl> impl_;
 };
 
 } // namespace shoal::depth

@@ -160,8 +160,7 @@ struct SphereSweep::Impl {
     Costs costs, sums;
 };
 
-SphereSweep::SphereSweep() : impl_(std::make_unique<Impl>()) {}
-SphereSweep::~SphereSweep() = default;
+SphereSweep::SphereSweep() : impl_(makeHidden<Impl>()) {}
 
 void makeSweepImage(const light::FrameView& film, SweepImage& out) {
     constexpr int kAround = kNormalised + kPadding;

@@ -4,13 +4,13 @@
 // Hirschmueller 2008), is taken. What moves or glitters in one or two of the frames counts little.
 #pragma once
 
+#include "engine/core/Hidden.h"
 #include "engine/depth/estimate/StereoDepth.h"
 #include "engine/light/FrameView.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,7 +37,6 @@ struct SweepView {
 class SphereSweep {
   public:
     SphereSweep();
-    ~SphereSweep();
     // Inverse distances are of the unit that the views' places are in, from 0 to maxInverse. width of the
     // map: half of kSweepWidth.
     void estimate(const SweepImage& reference, std::span<const SweepView> views, float maxInverse,
@@ -45,7 +44,7 @@ class SphereSweep {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    Hidden<Impl> impl_;
 };
 
 } // namespace shoal::depth

@@ -24,8 +24,7 @@ struct StereoDepth::Impl {
     cv::Mat2f there, back;
 };
 
-StereoDepth::StereoDepth() : impl_(std::make_unique<Impl>()) {}
-StereoDepth::~StereoDepth() = default;
+StereoDepth::StereoDepth() : impl_(makeHidden<Impl>()) {}
 
 void StereoDepth::estimate(const light::FrameView& left, const light::FrameView& right, double baseline_m,
                            int width, DepthEstimate& out) {

@@ -1,9 +1,9 @@
 // Distances from the two pictures of an omnidirectional stereo film.
 #pragma once
 
+#include "engine/core/Hidden.h"
 #include "engine/light/FrameView.h"
 
-#include <memory>
 #include <vector>
 
 namespace shoal::depth {
@@ -16,14 +16,13 @@ struct DepthEstimate {
 class StereoDepth {
   public:
     StereoDepth();
-    ~StereoDepth();
     // For the left eye's picture. width: of the map, 2:1.
     void estimate(const light::FrameView& left, const light::FrameView& right, double baseline_m, int width,
                   DepthEstimate& out);
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    Hidden<Impl> impl_;
 };
 
 } // namespace shoal::depth
