@@ -1,5 +1,6 @@
 #include "engine/camera/EstimateCameraResponse.h"
 
+#include "engine/math/Follow.h"
 #include "engine/math/Quantile.h"
 
 #include <glm/common.hpp>
@@ -45,8 +46,6 @@ constexpr float kFollow_s = 2.2f; // time constant
 // Lenses scatter one to five percent, worn ports more; a higher bound only means that nothing dark was seen
 // in front of bright surroundings.
 constexpr float kUsualGlare = 0.03f, kMaxGlare = 0.1f;
-
-float shareOf(float dt_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / kFollow_s); }
 
 // Mean square response of the kernel (1 -2 1; -2 4 -2; 1 -2 1), which is 0 for gradients and for curvature
 // along one axis, over size x size values; for white noise it is 36 times the variance. Immerkaer 1996, "Fast
@@ -223,7 +222,7 @@ CameraResponseEstimate CameraResponseEstimator::estimate(const light::FrameView&
 }
 
 void CameraResponseOverTime::follow(const CameraResponseEstimate& estimate, float dt_s) {
-    const auto shareIf = [&](bool known) { return known ? shareOf(dt_s) : 1.0f; };
+    const auto shareIf = [&](bool known) { return known ? math::followShare(dt_s, kFollow_s) : 1.0f; };
     const CameraResponse& seen = estimate.response;
     const float all = shareIf(begun_);
     begun_ = true;
@@ -243,7 +242,7 @@ void CameraResponseOverTime::follow(const CameraResponseEstimate& estimate, floa
 void CameraResponseOverTime::followGlare(float maxShare, float dt_s) {
     maxGlare_ = std::min(maxGlare_, maxShare);
     const float glare = maxGlare_ > kMaxGlare ? kUsualGlare : maxGlare_;
-    response_.glare += (glare - response_.glare) * (glareSeen_ ? shareOf(dt_s) : 1.0f);
+    response_.glare += (glare - response_.glare) * (glareSeen_ ? math::followShare(dt_s, kFollow_s) : 1.0f);
     glareSeen_ = true;
 }
 

@@ -16,8 +16,6 @@ class Hartley {
     // thread at a time.
     void transform(float* data, int lanes);
 
-    int length() const { return length_; }
-
   private:
     int length_;
     std::vector<int> order_;             // element i of the first step: bits reversed

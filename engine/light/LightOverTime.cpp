@@ -1,6 +1,7 @@
 #include "engine/light/LightOverTime.h"
 
 #include "engine/light/InverseToneMap.h"
+#include "engine/math/Follow.h"
 #include "engine/math/LatLong.h"
 
 #include <glm/common.hpp>
@@ -19,8 +20,6 @@ constexpr float kSame = 0.26f;                           // radians: found so ne
 constexpr float kStronger = 1.3f, kStrongerFor_s = 0.5f; // so much and for so long, and the other takes over
 constexpr float kGone = 0.02f;                           // presence: nobody sees it end
 constexpr float kCut = 0.15f;                            // scenes that differ more are not the same
-
-float share(float dt_s, float constant_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / constant_s); }
 
 float strength(const FoundLight& light) { return thesisLuminance(light.irradiance); }
 
@@ -64,12 +63,12 @@ const ShadowLight& LightOverTime::follow(const FoundLights& found, float dt_s) {
         found.count > 0 && (!same || strength(found.lights[0]) > kStronger * strength(*same));
     strongerFor_s_ = otherIsStronger ? strongerFor_s_ + dt_s : 0;
     const bool leaving = !same || strongerFor_s_ > kStrongerFor_s;
-    now_.presence += ((leaving ? 0.0f : 1.0f) - now_.presence) * share(dt_s, kFade_s);
+    now_.presence += ((leaving ? 0.0f : 1.0f) - now_.presence) * math::followShare(dt_s, kFade_s);
     if (leaving && now_.presence < kGone) {
         take(found, kGone);
         return now_;
     }
-    const float part = share(dt_s, kFollow_s);
+    const float part = math::followShare(dt_s, kFollow_s);
     now_.groundIrradiance += (found.groundIrradiance - now_.groundIrradiance) * part;
     if (!same) return now_;
     FoundLight& light = now_.light;

@@ -18,8 +18,9 @@ double phongExponentFromRoughness(double roughness) {
 // With normals drawn as they are seen from v, the estimator of the albedo is F G2 / G1 (Heitz 2018, "Sampling
 // the GGX Distribution of Visible Normals", eq. 19). The normals come from a uniform spherical cap around the
 // stretched view: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
-Dfg dfg(double nv, double roughness, int samples) {
-    assert(nv > 0 && nv <= 1 && samples > 0);
+Dfg dfg(double nv, double roughness) {
+    assert(nv > 0 && nv <= 1);
+    constexpr int kSamples = 24; // midpoints each way
     const double alpha = std::max(alphaFromRoughness(roughness), 1e-4);
     const double sinV = std::sqrt(std::max(0.0, 1.0 - nv * nv));
     const double stretched = std::sqrt(alpha * alpha * sinV * sinV + nv * nv);
@@ -30,15 +31,15 @@ Dfg dfg(double nv, double roughness, int samples) {
     const double lambdaV = lambda(nv);
 
     std::vector<double> cosines, sines; // of phi; the other half of the circle mirrors this one
-    for (int i = 0; i < samples; ++i) {
-        cosines.push_back(std::cos(pi * (i + 0.5) / samples));
-        sines.push_back(std::sin(pi * (i + 0.5) / samples));
+    for (int i = 0; i < kSamples; ++i) {
+        cosines.push_back(std::cos(pi * (i + 0.5) / kSamples));
+        sines.push_back(std::sin(pi * (i + 0.5) / kSamples));
     }
     Dfg sum;
-    for (int j = 0; j < samples; ++j) {
+    for (int j = 0; j < kSamples; ++j) {
         // Midpoints of s in share = s^2: what masking and the horizon take lies in the lobe's thin tail, near
         // share 0.
-        const double s = (j + 0.5) / samples;
+        const double s = (j + 0.5) / kSamples;
         const double cz = s * s * (1.0 + wz) - wz, part = 2.0 * s;
         const double cr = std::sqrt(std::max(0.0, 1.0 - cz * cz));
         for (size_t i = 0; i < cosines.size(); ++i) {
@@ -55,7 +56,7 @@ Dfg dfg(double nv, double roughness, int samples) {
             sum.bias += fresnel * visible;
         }
     }
-    const double count = static_cast<double>(samples) * samples;
+    const double count = static_cast<double>(kSamples) * kSamples;
     return {sum.scale / count, sum.bias / count};
 }
 

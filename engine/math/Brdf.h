@@ -35,8 +35,8 @@ struct Dfg {
     double scale = 0;
     double bias = 0;
 };
-// By quadrature over visible normals (samples x samples midpoints); nv in (0, 1].
-Dfg dfg(double nv, double roughness, int samples = 24);
+// By quadrature over visible normals; nv in (0, 1].
+Dfg dfg(double nv, double roughness);
 
 // Texel (x, y) holds scale and bias at nv = (x + 0.5) / size, roughness = (y + 0.5) / size: a texture of size
 // x size with two channels, sampled linearly and clamped.

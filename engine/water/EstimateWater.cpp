@@ -1,6 +1,7 @@
 #include "engine/water/EstimateWater.h"
 
 #include "engine/math/Colour.h"
+#include "engine/math/Follow.h"
 #include "engine/math/LatLong.h"
 
 #include <glm/common.hpp>
@@ -36,8 +37,6 @@ glm::vec3 squaredCoded(const glm::vec3& lin) {
 
 // Time constants of WaterOverTime.
 constexpr float kVeil_s = 0.43f, kAttenuation_s = 4;
-
-float share(float dt_s, float constant_s) { return 1 - std::exp(-std::max(dt_s, 0.0f) / constant_s); }
 
 struct VeilCell {
     std::array<float, kVeilTerms> terms;
@@ -205,7 +204,8 @@ WaterEstimate WaterEstimator::estimate(const light::FrameView& frame) {
 }
 
 void WaterOverTime::follow(const WaterEstimate& estimate, float strength, float dt_s) {
-    const float fast = begun_ ? share(dt_s, kVeil_s) : 1, slow = begun_ ? share(dt_s, kAttenuation_s) : 1;
+    const float fast = begun_ ? math::followShare(dt_s, kVeil_s) : 1,
+                slow = begun_ ? math::followShare(dt_s, kAttenuation_s) : 1;
     begun_ = true;
     strength_ += (strength - strength_) * fast;
     for (size_t i = 0; i < kVeilTerms; ++i) veil_[i] += (estimate.water.veil[i] - veil_[i]) * fast;

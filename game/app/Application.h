@@ -107,7 +107,6 @@ class Application {
     void adjustQuality();
     void measure();
     bool isOver() const;
-    int eyes() const { return options_.stereo == StereoOutput::SideBySide ? 2 : 1; }
 
     PlayOptions options_;
     PlayOptions applied_; // as they took effect last

@@ -2,6 +2,7 @@
 
 #include "input/hands/MouseHands.h"
 
+#include <glm/common.hpp>
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -30,11 +31,6 @@ game::Text howTo(FirstSteps::Step step, Audience audience) {
     return headset ? "For one second"
            : pad   ? game::Text("Hold the right trigger for one second")
                    : "Hold the left mouse button for one second";
-}
-
-float eased(float t) {
-    t = std::clamp(t, 0.0f, 1.0f);
-    return t * t * (3 - 2 * t);
 }
 
 // The fish nearest to the middle of the view that a hand may reach.
@@ -128,8 +124,8 @@ hands::HandPose FirstSteps::ghost(const render::View& view) const {
     }
     glm::vec3 goal(0, 0, -0.7f);
     if (target_) goal = glm::conjugate(view.worldFromEye) * (*target_ - view.eyeWorld);
-    const glm::vec3 at = glm::mix(rest, goal, eased(round * 2));
-    const float closed = step_ == Step::Hold ? eased((round - 0.5f) * 6) : 0.0f;
+    const glm::vec3 at = glm::mix(rest, goal, glm::smoothstep(0.0f, 1.0f, round * 2));
+    const float closed = step_ == Step::Hold ? glm::smoothstep(0.0f, 1.0f, (round - 0.5f) * 6) : 0.0f;
     return hands::reachingHand(rig_, hands::Side::Right, at, closed);
 }
 

@@ -17,8 +17,6 @@ class ReachHelp {
     // that comes or goes.
     std::optional<float> update(const Snapshot&, const SpeciesTable&, glm::vec3 rayView, float hand_m);
 
-    int target() const { return target_; } // creature id, -1 none
-
   private:
     int target_ = -1;
 };

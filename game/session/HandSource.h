@@ -124,7 +124,6 @@ Status checkHandSource(const HandSourceChoice& source);
 class OpenXrSource {
   public:
     void frame(const std::array<hands::HandPose, 2>& poses) { before_ = std::exchange(poses_, poses); }
-    const std::array<hands::HandPose, 2>& seen() const { return poses_; }
     // share: the tick's time between the frame before (0) and this one (1).
     void next(game::TickInput& out, float share) const;
 

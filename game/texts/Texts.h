@@ -454,7 +454,6 @@ class Text {
   public:
     consteval Text(const char* english) : row_(findText(english)) { (void)kTexts.at(row_); }
     constexpr const char* in(Language language) const { return textIn(kTexts[row_], language); }
-    constexpr const char* english() const { return kTexts[row_].english; }
     constexpr bool operator==(const Text&) const = default;
 
   private:

@@ -1,9 +1,10 @@
 #include "game/views/AnimalLight.h"
 
+#include "engine/math/Follow.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace shoal::app {
 
@@ -21,7 +22,7 @@ void AnimalLight::follow(const game::Snapshot& snapshot, const depth::LightBesid
     }
     const auto passed_s = static_cast<float>(snapshot.time_s - time_s_);
     time_s_ = snapshot.time_s;
-    const float share = passed_s < 0 || passed_s > 1 ? 1 : 1 - std::exp(-passed_s / kFollow_s);
+    const float share = passed_s < 0 || passed_s > 1 ? 1 : math::followShare(passed_s, kFollow_s);
     const size_t known = animals_.size(), count = snapshot.creatures.size();
     animals_.resize(count);
     const size_t turns = std::min(kEachTime, count);

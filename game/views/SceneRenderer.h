@@ -65,7 +65,6 @@ class SceneRenderer final : private render::CompositorScene {
     Status drawObjectsAlone(const Eye& eye);
 
     gl::PassTimers& timers() override { return timers_; }
-    const gl::PassTimers& timers() const { return timers_; }
     int drawCount() const;
     int triangleCount() const { return passes_.objects.triangleCount(); }
 

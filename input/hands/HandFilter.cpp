@@ -1,5 +1,6 @@
 #include "input/hands/HandFilter.h"
 
+#include "engine/math/Follow.h"
 #include "input/hands/HandRig.h"
 
 #include <glm/geometric.hpp>
@@ -78,7 +79,7 @@ template class DeadReckoning<glm::vec3>;
 template class DeadReckoning<glm::quat>;
 
 Gesture GestureLatch::step(float& grip, float& pinch, float dt_s) {
-    const float share = begun_ ? 1 - std::exp(-std::max(dt_s, 0.0f) / kStrengthTau_s) : 1.0f;
+    const float share = begun_ ? math::followShare(dt_s, kStrengthTau_s) : 1.0f;
     begun_ = true;
     grip_ += (std::clamp(grip, 0.0f, 1.0f) - grip_) * share;
     pinch_ += (std::clamp(pinch, 0.0f, 1.0f) - pinch_) * share;

@@ -1,5 +1,7 @@
 #include "input/hands/MouseHands.h"
 
+#include "engine/math/Follow.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -19,8 +21,6 @@ constexpr float kReachEase_s = 0.05f; // ...and changes its speed in this
 constexpr float kWheelRest_s = 1.2f;  // how long the wheel's word stands against the help with depth...
 constexpr float kWheelFades_s = 1;    // ...and in what time it fades then
 constexpr float kNotch = 1.06f;       // reach per notch
-
-float eased(float tau_s, float dt_s) { return 1 - std::exp(-dt_s / tau_s); }
 
 glm::vec3 restingPlace(Side side, float tanX, float tanY) {
     const float sign = side == Side::Left ? -1.0f : 1.0f;
@@ -67,10 +67,10 @@ void MouseHands::followReach(const MouseInput& input, float dt_s) {
     float wanted_mps = 0;
     if (helps)
         wanted_mps = std::clamp(help * (*input.reach_m - distance_m_) / kReach_s, -kReach_mps, kReach_mps);
-    reachSpeed_mps_ += (wanted_mps - reachSpeed_mps_) * eased(kReachEase_s, dt_s);
+    reachSpeed_mps_ += (wanted_mps - reachSpeed_mps_) * math::followShare(dt_s, kReachEase_s);
     if (closed) reachSpeed_mps_ = 0; // a closed hand stays where it closed
     distance_m_ = std::clamp(distance_m_ + reachSpeed_mps_ * dt_s, kReachMin_m, kReachMax_m);
-    if (helps && wheelRests_s_ == 0) wheel_ += (1 - wheel_) * eased(kWheelFades_s, dt_s);
+    if (helps && wheelRests_s_ == 0) wheel_ += (1 - wheel_) * math::followShare(dt_s, kWheelFades_s);
 }
 
 const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float dt_s) {
@@ -90,7 +90,7 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
         Hand& hand = hands_[i];
         const glm::vec3 goal = active ? ray * distance_m() : restingPlace(side, tanX, tanY);
         if (hand.placed)
-            hand.grasp += (goal - hand.grasp) * eased(active ? kFollow_s : kSwap_s, dt_s);
+            hand.grasp += (goal - hand.grasp) * math::followShare(dt_s, active ? kFollow_s : kSwap_s);
         else
             hand.grasp = goal;
         hand.placed = true;
