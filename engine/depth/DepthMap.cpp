@@ -46,6 +46,18 @@ SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int wei
         out[i] = static_cast<uint8_t>((above[i] * (256 - weight) + below[i] * weight + (1 << 15)) >> 16);
 }
 
+// The nearest of a texel and the four beside it, where that is beyond an edge; columns repeat.
+SHOAL_VECTORISE void widenRow(const uint8_t* above, const uint8_t* row, const uint8_t* below, size_t count,
+                              uint8_t* out) {
+    const auto widened = [&](size_t left, size_t x, size_t right) {
+        const uint8_t most = std::max(std::max(row[left], row[right]), std::max(above[x], below[x]));
+        return most - row[x] > kEdge ? most : row[x];
+    };
+    for (size_t x = 1; x + 1 < count; ++x) out[x] = widened(x - 1, x, x + 1);
+    out[0] = widened(count - 1, 0, 1);
+    out[count - 1] = widened(count - 2, count - 1, 0);
+}
+
 // The nine texels of a track around an edge.
 struct Voters {
     const uint8_t* colours; // of the map's texels in the middle one: a channel each `stride` values
@@ -142,6 +154,16 @@ Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& 
     const Point beyond = at(before.met);
     if (isMet(beyond)) return beyond.seen;
     return nearer.met < point.met ? nearer.seen : before.seen;
+}
+
+void widenNear(const DepthMap& map, DepthMap& out) {
+    const int width = map.inverse.width, height = map.inverse.height;
+    out.inverse.fit(width, height);
+    for (int y = 0; y < height; ++y) {
+        const uint8_t* above = map.inverse.at(0, std::max(y - 1, 0));
+        const uint8_t* below = map.inverse.at(0, std::min(y + 1, height - 1));
+        widenRow(above, map.inverse.at(0, y), below, static_cast<size_t>(width), out.inverse.at(0, y));
+    }
 }
 
 void DepthRefiner::readTrusted(const media::DepthFrame& depth) {

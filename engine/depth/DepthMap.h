@@ -47,6 +47,10 @@ struct Seen {
 // at most; dirEnv: unit length.
 Seen searchAlong(const DepthMap& map, const glm::vec3& eyeEnv, const glm::vec3& dirEnv);
 
+// What is near, a texel wider. Texels of a film at an edge have something of both sides: an eye that sees
+// them move with what is far sees a ghost of the edge.
+void widenNear(const DepthMap& map, DepthMap& out);
+
 // Brings frames of a track to the film's own edges. Allocates nothing once the map has its size.
 class DepthRefiner {
   public:

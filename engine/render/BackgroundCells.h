@@ -4,7 +4,7 @@
 // distances change.
 #pragma once
 
-#include "engine/depth/DepthRange.h"
+#include "engine/depth/DepthMap.h"
 #include "engine/render/View.h"
 
 #include <glm/common.hpp>
@@ -19,9 +19,8 @@ namespace shoal::render {
 
 // The film as it lies in space, and the eye that looks at it.
 struct FilmSpace {
-    const depth::DepthMap* depth = nullptr; // null: endlessly far
-    const depth::DepthRange* range = nullptr;
-    glm::vec3 eyeInFilm{0}; // env frame, from the film's camera
+    const depth::DepthMap* depth = nullptr; // widened (depth::widenNear()); null: endlessly far
+    glm::vec3 eyeInFilm{0};                 // env frame, from the film's camera
 };
 
 struct BackgroundCell {

@@ -39,8 +39,8 @@ struct EyePicture {
     const FilmShadows* seenShadows() const { return shadows && !shadows->empty() ? shadows : nullptr; }
     // How the eye sees the film in space; without distances where it sees what the camera saw.
     FilmSpace filmSpace() const {
-        if (eyeInFilm == glm::vec3(0) || !environment.depth()) return {};
-        return {environment.depth(), environment.depthRange(), eyeInFilm};
+        if (eyeInFilm == glm::vec3(0) || !environment.widenedDepth()) return {};
+        return {environment.widenedDepth(), eyeInFilm};
     }
     glm::mat3 envFromEye() const { return envFromWorld * glm::mat3_cast(view.worldFromEye); }
 };

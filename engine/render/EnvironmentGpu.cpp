@@ -94,8 +94,10 @@ void EnvironmentGpu::uploadScattered(const ImageRgbF& light) {
     scatteredLight_ = light;
 }
 
-void EnvironmentGpu::setDepth(const depth::DepthMap* map, const depth::DepthRange* range) {
+void EnvironmentGpu::setDepth(const depth::DepthMap* map, const depth::DepthMap* widened,
+                              const depth::DepthRange* range) {
     depthMap_ = map;
+    widenedDepth_ = widened;
     depthRange_ = range;
     if (!map) return;
     glBindTexture(GL_TEXTURE_2D, depth_.name());

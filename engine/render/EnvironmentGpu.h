@@ -31,9 +31,11 @@ class EnvironmentGpu {
     // Light that port and lens scatter over the frame: squares of display values, lat-long.
     void uploadScattered(const ImageRgbF& light);
 
-    // How far off what the frame shows is; null: nobody knows. Both must live until the next frame.
-    void setDepth(const depth::DepthMap* map, const depth::DepthRange* range);
+    // How far off what the frame shows is; null: nobody knows. widened: by depth::widenNear(), as the frame
+    // is drawn for an eye beside its camera. All must live until the next frame.
+    void setDepth(const depth::DepthMap* map, const depth::DepthMap* widened, const depth::DepthRange* range);
     const depth::DepthMap* depth() const { return depthMap_; }
+    const depth::DepthMap* widenedDepth() const { return widenedDepth_; }
     const depth::DepthRange* depthRange() const { return depthRange_; }
     // eyeInFilm: env frame, from the film's camera. Pairs with shaders/render/FilmDepth.glsl.
     void bindDepth(const gl::Program& program, const glm::vec3& eyeInFilm) const;
@@ -59,6 +61,7 @@ class EnvironmentGpu {
   private:
     gl::Texture frame_, light_, mirrors_, scattered_, depth_;
     const depth::DepthMap* depthMap_ = nullptr;
+    const depth::DepthMap* widenedDepth_ = nullptr;
     const depth::DepthRange* depthRange_ = nullptr;
     DisplayFrame displayFrame_;
     mutable bool uploaded_ = true;    // into frame_

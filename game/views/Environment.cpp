@@ -174,6 +174,7 @@ void Environment::prepareDepth(const media::VideoFrame& frame, const light::Fram
     if (trackFrameNumber_ < 0) return;
     Depth& depth = depths_[frame.slot];
     depthRefiner_.refine(trackFrame_, leftEye, depth.map);
+    depth::widenNear(depth.map, depth.widened);
     depth.range.make(depth.map);
     depth.light.make(found_[frame.slot].radianceLin, depth.map);
 }
@@ -247,7 +248,8 @@ void Environment::uploadPicture(size_t slot) {
         const media::EyePart part = media::eyePart(layout_, eye, frame.width, frame.height);
         render::EnvironmentGpu& on = gpu_[static_cast<size_t>(eye)];
         on.setFrame({frame.at(part.x, part.y), part.width, part.height, frame.width});
-        if (!depths_[slot].map.inverse.empty()) on.setDepth(&depths_[slot].map, &depths_[slot].range);
+        if (!depths_[slot].map.inverse.empty())
+            on.setDepth(&depths_[slot].map, &depths_[slot].widened, &depths_[slot].range);
     }
     beside_ = gpu_[0].depth() ? &depths_[slot].light : nullptr;
     uploadLight(found_[slot]);

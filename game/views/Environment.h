@@ -137,7 +137,7 @@ class Environment {
     std::vector<FrameFindings> found_;
     std::vector<ImageRgba8> pictures_; // the frames as they are uploaded
     struct Depth {
-        depth::DepthMap map;
+        depth::DepthMap map, widened;
         depth::DepthRange range;
         depth::LightBeside light;
     };

@@ -29,7 +29,7 @@ class FilmDepthGL : public WithContext {
         setFilm(inverseOf);
         render::EnvironmentGpu environment;
         environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
-        environment.setDepth(&map_, &range_);
+        environment.setDepth(&map_, &map_, &range_);
         const scene::Model model = sphere(0, 0.5f);
         const render::ModelGpu gpu =
             render::uploadModel(model, render::Reflectance::Coded, render::Detail::Full);
@@ -63,7 +63,7 @@ class FilmDepthGL : public WithContext {
         environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
         if (wall_m > 0) {
             setFilm([&](const glm::vec3& d) { return std::max(-d.z, 0.0f) / wall_m; });
-            environment.setDepth(&map_, &range_);
+            environment.setDepth(&map_, &map_, &range_);
         }
         auto pass = render::ParticlePass::make();
         EXPECT_TRUE(pass) << pass.error().message();
@@ -105,7 +105,7 @@ TEST_F(FilmDepthGL, IsHandedOnAsDepth) {
     setFilm([](const glm::vec3& d) { return std::max(-d.z, 0.0f) / 3; });
     render::EnvironmentGpu environment;
     environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
-    environment.setDepth(&map_, &range_);
+    environment.setDepth(&map_, &map_, &range_);
     auto pass = render::DepthPass::make();
     ASSERT_TRUE(pass) << pass.error().message();
     const gl::Target drawn(64, 64, 1), into(64, 64, 1);

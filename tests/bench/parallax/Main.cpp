@@ -83,7 +83,7 @@ Result<Frame> readFrame(const Path& folder, media::DepthTrack& track, double tim
                         float& exposure) {
     auto display = readDisplay(folder / (pictureName("reef", {}, number) + ".hdr"), exposure);
     if (!display) return display.error();
-    Frame frame{std::move(*display), {}, {}};
+    Frame frame{.display = std::move(*display)};
     ImageRgb8 coded(frame.display.width, frame.display.height);
     for (size_t i = 0; i < coded.pixels.size(); ++i)
         coded.pixels[i] = static_cast<uint8_t>(255 * frame.display.pixels[i] + 0.5f);
@@ -91,7 +91,7 @@ Result<Frame> readFrame(const Path& folder, media::DepthTrack& track, double tim
     if (!track.read(track.frameAt(time_s), depth)) return shoal::Error{"the track", "is damaged"};
     depth::DepthRefiner().refine(
         depth, {coded.at(0, 0), coded.width, coded.height, coded.width * ptrdiff_t{3}, false}, frame.depth);
-    frame.range.make(frame.depth);
+    depth::widenNear(frame.depth, frame.widened);
     return frame;
 }
 

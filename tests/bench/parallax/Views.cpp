@@ -91,7 +91,7 @@ Picture seenFlat(const ImageRgbF& display, const glm::mat3& envFromEye, int size
 
 Picture seenBySearch(const Frame& frame, const glm::vec3& eyeInFilm, const glm::mat3& envFromEye, int size) {
     return everyPixel(envFromEye, size, [&](const glm::vec3& ray) {
-        const depth::Seen seen = depth::searchAlong(frame.depth, eyeInFilm, glm::normalize(ray));
+        const depth::Seen seen = depth::searchAlong(frame.widened, eyeInFilm, glm::normalize(ray));
         return sample(frame.display, latLongFromDirection(seen.dirEnv));
     });
 }
@@ -101,7 +101,7 @@ Picture seenByCells(const Frame& frame, const glm::vec3& eyeInFilm, const glm::m
     view.verticalFov = std::numbers::pi_v<float> / 2;
     view.aspect = 1;
     render::BackgroundCells cells;
-    cells.make(view, envFromEye, {size, size}, {&frame.depth, &frame.range, eyeInFilm});
+    cells.make(view, envFromEye, {size, size}, {&frame.widened, eyeInFilm});
     Picture picture{size, std::vector<glm::vec3>(static_cast<size_t>(size) * size)};
     for (const render::BackgroundCell& cell : cells.all())
         for (int y = cell.low.y; y < cell.high.y; ++y)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/Image.h"
-#include "engine/depth/DepthRange.h"
+#include "engine/depth/DepthMap.h"
 #include "engine/render/View.h"
 
 #include <glm/mat3x3.hpp>
@@ -15,8 +15,7 @@ namespace shoal::bench {
 // Lat-long; display values, 0 to 1.
 struct Frame {
     ImageRgbF display;
-    depth::DepthMap depth;
-    depth::DepthRange range;
+    depth::DepthMap depth, widened;
 };
 
 struct Picture {

@@ -35,6 +35,26 @@ TEST(Search, MeetsAWallWhereItIs) {
             }
 }
 
+// A rock that covers columns 100 to 199 and rows 50 to 79 of a film of slopes: what is around it comes to be
+// as near, a texel wide, and nothing else changes. So does what lies across the seam.
+TEST(Search, WhatIsNearIsWidenedByATexel) {
+    DepthMap map, widened;
+    map.inverse = Image<uint8_t, 1>(1024, 512);
+    const auto slope = [](int x, int y) { return static_cast<uint8_t>(10 + (x + y) % 8); };
+    const auto isRock = [](int x, int y) {
+        return (x >= 100 && x < 200 && y >= 50 && y < 80) || (x == 1023 && y == 300);
+    };
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 1024; ++x) *map.inverse.at(x, y) = isRock(x, y) ? 90 : slope(x, y);
+    widenNear(map, widened);
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 1024; ++x) {
+            const bool near = isRock(x, y) || isRock((x + 1) % 1024, y) || isRock((x + 1023) % 1024, y) ||
+                              isRock(x, y - 1) || isRock(x, y + 1);
+            ASSERT_EQ(*widened.inverse.at(x, y), near ? 90 : slope(x, y)) << x << " " << y;
+        }
+}
+
 TEST(Search, MovesNothingThatIsEndlesslyFar) {
     const DepthMap map = mapOf([](const glm::vec3&) { return 0.0f; });
     for (const glm::vec3& eye : kEyes) {

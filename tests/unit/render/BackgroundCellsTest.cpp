@@ -29,7 +29,7 @@ TEST(BackgroundCells, CoverEveryPixelOnceAlsoWhereTheyAreDivided) {
     const depth::DepthMap map = step();
     BackgroundCells whole, divided;
     whole.make(ahead(), glm::mat3(1), kSize);
-    divided.make(ahead(), glm::mat3(1), kSize, {&map, nullptr, {0.1f, 0, 0}});
+    divided.make(ahead(), glm::mat3(1), kSize, {&map, {0.1f, 0, 0}});
     EXPECT_GT(divided.all().size(), whole.all().size());
     for (const BackgroundCells* cells : {&whole, &divided}) {
         std::vector<int> covered(static_cast<size_t>(kSize.x) * kSize.y, 0);
@@ -48,7 +48,7 @@ TEST(BackgroundCells, ShowWhatAnEyeBesideTheCameraSees) {
     const depth::DepthMap map = step();
     const glm::vec3 eye(0.1f, 0.02f, 0);
     BackgroundCells cells;
-    cells.make(ahead(), glm::mat3(1), kSize, {&map, nullptr, eye});
+    cells.make(ahead(), glm::mat3(1), kSize, {&map, eye});
     int compared = 0;
     for (const BackgroundCell& cell : cells.all()) {
         if (cell.polar) continue;
@@ -70,7 +70,7 @@ TEST(BackgroundCells, DrawNothingOutOverAnEdge) {
     const depth::DepthMap map = step();
     for (const float aside_m : {-0.1f, 0.1f}) {
         BackgroundCells cells;
-        cells.make(ahead(), glm::mat3(1), kSize, {&map, nullptr, {aside_m, 0, 0}});
+        cells.make(ahead(), glm::mat3(1), kSize, {&map, {aside_m, 0, 0}});
         for (const BackgroundCell& cell : cells.all()) {
             if (cell.polar) continue;
             const auto pixels = glm::vec2(cell.high - cell.low);
