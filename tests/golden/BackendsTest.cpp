@@ -48,13 +48,22 @@ class Backends : public testing::Test {
         renderer_ = std::move(*renderer);
     }
 
-    std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes, Composition composition,
-                                 Backend backend) {
+    // From now on.
+    void drawBy(Composition composition, Backend backend) {
         auto renderer = SceneRenderer::make(
             renderer_->takeModels(),
             {.detail = render::Detail::Lean, .compositor = {.composition = composition, .backend = backend}});
         EXPECT_TRUE(renderer) << renderer.error().message();
         renderer_ = std::move(*renderer);
+    }
+
+    std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes, Composition composition,
+                                 Backend backend) {
+        drawBy(composition, backend);
+        return draw(shown, eyes);
+    }
+
+    std::vector<ImageRgba8> draw(const game::Snapshot& shown, int eyes) {
         renderer_->set(shown, *environment_, environment_->exposure(Tone::Auto, 0));
         const std::array<gl::Target, 2> canvases = {gl::Target(kSize.x, kSize.y, 1),
                                                     gl::Target(kSize.x, kSize.y, 1)};
@@ -155,11 +164,10 @@ class ShaderReload : public Backends {
             fs::create_directory_symlink(tests::sourceFolder() / folder, data_ / folder);
         setenv("SHOAL_DATA", data_.path().c_str(), 1);
         Backends::SetUp();
+        if (renderer_) drawBy(Composition::Plain, Backend::OpenGL);
     }
 
-    std::vector<uint8_t> picture(const game::Snapshot& shown) {
-        return draw(shown, 1, Composition::Plain, Backend::OpenGL)[0].pixels;
-    }
+    std::vector<uint8_t> picture(const game::Snapshot& shown) { return draw(shown, 1)[0].pixels; }
 };
 
 TEST_F(ShaderReload, KeepsTheLastThatWorked) {
