@@ -215,19 +215,18 @@ ObjectPass::Seen ObjectPass::seenIn(const View& view, const Added& object) const
 
 // By the film's range within the caps behind which the object's parts stand, widened by what an eye beside
 // the camera sees past their edges. By its parts: the sphere around an arm holds the eye, the arm does not.
-ObjectPass::Behind ObjectPass::behindFilm(const Added& object, const EnvironmentGpu& environment,
-                                          const View& view, const glm::mat3& envFromWorld,
-                                          const glm::vec3& eyeInFilm) const {
-    if (!environment.depthRange()) return Behind::Nothing;
-    const float beside = glm::length(eyeInFilm);
+ObjectPass::Behind ObjectPass::behindFilm(const Added& object, const EyePicture& picture) const {
+    const depth::DepthRange* range = picture.environment.depthRange();
+    if (!range) return Behind::Nothing;
+    const float beside = glm::length(picture.eyeInFilm);
     const auto behind = [&](const Sphere& part) {
-        const glm::vec3 away = part.centre - view.eyeWorld;
+        const glm::vec3 away = part.centre - picture.view.eyeWorld;
         const float distance = glm::length(away), radius = part.radius;
         // Distances from the film's camera and from the eye differ by at most what lies between them.
         if (distance + radius + beside <= depth::kNearest_m) return Behind::Nothing;
         if (distance <= radius) return Behind::Perhaps;
         const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;
-        const auto film = environment.depthRange()->around(envFromWorld * (away / distance), halfAngle);
+        const auto film = range->around(picture.envFromWorld * (away / distance), halfAngle);
         if (film.max_perM * (distance + radius + beside) <= 1) return Behind::Nothing;
         return film.min_perM * (distance - radius - beside) > 1 ? Behind::All : Behind::Perhaps;
     };
@@ -253,14 +252,13 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
     return program;
 }
 
-Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
-                        const Exposure& exposure, const water::Water& water, Glossy glossy,
-                        const glm::vec3& eyeInFilm, Surroundings surroundings) {
-    const bool inRoom = surroundings == Surroundings::Room;
+// Replaces order_ by what is in the view and not behind the film.
+void ObjectPass::sortVisible(const EyePicture& picture) {
+    const bool inRoom = picture.surroundings == Surroundings::Room;
     seen_.clear();
     for (const Added& object : objects_) {
-        Seen& seen = seen_.emplace_back(seenIn(view, object));
-        if (seen.any && !inRoom) seen.behind = behindFilm(object, environment, view, envFromWorld, eyeInFilm);
+        Seen& seen = seen_.emplace_back(seenIn(picture.view, object));
+        if (seen.any && !inRoom) seen.behind = behindFilm(object, picture);
     }
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
@@ -271,75 +269,80 @@ Status ObjectPass::draw(const EnvironmentGpu& environment, const View& view, con
         const Stage stage = inRoom && item.isInRoom ? Stage::DepthAlone
                             : blended               ? Stage::Blended
                                                     : Stage::Opaque;
-        const float distance = glm::distance(boundOf(item).centre, view.eyeWorld);
+        const float distance = glm::distance(boundOf(item).centre, picture.view.eyeWorld);
         order_.push_back(
             {stage, stage == Stage::Blended ? -distance : distance, seen.behind == Behind::Perhaps, i});
     }
     std::sort(order_.begin(), order_.end());
+}
 
+// Of the shader, for one item; shared: what all of a picture have in common.
+unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture,
+                                 Glossy glossy) const {
+    const Item& item = items_[next.item];
+    const scene::Material& material = item.gpu->materialOf(*item.primitive);
+    unsigned features = shared | featuresOf(material, *item.primitive);
+    const bool lean = detail_ == Detail::Lean;
+    const float smoothest = lean ? item.primitive->gloss.meanRoughness : item.primitive->gloss.minRoughness;
+    if (glossy == Glossy::Prefiltered && smoothest < 0.99f * picture.environment.smoothestFiltered())
+        features |= MIRRORS;
+    if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
+    if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
+        features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
+    else if (lean && isSmall(seen_[item.object].slope, picture.view))
+        features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
+    else if (lean && !material.doubleSided)
+        features |= VERTEX_DIFFUSE;
+    const bool unlit = material.unlit && shown_ == ShownQuantity::Light;
+    if (unlit) features = (features & ~(VERTEX_DIFFUSE | MIRRORS | PHONG_RINGS)) | VERTEX_LIT | UNLIT;
+    if (shaded(item)) features |= OCCLUDED;
+    if (next.cut) features |= FILM_DEPTH;
+    if (layers_ && !unlit)
+        features = (features & ~OCCLUSION_MAP) | LAYERS |
+                   (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);
+    return features;
+}
+
+// What all items that are drawn with it in this picture have in common.
+void ObjectPass::use(const gl::Program& program, unsigned features, const EyePicture& picture,
+                     const water::Water& water) const {
+    program.use();
+    picture.environment.bindLight(program);
+    program.setTexture("dfgTable", UNIT_DFG, dfg_.name());
+    program.set("clipFromWorld", picture.view.clipFromWorld());
+    program.set("eyeWorld", picture.view.eyeWorld);
+    program.set("envFromWorld", picture.envFromWorld);
+    program.set("exposureScale", picture.exposure.scale());
+    setWater(program, water);
+    if (features & OCCLUDED) setSmoothLight(program, picture.environment.smoothLight());
+    if (features & LAYERS) layers_->bind(program);
+    if (features & FILM_DEPTH) picture.environment.bindDepth(program, picture.eyeInFilm);
+}
+
+Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Glossy glossy) {
+    sortVisible(picture);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    glDisable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
-    const glm::mat4 clipFromWorld = view.clipFromWorld();
-    const unsigned shared = featuresOf(exposure, water, glossy) | (detail_ == Detail::Lean ? LEAN : 0u) |
-                            (environment.lightIsScaled() ? SCALED_LIGHT : 0u);
+    const unsigned shared = featuresOf(picture.exposure, water, glossy) |
+                            (detail_ == Detail::Lean ? LEAN : 0u) |
+                            (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
     for (const ToDraw& next : order_) {
-        const Item& item = items_[next.item];
+        const unsigned features = featuresFor(next, shared, picture, glossy);
+        auto program = programFor(features);
+        if (!program) return program.error();
+        if (*program != current) use(**program, features, picture, water);
+        current = *program;
         const bool blended = next.stage == Stage::Blended;
         if (blended || next.cut)
             glEnable(GL_BLEND);
         else
             glDisable(GL_BLEND);
         glDepthMask(!blended);
-        unsigned features = shared | featuresOf(item.gpu->materialOf(*item.primitive), *item.primitive);
-        const bool lean = detail_ == Detail::Lean;
-        const float smoothest =
-            lean ? item.primitive->gloss.meanRoughness : item.primitive->gloss.minRoughness;
-        if (glossy == Glossy::Prefiltered && smoothest < 0.99f * environment.smoothestFiltered())
-            features |= MIRRORS;
-        if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
-        if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
-            features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
-        else if (lean && isSmall(seen_[item.object].slope, view))
-            features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
-        else if (lean && !item.gpu->materialOf(*item.primitive).doubleSided)
-            features |= VERTEX_DIFFUSE;
-        const bool unlit = item.gpu->materialOf(*item.primitive).unlit && shown_ == ShownQuantity::Light;
-        if (unlit) features = (features & ~(VERTEX_DIFFUSE | MIRRORS | PHONG_RINGS)) | VERTEX_LIT | UNLIT;
-        if (shaded(item)) features |= OCCLUDED;
-        if (next.cut) features |= FILM_DEPTH;
-        if (layers_ && !unlit)
-            features = (features & ~OCCLUSION_MAP) | LAYERS |
-                       (layers_->method() == occlusion::LayerMethod::Thesis ? LAYERS_THESIS : 0u);
-        auto program = programFor(features);
-        if (!program) return program.error();
-        if (*program != current) {
-            current = *program;
-            current->use();
-            environment.bindLight(*current);
-            current->setTexture("dfgTable", UNIT_DFG, dfg_.name());
-            current->set("clipFromWorld", clipFromWorld);
-            current->set("eyeWorld", view.eyeWorld);
-            current->set("envFromWorld", envFromWorld);
-            current->set("exposureScale", exposure.scale());
-            setWater(*current, water);
-            if (features & OCCLUDED) setSmoothLight(*current, environment.smoothLight());
-            if (features & LAYERS) layers_->bind(*current);
-            if (features & FILM_DEPTH) environment.bindDepth(*current, eyeInFilm);
-        }
-        if (features & LAYERS) current->set("bodyAlbedo", item.albedo);
-        if (glossy == Glossy::PhongRings) {
-            const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
-            std::array<glm::vec2, 6> packed;
-            for (size_t r = 0; r < packed.size(); ++r)
-                packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
-            current->setArray("phongRings_angleWeight[0]", packed);
-        }
         const GLboolean coloured = next.stage != Stage::DepthAlone;
         glColorMask(coloured, coloured, coloured, coloured);
-        drawItem(*current, item, view, inRoom);
+        drawItem(*current, items_[next.item], features, picture);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         ++drawCount_;
     }
@@ -359,8 +362,18 @@ std::span<const Sphere> ObjectPass::visibleSpheres(const View& view) {
     return spheres_;
 }
 
-void ObjectPass::drawItem(const gl::Program& program, const Item& item, const View& view, bool inRoom) {
+void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned features,
+                          const EyePicture& picture) {
     static constexpr depth::LightHarmonics kNone{};
+    const bool inRoom = picture.surroundings == Surroundings::Room;
+    if (features & LAYERS) program.set("bodyAlbedo", item.albedo);
+    if (features & PHONG_RINGS) {
+        const auto rings = light::phongRings(item.gpu->materialOf(*item.primitive).roughness);
+        std::array<glm::vec2, 6> packed;
+        for (size_t r = 0; r < packed.size(); ++r)
+            packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
+        program.setArray("phongRings_angleWeight[0]", packed);
+    }
     program.setArray("lightBeside[0]", inRoom ? kNone : objects_[item.object].matteBeside);
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
@@ -406,7 +419,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, const Vi
                           static_cast<GLintptr>(shade.offset), MAX_OCCLUDERS * sizeof(PackedOccluder));
     }
     const DetailGpu& detail =
-        item.primitive->detail(toleranceAt(seen_[item.object].nearest_m, view, detail_) / item.scale);
+        item.primitive->detail(toleranceAt(seen_[item.object].nearest_m, picture.view, detail_) / item.scale);
     glBindVertexArray(detail.vertexArray.name());
     triangleCount_ += detail.indexCount / 3;
     glDrawElements(GL_TRIANGLES, detail.indexCount, GL_UNSIGNED_INT, nullptr);

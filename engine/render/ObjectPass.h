@@ -8,9 +8,8 @@
 #include "engine/gl/Program.h"
 #include "engine/occlusion/gpu/LayersGpu.h"
 #include "engine/render/BodyOccluders.h"
-#include "engine/render/EnvironmentGpu.h"
+#include "engine/render/EyePicture.h"
 #include "engine/render/ModelGpu.h"
-#include "engine/render/View.h"
 #include "engine/water/Water.h"
 
 #include <cmath>
@@ -51,12 +50,9 @@ class ObjectPass {
     void upload(const glm::mat3& envFromWorld);
 
     // Opaque objects front to back, then blended ones back to front.
-    // eyeInFilm: as EyePicture has it; what of the film is nearer than an object hides it. In the player's
-    // room nothing of the film does, and what is there as well only hides what is behind it: it leaves depth
-    // alone.
-    Status draw(const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
-                const Exposure& exposure, const water::Water& water, Glossy glossy,
-                const glm::vec3& eyeInFilm = glm::vec3(0), Surroundings surroundings = Surroundings::Film);
+    // What of the film is nearer than an object hides it. In the player's room nothing of the film does, and
+    // what is there as well only hides what is behind it: it leaves depth alone.
+    Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
     // Spheres that hold all objects in the view; world. Valid until the next call.
     std::span<const Sphere> visibleSpheres(const View& view);
@@ -115,12 +111,15 @@ class ObjectPass {
     };
     Seen seenIn(const View& view, const Added& object) const;
     // Whether the film has something that is nearer.
-    Behind behindFilm(const Added& object, const EnvironmentGpu& environment, const View& view,
-                      const glm::mat3& envFromWorld, const glm::vec3& eyeInFilm) const;
+    Behind behindFilm(const Added& object, const EyePicture& picture) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);
-    void drawItem(const gl::Program& program, const Item& item, const View& view, bool inRoom);
+    void sortVisible(const EyePicture& picture);
+    unsigned featuresFor(const ToDraw& next, unsigned shared, const EyePicture& picture, Glossy glossy) const;
+    void use(const gl::Program& program, unsigned features, const EyePicture& picture,
+             const water::Water& water) const;
+    void drawItem(const gl::Program& program, const Item& item, unsigned features, const EyePicture& picture);
 
     gl::Variants programs_;
     Detail detail_ = Detail::Full;

@@ -25,9 +25,9 @@ bool hidesSpecks(const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) 
     return film.max_perM * (kCube_m / 2 + glm::length(eyeInFilm)) > 1;
 }
 
-unsigned featuresOf(const Exposure& exposure, const EnvironmentGpu& environment, const glm::vec3& eyeInFilm) {
-    return toneFeatures(exposure) | (environment.lightIsScaled() ? kScaledLight : 0u) |
-           (hidesSpecks(environment, eyeInFilm) ? kFilmDepth : 0u);
+unsigned featuresOf(const EyePicture& picture) {
+    return toneFeatures(picture.exposure) | (picture.environment.lightIsScaled() ? kScaledLight : 0u) |
+           (hidesSpecks(picture.environment, picture.eyeInFilm) ? kFilmDepth : 0u);
 }
 
 } // namespace
@@ -40,26 +40,25 @@ Result<ParticlePass> ParticlePass::make() {
     return pass;
 }
 
-Status ParticlePass::draw(On on, const EnvironmentGpu& environment, const View& view,
-                          const glm::mat3& envFromWorld, const Exposure& exposure, const water::Water& water,
-                          double time_s, const glm::vec3& eyeInFilm) {
-    const unsigned features = featuresOf(exposure, environment, eyeInFilm);
+Status ParticlePass::draw(On on, const EyePicture& picture, const water::Water& water, double time_s) {
+    const unsigned features = featuresOf(picture);
     auto found = programs_.get(features);
     if (!found) return found.error();
     const gl::Program& program = **found;
     program.use();
-    environment.bindLight(program);
-    if (features & kFilmDepth) environment.bindDepth(program, eyeInFilm);
+    picture.environment.bindLight(program);
+    if (features & kFilmDepth) picture.environment.bindDepth(program, picture.eyeInFilm);
     setWater(program, water);
-    program.set("eyeWorld", view.eyeWorld);
-    program.set("clipFromWorld", view.clipFromWorld());
-    program.set("envFromWorld", envFromWorld);
-    program.set("exposureScale", exposure.scale());
+    program.set("eyeWorld", picture.view.eyeWorld);
+    program.set("clipFromWorld", picture.view.clipFromWorld());
+    program.set("envFromWorld", picture.envFromWorld);
+    program.set("exposureScale", picture.exposure.scale());
     // Wrapped here: floats would lose a dive of hours.
     program.set("drift_m", glm::vec3(glm::mod(kDrift_mps * time_s, static_cast<double>(kCube_m))));
     program.set("swell", static_cast<float>(std::fmod(time_s / kSwell_s, 1.0) * 2 * std::numbers::pi));
     program.set("cube_m", kCube_m);
-    program.set("pixelsPerSlope", static_cast<float>(view.heightPixels) / (2 * view.halfExtent().y));
+    program.set("pixelsPerSlope",
+                static_cast<float>(picture.view.heightPixels) / (2 * picture.view.halfExtent().y));
 
     if (on == On::Picture)
         glDisable(GL_DEPTH_TEST);

@@ -3,8 +3,7 @@
 
 #include "engine/gl/Objects.h"
 #include "engine/gl/Program.h"
-#include "engine/render/EnvironmentGpu.h"
-#include "engine/render/View.h"
+#include "engine/render/EyePicture.h"
 #include "engine/water/Water.h"
 
 namespace shoal::render {
@@ -19,11 +18,9 @@ class ParticlePass {
         Picture     // without depth: nothing hides specks
     };
 
-    // After all else. time_s places every speck, so equal times give equal pictures. eyeInFilm: as EyePicture
-    // has it; what of the film is nearer than a speck hides it.
-    Status draw(On on, const EnvironmentGpu& environment, const View& view, const glm::mat3& envFromWorld,
-                const Exposure& exposure, const water::Water& water, double time_s,
-                const glm::vec3& eyeInFilm = glm::vec3(0));
+    // After all else. time_s places every speck, so equal times give equal pictures. What of the film is
+    // nearer than a speck hides it.
+    Status draw(On on, const EyePicture& picture, const water::Water& water, double time_s);
 
   private:
     gl::Variants programs_;

@@ -235,19 +235,16 @@ Status Viewer::draw(const gl::Target& target) {
                    .bound = {orbit_.target, orbit_.modelRadius},
                    .body = &body_});
     objects_->upload(environment_->envFromWorld());
-    const glm::mat3 turn = environment_->envFromWorld();
+    const render::EyePicture picture{.environment = environment_->gpu(0),
+                                     .envFromWorld = environment_->envFromWorld(),
+                                     .view = view,
+                                     .exposure = exposure,
+                                     .canvas = target};
     if (options_.background == Background::Environment &&
         options_.look.skip != render::SkippedPass::Background)
-        if (Status s = background_->draw({.environment = environment_->gpu(0),
-                                          .envFromWorld = turn,
-                                          .view = view,
-                                          .exposure = exposure,
-                                          .canvas = target},
-                                         nullptr);
-            !s)
-            return s;
+        if (Status s = background_->draw(picture, nullptr); !s) return s;
     if (options_.look.skip == render::SkippedPass::Objects) return Done{};
-    return objects_->draw(environment_->gpu(0), view, turn, exposure, {}, options_.look.glossy);
+    return objects_->draw(picture, {}, options_.look.glossy);
 }
 
 // Half the size each way, by a filter two pixels wide that falls off towards its ends, as path tracers' pixel

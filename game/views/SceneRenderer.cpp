@@ -161,11 +161,7 @@ Status SceneRenderer::drawObjects(const render::EyePicture& picture) {
     if (setup_.skip == render::SkippedPass::Objects) return Done{};
     {
         const gl::PassTimers::Scope scope(timers_, "objects");
-        if (Status drawn = passes_.objects.draw(picture.environment, picture.view, picture.envFromWorld,
-                                                picture.exposure, waterAround(picture), glossy_,
-                                                picture.eyeInFilm, picture.surroundings);
-            !drawn)
-            return drawn;
+        if (Status drawn = passes_.objects.draw(picture, waterAround(picture), glossy_); !drawn) return drawn;
     }
     const bool inRoom = picture.surroundings == render::Surroundings::Room;
     if (inRoom && passes_.floorShadows && !passes_.floorShadows->empty()) {
@@ -179,8 +175,7 @@ Status SceneRenderer::drawParticles(render::ParticlePass::On on, const render::E
     const water::Water water = waterAround(picture);
     if (!passes_.particles || water.none() || setup_.skip == render::SkippedPass::Particles) return Done{};
     const gl::PassTimers::Scope scope(timers_, "particles");
-    return passes_.particles->draw(on, picture.environment, picture.view, picture.envFromWorld,
-                                   picture.exposure, water, time_s_, picture.eyeInFilm);
+    return passes_.particles->draw(on, picture, water, time_s_);
 }
 
 // As the background is drawn: from where the eye is in the film; where each eye has a picture of its own,

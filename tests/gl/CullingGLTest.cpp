@@ -24,7 +24,8 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     pass->begin();
     pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = bound, .parts = parts});
     pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {}, {}, render::Glossy::Prefiltered));
+    EXPECT_TRUE(pass->draw({.environment = environment, .view = view, .canvas = target}, {},
+                           render::Glossy::Prefiltered));
     EXPECT_EQ(pass->visibleSpheres(view).empty(), pass->drawCount() == 0);
     return pass->drawCount();
 }

@@ -51,8 +51,9 @@ class FilmDepthGL : public WithContext {
                    .worldFromModel = worldFromModel,
                    .bound = {centre, 0.5f}});
         pass->upload(glm::mat3(1));
-        EXPECT_TRUE(pass->draw(environment, view(eyeInFilm), glm::mat3(1), {}, {},
-                               render::Glossy::Prefiltered, eyeInFilm));
+        EXPECT_TRUE(pass->draw(
+            {.environment = environment, .view = view(eyeInFilm), .canvas = target, .eyeInFilm = eyeInFilm},
+            {}, render::Glossy::Prefiltered));
         target.resolve();
         return {target.read(), pass->drawCount()};
     }
@@ -74,8 +75,9 @@ class FilmDepthGL : public WithContext {
         glDepthMask(GL_TRUE);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glClearDepth(1);
-        EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything, environment, snowView(eye), glm::mat3(1),
-                               {}, {}, 3, eye));
+        EXPECT_TRUE(pass->draw(
+            render::ParticlePass::On::Everything,
+            {.environment = environment, .view = snowView(eye), .canvas = target, .eyeInFilm = eye}, {}, 3));
         return target.read();
     }
     static render::View snowView(const glm::vec3& eye) {

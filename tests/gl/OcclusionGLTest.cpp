@@ -95,8 +95,11 @@ ImageRgba8 drawAmong(const std::vector<Other>& others, const occlusion::SmoothLi
                    .bound = {glm::vec3(other.worldFromModel[3]), 1},
                    .body = &other.body});
     pass->upload(glm::mat3(1));
-    EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {.curve = render::ToneCurve::Linear}, {},
-                           render::Glossy::Prefiltered));
+    EXPECT_TRUE(pass->draw({.environment = environment,
+                            .view = view,
+                            .exposure = {.curve = render::ToneCurve::Linear},
+                            .canvas = target},
+                           {}, render::Glossy::Prefiltered));
     return target.read();
 }
 

@@ -96,9 +96,11 @@ inline ImageRgba8 drawSphere(const scene::Model& model, const render::Environmen
                .highlight = look.highlight,
                .beside = look.beside});
     pass->upload(glm::mat3(1));
-    const Status drawn =
-        pass->draw(environment, view, glm::mat3(1), {.exposure_ev = look.exposure_ev, .frames = look.frames},
-                   look.water, render::Glossy::Prefiltered);
+    const Status drawn = pass->draw({.environment = environment,
+                                     .view = view,
+                                     .exposure = {.exposure_ev = look.exposure_ev, .frames = look.frames},
+                                     .canvas = target},
+                                    look.water, render::Glossy::Prefiltered);
     EXPECT_TRUE(drawn);
     return target.read();
 }

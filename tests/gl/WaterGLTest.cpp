@@ -64,8 +64,9 @@ Snowfall snowAt(double time_s, float depth) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearDepth(1);
     const render::View view{.heightPixels = 180};
-    EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything, environment, view, glm::mat3(1), {},
-                           someWater(), time_s));
+    EXPECT_TRUE(pass->draw(render::ParticlePass::On::Everything,
+                           {.environment = environment, .view = view, .canvas = target}, someWater(),
+                           time_s));
     Snowfall fall{target.read()};
     for (size_t i = 0; i < fall.picture.pixels.size(); i += 4) fall.specks += fall.picture.pixels[i + 1] > 4;
     return fall;

@@ -147,8 +147,11 @@ ImageRgba8 HandClip::hands(const std::array<std::optional<HandPose>, 2>& poses) 
     const render::View view{.verticalFov = verticalFov_,
                             .aspect = static_cast<float>(size_.width) / static_cast<float>(size_.height),
                             .heightPixels = size_.height};
-    if (Status drawn = pass_->draw(*environment_, view, glm::mat3(1), {.exposure_ev = 0.8f}, {},
-                                   render::Glossy::Prefiltered);
+    if (Status drawn = pass_->draw({.environment = *environment_,
+                                    .view = view,
+                                    .exposure = {.exposure_ev = 0.8f},
+                                    .canvas = *target_},
+                                   {}, render::Glossy::Prefiltered);
         !drawn)
         return {};
     return target_->read();

@@ -77,8 +77,11 @@ class LayersPicture : public WithContext {
         pass->begin();
         pass->add({.model = model, .gpu = gpu, .pose = pose, .bound = {{}, 1.5f}, .body = &body});
         pass->upload(glm::mat3(1));
-        EXPECT_TRUE(pass->draw(environment, view, glm::mat3(1), {.curve = render::ToneCurve::Linear}, {},
-                               render::Glossy::Prefiltered));
+        EXPECT_TRUE(pass->draw({.environment = environment,
+                                .view = view,
+                                .exposure = {.curve = render::ToneCurve::Linear},
+                                .canvas = target},
+                               {}, render::Glossy::Prefiltered));
         const ImageRgba8 picture = target.read();
         glm::dvec3 sum(0);
         for (int y = kSize / 4; y < kSize * 3 / 4; ++y)
