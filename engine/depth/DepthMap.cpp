@@ -1,6 +1,7 @@
 #include "engine/depth/DepthMap.h"
 
 #include "engine/light/Vectorise.h"
+#include "engine/math/LatLong.h"
 #include "shaders/render/Attributes.glsl"
 
 #include <glm/common.hpp>
@@ -36,8 +37,6 @@ constexpr auto kSearchStep_rad = static_cast<float>(FILM_STEP_RAD);
 constexpr auto kFound_rad = static_cast<float>(FILM_FOUND_RAD);
 constexpr auto kPassed = static_cast<float>(FILM_PASSED);
 constexpr int kSearchSteps = FILM_MAX_STEPS;
-
-int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
 // Of two rows, the second's weight in 256ths.
 SHOAL_VECTORISE void blend(const uint16_t* above, const uint16_t* below, int weight, uint8_t* out,
@@ -186,7 +185,7 @@ DepthRefiner::Between DepthRefiner::between(int fine, int fineCount, int coarseC
         0.5f;
     const float low = std::floor(at);
     const int first = static_cast<int>(low), weight = static_cast<int>((at - low) * 256 + 0.5f);
-    if (repeats) return {wrapped(first, coarseCount), wrapped(first + 1, coarseCount), weight};
+    if (repeats) return {wrappedColumn(first, coarseCount), wrappedColumn(first + 1, coarseCount), weight};
     return {std::clamp(first, 0, coarseCount - 1), std::clamp(first + 1, 0, coarseCount - 1), weight};
 }
 
@@ -213,7 +212,8 @@ void DepthRefiner::enlarge(const media::DepthFrame& depth, DepthMap& out) {
 
 // Where their inverse distances fall into two groups with a gap between: a slope has none, however steep.
 bool DepthRefiner::findEdge(int x, int y, Edge& edge) const {
-    const std::array<int, 3> columns{wrapped(x - 1, coarse_.width), x, wrapped(x + 1, coarse_.width)};
+    const std::array<int, 3> columns{wrappedColumn(x - 1, coarse_.width), x,
+                                     wrappedColumn(x + 1, coarse_.width)};
     const std::array<const uint8_t*, 3> rows{coarse_.at(0, std::max(y - 1, 0)), coarse_.at(0, y),
                                              coarse_.at(0, std::min(y + 1, coarse_.height - 1))};
     int low = 255, high = 0;
@@ -294,7 +294,7 @@ void DepthRefiner::split(const Edge& edge, int scale, DepthMap& out) const {
     voters.nearness = nearness_.data();
     voters.stride = padded_;
     for (size_t n = 0; n < 9; ++n) {
-        const int x = wrapped(edge.x + static_cast<int>(n % 3) - 1, coarse_.width);
+        const int x = wrappedColumn(edge.x + static_cast<int>(n % 3) - 1, coarse_.width);
         const int y = std::clamp(edge.y + static_cast<int>(n / 3) - 1, 0, coarse_.height - 1);
         voters.means[n] = means_.at(x, y);
         voters.inverse[n] = edge.inverse[n];
@@ -327,8 +327,8 @@ void DepthRefiner::refine(const media::DepthFrame& depth, const light::FrameView
             edges_.push_back(edge);
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx)
-                    *wanted_.at(wrapped(x + dx, coarse_.width), std::clamp(y + dy, 0, coarse_.height - 1)) =
-                        1;
+                    *wanted_.at(wrappedColumn(x + dx, coarse_.width),
+                                std::clamp(y + dy, 0, coarse_.height - 1)) = 1;
         }
     readColours(film, scale);
     for (const Edge& each : edges_) split(each, scale, out);

@@ -44,6 +44,9 @@ inline glm::vec2 latLongRoughly(const glm::vec3& dir) {
             0.5f - angle(dir.y, std::sqrt(dir.x * dir.x + dir.z * dir.z)) * kInvPi};
 }
 
+// The column of a map that this one is, up to its width beyond an edge: columns repeat.
+inline int wrappedColumn(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
+
 // The inverse; uv may lie outside [0, 1] in u (it wraps). Result: unit length.
 template <class T> glm::vec<3, T> directionFromLatLong(const glm::vec<2, T>& uv) {
     const T longitude = (uv.x - T(0.5)) * T(2) * std::numbers::pi_v<T>;

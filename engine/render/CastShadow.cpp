@@ -165,6 +165,9 @@ struct FilmRay {
     }
 };
 
+// The first of what the film shows that a ray meets, as metres along it; negative where there is nothing up
+// to reach_m, or nothing that is known. Behind an edge of the film nothing is known, and the ray goes on.
+// What begins within the surface, as a hand that touches it, meets it at once.
 float meet(const FilmRay& ray, float reach_m) {
     constexpr float kMinStep_m = 0.1f, kMaxStep_m = 0.5f;
     constexpr float kTouch_m = 0.3f; // so far within a surface a ray begins at it
@@ -206,21 +209,16 @@ float meetNear(const FilmRay& ray, float guess, float within_m, float reach_m) {
     return std::abs(gap) < kHit_m && at >= 0 ? at : meet(ray, reach_m);
 }
 
-} // namespace
-
-float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m) {
-    return meet(FilmRay(film, fromWorld, dirWorld), reach_m);
-}
-
 // How far a piece's shadow falls; negative: it meets nothing. groundBefore: where that of the piece beside it
 // fell, along the light's way.
-static float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight& light,
-                    float groundBefore) {
+float fallOf(const FilmSurface& film, const FlatPiece& piece, const CastingLight& light, float groundBefore) {
     const FilmRay ray(film, piece.middle, -light.towards);
     const float guess = groundBefore + glm::dot(piece.middle, light.towards);
     return guess > 0 ? meetNear(ray, guess, kLevel * 2 * piece.halfAlong_m, kShadowReach_m)
                      : meet(ray, kShadowReach_m);
 }
+
+} // namespace
 
 void findSpots(const FilmSurface& film, std::span<const FlatPiece> body, const CastingLight& light,
                std::vector<Spot>& out) {

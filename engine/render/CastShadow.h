@@ -76,11 +76,6 @@ void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& lig
 // frame.
 float covered(std::span<const FlatPiece> body, const CastingLight& light, const glm::vec3& place);
 
-// The first of what the film shows that a ray meets, as metres along it; negative where there is nothing up
-// to reach_m, or nothing that is known. Behind an edge of the film nothing is known, and the ray goes on.
-// What begins within the surface, as a hand that touches it, meets it at once. dirWorld: about unit length.
-float meet(const FilmSurface& film, const glm::vec3& fromWorld, const glm::vec3& dirWorld, float reach_m);
-
 constexpr float kMinDisc_m = 1e-3f;    // of the light, seen from a place that a body touches
 constexpr float kLeastShadow = 0.012f; // of a surface's light: three of 255 display values; less is not drawn
 

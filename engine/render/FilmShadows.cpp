@@ -1,6 +1,7 @@
 #include "engine/render/FilmShadows.h"
 
 #include "engine/light/Vectorise.h"
+#include "engine/math/LatLong.h"
 
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -57,9 +58,6 @@ bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const Vi
     }
     return false;
 }
-
-// Of a map whose columns repeat.
-int wrapped(int x, int width) { return x < 0 ? x + width : x >= width ? x - width : x; }
 
 } // namespace
 
@@ -153,8 +151,8 @@ void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
         const auto [sinLatitude, cosLatitude] =
             std::pair(rows_[static_cast<size_t>(y)].x, rows_[static_cast<size_t>(y)].y);
         for (int x = low.x; x < high.x; ++x, ++i) {
-            const int code = rows[1][x], left = wrapped(x - 1, codes.width),
-                      right = wrapped(x + 1, codes.width);
+            const int code = rows[1][x], left = wrappedColumn(x - 1, codes.width),
+                      right = wrappedColumn(x + 1, codes.width);
             int sum = 0;
             for (const uint8_t* row : rows)
                 for (const int column : {left, x, right})
@@ -194,9 +192,9 @@ float FilmShadows::cosineAt(int x, int y, const glm::vec3& towardsEnv) const {
         const auto off = [&](const glm::ivec2& at) { return std::abs(*codes.at(at.x, at.y) - code); };
         return off(a) < off(b) ? here - placeAt(a.x, a.y) : placeAt(b.x, b.y) - here;
     };
-    const glm::vec3 normal =
-        glm::cross(slope({wrapped(x - across, codes.width), y}, {wrapped(x + across, codes.width), y}),
-                   slope({x, std::max(y - down, 0)}, {x, std::min(y + down, codes.height - 1)}));
+    const glm::vec3 normal = glm::cross(
+        slope({wrappedColumn(x - across, codes.width), y}, {wrappedColumn(x + across, codes.width), y}),
+        slope({x, std::max(y - down, 0)}, {x, std::min(y + down, codes.height - 1)}));
     const float length = glm::length(normal);
     return length > 1e-9f ? std::abs(glm::dot(normal, towardsEnv)) / length : towardsEnv.y;
 }
