@@ -73,8 +73,11 @@ Status Application::begin(Mode mode, bool measured) {
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
     noteWebcam();
-    const bool records = measured && !options_.record.empty() && mode != Mode::Title;
-    return records ? play_->session.record(recordingFile()) : Done{};
+    return records(mode, measured) ? play_->session.record(recordingFile()) : Done{};
+}
+
+bool Application::records(Mode mode, bool measured) const {
+    return measured && !options_.record.empty() && mode != Mode::Title;
 }
 
 // Only in a headset does a dive depend on it.
@@ -92,8 +95,9 @@ Status Application::beginSeated(bool measured) {
     const bool byPerson = !config_.script && !config_.replay;
     if (!byPerson || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
         return Done{};
-    recordings_ = std::max(recordings_ - 1, 0); // the recording begins anew as well
-    return begin(play_->states.mode(), measured);
+    const Mode mode = play_->states.mode();
+    if (records(mode, measured)) --recordings_; // it begins anew as well
+    return begin(mode, measured);
 }
 
 // Each session has a recording of its own: FILE, FILE-2, FILE-3.

@@ -76,6 +76,7 @@ class Application {
     Status begin(Mode mode, bool measured = true);
     bool isSeated() const;
     Status beginSeated(bool measured); // again, where who dives turns out to sit
+    bool records(Mode mode, bool measured) const;
     Path recordingFile();
     Status endPlay();
 
