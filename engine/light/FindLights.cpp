@@ -38,10 +38,7 @@ float luminanceAt(const ImageRgbF& level, int x, int y) {
 std::vector<glm::vec3> directionsOfTexels(int width) {
     std::vector<glm::vec3> directions;
     for (int y = 0; y < width / 2; ++y)
-        for (int x = 0; x < width; ++x)
-            directions.push_back(
-                directionFromLatLong(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(2 * y) + 1) /
-                                     static_cast<float>(width)));
+        for (int x = 0; x < width; ++x) directions.push_back(texelDirection(x, y, width, width / 2));
     return directions;
 }
 

@@ -148,8 +148,6 @@ void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
     for (int y = low.y; y < high.y; ++y) {
         const std::array<const uint8_t*, 3> rows{codes.at(0, std::max(y - 1, 0)), codes.at(0, y),
                                                  codes.at(0, std::min(y + 1, codes.height - 1))};
-        const auto [sinLatitude, cosLatitude] =
-            std::pair(rows_[static_cast<size_t>(y)].x, rows_[static_cast<size_t>(y)].y);
         for (int x = low.x; x < high.x; ++x, ++i) {
             const int code = rows[1][x], left = wrappedColumn(x - 1, codes.width),
                       right = wrappedColumn(x + 1, codes.width);
@@ -159,19 +157,19 @@ void FilmShadows::findPlaces(const glm::ivec2& low, const glm::ivec2& high) {
                     sum += std::clamp<int>(row[column], code - kSame, code + kSame);
             const float distance =
                 code == 0 ? kFar_m : 9 / (static_cast<float>(sum) * depth::DepthMap::perM(1));
-            const glm::vec2& turn = columns_[static_cast<size_t>(x)];
-            const glm::vec3 place = lightFromEnv_ * (distance * glm::vec3(cosLatitude * turn.x, sinLatitude,
-                                                                          -cosLatitude * turn.y));
+            const glm::vec3 place = lightFromEnv_ * (distance * directionAt(x, y));
             along_[i] = place.x, aside_[i] = place.y, up_[i] = place.z;
         }
     }
 }
 
+glm::vec3 FilmShadows::directionAt(int x, int y) const {
+    const glm::vec2 &turn = columns_[static_cast<size_t>(x)], &height = rows_[static_cast<size_t>(y)];
+    return {height.y * turn.x, height.x, -height.y * turn.y};
+}
+
 glm::vec3 FilmShadows::placeAt(int x, int y) const {
-    const glm::vec2& turn = columns_[static_cast<size_t>(x)];
-    const glm::vec2& height = rows_[static_cast<size_t>(y)];
-    return distance_m_[*film_.map->inverse.at(x, y)] *
-           glm::vec3(height.y * turn.x, height.x, -height.y * turn.y);
+    return distance_m_[*film_.map->inverse.at(x, y)] * directionAt(x, y);
 }
 
 // From the neighbours, along each axis the one that is nearer in depth: the other may lie beyond an edge.
@@ -229,9 +227,7 @@ FilmShadows::Extent FilmShadows::extentOf(const glm::ivec2& low, const glm::ivec
     const float furthest = distance_m_[static_cast<size_t>(std::max(least - kSame, 0))];
     const float nearest = most == 0 ? kFar_m : distance_m_[static_cast<size_t>(std::min(most + kSame, 255))];
     const glm::ivec2 middle = (low + high) / 2;
-    const glm::vec2 &turn = columns_[static_cast<size_t>(middle.x)],
-                    &height = rows_[static_cast<size_t>(middle.y)];
-    const glm::vec3 towards = lightFromEnv_ * glm::vec3(height.y * turn.x, height.x, -height.y * turn.y);
+    const glm::vec3 towards = lightFromEnv_ * directionAt(middle.x, middle.y);
     const float texel = std::numbers::pi_v<float> / static_cast<float>(codes.height);
     const float beside = furthest * texel * (0.5f * glm::length(glm::vec2(high - low)) + 1);
     const glm::vec3 near = nearest * towards, far = furthest * towards;

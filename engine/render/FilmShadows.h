@@ -71,7 +71,8 @@ class FilmShadows {
     void shadeTile(const CastingLight& light, float strength, const glm::ivec2& tile);
     void chooseAround(const glm::ivec2& tile);
     void findPlaces(const glm::ivec2& low, const glm::ivec2& high);
-    // From the film's camera, env frame; far away where nothing is known.
+    // From the film's camera, env frame; a place where nothing is known is far away.
+    glm::vec3 directionAt(int x, int y) const;
     glm::vec3 placeAt(int x, int y) const;
     // Of the angle between the surface's normal at a texel of the map and a direction, env frame.
     float cosineAt(int x, int y, const glm::vec3& towardsEnv) const;

@@ -1,6 +1,7 @@
 #include "game/session/HandSource.h"
 
 #include "engine/core/Log.h"
+#include "engine/math/Follow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,8 +135,8 @@ void TrackedHands::frame(double elapsed_s) {
     hands::HandStream& stream = tracker_->stream();
     hands_.advance(stream, elapsed_s, hands::Clock::now());
     played_s_ += elapsed_s;
-    constexpr double kElbowEase_s = 0.05;
-    const auto share = static_cast<float>(1 - std::exp(-elapsed_s / kElbowEase_s));
+    constexpr float kElbowEase_s = 0.05f;
+    const float share = math::followShare(static_cast<float>(elapsed_s), kElbowEase_s);
     for (int side = 0; side < 2; ++side) {
         glm::vec3& shown = towardsElbow_[static_cast<size_t>(side)];
         shown += ((choice_.fromDevice() ? hands_.towardsElbow(side) : glm::vec3(0)) - shown) * share;
