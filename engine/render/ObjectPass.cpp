@@ -131,8 +131,8 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
 
 void ObjectPass::begin() {
     items_.clear();
-    objects_.clear();
-    parts_.clear();
+    bounds_.clear();
+    matteBeside_.clear();
     matrices_.clear();
     near_.clear();
     inRoom_.clear();
@@ -140,33 +140,43 @@ void ObjectPass::begin() {
 }
 
 void ObjectPass::add(const Object& object) {
-    const auto& [model, gpu, pose, worldFromModel, bound, parts, body, highlight, isInRoom, beside] = object;
-    objects_.push_back({bound, parts_.size(), std::max<size_t>(parts.size(), 1),
-                        beside ? matteFactors(*beside) : depth::LightHarmonics{}});
-    if (parts.empty()) parts_.push_back(bound);
-    parts_.insert(parts_.end(), parts.begin(), parts.end());
-    const int added = body ? static_cast<int>(near_.add(*body, pose, worldFromModel, bound)) : -1;
-    if (body) inRoom_.push_back(isInRoom);
-    const int number = occlusion_ ? added : -1;
+    const size_t objectIndex = bounds_.add(object.bound, object.parts);
+    matteBeside_.push_back(object.beside ? matteFactors(*object.beside) : depth::LightHarmonics{});
+    int body = -1;
+    if (object.body) {
+        const size_t added = near_.add(*object.body, object.pose, object.worldFromModel, object.bound);
+        inRoom_.push_back(object.isInRoom);
+        if (occlusion_) body = static_cast<int>(added);
+    }
+    const scene::Model& model = object.model;
+    const glm::mat4& worldFromModel = object.worldFromModel;
     for (const int index : model.order) {
         const auto n = static_cast<size_t>(index);
         const scene::Node& node = model.nodes[n];
         if (node.mesh < 0) continue;
-        const MeshGpu& mesh = gpu.meshes[static_cast<size_t>(node.mesh)];
+        const MeshGpu& mesh = object.gpu.meshes[static_cast<size_t>(node.mesh)];
         const bool skinned = node.skin >= 0;
         if (skinned) {
-            scene::skinMatrices(model, node.skin, pose, joints_);
+            scene::skinMatrices(model, node.skin, object.pose, joints_);
             for (glm::mat4& joint : joints_) joint = worldFromModel * joint;
         }
-        const glm::mat4 worldFromNode = worldFromModel * pose.modelFromNode[n];
+        const glm::mat4 worldFromNode = worldFromModel * object.pose.modelFromNode[n];
         const size_t bytes =
             skinned ? std::min<size_t>(joints_.size(), MAX_JOINTS) * sizeof(glm::mat4) : sizeof(glm::mat4);
         const size_t offset = append(skinned ? &joints_[0] : &worldFromNode, bytes);
         const float scale = glm::length(glm::vec3((skinned ? worldFromModel : worldFromNode)[0]));
         const bool mirrored = glm::determinant(glm::mat3(skinned ? joints_[0] : worldFromNode)) < 0;
         for (const PrimitiveGpu& primitive : mesh.primitives)
-            items_.push_back({&gpu, &primitive, objects_.size() - 1, offset, scale, mirrored, number,
-                              body ? body->albedo : glm::vec3(0), highlight, isInRoom});
+            items_.push_back({.gpu = &object.gpu,
+                              .primitive = &primitive,
+                              .object = objectIndex,
+                              .matrixOffset = offset,
+                              .scale = scale,
+                              .mirrored = mirrored,
+                              .body = body,
+                              .albedo = object.body ? object.body->albedo : glm::vec3(0),
+                              .highlight = object.highlight,
+                              .isInRoom = object.isInRoom});
     }
 }
 
@@ -192,52 +202,6 @@ void ObjectPass::upload(const glm::mat3& envFromWorld) {
                  GL_STREAM_DRAW);
 }
 
-std::span<const Sphere> ObjectPass::partsOf(const Added& object) const {
-    return std::span(parts_).subspan(object.firstPart, object.parts);
-}
-
-// By its parts: the sphere around an arm holds the eye, and reaches into views that the arm does not.
-ObjectPass::Seen ObjectPass::seenIn(const View& view, const Added& object) const {
-    Seen seen;
-    if (!sees(view, object.bound)) return seen;
-    const float middle = glm::distance(object.bound.centre, view.eyeWorld);
-    const bool holdsEye = middle < object.bound.radius;
-    if (!holdsEye) seen.slope = object.bound.radius / std::max(middle, view.near_m);
-    for (const Sphere& part : partsOf(object)) {
-        if (!sees(view, part)) continue;
-        const float distance = glm::distance(part.centre, view.eyeWorld);
-        seen.any = true;
-        seen.nearest_m = std::min(seen.nearest_m, distance - part.radius);
-        if (holdsEye) seen.slope = std::max(seen.slope, part.radius / std::max(distance, view.near_m));
-    }
-    return seen;
-}
-
-// By the film's range within the caps behind which the object's parts stand, widened by what an eye beside
-// the camera sees past their edges. By its parts: the sphere around an arm holds the eye, the arm does not.
-ObjectPass::Behind ObjectPass::behindFilm(const Added& object, const EyePicture& picture) const {
-    const depth::DepthRange* range = picture.environment.depthRange();
-    if (!range) return Behind::Nothing;
-    const float beside = glm::length(picture.eyeInFilm);
-    const auto behind = [&](const Sphere& part) {
-        const glm::vec3 away = part.centre - picture.view.eyeWorld;
-        const float distance = glm::length(away), radius = part.radius;
-        // Distances from the film's camera and from the eye differ by at most what lies between them.
-        if (distance + radius + beside <= depth::kNearest_m) return Behind::Nothing;
-        if (distance <= radius) return Behind::Perhaps;
-        const float halfAngle = std::asin(radius / distance) + beside / depth::kNearest_m;
-        const auto film = range->around(picture.envFromWorld * (away / distance), halfAngle);
-        if (film.max_perM * (distance + radius + beside) <= 1) return Behind::Nothing;
-        return film.min_perM * (distance - radius - beside) > 1 ? Behind::All : Behind::Perhaps;
-    };
-    if (const Behind whole = behind(object.bound); whole != Behind::Perhaps) return whole;
-    const std::span<const Sphere> parts = partsOf(object);
-    const Behind all = behind(parts[0]);
-    return std::ranges::all_of(parts, [&](const Sphere& part) { return behind(part) == all; })
-               ? all
-               : Behind::Perhaps;
-}
-
 bool ObjectPass::shaded(const Item& item) const {
     return occlusion_ && !layers_ && !item.gpu->materialOf(*item.primitive).unlit &&
            (item.primitive->withSelfOcclusion ||
@@ -255,23 +219,19 @@ Result<const gl::Program*> ObjectPass::programFor(unsigned features) {
 // Replaces order_ by what is in the view and not behind the film.
 void ObjectPass::sortVisible(const EyePicture& picture) {
     const bool inRoom = picture.surroundings == Surroundings::Room;
-    seen_.clear();
-    for (const Added& object : objects_) {
-        Seen& seen = seen_.emplace_back(seenIn(picture.view, object));
-        if (seen.any && !inRoom) seen.behind = behindFilm(object, picture);
-    }
+    bounds_.seenIn(picture, seen_);
     order_.clear();
     for (size_t i = 0; i < items_.size(); ++i) {
         const Item& item = items_[i];
-        const Seen& seen = seen_[item.object];
-        if (!seen.any || seen.behind == Behind::All) continue;
+        const ObjectBounds::Seen& seen = seen_[item.object];
+        if (!seen.any || seen.behind == BehindFilm::All) continue;
         const bool blended = item.gpu->materialOf(*item.primitive).alphaMode == scene::AlphaMode::Blend;
         const Stage stage = inRoom && item.isInRoom ? Stage::DepthAlone
                             : blended               ? Stage::Blended
                                                     : Stage::Opaque;
-        const float distance = glm::distance(boundOf(item).centre, picture.view.eyeWorld);
+        const float distance = glm::distance(bounds_.whole(item.object).centre, picture.view.eyeWorld);
         order_.push_back(
-            {stage, stage == Stage::Blended ? -distance : distance, seen.behind == Behind::Perhaps, i});
+            {stage, stage == Stage::Blended ? -distance : distance, seen.behind == BehindFilm::Perhaps, i});
     }
     std::sort(order_.begin(), order_.end());
 }
@@ -353,15 +313,6 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     return Done{};
 }
 
-std::span<const Sphere> ObjectPass::visibleSpheres(const View& view) {
-    spheres_.clear();
-    for (const Added& object : objects_)
-        if (sees(view, object.bound))
-            for (const Sphere& part : partsOf(object))
-                if (sees(view, part)) spheres_.push_back(part);
-    return spheres_;
-}
-
 void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned features,
                           const EyePicture& picture) {
     static constexpr depth::LightHarmonics kNone{};
@@ -374,7 +325,7 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
             packed[r] = {static_cast<float>(rings[r].angle), static_cast<float>(rings[r].weight)};
         program.setArray("phongRings_angleWeight[0]", packed);
     }
-    program.setArray("lightBeside[0]", inRoom ? kNone : objects_[item.object].matteBeside);
+    program.setArray("lightBeside[0]", inRoom ? kNone : matteBeside_[item.object]);
     const scene::Material& material = item.gpu->materialOf(*item.primitive);
     program.set("baseColourLin", material.baseColourLin);
     program.set("emissiveLin", material.emissiveLin);

@@ -10,6 +10,7 @@
 #include "engine/render/BodyOccluders.h"
 #include "engine/render/EyePicture.h"
 #include "engine/render/ModelGpu.h"
+#include "engine/render/ObjectBounds.h"
 #include "engine/water/Water.h"
 
 #include <cmath>
@@ -54,8 +55,7 @@ class ObjectPass {
     // what is there as well only hides what is behind it: it leaves depth alone.
     Status draw(const EyePicture& picture, const water::Water& water, Glossy glossy);
 
-    // Spheres that hold all objects in the view; world. Valid until the next call.
-    std::span<const Sphere> visibleSpheres(const View& view);
+    const ObjectBounds& bounds() const { return bounds_; } // of what was added since begin()
 
     // The bodies of what was added since begin(), as ellipsoids.
     const NearBodies& bodies() const { return near_; }
@@ -68,7 +68,7 @@ class ObjectPass {
     struct Item {
         const ModelGpu* gpu;
         const PrimitiveGpu* primitive;
-        size_t object;       // of objects_
+        size_t object;       // in the order of add()
         size_t matrixOffset; // bytes into the buffer of matrices
         float scale;         // world metres for one of the mesh's units
         bool mirrored;       // by its transform: what was counter-clockwise is clockwise (glTF 2.0, 3.7.4)
@@ -76,12 +76,6 @@ class ObjectPass {
         glm::vec3 albedo;    // mean, of the body that self-occlusion
         float highlight;
         bool isInRoom;
-    };
-
-    struct Added {
-        Sphere bound;                      // world
-        size_t firstPart, parts;           // of parts_
-        depth::LightHarmonics matteBeside; // as render/LightBeside.glsl has it
     };
 
     enum class Stage { DepthAlone, Opaque, Blended };
@@ -99,19 +93,6 @@ class ObjectPass {
         float ownStrength = 0;  // which count that much
     };
 
-    const Sphere& boundOf(const Item& item) const { return objects_[item.object].bound; }
-    std::span<const Sphere> partsOf(const Added& object) const;
-    enum class Behind { Nothing, Perhaps, All };
-    struct Seen {
-        bool any = false;
-        float nearest_m = INFINITY; // from the eye to the nearest of the parts in the view
-        // Its radius per distance; where its sphere holds the eye, the largest of these parts'.
-        float slope = 0;
-        Behind behind = Behind::Nothing;
-    };
-    Seen seenIn(const View& view, const Added& object) const;
-    // Whether the film has something that is nearer.
-    Behind behindFilm(const Added& object, const EyePicture& picture) const;
     bool shaded(const Item& item) const;
     size_t append(const void* block, size_t bytes); // to the matrices; its offset
     Result<const gl::Program*> programFor(unsigned features);
@@ -136,10 +117,9 @@ class ObjectPass {
     std::vector<bool> inRoom_;  // by body
     std::vector<Shade> shades_; // by body
     std::vector<glm::mat4> joints_;
-    std::vector<Added> objects_;
-    std::vector<Seen> seen_; // scratch: of the objects, in the view that is drawn
-    std::vector<Sphere> parts_;
-    std::vector<Sphere> spheres_; // scratch
+    ObjectBounds bounds_;
+    std::vector<depth::LightHarmonics> matteBeside_; // by object, as render/LightBeside.glsl has it
+    std::vector<ObjectBounds::Seen> seen_;           // scratch: of the objects, in the view that is drawn
     int drawCount_ = 0, triangleCount_ = 0;
 };
 

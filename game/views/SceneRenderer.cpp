@@ -188,11 +188,12 @@ render::View SceneRenderer::filmedFrom(const render::EyePicture& picture) const 
 }
 
 std::span<const scene::Sphere> SceneRenderer::visibleSpheres(const render::View& view) {
-    const auto objects = passes_.objects.visibleSpheres(view);
-    if (!passes_.floorShadows || passes_.floorShadows->empty()) return objects;
-    const auto shadows = passes_.floorShadows->spheres();
-    spheres_.assign(objects.begin(), objects.end());
-    spheres_.insert(spheres_.end(), shadows.begin(), shadows.end());
+    spheres_.clear();
+    passes_.objects.bounds().addVisible(view, spheres_);
+    if (passes_.floorShadows) {
+        const auto shadows = passes_.floorShadows->spheres(); // none where nothing is shaded
+        spheres_.insert(spheres_.end(), shadows.begin(), shadows.end());
+    }
     return spheres_;
 }
 

@@ -26,7 +26,9 @@ int drawsOf(const Sphere& bound, std::span<const Sphere> parts) {
     pass->upload(glm::mat3(1));
     EXPECT_TRUE(pass->draw({.environment = environment, .view = view, .canvas = target}, {},
                            render::Glossy::Prefiltered));
-    EXPECT_EQ(pass->visibleSpheres(view).empty(), pass->drawCount() == 0);
+    std::vector<scene::Sphere> visible;
+    pass->bounds().addVisible(view, visible);
+    EXPECT_EQ(visible.empty(), pass->drawCount() == 0);
     return pass->drawCount();
 }
 
