@@ -176,6 +176,10 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         if (detail == Detail::Full) want(material.metallicRoughness, false); // lean: its mean
         want(material.normal, false);
         want(material.occlusion, false);
+        want(material.specular, false);
+        want(material.specularColour, true);
+        want(material.coat, false);
+        want(material.coatRoughness, false);
     }
     return std::make_shared<const TexturesGpu>(std::move(gpu));
 }

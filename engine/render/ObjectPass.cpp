@@ -33,15 +33,16 @@ unsigned featuresOf(const scene::Material& material, const PrimitiveGpu& primiti
     unsigned features = 0;
     if (primitive.skinned) features |= SKINNED;
     if (primitive.coloured) features |= VERTEX_COLOURS;
-    for (const scene::TextureUse& use : {material.baseColour, material.metallicRoughness, material.normal,
-                                         material.occlusion, material.emissive})
+    for (const scene::TextureUse& use : material.textures())
         if (use.texture >= 0 && use.texCoord == 1) features |= SECOND_UV;
     if (material.baseColour.texture >= 0) features |= BASE_COLOUR_MAP;
     if (material.metallicRoughness.texture >= 0) features |= METALLIC_ROUGHNESS_MAP;
     if (material.normal.texture >= 0) features |= NORMAL_MAP;
     if (material.occlusion.texture >= 0) features |= OCCLUSION_MAP;
     if (material.emissive.texture >= 0) features |= EMISSIVE_MAP;
-    if (material.dielectricF0 != glm::vec3(0.04f) || material.dielectricF90 != 1) features |= DIELECTRIC;
+    if (material.dielectricF0 != glm::vec3(0.04f) || material.dielectricF90 != 1 ||
+        material.specular.texture >= 0 || material.specularColour.texture >= 0)
+        features |= DIELECTRIC;
     if (material.clearcoat > 0) features |= CLEARCOAT;
     if (material.alphaMode == scene::AlphaMode::Mask) features |= ALPHA_MASK;
     if (material.alphaMode == scene::AlphaMode::Blend) features |= ALPHA_BLEND;
@@ -94,6 +95,19 @@ depth::LightHarmonics matteFactors(const depth::LightHarmonics& radiance) {
     return matte;
 }
 
+gl::Texture makeWhite() {
+    gl::Texture texture = gl::makeTexture(GL_NEAREST, GL_NEAREST, GL_REPEAT, GL_REPEAT);
+    constexpr std::array<uint8_t, 4> kWhite{255, 255, 255, 255};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kWhite.data());
+    return texture;
+}
+
+// What only the fragment shader reads.
+bool hasLayerMaps(const scene::Material& material) {
+    return material.specular.texture >= 0 || material.specularColour.texture >= 0 ||
+           material.coat.texture >= 0 || material.coatRoughness.texture >= 0;
+}
+
 void setSmoothLight(const gl::Program& program, const occlusion::SmoothLight& light) {
     program.setArray("radianceAhead[0]", light.ahead);
     program.setArray("radianceBehind[0]", light.behind);
@@ -118,6 +132,7 @@ Result<ObjectPass> ObjectPass::make(Detail detail, bool occlusion, ShownQuantity
     pass.occlusion_ = occlusion;
     pass.shown_ = shown;
     pass.dfg_ = makeDfgTable();
+    pass.white_ = makeWhite();
     pass.matrixBuffer_ = gl::Buffer::make();
     GLint alignment = 256;
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
@@ -249,7 +264,7 @@ unsigned ObjectPass::featuresFor(const ToDraw& next, unsigned shared, const EyeP
     if (lean) features &= ~METALLIC_ROUGHNESS_MAP;
     if (shown_ != ShownQuantity::Light) // needs what only the fragment shader knows
         features |= SHOW_NORMALS << (static_cast<unsigned>(shown_) - 1);
-    else if (lean && isSmall(seen_[item.object].slope, picture.view))
+    else if (lean && isSmall(seen_[item.object].slope, picture.view) && !hasLayerMaps(material))
         features = (features & ~(NORMAL_MAP | OCCLUSION_MAP | MIRRORS)) | VERTEX_LIT;
     else if (lean && !material.doubleSided)
         features |= VERTEX_DIFFUSE;
@@ -351,6 +366,20 @@ void ObjectPass::drawItem(const gl::Program& program, const Item& item, unsigned
     bindMap(program, material.normal, data, UNIT_NORMAL, "normalMap", "normalUv");
     bindMap(program, material.occlusion, data, UNIT_OCCLUSION, "occlusionMap", "occlusionUv");
     bindMap(program, material.emissive, colour, UNIT_EMISSIVE, "emissiveMap", "emissiveUv");
+    const auto bindOrWhite = [&](const scene::TextureUse& use, const auto& textures, GLenum unit,
+                                 const char* map, const char* uvSet) {
+        if (use.texture < 0) program.setTexture(map, unit, white_.name());
+        bindMap(program, use, textures, unit, map, uvSet);
+    };
+    if (features & DIELECTRIC) {
+        bindOrWhite(material.specular, data, UNIT_SPECULAR, "specularMap", "specularUv");
+        bindOrWhite(material.specularColour, colour, UNIT_SPECULAR_COLOUR, "specularColourMap",
+                    "specularColourUv");
+    }
+    if (features & CLEARCOAT) {
+        bindOrWhite(material.coat, data, UNIT_COAT, "coatMap", "coatUv");
+        bindOrWhite(material.coatRoughness, data, UNIT_COAT_ROUGHNESS, "coatRoughnessMap", "coatRoughnessUv");
+    }
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     if (material.doubleSided) {
         glDisable(GL_CULL_FACE);

@@ -107,7 +107,7 @@ class ObjectPass {
     bool occlusion_ = true;
     ShownQuantity shown_ = ShownQuantity::Light;
     const occlusion::LayersGpu* layers_ = nullptr;
-    gl::Texture dfg_;
+    gl::Texture dfg_, white_; // white: for a map that a material has not got
     gl::Buffer matrixBuffer_;
     size_t matrixAlignment_ = 256;
     std::vector<Item> items_;

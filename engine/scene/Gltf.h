@@ -77,6 +77,11 @@ struct TextureTransform {
     bool operator==(const TextureTransform&) const = default;
 };
 
+struct TextureReference {
+    int index = -1; // -1: none
+    int texCoord = 0;
+};
+
 // Of one material, as stated.
 struct MaterialExtensions {
     double emissiveStrength = 1; // KHR_materials_emissive_strength
@@ -85,9 +90,10 @@ struct MaterialExtensions {
     // KHR_materials_specular
     double specularFactor = 1;
     std::array<double, 3> specularColour = {1, 1, 1};
-    bool specularTextures = false;
+    TextureReference specular, specularColourMap;
     double clearcoatFactor = 0, clearcoatRoughness = 0; // KHR_materials_clearcoat
-    bool clearcoatTextures = false;
+    TextureReference coat, coatRoughness;
+    bool clearcoatNormals = false;
 };
 
 // What a set of texture coordinates is made of: a set of the file's, transformed.
@@ -111,7 +117,7 @@ struct GltfFile {
     bool quantized = false;                             // KHR_mesh_quantization is used
     std::vector<MaterialExtensions> materialExtensions; // by material
     // By material and use: base colour, metallic-roughness, normal, occlusion, emissive
-    std::vector<std::array<TextureTransform, 5>> textureTransforms;
+    std::vector<std::array<TextureTransform, 9>> textureTransforms;
     // By material: what the two sets that TextureUse::texCoord tells apart are made of, for its primitives
     std::vector<std::array<UvSource, 2>> uvSources;
     // KHR_materials_variants: its names, and materials by mesh, primitive and variant; -1: the primitive's

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -50,6 +51,13 @@ struct Material {
     bool doubleSided = false;
     bool unlit = false; // shown in its base colour, whatever the light; what light would need is left default
     TextureUse baseColour, metallicRoughness, normal, occlusion, emissive;
+    TextureUse specular, specularColour; // A and RGB multiply both dielectric reflectances and their colour
+    TextureUse coat, coatRoughness;      // R and G multiply those of the clearcoat
+
+    std::array<TextureUse, 9> textures() const {
+        return {baseColour, metallicRoughness, normal, occlusion,    emissive,
+                specular,   specularColour,    coat,   coatRoughness};
+    }
 };
 
 struct MorphTarget { // deltas; each empty or one per vertex

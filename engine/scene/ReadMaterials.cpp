@@ -79,16 +79,13 @@ void readDielectric(GltfFile& file, const MaterialExtensions& from, const std::s
         material.dielectricF0[i] =
             material.dielectricF90 * static_cast<float>(std::min(root * root * colour, 1.0));
     }
-    if (from.specularTextures)
-        file.warn(who, ": the textures of KHR_materials_specular are left out; its factors are taken");
 }
 
 void readClearcoat(GltfFile& file, const MaterialExtensions& from, const std::string& who,
                    Material& material) {
     material.clearcoat = within(file, from.clearcoatFactor, 1, who + ".clearcoatFactor");
     material.clearcoatRoughness = within(file, from.clearcoatRoughness, 1, who + ".clearcoatRoughnessFactor");
-    if (from.clearcoatTextures)
-        file.warn(who, ": the textures of KHR_materials_clearcoat are left out; its factors are taken");
+    if (from.clearcoatNormals) file.warn(who, ".clearcoatNormalTexture is left out; the clearcoat is smooth");
 }
 
 Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t index, const std::string& who) {
@@ -139,6 +136,10 @@ Material readMaterial(GltfFile& file, const tinygltf::Material& from, size_t ind
     material.normal = use(from.normalTexture, ".normalTexture");
     material.occlusion = use(from.occlusionTexture, ".occlusionTexture");
     material.emissive = use(from.emissiveTexture, ".emissiveTexture");
+    material.specular = use(extensions.specular, ".specularTexture");
+    material.specularColour = use(extensions.specularColourMap, ".specularColorTexture");
+    material.coat = use(extensions.coat, ".clearcoatTexture");
+    material.coatRoughness = use(extensions.coatRoughness, ".clearcoatRoughnessTexture");
     return material;
 }
 
@@ -191,8 +192,16 @@ double number(const Json& value, const char* key, double otherwise) {
 int reference(const Json& value, const char* to, size_t count, const std::string& who) {
     const double number = value.is_number() ? value.get<double>() : -1;
     if (!(number >= 0 && number < static_cast<double>(count)))
-        fault(who, ": ", kVariants, " refers to ", to, " ", quoted(value.dump()), ", but there are ", count);
+        fault(who, " refers to ", to, " ", quoted(value.dump()), ", but there are ", count);
     return static_cast<int>(number);
+}
+
+TextureReference textureReference(const Json& value, const char* key, size_t textures,
+                                  const std::string& who) {
+    const Json& found = member(value, key);
+    if (!found.is_object()) return {};
+    return {reference(member(found, "index"), "texture", textures, who + "." + key),
+            static_cast<int>(std::clamp(number(found, "texCoord", 0), 0.0, 1e4))};
 }
 
 } // namespace
@@ -207,8 +216,7 @@ void readMaterials(GltfFile& file, Model& model) {
     // Images that nothing shows may be of any format: alternatives for extensions, or left over.
     model.images.resize(file.imageSources.size());
     for (const Material& material : model.materials)
-        for (const TextureUse& use : {material.baseColour, material.metallicRoughness, material.normal,
-                                      material.occlusion, material.emissive}) {
+        for (const TextureUse& use : material.textures()) {
             if (use.texture < 0) continue;
             const int image = model.textures[use.texture].image;
             if (model.images[image].empty()) model.images[image] = readImage(file, image);
@@ -216,7 +224,9 @@ void readMaterials(GltfFile& file, Model& model) {
 }
 
 void readMaterialExtensions(const Json& root, GltfFile& file) {
+    const size_t textures = list(root, "textures").size();
     for (const Json& material : list(root, "materials")) {
+        const std::string who = element("materials", file.materialExtensions.size());
         MaterialExtensions& read = file.materialExtensions.emplace_back();
         read.emissiveStrength = number(extension(material, kEmissiveStrength), "emissiveStrength", 1);
         read.unlit = extension(material, kUnlit).is_object();
@@ -226,14 +236,14 @@ void readMaterialExtensions(const Json& root, GltfFile& file) {
         if (const Json& colour = list(specular, "specularColorFactor"); colour.size() == 3)
             for (size_t i = 0; i < 3; ++i)
                 if (colour[i].is_number()) read.specularColour[i] = colour[i].get<double>();
-        read.specularTextures = member(specular, "specularTexture").is_object() ||
-                                member(specular, "specularColorTexture").is_object();
+        read.specular = textureReference(specular, "specularTexture", textures, who);
+        read.specularColourMap = textureReference(specular, "specularColorTexture", textures, who);
         const Json& clearcoat = extension(material, kClearcoat);
         read.clearcoatFactor = number(clearcoat, "clearcoatFactor", 0);
         read.clearcoatRoughness = number(clearcoat, "clearcoatRoughnessFactor", 0);
-        for (const char* texture :
-             {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"})
-            read.clearcoatTextures |= member(clearcoat, texture).is_object();
+        read.coat = textureReference(clearcoat, "clearcoatTexture", textures, who);
+        read.coatRoughness = textureReference(clearcoat, "clearcoatRoughnessTexture", textures, who);
+        read.clearcoatNormals = member(clearcoat, "clearcoatNormalTexture").is_object();
     }
 }
 
@@ -255,12 +265,17 @@ void readTextureTransforms(const Json& root, GltfFile& file) {
         return transform;
     };
     for (const Json& material : list(root, "materials")) {
-        const Json& pbr = member(material, "pbrMetallicRoughness");
+        const Json &pbr = member(material, "pbrMetallicRoughness"),
+                   &specular = extension(material, kSpecular), &clearcoat = extension(material, kClearcoat);
         file.textureTransforms.push_back({transformOf(member(pbr, "baseColorTexture")),
                                           transformOf(member(pbr, "metallicRoughnessTexture")),
                                           transformOf(member(material, "normalTexture")),
                                           transformOf(member(material, "occlusionTexture")),
-                                          transformOf(member(material, "emissiveTexture"))});
+                                          transformOf(member(material, "emissiveTexture")),
+                                          transformOf(member(specular, "specularTexture")),
+                                          transformOf(member(specular, "specularColorTexture")),
+                                          transformOf(member(clearcoat, "clearcoatTexture")),
+                                          transformOf(member(clearcoat, "clearcoatRoughnessTexture"))});
     }
 }
 
@@ -273,7 +288,7 @@ void readVariants(const Json& root, GltfFile& file) {
     if (variants > kMaxVariants) fault("has more than ", kMaxVariants, " material variants");
     if (variants == 0) return;
     for (const Json& mesh : list(root, "meshes")) {
-        const std::string who = element("meshes", file.variantMaterials.size());
+        const std::string who = element("meshes", file.variantMaterials.size()) + ": " + kVariants;
         auto& primitives = file.variantMaterials.emplace_back();
         for (const Json& primitive : list(mesh, "primitives")) {
             std::vector<int>& chosen = primitives.emplace_back(variants, -1);

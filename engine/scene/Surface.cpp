@@ -133,23 +133,38 @@ glm::vec3 meanBaseColour(const Model& model) {
     return all > 0 ? glm::vec3(sum / all) : glm::vec3(0);
 }
 
-Gloss glossOf(const Model& model, const Material& material) {
-    const float coat = material.clearcoat > 0 ? material.clearcoatRoughness : 1;
-    const ImageRgba8* texels = model.imageOf(material.metallicRoughness);
-    if (!texels) return {std::min(material.roughness, coat), material.roughness, material.metallic};
+namespace {
+
+// Of a channel, 0 to 1: the least of all but the smallest hundredth of the values.
+float leastOf(const ImageRgba8& texels, size_t channel) {
     std::array<size_t, 256> counts{};
-    double roughness = 0, metallic = 0;
-    for (size_t i = 0; i < texels->pixels.size(); i += 4) {
-        ++counts[texels->pixels[i + 1]];
-        roughness += texels->pixels[i + 1];
-        metallic += texels->pixels[i + 2];
-    }
+    for (size_t i = channel; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]];
     size_t below = 0, value = 0;
-    while (value < 255 && (below += counts[value]) * 100 <= texels->pixels.size() / 4) ++value;
-    const double share = 4.0 / (255.0 * static_cast<double>(std::max<size_t>(texels->pixels.size(), 4)));
-    return {std::min(material.roughness * static_cast<float>(value) / 255.0f, coat),
-            material.roughness * static_cast<float>(roughness * share),
-            material.metallic * static_cast<float>(metallic * share)};
+    while (value < 255 && (below += counts[value]) * 100 <= texels.pixels.size() / 4) ++value;
+    return static_cast<float>(value) / 255.0f;
+}
+
+float meanOf(const ImageRgba8& texels, size_t channel) {
+    double sum = 0;
+    for (size_t i = channel; i < texels.pixels.size(); i += 4) sum += texels.pixels[i];
+    return static_cast<float>(sum * 4 /
+                              (255.0 * static_cast<double>(std::max<size_t>(texels.pixels.size(), 4))));
+}
+
+} // namespace
+
+Gloss glossOf(const Model& model, const Material& material) {
+    float least = material.roughness, roughness = material.roughness, metallic = material.metallic;
+    if (const ImageRgba8* texels = model.imageOf(material.metallicRoughness)) {
+        least *= leastOf(*texels, 1);
+        roughness *= meanOf(*texels, 1);
+        metallic *= meanOf(*texels, 2);
+    }
+    if (material.clearcoat > 0) {
+        const ImageRgba8* texels = model.imageOf(material.coatRoughness);
+        least = std::min(least, material.clearcoatRoughness * (texels ? leastOf(*texels, 1) : 1));
+    }
+    return {least, roughness, metallic};
 }
 
 Gloss minGloss(const Model& model) {

@@ -29,6 +29,12 @@ uniform float roughness;
 #ifdef DIELECTRIC
 uniform vec3 dielectricF0;
 uniform float dielectricF90;
+uniform sampler2D specularMap, specularColourMap; // white where there are none
+uniform int specularUv, specularColourUv;
+#endif
+#ifdef CLEARCOAT
+uniform sampler2D coatMap, coatRoughnessMap; // likewise
+uniform int coatUv, coatRoughnessUv;
 #endif
 uniform float normalScale;
 uniform float occlusionStrength;
@@ -143,7 +149,7 @@ struct Incoming {
     vec3 unoccluded, around, mirrored, coat;
 };
 
-Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough, Reflectance reflectance) {
+Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough, float coatRough, Reflectance reflectance) {
     Incoming light;
     vec3 r = envFromWorld * reflect(-v, n);
 #ifdef PHONG_RINGS
@@ -158,7 +164,7 @@ Incoming incomingLight(vec3 n, vec3 geometric, vec3 v, float metal, float rough,
 #endif
     light.unoccluded = light.around;
 #ifdef CLEARCOAT
-    light.coat = glossyRadiance(envFromWorld * reflect(-v, geometric), clearcoatRoughness);
+    light.coat = glossyRadiance(envFromWorld * reflect(-v, geometric), coatRough);
 #endif
 #ifdef OCCLUDED
 #ifndef VERTEX_DIFFUSE
@@ -193,11 +199,17 @@ vec3 litByPixel(vec3 base) {
     vec3 v = normalize(toEye);
     float nv = clamp(dot(n, v), 1e-3, 1.0);
 #ifdef DIELECTRIC
-    Reflectance reflectance = reflectanceOf(base, metal, rough, nv, dielectricF0, dielectricF90);
+    float specular = texture(specularMap, uvOf(specularUv)).a;
+    vec3 f0 = dielectricF0 * specular * texture(specularColourMap, uvOf(specularColourUv)).rgb;
+    Reflectance reflectance = reflectanceOf(base, metal, rough, nv, f0, dielectricF90 * specular);
 #else
     Reflectance reflectance = reflectanceOf(base, metal, rough, nv);
 #endif
-    Incoming light = incomingLight(n, geometric, v, metal, rough, reflectance);
+    float coatRough = 0.0;
+#ifdef CLEARCOAT
+    coatRough = clearcoatRoughness * texture(coatRoughnessMap, uvOf(coatRoughnessUv)).g;
+#endif
+    Incoming light = incomingLight(n, geometric, v, metal, rough, coatRough, reflectance);
     float open = 1.0, openMirrored = 1.0;
 #ifdef OCCLUSION_MAP
     open = mix(1.0, texture(occlusionMap, uvOf(occlusionUv)).r, occlusionStrength);
@@ -220,7 +232,8 @@ vec3 litByPixel(vec3 base) {
     vec3 radiance = reflectance.mirrored * light.mirrored * openMirrored + reflectance.around * light.around * open;
     radiance += emitted();
 #ifdef CLEARCOAT
-    radiance = mix(radiance, light.coat * openMirrored, clearcoatReflectance(clamp(dot(geometric, v), 1e-3, 1.0)));
+    float coat = clearcoat * texture(coatMap, uvOf(coatUv)).r * clearcoatReflectance(clamp(dot(geometric, v), 1e-3, 1.0), coatRough);
+    radiance = mix(radiance, light.coat * openMirrored, coat);
 #endif
     return lightened(throughWater(displayOfExposed(radiance * exposureScale)), highlightOf(highlight, dot(geometric, v)));
 }

@@ -36,7 +36,7 @@ void lightVertex(vec3 p, vec3 n, vec3 v, vec4 selfOcclusion, out vec3 perBaseLin
 #ifdef OCCLUDED
     coat = coat * shaded.lobeVisibility + shaded.seenInLobe;
 #endif
-    float coatShare = clearcoatReflectance(nv);
+    float coatShare = clearcoat * clearcoatReflectance(nv, clearcoatRoughness);
     perBaseLin *= 1.0 - coatShare;
     besidesLin = mix(besidesLin, coat, coatShare);
 #endif

@@ -246,6 +246,57 @@ TEST_F(MaterialsGL, ClearcoatsReflectTheirShareHeadOn) {
             }
 }
 
+// Each texture of KHR_materials_specular and KHR_materials_clearcoat that is the same all over is another
+// factor: in its own channels, a colour decoded, all others without meaning.
+TEST_F(MaterialsGL, TexturesOfLayersMultiplyTheirFactors) {
+    const Lit lit(uniformFrame(200, 180, 160));
+    using Texel = std::array<uint8_t, 4>;
+    using Use = scene::TextureUse scene::Material::*;
+    struct Case {
+        Use use;
+        Texel texel;
+        void (*factor)(scene::Material&);
+    };
+    const auto cases = std::to_array<Case>({
+        {&scene::Material::specular,
+         {0, 9, 99, 51},
+         [](scene::Material& m) { m.dielectricF0 *= 0.2f, m.dielectricF90 *= 0.2f; }},
+        {&scene::Material::specularColour,
+         {255, 188, 0, 9},
+         [](scene::Material& m) { m.dielectricF0 *= glm::vec3(1, linear(glm::vec4(188 / 255.0f)).x, 0); }},
+        {&scene::Material::coat, {102, 9, 99, 0}, [](scene::Material& m) { m.clearcoat *= 0.4f; }},
+        {&scene::Material::coatRoughness,
+         {9, 153, 99, 0},
+         [](scene::Material& m) { m.clearcoatRoughness *= 0.6f; }},
+    });
+    for (const Case& each : cases)
+        for (const render::Detail detail : kDetails) {
+            scene::Model model = sphere(0, 0.4f);
+            scene::Material& material = model.materials[0];
+            material.baseColourLin = {0.2f, 0.1f, 0.1f, 1};
+            material.dielectricF0 = glm::vec3(0.3f);
+            material.clearcoat = 0.8f;
+            material.clearcoatRoughness = 0.7f;
+            const auto draw = [&] {
+                return drawSphere(model, lit.environment, kSphereView, kAcross, {.detail = detail});
+            };
+            const auto drawWith = [&](const Texel& texel) {
+                model.images = {ImageRgba8(1, 1)};
+                std::ranges::copy(texel, model.images[0].pixels.begin());
+                model.textures = {{.image = 0}};
+                material.*each.use = {0, 0};
+                return draw();
+            };
+            const ImageRgba8 textured = drawWith(each.texel), white = drawWith({255, 255, 255, 255});
+            EXPECT_NE(textured.pixels, white.pixels);
+            each.factor(material);
+            expectAlike(textured, drawWith({255, 255, 255, 255}), 1);
+            if (detail == render::Detail::Lean) continue; // without textures they are drawn by the vertex
+            material.*each.use = {};
+            expectAlike(textured, draw(), 1);
+        }
+}
+
 // What it reflects does not reach what lies below: white in even light stays white, and what glows is dimmed
 // by as much.
 TEST_F(MaterialsGL, ClearcoatsTakeFromBelowWhatTheyReflect) {

@@ -30,7 +30,6 @@ TEST(Clearcoat, FactorsAreRead) {
     expectCoat({{"clearcoatFactor", 0.25}, {"clearcoatRoughnessFactor", 0.125}}, 0.25f, 0.125f);
     expectCoat({{"clearcoatFactor", 9}, {"clearcoatRoughnessFactor", -9}}, 1, 0);
     expectCoat({{"clearcoatFactor", "thick"}, {"clearcoatRoughnessFactor", {1}}}, 0, 0);
-    expectCoat({{"clearcoatFactor", 1}, {"clearcoatTexture", {{"index", 0}}}}, 1, 0); // which is left out
     expectCoat("varnish", 0, 0);
 }
 

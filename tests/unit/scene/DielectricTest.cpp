@@ -61,11 +61,5 @@ TEST(Dielectric, NonsenseIsNone) {
              {0, 1, 0.04f}, 1);
 }
 
-// They are left out, with a warning: the factors alone count.
-TEST(Dielectric, TexturesAreLeftOut) {
-    expectF0(materialWith(Json(), {{"specularFactor", 0.5}, {"specularTexture", {{"index", 0}}}}),
-             glm::vec3(0.02f), 0.5f);
-}
-
 } // namespace
 } // namespace shoal::scene
