@@ -177,6 +177,45 @@ TEST(FilmSpace, APillarIsPassedAndNobodyStaysAtIt) {
     EXPECT_LT(kept.longestStep_m, kLongestStep_m);
 }
 
+// Of its middle to the fish farthest from it, body lengths.
+float spreadOf(const test::OpenDive& dive, int school) {
+    glm::vec3 middle(0);
+    float count = 0, farthest_m = 0, length_m = 1;
+    for (const Fish& fish : dive.fish)
+        if (fish.school == school) middle += fish.position, ++count;
+    for (const Fish& fish : dive.fish)
+        if (fish.school == school) {
+            farthest_m = std::max(farthest_m, glm::distance(fish.position, middle / count));
+            length_m = cove().species[fish.species].length_m;
+        }
+    return farthest_m / length_m;
+}
+
+TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
+    constexpr float kParted = 3.5f; // in the open these stay below 2.7
+    int parted = 0;
+    for (uint64_t seed = 5; seed < 11; ++seed) {
+        DiveFile file = cove().dive;
+        file.shark.species = -1;
+        file.space = madeSpace(1, 1, toPillar_m);
+        test::OpenDive dive(cove().species, file, seed);
+        Events events;
+        std::vector<float> apart_s(file.schools.size());
+        for (int tick = 0; tick < 140 * sim::kTickRate_Hz; ++tick) {
+            dive.step({}, events);
+            if (tick < 20 * sim::kTickRate_Hz) continue; // they gather first
+            for (size_t i = 0; i < file.schools.size(); ++i) {
+                if (cove().species[file.schools[i].species].company != Company::Shoal) continue;
+                const bool apart = spreadOf(dive, static_cast<int>(i)) > kParted;
+                parted += apart && apart_s[i] == 0;
+                apart_s[i] = apart ? apart_s[i] + kDt : 0;
+                ASSERT_LT(apart_s[i], 8) << "seed " << seed << " school " << i;
+            }
+        }
+    }
+    EXPECT_GT(parted, 2);
+}
+
 TEST(FilmSpace, WhatTheFilmHidesIsNeitherShownNorHelpedToNorTaken) {
     // All of the film is 0.65 m away; the fish is put back behind it in every tick.
     const auto near = madeSpace(1, 1, [](glm::vec3, double) { return 0.65f; });
