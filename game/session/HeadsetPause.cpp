@@ -6,33 +6,31 @@ namespace shoal::app {
 
 void HeadsetPause::step(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart) {
     fade_ = std::clamp(fade_ + (now.headTracked ? -dt_s / kFadeIn_s : dt_s / kFadeOut_s), 0.0f, 1.0f);
-
-    if (!now.plays || !now.headTracked) {
-        const bool takenOff = !now.plays && begun_;
-        if (!paused) {
-            paused = true;
-            byItself_ = !takenOff;
-        } else if (takenOff) {
-            byItself_ = false;
-        }
-        steady_s_ = 0;
-    } else {
-        steady_s_ += dt_s;
-        if (!begun_ || (paused && byItself_)) {
-            if (steady_s_ >= kSteady_s) {
-                begun_ = true;
-                paused = byItself_ = false;
-            } else {
-                paused = byItself_ = true;
-            }
-        }
-    }
+    followHeadset(now, dt_s, paused);
     if (now.menu && !menuWas_ && now.plays && begun_ && !now.results) {
         paused = !paused;
         byItself_ = false;
     }
     menuWas_ = now.menu;
+    readFists(now, dt_s, paused, restart);
+}
 
+void HeadsetPause::followHeadset(const HeadsetMoment& now, float dt_s, bool& paused) {
+    if (now.plays && now.headTracked) {
+        steady_s_ += dt_s;
+        if (begun_ && !(paused && byItself_)) return;
+        const bool steady = steady_s_ >= kSteady_s;
+        begun_ |= steady;
+        paused = byItself_ = !steady;
+        return;
+    }
+    steady_s_ = 0;
+    const bool takenOff = !now.plays && begun_;
+    if (!paused || takenOff) byItself_ = !takenOff;
+    paused = true;
+}
+
+void HeadsetPause::readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart) {
     const bool asks = now.plays && (now.results || (paused && !byItself_));
     if (!asks || !waiting_) {
         opened_ = {};

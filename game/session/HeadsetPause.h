@@ -33,6 +33,11 @@ class HeadsetPause {
     static constexpr float kFadeOut_s = 0.25f, kFadeIn_s = 0.5f;
 
   private:
+    // Pauses when the headset is off or does not know the head, and goes on when it does again.
+    void followHeadset(const HeadsetMoment& now, float dt_s, bool& paused);
+    // The answers of closed hands.
+    void readFists(const HeadsetMoment& now, float dt_s, bool& paused, bool& restart);
+
     bool begun_ = false;    // has ever played
     bool byItself_ = false; // the pause ends when all is well again
     bool waiting_ = false;  // it was paused or over in the frame before

@@ -1,0 +1,133 @@
+// bench_steps FOLDER COUNT {FILM FIRST}...: how much diffuse light changes from each frame of a clip to the
+// next, as the game makes it from the coded frames, and in truth. FOLDER holds the true radiance of these
+// frames before the camera, FILM_NNNN.hdr. tests/bench/light_steps traces them and starts it.
+#include "engine/light/MakeLight.h"
+#include "engine/math/Colour.h"
+#include "engine/math/LatLong.h"
+#include "engine/media/Pictures.h"
+#include "engine/media/VideoSource.h"
+#include "tests/TestPaths.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace {
+
+using namespace shoal;
+
+struct Method {
+    const char* name;
+    light::FrameRadiance frames;
+};
+constexpr Method kMethods[] = {{"thesis", light::FrameRadiance::Thesis},
+                               {"linear", light::FrameRadiance::Linear},
+                               {"auto (the game)", light::FrameRadiance::Auto}};
+
+// Of a frame of a clip, by method, the truth last.
+using Lights = std::array<ImageRgbF, std::size(kMethods) + 1>;
+
+// What the camera multiplied radiance with, since it adapts and what is lit has to follow: the median over
+// pixels neither clipped nor nearly black, as small lamps seldom fall on the pixels that stand for them.
+double exposureOf(const ImageRgb8& bgr, const ImageRgbF& radianceLin) {
+    std::vector<double> ratios;
+    for (int y = 0; y < radianceLin.height; ++y)
+        for (int x = 0; x < radianceLin.width; ++x) {
+            const uint8_t green =
+                bgr.at(x * bgr.width / radianceLin.width, y * bgr.height / radianceLin.height)[1];
+            if (green > 20 && green < 230)
+                ratios.push_back(static_cast<double>(math::linearOfByte()[green] / radianceLin.at(x, y)[1]));
+        }
+    const auto middle = ratios.begin() + static_cast<ptrdiff_t>(ratios.size() / 2);
+    std::ranges::nth_element(ratios, middle);
+    return *middle;
+}
+
+// Root of the integral of the squared difference over that of the square.
+double stepBetween(const ImageRgbF& before, const ImageRgbF& after) {
+    double off = 0, whole = 0;
+    for (int y = 0; y < before.height; ++y) {
+        const double weight = texelSolidAngle(y, before.width, before.height);
+        for (int i = 0; i < 3 * before.width; ++i) {
+            const auto a = static_cast<double>(before.at(0, y)[i]),
+                       b = static_cast<double>(after.at(0, y)[i]);
+            off += weight * (b - a) * (b - a);
+            whole += weight * a * a;
+        }
+    }
+    return std::sqrt(off / whole);
+}
+
+Result<std::vector<Lights>> lightsOf(const Path& folder, const std::string& film, int first, int count) {
+    auto video =
+        media::VideoSource::open(dataRoot() / "content/video" / (film + ".mp4"), media::Layout::Mono);
+    if (!video) return video.error();
+    if (!video->seek(first)) return Error{film, "cannot be sought in"};
+    std::vector<light::LightMaker> makers;
+    for (const Method& method : kMethods)
+        makers.emplace_back(
+            light::LightOptions{.baseWidth = 512, .minRoughness = 0.5f, .frames = method.frames});
+    light::LightMaker trueMaker({.baseWidth = 512, .minRoughness = 0.5f});
+    ImageRgb8 shown(video->info().width, video->info().height);
+    light::EnvironmentLight made;
+    std::vector<Lights> lights;
+    for (int frame = first; frame < first + count; ++frame) {
+        while (video->position() <= frame)
+            if (!video->grab()) return Error{film, "cannot be decoded"};
+        auto truth = media::readHdr(folder / fmt::format("{}_{:04}.hdr", film, frame));
+        if (!truth) return truth.error();
+        if (!video->retrieve(shown)) return Error{film, "cannot be decoded"};
+        Lights& out = lights.emplace_back();
+        for (size_t i = 0; i < makers.size(); ++i) {
+            makers[i].make({shown.pixels.data(), shown.width, shown.height, ptrdiff_t{3} * shown.width},
+                           made);
+            out[i] = made.diffuse;
+        }
+        const auto exposure = static_cast<float>(exposureOf(shown, truth->radianceLin));
+        for (float& value : truth->radianceLin.pixels) value *= exposure;
+        trueMaker.makeFromHdr(truth->radianceLin, made);
+        out.back() = made.diffuse;
+    }
+    return lights;
+}
+
+// Of sorted values.
+double share(const std::vector<double>& sorted, double of) {
+    return sorted[static_cast<size_t>(of * static_cast<double>(sorted.size() - 1))];
+}
+
+void printClip(const std::string& name, const std::vector<Lights>& lights) {
+    for (size_t i = 0; i < std::size(kMethods); ++i) {
+        std::vector<double> steps, trueSteps, excesses;
+        for (size_t frame = 1; frame < lights.size(); ++frame) {
+            steps.push_back(100 * stepBetween(lights[frame - 1][i], lights[frame][i]));
+            trueSteps.push_back(100 * stepBetween(lights[frame - 1].back(), lights[frame].back()));
+            excesses.push_back(steps.back() - trueSteps.back());
+        }
+        for (auto* values : {&steps, &trueSteps, &excesses}) std::ranges::sort(*values);
+        fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", name, kMethods[i].name,
+                   share(trueSteps, 0.5), share(steps, 0.5), share(excesses, 0.5), share(excesses, 0.9),
+                   excesses.back());
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 5 || argc % 2 == 0) {
+        fmt::print(stderr, "usage: bench_steps FOLDER COUNT {{FILM FIRST}}...\n");
+        return 2;
+    }
+    fmt::print("| clip | light | true step, median % | step, median % | above the true one, median % | "
+               "90 of 100 below % | most % |\n|---|---|---|---|---|---|---|\n");
+    for (int i = 3; i + 1 < argc; i += 2) {
+        const auto lights = lightsOf(argv[1], argv[i], std::atoi(argv[i + 1]), std::atoi(argv[2]));
+        if (!lights) {
+            fmt::print(stderr, "bench_steps: {}\n", lights.error().message());
+            return 1;
+        }
+        printClip(fmt::format("{} {}", argv[i], argv[i + 1]), *lights);
+    }
+}
