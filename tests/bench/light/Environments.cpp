@@ -6,6 +6,8 @@
 #include "tests/accuracy/light/RadianceFile.h"
 #include "tests/unit/light/Environments.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
