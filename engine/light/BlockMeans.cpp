@@ -226,6 +226,15 @@ SHOAL_AVX2 inline void addLinear(__m256i coded, const Lines& lines, __m256i weig
                weightBelow, lower(coded), sum);
 }
 
+// As clippedSteps() has them.
+SHOAL_AVX2 inline __m256i clippedStepsAvx2(const TwoRows& rows) {
+    const __m256i last = _mm256_set1_epi8(static_cast<char>(kLastUnclipped));
+    const __m256i low = _mm256_min_epu8(rows.red, rows.green), high = _mm256_max_epu8(rows.red, rows.green);
+    const __m256i least = _mm256_subs_epu8(_mm256_min_epu8(low, rows.blue), last);
+    const __m256i middle = _mm256_subs_epu8(_mm256_max_epu8(low, _mm256_min_epu8(high, rows.blue)), last);
+    return _mm256_add_epi8(_mm256_add_epi8(least, middle), _mm256_add_epi8(least, least));
+}
+
 // Blocks 0 .. count - 1, a multiple of 4: four at a time.
 template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) {
     const __m128i pick = planesOf(0, row.bgr);
@@ -250,9 +259,7 @@ template <Mode kMode> SHOAL_AVX2 void meansAvx2(const BlockRow& row, int count) 
             addLinear(rows.green, lines, weight, weightBelow, sums.green);
             addLinear(rows.blue, lines, weight, weightBelow, sums.blue);
             if (kMode == Mode::Linear) continue;
-            const __m256i steps =
-                _mm256_subs_epu8(_mm256_min_epu8(rows.red, _mm256_min_epu8(rows.green, rows.blue)),
-                                 _mm256_set1_epi8(static_cast<char>(kLastUnclipped)));
+            const __m256i steps = clippedStepsAvx2(rows);
             sums.clipped = _mm256_add_epi32(
                 sums.clipped,
                 _mm256_add_epi32(

@@ -4,6 +4,8 @@
 #include "engine/math/Colour.h"
 #include "engine/math/LatLong.h"
 
+#include <glm/exponential.hpp>
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -72,6 +74,46 @@ SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by) {
     return ground;
 }
 
+// By the largest and by the least channel, linear: where a texel begins to be bright, and where it is white.
+struct Bright {
+    float first, perRise, white, perFall;
+};
+
+// Sums over a row.
+struct RowColours {
+    std::array<float, 3> unclipped; // of what is not clipped in any channel,
+    std::array<float, 3> bright;    // of what is bright, but not clipped in all
+};
+
+SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& by) {
+    constexpr int kTexels = 512; // at a time
+    std::array<float, 3 * kTexels> unclipped, bright;
+    RowColours colours{};
+    for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
+        const int count = std::min(kTexels, width - first);
+        for (int x = 0; x < count; ++x) {
+            const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
+            const float most = std::max(std::max(red, green), blue),
+                        least = std::min(std::min(red, green), blue);
+            const float asUnclipped = ramp((by.white - most) * by.perFall);
+            const float asBright =
+                std::min(ramp((most - by.first) * by.perRise), ramp((by.white - least) * by.perFall));
+            const auto at = static_cast<size_t>(3 * x);
+            unclipped[at] = asUnclipped * red, bright[at] = asBright * red;
+            unclipped[at + 1] = asUnclipped * green, bright[at + 1] = asBright * green;
+            unclipped[at + 2] = asUnclipped * blue, bright[at + 2] = asBright * blue;
+        }
+        const auto more = sumsOf<3>(unclipped.data(), static_cast<size_t>(3 * count)),
+                   moreBright = sumsOf<3>(bright.data(), static_cast<size_t>(3 * count));
+        for (size_t c = 0; c < 3; ++c) colours.unclipped[c] += more[c], colours.bright[c] += moreBright[c];
+    }
+    return colours;
+}
+
+glm::dvec3 ofLuminanceOne(const glm::dvec3& colour) {
+    return colour / (0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b);
+}
+
 } // namespace
 
 float clippedShare(int row, int height) {
@@ -123,6 +165,30 @@ float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped) {
         groundTrust(static_cast<float>(clipped.bySine / std::max(clipped.irradiance, 1e-12))) *
         static_cast<float>(std::min(1.0, groundSeen / (static_cast<double>(kGroundNeeded) * below)));
     return std::pow(kUsualGain, 1 - trust) * std::pow(1 + static_cast<float>(times), trust);
+}
+
+glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
+    const std::array<float, 256>& linear = math::linearOfByte();
+    constexpr float kWhite = 0.999f; // as above
+    constexpr int kBright = 230;     // coded
+    const Bright by = {linear[kBright], 1 / (linear[kLastUnclipped] - linear[kBright]), kWhite,
+                       1 / (kWhite - linear[kLastUnclipped])};
+    constexpr double kGrey = 1e-4; // steradians of white: too little of a picture tells no colour
+    glm::dvec3 whole(kGrey), bright(kGrey);
+    for (int y = 0; y < decoded.height; ++y) {
+        const RowColours row = coloursOf(decoded.at(0, y), decoded.width, by);
+        const double weight = texelSolidAngle(y, decoded.width, decoded.height);
+        const double above = weight * static_cast<double>(clippedShare(y, decoded.height));
+        for (int c = 0; c < 3; ++c) {
+            whole[c] += weight * static_cast<double>(row.unclipped[static_cast<size_t>(c)]);
+            bright[c] += above * static_cast<double>(row.bright[static_cast<size_t>(c)]);
+        }
+    }
+    const glm::dvec3 a = glm::log(ofLuminanceOne(whole)), b = glm::log(ofLuminanceOne(bright));
+    glm::dvec3 common(0);
+    for (int c = 0; c < 3; ++c)
+        if (a[c] * b[c] > 0) common[c] = std::abs(a[c]) < std::abs(b[c]) ? a[c] : b[c];
+    return glm::vec3(ofLuminanceOne(glm::exp(common)));
 }
 
 } // namespace shoal::light

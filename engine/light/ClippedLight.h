@@ -10,13 +10,16 @@
 //      clipped light, the more the ground tells of it: what comes from the side, as through windows and from
 //      a bright horizon, falls on walls and slopes first.
 // To a pixel's decoded radiance is added
-//     (gain - 1) * clippedShare(row) * clippedSteps(pixel) / kClippedSteps
-// in all three channels. Only what is white in all three has any of it, and only above the horizon: what is
-// clipped below it is mostly ground in the sun, and not far above white. Error by pictures with known light:
+//     (gain - 1) * clippedShare(row) * clippedSteps(pixel) / kClippedSteps * tint
+// Only above the horizon: what is clipped below it is mostly ground in the sun, and not far above white. The
+// tint is what the whole of the picture and its brightest parts that are not white have in common, as under
+// water: a white sun in a blue sky is white. Error by pictures with known light:
 // tests/bench/figures/chart.md.
 #pragma once
 
 #include "engine/core/Image.h"
+
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -31,13 +34,16 @@ constexpr float kMostFromGround = 120;
 // clipped light.
 float groundTrust(float sine);
 
-// Video is compressed: white is not 255 everywhere. From 243 to 255 a pixel counts as clipped more and more,
-// so that none flickers between the two.
-constexpr int kLastUnclipped = 243, kClippedSteps = 255 - kLastUnclipped;
+// Video is compressed: white is not 255 everywhere. From 243 to 255 a channel counts as clipped more and
+// more, so that none flickers between the two. A pixel of which two channels are clipped, and which is less
+// bright than where all are, counts a quarter.
+constexpr int kLastUnclipped = 243, kClippedSteps = 4 * (255 - kLastUnclipped);
 
 // 0 to kClippedSteps. pixel: three coded channels.
 inline int clippedSteps(const uint8_t* pixel) {
-    return std::max(0, std::min(std::min(pixel[0], pixel[1]), pixel[2]) - kLastUnclipped);
+    const int low = std::min(pixel[0], pixel[1]), high = std::max(pixel[0], pixel[1]);
+    const int least = std::min<int>(low, pixel[2]), middle = std::max(low, std::min<int>(high, pixel[2]));
+    return 3 * std::max(0, least - kLastUnclipped) + std::max(0, middle - kLastUnclipped);
 }
 
 // How much of the gain holds in a row: from 0 at the horizon, and below, to 1 at an elevation of 17 degrees.
@@ -58,5 +64,8 @@ struct ClippedAbove {
 // White stands for so many times white: 1 to 1 + kMostFromGround. decoded: the whole surround, averaged over
 // as few pixels or as many as is convenient.
 float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped);
+
+// The colour of clipped light, of luminance 1. decoded: as above. White where nothing is nearly white.
+glm::vec3 clippedTintOf(const ImageRgbF& decoded);
 
 } // namespace shoal::light

@@ -81,11 +81,10 @@ SHOAL_VECTORISE
 float sumOf(const float* values, int count) { return sumsOf<1>(values, static_cast<size_t>(count))[0]; }
 
 SHOAL_VECTORISE
-void addClippedBlocks(const float* __restrict clipped, float gain, int width, float* __restrict out) {
-    for (int x = 0; x < width; ++x) {
-        const float more = gain * clipped[x];
-        for (int c = 0; c < 3; ++c) out[3 * x + c] += more;
-    }
+void addClippedBlocks(const float* __restrict clipped, const glm::vec3& white, int width,
+                      float* __restrict out) {
+    for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c) out[3 * x + c] += white[c] * clipped[x];
 }
 
 // Every kFactor columns to their mean, planes to interleaved.
@@ -246,11 +245,16 @@ void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
         clipped.addRow(y, frame.width, frame.height,
                        static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1));
     clippedGain_ = clippedGainOf(base, clipped);
+    const glm::vec3 tint = clippedTintOf(base);
     addRows(
         [&](int y) {
             const float share = clippedShares_[static_cast<size_t>(y)];
             if (!(share > 0) || decode(y, (clippedGain_ - 1) * share) == 0) return false;
-            green_ = blue_ = red_;
+            for (size_t x = 0; x < red_.size(); ++x) {
+                green_[x] = tint.g * red_[x];
+                blue_[x] = tint.b * red_[x];
+                red_[x] *= tint.r;
+            }
             return true;
         },
         base);
@@ -273,8 +277,9 @@ void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRa
         clipped.addRow(y, blocks.width, blocks.height,
                        static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width)));
     clippedGain_ = clippedGainOf(blocks, clipped);
+    const glm::vec3 more = (clippedGain_ - 1) * clippedTintOf(blocks);
     for (int y = 0; y < above; ++y)
-        addClippedBlocks(clippedBlocks_.at(0, y), clippedGain_ - 1, blocks.width, blocks.at(0, y));
+        addClippedBlocks(clippedBlocks_.at(0, y), more, blocks.width, blocks.at(0, y));
 }
 
 // Blocks of 4 x 4 pixels first, where the base needs no finer ones; what is left to average is a sixteenth.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -146,6 +147,46 @@ TEST(ClippedLight, ScalesWhatIsAboveTheHorizon) {
     const auto up = [](const EnvironmentLight& light) { return light.diffuse.pixels[0]; };
     EXPECT_GT(up(lightOf(patchAt(0.5f), FrameRadiance::Auto)),
               1.5f * up(lightOf(patchAt(0.5f), FrameRadiance::Linear)));
+}
+
+// Two clipped channels are a quarter of three, in whatever order; one is nothing.
+TEST(ClippedLight, CountsByTheMiddleAndTheLeastChannel) {
+    const auto steps = [](uint8_t a, uint8_t b, uint8_t c) {
+        const std::array<uint8_t, 3> pixel{a, b, c};
+        return clippedSteps(pixel.data());
+    };
+    EXPECT_EQ(steps(255, 255, 255), kClippedSteps);
+    for (const int quarter : {steps(255, 255, 0), steps(255, 0, 255), steps(0, 255, 255)})
+        EXPECT_EQ(4 * quarter, kClippedSteps);
+    EXPECT_EQ(steps(255, 0, 0), 0);
+    EXPECT_EQ(steps(kLastUnclipped, 255, kLastUnclipped), 0);
+    EXPECT_EQ(steps(249, 255, 243), 6);
+    EXPECT_EQ(steps(255, 244, 250), 3 * 1 + 7);
+}
+
+// Even colours of the upper and of the lower half. Of the upper one the largest channel is as bright as may
+// be without being clipped.
+glm::vec3 tintOf(const glm::vec3& above, const glm::vec3& below) {
+    ImageRgbF decoded(64, 32);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x)
+            for (int c = 0; c < 3; ++c)
+                decoded.at(x, y)[c] = y < 16 ? math::linearOfByte()[kLastUnclipped] * above[c] : below[c];
+    return clippedTintOf(decoded);
+}
+
+void expectTint(const glm::vec3& got, const glm::vec3& ratios) {
+    const glm::vec3 want = ratios / (0.2126f * ratios.r + 0.7152f * ratios.g + 0.0722f * ratios.b);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], 1e-3f) << c; // 1e-4 steradians of white
+}
+
+TEST(ClippedLight, HasTheColourThatAllHasInCommon) {
+    expectTint(tintOf({0.5f, 1, 1}, {0.2f, 0.4f, 0.4f}), {0.5f, 1, 1}); // under water
+    expectTint(tintOf({1, 0.8f, 0.4f}, {0.05f, 0.04f, 0.02f}), {1, 0.8f, 0.4f});
+    expectTint(tintOf({1, 1, 1}, {0.2f, 0.4f, 0.1f}), {1, 1, 1});       // what is brightest is white
+    expectTint(tintOf({0.9f, 0.9f, 1}, {0.6f, 0.6f, 0.1f}), {1, 1, 1}); // on the whole it is of the other hue
+    // Nothing is nearly white.
+    expectTint(tintOf({0.1f, 0.2f, 0.2f}, {0.1f, 0.2f, 0.2f}), {1, 1, 1});
 }
 
 // A region that comes to be clipped a step of 8 bits at a time: the light grows by no more at once than over
