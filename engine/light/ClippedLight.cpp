@@ -28,6 +28,8 @@ double edgeSine(int row, int height) {
     return std::sin(std::numbers::pi * (0.5 - static_cast<double>(row) / height));
 }
 
+double middleSine(int row, int height) { return std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height)); }
+
 // Between two edges' sines, of a texel of `width`: the integral of the sine over the solid angle.
 double irradianceBetween(double top, double bottom, int width) {
     return std::numbers::pi / width * std::abs(top * top - bottom * bottom);
@@ -117,8 +119,7 @@ glm::dvec3 ofLuminanceOne(const glm::dvec3& colour) {
 } // namespace
 
 float clippedShare(int row, int height) {
-    const double sine = std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height));
-    return std::clamp(static_cast<float>(sine) / kFullHeight, 0.0f, 1.0f);
+    return std::clamp(static_cast<float>(middleSine(row, height)) / kFullHeight, 0.0f, 1.0f);
 }
 
 double levelIrradiance(int row, int width, int height) {
@@ -130,13 +131,14 @@ float groundTrust(float sine) {
     return kLeastTrust + (kMostTrust - kLeastTrust) * high;
 }
 
-void ClippedAbove::addRow(int row, int width, int height, double sum) {
-    const double light = levelIrradiance(row, width, height) * sum;
-    irradiance += light;
-    bySine += light * std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height));
+float ClippedGain::at(float sine) const {
+    const float trust = seen * groundTrust(sine);
+    return std::pow(kUsualGain, 1 - trust) * std::pow(byGround, trust);
 }
 
-float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped) {
+float ClippedGain::of(int row, int height) const { return at(static_cast<float>(middleSine(row, height))); }
+
+ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     const std::array<float, 256>& linear = math::linearOfByte();
     constexpr float kWhite = 0.999f; // means are off by a few 1e-4
     const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
@@ -160,11 +162,9 @@ float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped) {
     const double radiance = groundSeen > 0 ? ground / groundSeen : 0;
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
-        std::clamp(missing / std::max(clipped.irradiance, 1e-6), 0.0, static_cast<double>(kMostFromGround));
-    const float trust =
-        groundTrust(static_cast<float>(clipped.bySine / std::max(clipped.irradiance, 1e-12))) *
-        static_cast<float>(std::min(1.0, groundSeen / (static_cast<double>(kGroundNeeded) * below)));
-    return std::pow(kUsualGain, 1 - trust) * std::pow(1 + static_cast<float>(times), trust);
+        std::clamp(missing / std::max(clippedIrradiance, 1e-6), 0.0, static_cast<double>(kMostFromGround));
+    return {1 + static_cast<float>(times),
+            static_cast<float>(std::min(1.0, groundSeen / (static_cast<double>(kGroundNeeded) * below)))};
 }
 
 glm::vec3 clippedTintOf(const ImageRgbF& decoded) {

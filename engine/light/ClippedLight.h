@@ -5,12 +5,12 @@
 //   1. The mean radiance of the unclipped ground, by pi over an albedo of 0.18, is the irradiance from above.
 //   2. What unclipped pixels do not supply of it is the clipped pixels' above the horizon: that many times
 //      white they are.
-//   3. Grounds differ in albedo by more than ten: the result is the weighed geometric mean of that gain and
-//      of one that serves where there is no ground to be seen (covered, black, clipped). The higher the
-//      clipped light, the more the ground tells of it: what comes from the side, as through windows and from
-//      a bright horizon, falls on walls and slopes first.
+//   3. Grounds differ in albedo by more than ten: the gain is the weighed geometric mean of that and of one
+//      that serves where there is no ground to be seen (covered, black, clipped). The higher clipped light
+//      stands, the more the ground tells of it: what comes from the side, as through windows and from a
+//      bright horizon, falls on walls and slopes first.
 // To a pixel's decoded radiance is added
-//     (gain - 1) * clippedShare(row) * clippedSteps(pixel) / kClippedSteps * tint
+//     (gain(row) - 1) * clippedShare(row) * clippedSteps(pixel) / kClippedSteps * tint
 // Only above the horizon: what is clipped below it is mostly ground in the sun, and not far above white. The
 // tint is what the whole of the picture and its brightest parts that are not white have in common, as under
 // water: a white sun in a blue sky is white. Error by pictures with known light:
@@ -52,18 +52,18 @@ float clippedShare(int row, int height);
 // Irradiance of a level plane, facing up or down as the row lies, by a texel of radiance 1 in this row.
 double levelIrradiance(int row, int width, int height);
 
-// What clipped pixels give a level plane from above, if they were white and by their shares and steps.
-struct ClippedAbove {
-    double irradiance = 0;
-    double bySine = 0; // the same weighed by the sine of the elevation
+// How many times white clipped pixels are.
+struct ClippedGain {
+    float byGround = kUsualGain; // 1 to 1 + kMostFromGround
+    float seen = 0;              // 0 to 1: as far as there is ground to tell it
 
-    // A row's sum over its texels of share times steps, over kClippedSteps.
-    void addRow(int row, int width, int height, double sum);
+    float at(float sine) const; // of the elevation
+    float of(int row, int height) const;
 };
 
-// White stands for so many times white: 1 to 1 + kMostFromGround. decoded: the whole surround, averaged over
-// as few pixels or as many as is convenient.
-float clippedGainOf(const ImageRgbF& decoded, const ClippedAbove& clipped);
+// decoded: the whole surround, averaged over as few pixels or as many as is convenient. clippedIrradiance: of
+// a level plane from above, by clipped pixels if they were white, by their shares and steps.
+ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance);
 
 // The colour of clipped light, of luminance 1. decoded: as above. White where nothing is nearly white.
 glm::vec3 clippedTintOf(const ImageRgbF& decoded);

@@ -240,16 +240,16 @@ void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
                                            white / kClippedSteps, red_.data());
         return static_cast<double>(steps) / kClippedSteps;
     };
-    ClippedAbove clipped;
+    double clipped = 0;
     for (int y = 0; 2 * y < frame.height; ++y)
-        clipped.addRow(y, frame.width, frame.height,
-                       static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1));
+        clipped += levelIrradiance(y, frame.width, frame.height) *
+                   static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1);
     clippedGain_ = clippedGainOf(base, clipped);
     const glm::vec3 tint = clippedTintOf(base);
     addRows(
         [&](int y) {
             const float share = clippedShares_[static_cast<size_t>(y)];
-            if (!(share > 0) || decode(y, (clippedGain_ - 1) * share) == 0) return false;
+            if (!(share > 0) || decode(y, (clippedGain_.of(y, frame.height) - 1) * share) == 0) return false;
             for (size_t x = 0; x < red_.size(); ++x) {
                 green_[x] = tint.g * red_[x];
                 blue_[x] = tint.b * red_[x];
@@ -271,15 +271,16 @@ void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRa
     }
     clippedBlocks_.fit(blocks.width, blocks.height);
     makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
-    ClippedAbove clipped;
+    double clipped = 0;
     const int above = (blocks.height + 1) / 2;
     for (int y = 0; y < above; ++y)
-        clipped.addRow(y, blocks.width, blocks.height,
-                       static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width)));
+        clipped += levelIrradiance(y, blocks.width, blocks.height) *
+                   static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width));
     clippedGain_ = clippedGainOf(blocks, clipped);
-    const glm::vec3 more = (clippedGain_ - 1) * clippedTintOf(blocks);
+    const glm::vec3 tint = clippedTintOf(blocks);
     for (int y = 0; y < above; ++y)
-        addClippedBlocks(clippedBlocks_.at(0, y), more, blocks.width, blocks.at(0, y));
+        addClippedBlocks(clippedBlocks_.at(0, y), (clippedGain_.of(y, blocks.height) - 1) * tint,
+                         blocks.width, blocks.at(0, y));
 }
 
 // Blocks of 4 x 4 pixels first, where the base needs no finer ones; what is left to average is a sixteenth.

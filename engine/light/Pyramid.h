@@ -2,6 +2,7 @@
 // angles.
 #pragma once
 
+#include "engine/light/ClippedLight.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"
 #include "engine/light/InverseToneMap.h"
@@ -41,7 +42,7 @@ class PyramidMaker {
     size_t make(const ImageRgbF& radianceLin, int askedWidth, RadiancePyramid& out);
 
     // Of the last frame that was made as Auto.
-    float clippedGain() const { return clippedGain_; }
+    const ClippedGain& clippedGain() const { return clippedGain_; }
 
   private:
     // Source row or column `from` gives the part `weight` of target row or column `to`.
@@ -67,7 +68,7 @@ class PyramidMaker {
     ImageF clippedBlocks_;                  // the same of clipped pixels
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved
-    float clippedGain_ = 1;
+    ClippedGain clippedGain_;
 };
 
 } // namespace shoal::light
