@@ -232,7 +232,9 @@ SHOAL_AVX2 inline __m256i clippedStepsAvx2(const TwoRows& rows) {
     const __m256i low = _mm256_min_epu8(rows.red, rows.green), high = _mm256_max_epu8(rows.red, rows.green);
     const __m256i least = _mm256_subs_epu8(_mm256_min_epu8(low, rows.blue), last);
     const __m256i middle = _mm256_subs_epu8(_mm256_max_epu8(low, _mm256_min_epu8(high, rows.blue)), last);
-    return _mm256_add_epi8(_mm256_add_epi8(least, middle), _mm256_add_epi8(least, least));
+    const __m256i twice = _mm256_add_epi8(least, least),
+                  six = _mm256_add_epi8(twice, _mm256_add_epi8(twice, twice));
+    return _mm256_add_epi8(_mm256_add_epi8(six, least), middle);
 }
 
 // Blocks 0 .. count - 1, a multiple of 4: four at a time.

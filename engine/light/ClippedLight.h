@@ -36,14 +36,14 @@ float groundTrust(float sine);
 
 // Video is compressed: white is not 255 everywhere. From 243 to 255 a channel counts as clipped more and
 // more, so that none flickers between the two. A pixel of which two channels are clipped, and which is less
-// bright than where all are, counts a quarter.
-constexpr int kLastUnclipped = 243, kClippedSteps = 4 * (255 - kLastUnclipped);
+// bright than where all are, counts an eighth.
+constexpr int kLastUnclipped = 243, kClippedSteps = 8 * (255 - kLastUnclipped);
 
 // 0 to kClippedSteps. pixel: three coded channels.
 inline int clippedSteps(const uint8_t* pixel) {
     const int low = std::min(pixel[0], pixel[1]), high = std::max(pixel[0], pixel[1]);
     const int least = std::min<int>(low, pixel[2]), middle = std::max(low, std::min<int>(high, pixel[2]));
-    return 3 * std::max(0, least - kLastUnclipped) + std::max(0, middle - kLastUnclipped);
+    return 7 * std::max(0, least - kLastUnclipped) + std::max(0, middle - kLastUnclipped);
 }
 
 // How much of the gain holds in a row: from 0 at the horizon, and below, to 1 at an elevation of 17 degrees.

@@ -153,19 +153,19 @@ TEST(ClippedLight, TrustsTheGroundTheMoreTheHigherLightStands) {
     EXPECT_NEAR(gain.of(341, 1024), gain.at(0.5f), 0.01f); // a third from the zenith to the nadir: 30 degrees
 }
 
-// Two clipped channels are a quarter of three, in whatever order; one is nothing.
+// Two clipped channels are an eighth of three, in whatever order; one is nothing.
 TEST(ClippedLight, CountsByTheMiddleAndTheLeastChannel) {
     const auto steps = [](uint8_t a, uint8_t b, uint8_t c) {
         const std::array<uint8_t, 3> pixel{a, b, c};
         return clippedSteps(pixel.data());
     };
     EXPECT_EQ(steps(255, 255, 255), kClippedSteps);
-    for (const int quarter : {steps(255, 255, 0), steps(255, 0, 255), steps(0, 255, 255)})
-        EXPECT_EQ(4 * quarter, kClippedSteps);
+    for (const int eighth : {steps(255, 255, 0), steps(255, 0, 255), steps(0, 255, 255)})
+        EXPECT_EQ(8 * eighth, kClippedSteps);
     EXPECT_EQ(steps(255, 0, 0), 0);
     EXPECT_EQ(steps(kLastUnclipped, 255, kLastUnclipped), 0);
     EXPECT_EQ(steps(249, 255, 243), 6);
-    EXPECT_EQ(steps(255, 244, 250), 3 * 1 + 7);
+    EXPECT_EQ(steps(255, 244, 250), 7 * 1 + 7);
 }
 
 // Even colours of the upper and of the lower half. Of the upper one the largest channel is as bright as may
