@@ -49,7 +49,7 @@ bool isFish(float x, float y) {
 
 } // namespace
 
-void hiddenInTruth(const media::DepthFrame& truth, Hidden& out) {
+void hiddenInTruth(const media::DepthFrame& truth, HiddenTexels& out) {
     for (size_t i = 0; i < kAnimals_m.size(); ++i) {
         out[i].fit(truth.width, truth.height);
         const float code = media::kMaxDepthCode / (kAnimals_m[i] * media::kMaxInverse_perM);
@@ -58,7 +58,7 @@ void hiddenInTruth(const media::DepthFrame& truth, Hidden& out) {
     }
 }
 
-void hiddenInMap(const depth::DepthMap& map, int width, Hidden& out) {
+void hiddenInMap(const depth::DepthMap& map, int width, HiddenTexels& out) {
     const int height = width / 2;
     for (Mask& mask : out) mask.fit(width, height);
     if (map.inverse.empty()) {
@@ -110,7 +110,7 @@ media::DepthFrame reduced(const media::DepthFrame& truth, int width, int stepsPe
     return out;
 }
 
-void HidingError::add(const Hidden& truth, const Hidden& found) {
+void HidingError::add(const HiddenTexels& truth, const HiddenTexels& found) {
     texel_ = 2 * kPi / truth[0].width;
     for (size_t i = 0; i < kAnimals_m.size(); ++i) {
         const Mask &is = truth[i], &taken = found[i];
@@ -161,8 +161,8 @@ void HidingError::addFish(const Mask& truth, const Mask& found, float distance_m
     }
 }
 
-void HidingError::addFlicker(const Hidden& truthBefore, const Hidden& truth, const Hidden& foundBefore,
-                             const Hidden& found) {
+void HidingError::addFlicker(const HiddenTexels& truthBefore, const HiddenTexels& truth,
+                             const HiddenTexels& foundBefore, const HiddenTexels& found) {
     for (size_t i = 0; i < kAnimals_m.size(); ++i) {
         sumOver(truth[i], [&](int y, double area) {
             int toggled = 0, truly = 0;

@@ -13,10 +13,10 @@ namespace shoal::bench {
 constexpr std::array<float, 5> kAnimals_m = {1, 1.5f, 2.5f, 4, 6}; // distances that they are tried at
 
 // For each of kAnimals_m what is hidden, by the texels of the truth: 1 where the film is nearer.
-using Hidden = std::array<Image<uint8_t, 1>, kAnimals_m.size()>;
-void hiddenInTruth(const media::DepthFrame& truth, Hidden& out);
+using HiddenTexels = std::array<Image<uint8_t, 1>, kAnimals_m.size()>;
+void hiddenInTruth(const media::DepthFrame& truth, HiddenTexels& out);
 // An empty map hides nothing. Linear between its texels, as shaders read it.
-void hiddenInMap(const depth::DepthMap& map, int width, Hidden& out);
+void hiddenInMap(const depth::DepthMap& map, int width, HiddenTexels& out);
 
 // The best that a frame of that width can say: the median of the truth's texels in each of its own.
 media::DepthFrame reduced(const media::DepthFrame& truth, int width, int stepsPerOctave);
@@ -24,10 +24,10 @@ media::DepthFrame reduced(const media::DepthFrame& truth, int width, int stepsPe
 // Sums over frames and distances. Areas are solid angles.
 class HidingError {
   public:
-    void add(const Hidden& truth, const Hidden& found);
+    void add(const HiddenTexels& truth, const HiddenTexels& found);
     // Frames that follow each other.
-    void addFlicker(const Hidden& truthBefore, const Hidden& truth, const Hidden& foundBefore,
-                    const Hidden& found);
+    void addFlicker(const HiddenTexels& truthBefore, const HiddenTexels& truth,
+                    const HiddenTexels& foundBefore, const HiddenTexels& found);
 
     // Of the area of fish that an edge crosses, percent.
     double wronglyHidden() const { return 100 * fishHidden_ / fish_; }

@@ -47,7 +47,7 @@ const std::vector<Format> kFormats = {
 struct Clip {
     std::string film;
     std::vector<media::DepthFrame> truth;
-    std::vector<Hidden> hidden; // by the truth
+    std::vector<HiddenTexels> hidden; // by the truth
     std::vector<ImageRgb8> shown;
     double fps = 0;
 };
@@ -119,7 +119,7 @@ Status measure(const Clip& clip, const Format& format, const Path& folder, Figur
     if (!track) return track.error();
     depth::DepthRefiner refiner(format.mapWidth);
     depth::DepthMap map;
-    Hidden before, found;
+    HiddenTexels before, found;
     for (size_t i = 0; i < frames.size(); ++i) {
         // The nearest that the track has; of two as near the later, as DepthTrack::frameAt() does.
         const size_t every = static_cast<size_t>(format.every);
