@@ -5,6 +5,8 @@
 #include "engine/media/DepthTrack.h"
 #include "tests/bench/compose/Encode.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
