@@ -39,7 +39,7 @@ TEST_P(FilmDepth, HidesWhatTheTruthHides) {
         ASSERT_TRUE(video->seek(frame));
         while (video->position() <= frame) ASSERT_TRUE(video->grab());
         ASSERT_TRUE(video->retrieve(shown));
-        Hidden is, found;
+        HiddenTexels is, found;
         hiddenInTruth(truth, is);
         depth::DepthMap map;
         hiddenInMap(map, truth.width, found);
