@@ -20,15 +20,14 @@ constexpr float kGroundNeeded = 0.25f; // of the half sphere below, weighed by i
 // Of the largest channel, coded: a covered lens, a tripod's patch, bars.
 constexpr int kLastBlack = 4, kFirstSeen = 12;
 
+constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
+
 // What the ground is trusted with light from the side and from straight above; up to which sine of its
 // elevation light is from the side.
 constexpr float kLeastTrust = 0.2f, kMostTrust = 1, kFromTheSide = 0.7f;
 
-double edgeSine(int row, int height) {
-    return std::sin(std::numbers::pi * (0.5 - static_cast<double>(row) / height));
-}
-
-double middleSine(int row, int height) { return std::sin(std::numbers::pi * (0.5 - (row + 0.5) / height)); }
+// Of the elevation; row: from the zenith, a whole one is a row's upper edge.
+double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
 
 // Between two edges' sines, of a texel of `width`: the integral of the sine over the solid angle.
 double irradianceBetween(double top, double bottom, int width) {
@@ -119,11 +118,11 @@ glm::dvec3 ofLuminanceOne(const glm::dvec3& colour) {
 } // namespace
 
 float clippedShare(int row, int height) {
-    return std::clamp(static_cast<float>(middleSine(row, height)) / kFullHeight, 0.0f, 1.0f);
+    return std::clamp(static_cast<float>(sineAt(row + 0.5, height)) / kFullHeight, 0.0f, 1.0f);
 }
 
 double levelIrradiance(int row, int width, int height) {
-    return irradianceBetween(edgeSine(row, height), edgeSine(row + 1, height), width);
+    return irradianceBetween(sineAt(row, height), sineAt(row + 1, height), width);
 }
 
 float groundTrust(float sine) {
@@ -136,18 +135,17 @@ float ClippedGain::at(float sine) const {
     return std::pow(kUsualGain, 1 - trust) * std::pow(byGround, trust);
 }
 
-float ClippedGain::of(int row, int height) const { return at(static_cast<float>(middleSine(row, height))); }
+float ClippedGain::of(int row, int height) const { return at(static_cast<float>(sineAt(row + 0.5, height))); }
 
 ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     const std::array<float, 256>& linear = math::linearOfByte();
-    constexpr float kWhite = 0.999f; // means are off by a few 1e-4
     const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
                      1 / (kWhite - linear[kLastUnclipped])};
     // Irradiance of a level plane from above; radiance of the ground, of the part that is seen; that part.
     double fromAbove = 0, ground = 0, groundSeen = 0;
     double top = 1;
     for (int y = 0; y < decoded.height; ++y) {
-        const double bottom = edgeSine(y + 1, decoded.height);
+        const double bottom = sineAt(y + 1, decoded.height);
         const double weight = irradianceBetween(top, bottom, decoded.width);
         if (2 * y < decoded.height) {
             fromAbove += weight * static_cast<double>(luminanceOf(decoded.at(0, y), decoded.width));
@@ -169,8 +167,7 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
 
 glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
     const std::array<float, 256>& linear = math::linearOfByte();
-    constexpr float kWhite = 0.999f; // as above
-    constexpr int kBright = 230;     // coded
+    constexpr int kBright = 230; // coded
     const Bright by = {linear[kBright], 1 / (linear[kLastUnclipped] - linear[kBright]), kWhite,
                        1 / (kWhite - linear[kLastUnclipped])};
     constexpr double kGrey = 1e-4; // steradians of white: too little of a picture tells no colour

@@ -5,5 +5,5 @@ uniform float clearcoat, clearcoatRoughness;
 // The share of light that a whole one reflects and keeps from what lies below. nv: n.v, above 0.
 float clearcoatReflectance(float nv, float roughness) {
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;
-    return (0.04 * dfg.x + dfg.y);
+    return 0.04 * dfg.x + dfg.y;
 }

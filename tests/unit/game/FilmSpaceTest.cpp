@@ -177,20 +177,6 @@ TEST(FilmSpace, APillarIsPassedAndNobodyStaysAtIt) {
     EXPECT_LT(kept.longestStep_m, kLongestStep_m);
 }
 
-// Of its middle to the fish farthest from it, body lengths.
-float spreadOf(const test::OpenDive& dive, int school) {
-    glm::vec3 middle(0);
-    float count = 0, farthest_m = 0, length_m = 1;
-    for (const Fish& fish : dive.fish)
-        if (fish.school == school) middle += fish.position, ++count;
-    for (const Fish& fish : dive.fish)
-        if (fish.school == school) {
-            farthest_m = std::max(farthest_m, glm::distance(fish.position, middle / count));
-            length_m = cove().species[fish.species].length_m;
-        }
-    return farthest_m / length_m;
-}
-
 TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
     constexpr float kParted = 3.5f; // in the open these stay below 2.7
     int parted = 0;
@@ -206,7 +192,7 @@ TEST(FilmSpace, ShoalsPartAtAPillarAndJoinAgain) {
             if (tick < 20 * sim::kTickRate_Hz) continue; // they gather first
             for (size_t i = 0; i < file.schools.size(); ++i) {
                 if (cove().species[file.schools[i].species].company != Company::Shoal) continue;
-                const bool apart = spreadOf(dive, static_cast<int>(i)) > kParted;
+                const bool apart = test::spreadOf(dive, static_cast<int>(i)) > kParted;
                 parted += apart && apart_s[i] == 0;
                 apart_s[i] = apart ? apart_s[i] + kDt : 0;
                 ASSERT_LT(apart_s[i], 8) << "seed " << seed << " school " << i;

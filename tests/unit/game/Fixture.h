@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <functional>
 
@@ -112,5 +114,19 @@ struct OneFish {
         }
     }
 };
+
+// Of a school: from its middle to the fish farthest from it, body lengths.
+inline float spreadOf(const OpenDive& dive, int school) {
+    glm::vec3 middle(0);
+    float count = 0, farthest_m = 0, length_m = 1;
+    for (const Fish& fish : dive.fish)
+        if (fish.school == school) middle += fish.position, ++count;
+    for (const Fish& fish : dive.fish)
+        if (fish.school == school) {
+            farthest_m = std::max(farthest_m, glm::distance(fish.position, middle / count));
+            length_m = cove().species[fish.species].length_m;
+        }
+    return farthest_m / length_m;
+}
 
 } // namespace shoal::game::test

@@ -22,14 +22,13 @@ struct Order {
 
 Order orderOf(const test::OpenDive& world, int school) {
     Order order;
-    glm::vec3 heading(0), middle(0);
+    glm::vec3 heading(0);
     int count = 0;
     float length_m = 1;
     for (const Fish& a : world.fish) {
         if (a.school != school) continue;
         length_m = world.species()[a.species].length_m;
         heading += a.forward;
-        middle += a.position;
         ++count;
         float nearest = 1e9f;
         for (const Fish& b : world.fish)
@@ -41,9 +40,7 @@ Order orderOf(const test::OpenDive& world, int school) {
     const auto n = static_cast<float>(count);
     order.polarisation = glm::length(heading) / n;
     order.meanNearest /= n;
-    for (const Fish& a : world.fish)
-        if (a.school == school)
-            order.farthest = std::max(order.farthest, glm::distance(a.position, middle / n) / length_m);
+    order.farthest = test::spreadOf(world, school);
     return order;
 }
 

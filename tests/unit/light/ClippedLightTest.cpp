@@ -59,9 +59,9 @@ float openAir(const glm::vec3& towards, float sun) {
     return towards.y > kSunCosine ? sun : kSky;
 }
 
-// The estimate is the sun's radiance. 8 %:
-// half a step of 8 bits is 2.2 % of the ground under a sun of 2, of whose light that sun gives 45 %, so 4.9 %
-// of the sun; and half a row at the edge of a disc of 33 rows is 3 % of it.
+// The estimate is the sun's radiance. 8 %: half a step of 8 bits is 2.2 % of the ground under a sun of 2, of
+// whose light that sun gives 45 %, so 4.9 % of the sun; and half a row at the edge of a disc of 33 rows is 3
+// % of it.
 TEST(ClippedLight, KnowsTheSunByTheGround) {
     for (const float sun : {2.0f, 10.0f, 40.0f, 80.0f})
         EXPECT_NEAR(gainOf([&](const glm::vec3& d) { return openAir(d, sun); }) / sun, 1, 0.08f) << sun;

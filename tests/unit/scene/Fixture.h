@@ -101,6 +101,18 @@ struct Gltf {
 
 inline const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 
+inline constexpr const char* kWhitePixel =
+    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
+    "AAX+Av4N70a4AAAAAElFTkSuQmCC";
+
+// With the file's first material, and both sets of texture coordinates.
+inline void addTexturedTriangle(Gltf& file) {
+    Json& primitive = file.addTriangles(file.addFloats(kTriangle, "VEC3"));
+    primitive["material"] = 0;
+    primitive["attributes"]["TEXCOORD_0"] = file.addFloats({1, 0, 0, 1, 0.5f, 0.25f}, "VEC2");
+    primitive["attributes"]["TEXCOORD_1"] = file.addFloats({2, 2, 3, 3, 4, 4}, "VEC2");
+}
+
 // The reason for which the document is refused; "" if it is not.
 inline std::string refusal(const Result<Model>& model) { return model ? "" : model.error().reason; }
 

@@ -10,10 +10,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char* kWhitePixel =
-    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
-    "AAX+Av4N70a4AAAAAElFTkSuQmCC";
-
 // Two textures of one white picture, which nothing but these extensions shows.
 Gltf layered(const Json& specular, const Json& clearcoat) {
     Gltf file;
@@ -25,10 +21,7 @@ Gltf layered(const Json& specular, const Json& clearcoat) {
     material["extensions"]["KHR_materials_specular"] = specular;
     material["extensions"]["KHR_materials_clearcoat"] = clearcoat;
     file.root["materials"] = {material};
-    Json& primitive = file.addTriangles(file.addFloats(kTriangle, "VEC3"));
-    primitive["material"] = 0;
-    primitive["attributes"]["TEXCOORD_0"] = file.addFloats({1, 0, 0, 1, 0.5f, 0.25f}, "VEC2");
-    primitive["attributes"]["TEXCOORD_1"] = file.addFloats({2, 2, 3, 3, 4, 4}, "VEC2");
+    addTexturedTriangle(file);
     return file;
 }
 

@@ -9,15 +9,11 @@
 namespace shoal::scene {
 namespace {
 
-constexpr const char* kOnePixel =
-    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4//8/"
-    "AAX+Av4N70a4AAAAAElFTkSuQmCC"; // white
-
 // A triangle with both sets of texture coordinates, and a texture for base colour and light of its own.
 Gltf textured(const Json& baseColour, const Json& emissive = Json()) {
     Gltf file;
     file.root["extensionsUsed"] = {"KHR_texture_transform"};
-    file.root["images"] = {{{"uri", kOnePixel}}};
+    file.root["images"] = {{{"uri", kWhitePixel}}};
     file.root["textures"] = {{{"source", 0}}};
     Json material;
     material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
@@ -27,10 +23,7 @@ Gltf textured(const Json& baseColour, const Json& emissive = Json()) {
     material["emissiveTexture"] = {{"index", 0}, {"texCoord", 1}};
     if (!emissive.is_null()) material["emissiveTexture"]["extensions"]["KHR_texture_transform"] = emissive;
     file.root["materials"] = {material};
-    Json& primitive = file.addTriangles(file.addFloats(kTriangle, "VEC3"));
-    primitive["material"] = 0;
-    primitive["attributes"]["TEXCOORD_0"] = file.addFloats({1, 0, 0, 1, 0.5f, 0.25f}, "VEC2");
-    primitive["attributes"]["TEXCOORD_1"] = file.addFloats({2, 2, 3, 3, 4, 4}, "VEC2");
+    addTexturedTriangle(file);
     return file;
 }
 
