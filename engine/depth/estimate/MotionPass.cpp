@@ -2,6 +2,8 @@
 
 #include "engine/math/Quantile.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace shoal::depth {
@@ -9,36 +11,73 @@ namespace shoal::depth {
 namespace {
 
 constexpr int kMaxGap = 32;            // film frames between the two of a pair
-constexpr double kGoodParallax = 0.02; // radians; more makes flow fail at edges
+constexpr int kPlaces = 8;             // that pairs are tried at
+constexpr double kGoodParallax = 0.03; // radians; more makes flow fail at edges
+// Waves' caustics on a floor move as the floor would if the camera went another way, and pairs close in time
+// believe them; those twice as far apart then find another direction, by 18 degrees and more on the reef. The
+// camera's own turns in between are up to 11 (tests/bench/depth_estimate).
+constexpr double kSameWay = 0.978; // cosine of 12 degrees
+
+// What pairs of frames with a gap show.
+struct Tried {
+    int gap = kFilmStep;
+    std::vector<RelativePose> poses; // one for each place
+    double parallax_rad = 0;         // median
+    int moving = 0;                  // poses that are translations
+
+    bool moves() const { return moving * 3 >= kPlaces; }
+    double score() const { return moving * std::min(parallax_rad, kGoodParallax); }
+};
+
+Tried triedOf(int gap, std::vector<RelativePose> poses) {
+    std::vector<double> parallaxes;
+    int moving = 0;
+    for (const RelativePose& pose : poses) {
+        moving += isTranslation(pose);
+        parallaxes.push_back(pose.parallax_rad);
+    }
+    return {gap, std::move(poses), math::median(parallaxes), moving};
+}
+
+// Whether three of four places say the same of where the camera goes.
+bool goTheSameWay(const Tried& a, const Tried& b) {
+    std::vector<double> cosines;
+    for (size_t i = 0; i < a.poses.size(); ++i)
+        if (isTranslation(a.poses[i]) && isTranslation(b.poses[i]))
+            cosines.push_back(glm::dot(a.poses[i].towards, b.poses[i].towards));
+    return !cosines.empty() && math::quantile(cosines, 0.25) > kSameWay;
+}
 
 } // namespace
 
+// Of pairs with that gap, at the same places of the film for every gap up to the longest.
+std::vector<RelativePose> MotionPass::posesOverFilm(int gap, int64_t longest) {
+    std::vector<RelativePose> poses;
+    for (int place = 0; place < kPlaces; ++place) {
+        const int64_t at = (film_.info().frameCount - longest - 1) * place / kPlaces;
+        CubeFaces first, second;
+        readFaces(at, first), readFaces(at + gap, second);
+        poses.push_back(estimatePair(flow_, first, second).pose);
+    }
+    return poses;
+}
+
+// A gap is good if points move far enough and pairs twice as far apart agree. Where none is, the shortest of
+// those that show most movement.
 bool MotionPass::chooseGap() {
-    constexpr int kPlaces = 8;
-    const int64_t count = film_.info().frameCount;
-    double bestScore = 0;
-    int best = 0;
-    for (int gap = kFilmStep; gap <= kMaxGap && gap < count; gap *= 2) {
-        std::vector<double> parallaxes;
-        int moving = 0;
-        for (int place = 0; place < kPlaces; ++place) {
-            const int64_t at = (count - gap - 1) * place / kPlaces;
-            CubeFaces first, second;
-            readFaces(at, first), readFaces(at + gap, second);
-            const PairDepth pair = estimatePair(flow_, first, second);
-            moving += isTranslation(pair.pose);
-            parallaxes.push_back(pair.pose.parallax_rad);
-        }
-        const double parallax = math::median(parallaxes);
-        if (moving * 3 >= kPlaces && moving * std::min(parallax, kGoodParallax) > bestScore)
-            bestScore = moving * std::min(parallax, kGoodParallax), best = gap;
-        if (best > 0 && parallax >= kGoodParallax) {
-            best = gap;
+    const int64_t longest = std::min<int64_t>(kMaxGap, film_.info().frameCount / 2);
+    Tried best, before; // nothing moves in them
+    for (int gap = kFilmStep; gap <= longest; gap *= 2) {
+        Tried tried = triedOf(gap, posesOverFilm(gap, longest));
+        if (before.moves() && before.parallax_rad >= kGoodParallax && goTheSameWay(before, tried)) {
+            best = before;
             break;
         }
+        if (tried.moves() && tried.score() > best.score()) best = tried;
+        before = std::move(tried);
     }
-    gap_ = best > 0 ? best : kFilmStep;
-    return best > 0;
+    gap_ = best.gap;
+    return best.moving > 0;
 }
 
 const CubeFaces& MotionPass::facesAt(int number) {

@@ -12,9 +12,8 @@ class MotionPass {
   public:
     explicit MotionPass(FilmFrames& film) : film_(film) {}
 
-    // How far the frames of a pair are apart: places over the whole film, wider and wider pairs, until points
-    // move far enough; where they never do, as far as most pairs show a movement. False: the camera stands
-    // still or only turns.
+    // How far the frames of a pair are apart: places over the whole film, wider and wider pairs. False: the
+    // camera stands still or only turns.
     bool chooseGap();
     // In frames of the track.
     int step() const { return gap_ / kFilmStep; }
@@ -24,6 +23,7 @@ class MotionPass {
 
   private:
     void readFaces(int64_t filmFrame, CubeFaces& out) { flow_.makeFaces(film_.eye(filmFrame), out); }
+    std::vector<RelativePose> posesOverFilm(int gap, int64_t longest);
     const CubeFaces& facesAt(int number);
 
     FilmFrames& film_;

@@ -13,6 +13,9 @@ namespace shoal::depth {
 namespace {
 
 constexpr float kUnknown = 0.2f; // less confidence says nothing
+// More than the least confidence beside it is not believed: from 0.1 on what lies there is no reason to
+// doubt.
+constexpr float kMoreThanBeside = 0.5f;
 
 size_t texelOf(const glm::vec3& dir) {
     const glm::vec2 uv = latLongFromDirection(dir);
@@ -50,6 +53,20 @@ void requireAgreement(DepthEstimate& depth, std::span<const OtherFrame> others) 
         depth.confidence[i] = std::clamp(
             (depth.confidence[i] + 0.25f * agree) * std::clamp(2 * share - 0.4f, 0.0f, 1.0f), 0.0f, 1.0f);
     }
+}
+
+void doubtOutlines(DepthEstimate& depth) {
+    const std::vector<float> before = depth.confidence;
+    for (int y = 0; y < kEstimateHeight; ++y)
+        for (int x = 0; x < kEstimateWidth; ++x) {
+            float least = 1;
+            for (int row = std::max(y - 1, 0); row <= std::min(y + 1, kEstimateHeight - 1); ++row)
+                for (const int column : {x + kEstimateWidth - 1, x, x + 1})
+                    least = std::min(
+                        least, before[static_cast<size_t>(row * kEstimateWidth + column % kEstimateWidth)]);
+            float& own = depth.confidence[static_cast<size_t>(y * kEstimateWidth + x)];
+            own = std::min(own, least + kMoreThanBeside);
+        }
 }
 
 void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const DepthEstimate& after,

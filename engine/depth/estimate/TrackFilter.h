@@ -18,6 +18,10 @@ struct OtherFrame {
 // is taken.
 void requireAgreement(DepthEstimate& depth, std::span<const OtherFrame> others);
 
+// Beside a texel of which nothing is known lies, as a rule, the outline of something before it, and estimates
+// reach over outlines by the windows that are compared: less is believed there.
+void doubtOutlines(DepthEstimate& depth);
+
 // The median of three neighbouring frames where all know something: what one of them got wrong goes. 1/m.
 void medianOverTime(const DepthEstimate& before, const DepthEstimate& now, const DepthEstimate& after,
                     media::DepthFrame& out);

@@ -72,7 +72,7 @@ double coveredShare(const std::vector<Texel>& texels) {
 
 } // namespace
 
-Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth) {
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double from_s) {
     auto made = media::DepthTrack::open(estimated);
     if (!made) return made.error();
     auto known = media::DepthTrack::open(truth);
@@ -82,7 +82,7 @@ Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth) {
     media::DepthFrame ours, theirs;
     for (int i = 0; i < made->info().frameCount; ++i) {
         const double time_s = made->info().duration_s * i / made->info().frameCount;
-        if (!made->read(i, ours) || !known->read(known->frameAt(time_s), theirs))
+        if (!made->read(i, ours) || !known->read(known->frameAt(from_s + time_s), theirs))
             return Error{estimated.string(), "cannot be compared: a frame of it or of the truth is damaged"};
         frames.push_back(texelsOf(ours, theirs));
         result.frames.push_back({});

@@ -22,7 +22,7 @@ struct Accuracy {
     std::vector<FrameAccuracy> frames;
 };
 
-// The truth may be longer.
-Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth);
+// The film begins at from_s of the truth, which may be longer.
+Result<Accuracy> accuracyOf(const Path& estimated, const Path& truth, double from_s);
 
 } // namespace shoal::bench

@@ -1,13 +1,14 @@
 // bench_estimate make FOLDER : writes made films and their true depth there.
-// bench_estimate measure NAME METHOD FILM TRUTH : estimates the depth of the film and prints a line for each
-// frame of the track: name, method, time, shares and factors as Accuracy.h has them, and the processor's
-// seconds a frame of the track. METHOD: pairs, sweep or eyes. bench_estimate methods NAME : prints those that
-// suit the film.
+// bench_estimate measure NAME METHOD FILM TRUTH FROM_S : estimates the depth of the film, which begins at
+// that second of the truth, and prints a line for each frame of the track: name, method, time, shares and
+// factors as Accuracy.h has them, and the processor's seconds a frame of the track. METHOD: pairs, sweep or
+// eyes. bench_estimate methods NAME : prints those that suit the film.
 #include "engine/depth/estimate/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
 #include "tests/bench/estimate/Scenes.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <string>
 
@@ -35,7 +36,8 @@ void print(const std::string& name, const std::string& method, const Accuracy& a
                     f.time_s, f.right, f.rightOwn, f.covered, f.ownFactor, accuracy.factor, each_s);
 }
 
-Status measure(const std::string& name, const std::string& method, const Path& film, const Path& truth) {
+Status measure(const std::string& name, const std::string& method, const Path& film, const Path& truth,
+               double from_s) {
     const Path track = film.string() + "." + method + ".depth.mkv";
     depth::FilmDepthOptions options;
     if (isStereo(name)) options.layout = media::Layout::TopBottom;
@@ -48,7 +50,7 @@ Status measure(const std::string& name, const std::string& method, const Path& f
         return Done{};
     }
     const double all_s = processor_s() - began_s;
-    const auto accuracy = accuracyOf(track, truth);
+    const auto accuracy = accuracyOf(track, truth, from_s);
     if (!accuracy) return accuracy.error();
     print(name, method, *accuracy, all_s / static_cast<double>(accuracy->frames.size()));
     return Done{};
@@ -64,7 +66,8 @@ int main(int argc, char** argv) {
         std::puts(isStereo(argv[2]) ? "eyes" : "pairs\nsweep");
         done = Done{};
     }
-    if (what == "measure" && argc == 6) done = measure(argv[2], argv[3], argv[4], argv[5]);
+    if (what == "measure" && argc == 7)
+        done = measure(argv[2], argv[3], argv[4], argv[5], std::atof(argv[6]));
     if (!done) std::fprintf(stderr, "bench_estimate: %s\n", done.error().message().c_str());
     return done ? 0 : 1;
 }

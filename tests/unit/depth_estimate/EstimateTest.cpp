@@ -117,6 +117,23 @@ TEST(TrackFilter, WhatOtherFramesContradictIsNotBelieved) {
     EXPECT_GT(believedRight, static_cast<int>(0.97 * kEstimateTexels / 2));
 }
 
+// Of a block of known texels across the seam, those at its outline.
+TEST(TrackFilter, OutlinesAreDoubted) {
+    DepthEstimate depth{std::vector<float>(kEstimateTexels, 1), std::vector<float>(kEstimateTexels)};
+    const auto at = [](int x, int y) {
+        return static_cast<size_t>(y * kEstimateWidth + (x + kEstimateWidth) % kEstimateWidth);
+    };
+    for (int y = 20; y < 30; ++y)
+        for (int x = -5; x < 5; ++x) depth.confidence[at(x, y)] = 0.9f;
+    doubtOutlines(depth);
+    for (int y = 20; y < 30; ++y)
+        for (int x = -5; x < 5; ++x) {
+            const bool isOutline = x == -5 || x == 4 || y == 20 || y == 29;
+            EXPECT_EQ(depth.confidence[at(x, y)], isOutline ? 0.5f : 0.9f) << x << ", " << y;
+        }
+    EXPECT_EQ(depth.confidence[at(-6, 25)], 0);
+}
+
 // From the zenith 45 degrees down: (1 - cos 45 degrees) / 2 of the sphere.
 TEST(TrackFilter, WhatIsBelievedIsCountedBySolidAngle) {
     media::DepthFrame frame;
