@@ -140,18 +140,10 @@ class Maker {
         return Done{};
     }
 
-    // The best pass' estimate of a frame, as far as other frames agree, and the ground where it is not known.
+    // The best pass' estimate of a frame, as far as other frames agree.
     Status readAgreed(int number, DepthEstimate& depth) {
         const int pass = (passes_ - 1) * count_;
-        if (Status s = readMetres(pass + number, depth); !s) return s;
-        if (!film_.isStereo())
-            if (Status s = agreeWithOthers(number, pass, depth); !s) return s;
-        continueGround(depth);
-        doubtOutlines(depth);
-        return Done{};
-    }
-
-    Status agreeWithOthers(int number, int pass, DepthEstimate& depth) {
+        if (Status s = readMetres(pass + number, depth); !s || film_.isStereo()) return s;
         std::vector<OtherFrame> others;
         for (const int pairs : {-2, -1, 1, 2})
             if (const auto pose =
@@ -164,7 +156,27 @@ class Maker {
         return Done{};
     }
 
+    Status findGrounds() {
+        DepthEstimate depth;
+        std::vector<Ground> found;
+        for (int t = 0; t < count_; ++t) {
+            if (Status s = readAgreed(t, depth); !s) return s;
+            found.push_back(findGround(depth));
+        }
+        grounds_ = steadied(found);
+        return Done{};
+    }
+
+    // And the ground where it is not known.
+    Status readComplete(int number, DepthEstimate& depth) {
+        if (Status s = readAgreed(number, depth); !s) return s;
+        continueGround(grounds_[static_cast<size_t>(number)], depth);
+        doubtOutlines(depth);
+        return Done{};
+    }
+
     Result<FilmDepth> writeTrack() {
+        if (Status s = findGrounds(); !s) return s.error();
         auto writer = media::DepthTrackWriter::make(
             {kEstimateWidth, kEstimateHeight, count_, film_.info().duration_s}, {{identity_}});
         if (!writer) return writer.error();
@@ -174,7 +186,7 @@ class Maker {
         double believed = 0; // of all frames
         for (int t = -1; t < count_; ++t) {
             if (t + 1 < count_)
-                if (Status s = readAgreed(t + 1, around[static_cast<size_t>(t + 1) % 3]); !s)
+                if (Status s = readComplete(t + 1, around[static_cast<size_t>(t + 1) % 3]); !s)
                     return s.error();
             if (t < 0) continue;
             const auto at = [&](int number) -> const DepthEstimate& {
@@ -203,7 +215,8 @@ class Maker {
     int count_, passes_;
     RecordFile records_;
     CameraPath path_;
-    FrameRecord record_; // scratch
+    std::vector<Ground> grounds_; // one for each frame
+    FrameRecord record_;          // scratch
 };
 
 } // namespace

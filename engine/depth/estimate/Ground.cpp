@@ -29,6 +29,7 @@ constexpr float kLeastSeen = 0.1f, kEnoughSeen = 0.2f;
 constexpr float kFlat = 0.05f, kUneven = 0.065f;
 constexpr float kFilledAngle = 0.21f; // sine, to the plane: 12 degrees. Nearer to its horizon rocks hide it.
 constexpr float kFilled = 0.7f;       // confidence
+constexpr int kSteadyReach = 6;       // frames of the track before and after: half a second of most films
 
 struct Seen {
     glm::vec3 dir;
@@ -90,8 +91,24 @@ Ground findGround(const DepthEstimate& depth) {
     return ground;
 }
 
-void continueGround(DepthEstimate& depth) {
-    const Ground ground = findGround(depth);
+std::vector<Ground> steadied(const std::vector<Ground>& grounds) {
+    const auto count = static_cast<int>(grounds.size());
+    std::vector<Ground> result(grounds.size());
+    for (int t = 0; t < count; ++t) {
+        const int first = std::max(t - kSteadyReach, 0), end = std::min(t + kSteadyReach + 1, count);
+        glm::vec3 sum(0);
+        float trust = 0;
+        for (int k = first; k < end; ++k) {
+            const Ground& each = grounds[static_cast<size_t>(k)];
+            sum += each.trust * each.inverse, trust += each.trust;
+        }
+        if (trust > 0)
+            result[static_cast<size_t>(t)] = {sum / trust, trust / static_cast<float>(end - first)};
+    }
+    return result;
+}
+
+void continueGround(const Ground& ground, DepthEstimate& depth) {
     const float sure = kFilled * ground.trust;
     const float least = kFilledAngle * glm::length(ground.inverse);
     for (size_t i = 0; i < kEstimateTexels; ++i) {

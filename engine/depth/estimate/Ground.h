@@ -6,6 +6,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <vector>
+
 namespace shoal::depth {
 
 struct Ground {
@@ -17,8 +19,11 @@ struct Ground {
 // map has the size of FrameRecord.h.
 Ground findGround(const DepthEstimate& depth);
 
+// One for each frame of the track: means over a second, so that the ground neither flickers nor jumps.
+std::vector<Ground> steadied(const std::vector<Ground>& grounds);
+
 // Where too little is known, what is clearly below the horizon is the ground. Things that nothing is known of
 // and that stand on it are lost in it.
-void continueGround(DepthEstimate& depth);
+void continueGround(const Ground& ground, DepthEstimate& depth);
 
 } // namespace shoal::depth

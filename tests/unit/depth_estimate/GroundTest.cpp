@@ -63,7 +63,7 @@ TEST(Ground, IsThePlaneThatMostOfItLiesIn) {
 TEST(Ground, GoesOnWhereTooLittleIsKnown) {
     const DepthEstimate before = seenInPlaces();
     DepthEstimate depth = before;
-    continueGround(depth);
+    continueGround(findGround(depth), depth);
     for (size_t i = 0; i < kEstimateTexels; ++i) {
         const glm::vec3 dir = estimateDirection(i);
         if (isBoulder(dir) || dir.y > 0) {
@@ -80,12 +80,25 @@ TEST(Ground, GoesOnWhereTooLittleIsKnown) {
 TEST(Ground, AThingBelowIsNoGround) {
     const DepthEstimate before = ballBelow();
     DepthEstimate depth = before;
-    continueGround(depth);
+    continueGround(findGround(depth), depth);
     for (size_t i = 0; i < kEstimateTexels; ++i)
         if (before.confidence[i] > 0)
             EXPECT_EQ(depth.inverse[i], before.inverse[i]);
         else
             EXPECT_LT(depth.confidence[i], 0.25f);
+}
+
+// A frame in which it is not found takes what those around it say; a single one that is wrong counts little.
+TEST(Ground, IsSteadyOverTime) {
+    std::vector<Ground> found(40, Ground{kPlane, 1});
+    found[20] = {};
+    found[21] = {2.0f * kPlane, 0.1f};
+    const std::vector<Ground> steady = steadied(found);
+    for (const Ground& each : steady) {
+        EXPECT_GT(each.trust, 0.8f);
+        EXPECT_NEAR(glm::distance(each.inverse, kPlane), 0, 0.01f * glm::length(kPlane));
+    }
+    EXPECT_EQ(steadied({{}, {}})[1].trust, 0);
 }
 
 TEST(Ground, WhereNothingIsKnownThereIsNone) {
