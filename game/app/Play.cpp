@@ -30,19 +30,20 @@ render::Composition compositionIn(const PlayOptions& options) {
 // With their titles and best scores; a dive whose file cannot be read is left out.
 std::vector<DiveName> divesThereAre() {
     std::vector<DiveName> dives;
+    auto scores = readAllScores();
     for (const std::string& name : game::diveNames()) {
         const auto files = game::loadDiveFiles(name);
         if (!files) {
             log::warn("{}", files.error().message());
             continue;
         }
-        const DiveScores scores = readScores(name);
+        const std::vector<int>& top = scores[name].top;
         const std::string picture = "dives/" + name + ".jpg";
         const bool shown = std::filesystem::exists(dataRoot() / "content" / picture);
         dives.push_back({.name = name,
                          .title = files->dive.title,
                          .picture = shown ? picture : "",
-                         .best = scores.top.empty() ? 0 : scores.top.front()});
+                         .best = top.empty() ? 0 : top.front()});
     }
     // The one that is played where none is named comes first.
     const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);

@@ -42,6 +42,23 @@ std::optional<int> scoreIn(const Json& entry) {
     return std::abs(value) <= kMost ? std::optional(static_cast<int>(value)) : std::nullopt;
 }
 
+// Of one dive.
+DiveScores scoresIn(const Json& entry) {
+    DiveScores scores;
+    const auto add = [&](const Json& score) {
+        if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
+            scores.top.push_back(*value);
+    };
+    add(entry); // earlier versions kept the best one alone
+    if (!entry.is_object()) return scores;
+    if (const auto top = entry.find("top"); top != entry.end() && top->is_array())
+        for (const Json& score : *top) add(score);
+    std::ranges::sort(scores.top, std::greater());
+    if (const auto last = entry.find("last"); last != entry.end())
+        scores.last = scoreIn(*last).value_or(scores.last);
+    return scores;
+}
+
 // Sets one setting from its entry in the file. False: that does not fit.
 struct ReadEntry {
     const Json& entry;
@@ -101,28 +118,17 @@ Status saveSetting(const Setting& setting) {
     return writeFileWhole(settingsFile(), json->dump(2) + "\n");
 }
 
-DiveScores readScores(const std::string& dive) {
-    DiveScores scores;
+std::map<std::string, DiveScores> readAllScores() {
+    std::map<std::string, DiveScores> scores;
     const auto all = readObject(scoreFile());
-    if (!all) {
+    if (!all)
         log::warn("{}", all.error().message());
-        return scores;
-    }
-    const auto entry = all->find(dive);
-    if (entry == all->end()) return scores;
-    const auto add = [&](const Json& score) {
-        if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
-            scores.top.push_back(*value);
-    };
-    add(*entry); // earlier versions kept the best one alone
-    if (!entry->is_object()) return scores;
-    if (const auto top = entry->find("top"); top != entry->end() && top->is_array())
-        for (const Json& score : *top) add(score);
-    std::ranges::sort(scores.top, std::greater());
-    if (const auto last = entry->find("last"); last != entry->end())
-        scores.last = scoreIn(*last).value_or(scores.last);
+    else
+        for (const auto& [dive, entry] : all->items()) scores.emplace(dive, scoresIn(entry));
     return scores;
 }
+
+DiveScores readScores(const std::string& dive) { return readAllScores()[dive]; }
 
 Status addScore(const std::string& dive, int score) {
     auto all = readObject(scoreFile());

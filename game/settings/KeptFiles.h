@@ -5,6 +5,7 @@
 #include "engine/core/Result.h"
 #include "game/settings/Setting.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,9 @@ struct DiveScores {
     int last = 0;         // of the dive before; 0: none
 };
 
-// Empty where there are none yet, or the file cannot be used (which is logged, and the file left as it is).
+// By the dive's name. Empty where there are none yet, or the file cannot be used (which is logged, and the
+// file left as it is).
+std::map<std::string, DiveScores> readAllScores();
 DiveScores readScores(const std::string& dive);
 
 // Written whole or not at all. Keeps the other dives' scores.

@@ -283,6 +283,15 @@ TEST_F(Program, HeadlessRunsDoNotDependOnThePlayersSettings) {
               std::string::npos);
 }
 
+TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
+    std::filesystem::create_directories(folder_ / "shoal");
+    write("shoal/scores.json", "broken");
+    const std::string err = run("play --headless --mute --size 64x64 --at 0.1").err;
+    const size_t first = err.find("scores.json");
+    ASSERT_NE(first, std::string::npos);
+    EXPECT_EQ(err.find("scores.json", first + 1), std::string::npos) << err;
+}
+
 TEST_F(Program, WithoutADisplayItSaysHowToSeeSomething) { expectOneMessage(run("play"), "--headless"); }
 
 // From a menu: no terminal, and a display. A fake of the first program that shows boxes keeps what it is
