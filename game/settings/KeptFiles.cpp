@@ -133,7 +133,7 @@ DiveScores readScores(const std::string& dive) { return readAllScores()[dive]; }
 Status addScore(const std::string& dive, int score) {
     auto all = readObject(scoreFile());
     if (!all) return all.error();
-    std::vector<int> top = readScores(dive).top;
+    std::vector<int> top = scoresIn((*all)[dive]).top;
     top.insert(std::ranges::upper_bound(top, score, std::greater()), score);
     top.resize(std::min(top.size(), DiveScores::kKept));
     (*all)[dive] = {{"top", top}, {"last", score}};

@@ -156,6 +156,7 @@ class Maker {
         return Done{};
     }
 
+    // Of every frame; all are read before the first is written, because a ground is a mean over a second.
     Status findGrounds() {
         DepthEstimate depth;
         std::vector<Ground> found;
@@ -167,7 +168,7 @@ class Maker {
         return Done{};
     }
 
-    // And the ground where it is not known.
+    // What frames agree on, the ground where they do not, and outlines doubted.
     Status readComplete(int number, DepthEstimate& depth) {
         if (Status s = readAgreed(number, depth); !s) return s;
         continueGround(grounds_[static_cast<size_t>(number)], depth);

@@ -1,6 +1,7 @@
 #include "engine/depth/estimate/Ground.h"
 
 #include "engine/depth/estimate/FrameRecord.h"
+#include "engine/math/LatLong.h"
 #include "engine/math/Quantile.h"
 
 #include <glm/geometric.hpp>
@@ -33,10 +34,8 @@ constexpr int kSteadyReach = 6;       // frames of the track before and after: h
 
 struct Seen {
     glm::vec3 dir;
-    float inverse, area;
+    float inverse, area; // 1/m; steradians
 };
-
-float areaOf(const glm::vec3& dir) { return std::sqrt(std::max(1 - dir.y * dir.y, 0.0f)); }
 
 // By weighted least squares whose weights follow from the round before (Tukey's biweight).
 glm::vec3 fittedTo(const std::vector<Seen>& seen) {
@@ -73,9 +72,11 @@ Ground findGround(const DepthEstimate& depth) {
     for (size_t i = 0; i < kEstimateTexels; ++i) {
         const glm::vec3 dir = estimateDirection(i);
         if (dir.y > kLowest) continue;
-        all += areaOf(dir);
+        const auto area = static_cast<float>(
+            texelSolidAngle(static_cast<int>(i / kEstimateWidth), kEstimateWidth, kEstimateHeight));
+        all += area;
         if (depth.confidence[i] >= kKnown && depth.inverse[i] > 0)
-            seen.push_back({dir, depth.inverse[i], areaOf(dir)});
+            seen.push_back({dir, depth.inverse[i], area});
     }
     if (seen.empty()) return {};
     Ground ground{.inverse = fittedTo(seen)};

@@ -15,8 +15,8 @@ struct Ground {
     float trust = 0;      // 0 to 1
 };
 
-// Of what is known below the horizon, most has to lie near one plane, all around: else it is not trusted. The
-// map has the size of FrameRecord.h.
+// Trusted as far as enough of what lies below the horizon is known to lie near one plane, and evenly. The map
+// has the size of FrameRecord.h.
 Ground findGround(const DepthEstimate& depth);
 
 // One for each frame of the track: means over a second, so that the ground neither flickers nor jumps.
