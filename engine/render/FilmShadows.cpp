@@ -61,10 +61,6 @@ bool mayBeSeen(const Sphere& body, const CastingLight& light, std::span<const Vi
 
 } // namespace
 
-glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const water::Water& water, float distance_m) {
-    return leftOf(taken, frames, glm::exp(-water.attenuation_perM * distance_m));
-}
-
 glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives) {
     const glm::vec3 left = 1.0f - taken;
     return glm::sqrt(1.0f - (1.0f - (frames == FrameCoding::Srgb ? left : left * left)) * arrives);

@@ -22,13 +22,11 @@
 
 namespace shoal::render {
 
-// What of the display values of a surface `distance_m` away is left where a shadow takes that share of its
-// irradiance, 0 to 1. Display values are taken for square roots of light (water/Water.h), but where frames
-// are coded as the thesis has them, whose radiance goes by display values where it is not bright
-// (light/InverseToneMap.h). The water between mixes squares; its own light, which is not dimmed, is taken to
-// be as bright as the surface.
-glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const water::Water& water, float distance_m);
-// arrives: of the squares of display values, through the water.
+// What of the display values of a surface is left where a shadow takes that share of its irradiance, 0 to 1.
+// Display values are taken for square roots of light (water/Water.h), but where frames are coded as the
+// thesis has them, whose radiance goes by display values where it is not bright (light/InverseToneMap.h). The
+// water between mixes squares, of which `arrives` comes through it; its own light, which is not dimmed, is
+// taken to be as bright as the surface.
 glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& arrives);
 
 class FilmShadows {

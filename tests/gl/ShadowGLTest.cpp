@@ -4,6 +4,8 @@
 #include "engine/render/software/FrameSampler.h"
 #include "tests/unit/shadow/ShadowScene.h"
 
+#include <glm/exponential.hpp>
+
 #include <algorithm>
 #include <optional>
 
@@ -84,9 +86,9 @@ TEST_P(ShadowGL, IsTheClosedFormAtEveryPixel) {
                                       1 - 2 * (static_cast<float>(y) + 0.5f) / kShadowSize);
                 const glm::vec3 ray = view.worldFromEye * glm::vec3(place * view.halfExtent(), -1);
                 const glm::vec3 ground = ray * (kGround_m / ray.y);
-                const glm::vec3 left =
-                    render::leftOf(render::covered(flat, sunlight(), ground) * sunlight().share,
-                                   render::FrameCoding::Srgb, sea_, glm::length(ground));
+                const glm::vec3 left = render::leftOf(
+                    render::covered(flat, sunlight(), ground) * sunlight().share, render::FrameCoding::Srgb,
+                    glm::exp(-sea_.attenuation_perM * glm::length(ground)));
                 for (int c = 0; c < 3; ++c) {
                     const float expected = static_cast<float>(kBefore) * left[c];
                     // Steps of the map of distances tilt the ground, whose share of the light that changes.

@@ -156,15 +156,16 @@ class Maker {
         return Done{};
     }
 
-    // Of every frame; all are read before the first is written, because a ground is a mean over a second.
+    // Of every frame, by frames before and after it; at the film's ends by those that there are.
     Status findGrounds() {
-        DepthEstimate depth;
-        std::vector<Ground> found;
-        for (int t = 0; t < count_; ++t) {
-            if (Status s = readAgreed(t, depth); !s) return s;
-            found.push_back(findGround(depth));
+        const int reach = std::min(kGroundFrames, count_);
+        std::vector<DepthEstimate> around(static_cast<size_t>(reach)); // each at its number modulo reach
+        for (int t = 0, read = 0; t < count_; ++t) {
+            const int first = std::clamp(t - reach / 2, 0, count_ - reach);
+            for (; read < first + reach; ++read)
+                if (Status s = readAgreed(read, around[static_cast<size_t>(read % reach)]); !s) return s;
+            grounds_.push_back(findGround(around));
         }
-        grounds_ = steadied(found);
         return Done{};
     }
 

@@ -23,14 +23,14 @@ constexpr double kFirstQuantile = 0.4;
 constexpr int kRounds = 8;
 constexpr float kTolerance = 0.25f; // of the distance: what is off by more counts nothing
 constexpr float kOnGround = 0.12f;  // what is off by less is part of it
-// Of the solid angle in question the share that is known to be ground; films that have one show 0.2 to 0.97,
-// things of another shape were taken for it over 0.02 to 0.1 (tests/bench/depth_estimate).
-constexpr float kLeastSeen = 0.1f, kEnoughSeen = 0.2f;
-// Root mean square of how far that is off: 0.014 to 0.05 of the one, 0.07 of the other.
-constexpr float kFlat = 0.05f, kUneven = 0.065f;
+constexpr int kLeastTimes = 2;      // in so many frames a texel's distance is known
+// Of the solid angle in question the share that is known to be ground; films that have one show 0.32 to 0.98,
+// things of another shape were taken for it over 0.02 to 0.19 (tests/bench/depth_estimate).
+constexpr float kLeastSeen = 0.2f, kEnoughSeen = 0.3f;
+// Root mean square of how far that is off: 0.01 to 0.05 of the one, 0.054 to 0.07 of the other.
+constexpr float kFlat = 0.05f, kUneven = 0.058f;
 constexpr float kFilledAngle = 0.21f; // sine, to the plane: 12 degrees. Nearer to its horizon rocks hide it.
 constexpr float kFilled = 0.7f;       // confidence
-constexpr int kSteadyReach = 6;       // frames of the track before and after: half a second of most films
 
 struct Seen {
     glm::vec3 dir;
@@ -60,24 +60,35 @@ glm::vec3 fittedTo(const std::vector<Seen>& seen) {
     return plane;
 }
 
+// What is below the camera. The median of the frames: of waves' light each believes something else. The
+// camera's height changes little within them.
+std::vector<Seen> seenTogether(std::span<const DepthEstimate> frames, float& allArea) {
+    std::vector<Seen> seen;
+    std::vector<float> known;
+    allArea = 0;
+    for (size_t i = 0; i < kEstimateTexels; ++i) {
+        const glm::vec3 dir = estimateDirection(i);
+        if (dir.y > kLowest) continue;
+        const auto area = static_cast<float>(
+            texelSolidAngle(static_cast<int>(i / kEstimateWidth), kEstimateWidth, kEstimateHeight));
+        allArea += area;
+        known.clear();
+        for (const DepthEstimate& each : frames)
+            if (each.confidence[i] >= kKnown && each.inverse[i] > 0) known.push_back(each.inverse[i]);
+        if (known.size() >= kLeastTimes) seen.push_back({dir, math::median(known), area});
+    }
+    return seen;
+}
+
 float rising(float from, float to, float value) {
     return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
 }
 
 } // namespace
 
-Ground findGround(const DepthEstimate& depth) {
-    std::vector<Seen> seen;
+Ground findGround(std::span<const DepthEstimate> frames) {
     float all = 0;
-    for (size_t i = 0; i < kEstimateTexels; ++i) {
-        const glm::vec3 dir = estimateDirection(i);
-        if (dir.y > kLowest) continue;
-        const auto area = static_cast<float>(
-            texelSolidAngle(static_cast<int>(i / kEstimateWidth), kEstimateWidth, kEstimateHeight));
-        all += area;
-        if (depth.confidence[i] >= kKnown && depth.inverse[i] > 0)
-            seen.push_back({dir, depth.inverse[i], area});
-    }
+    const std::vector<Seen> seen = seenTogether(frames, all);
     if (seen.empty()) return {};
     Ground ground{.inverse = fittedTo(seen)};
     float near = 0, squares = 0;
@@ -90,23 +101,6 @@ Ground findGround(const DepthEstimate& depth) {
         ground.trust = rising(kLeastSeen, kEnoughSeen, near / all) *
                        (1 - rising(kFlat, kUneven, std::sqrt(squares / near)));
     return ground;
-}
-
-std::vector<Ground> steadied(const std::vector<Ground>& grounds) {
-    const auto count = static_cast<int>(grounds.size());
-    std::vector<Ground> result(grounds.size());
-    for (int t = 0; t < count; ++t) {
-        const int first = std::max(t - kSteadyReach, 0), end = std::min(t + kSteadyReach + 1, count);
-        glm::vec3 sum(0);
-        float trust = 0;
-        for (int k = first; k < end; ++k) {
-            const Ground& each = grounds[static_cast<size_t>(k)];
-            sum += each.trust * each.inverse, trust += each.trust;
-        }
-        if (trust > 0)
-            result[static_cast<size_t>(t)] = {sum / trust, trust / static_cast<float>(end - first)};
-    }
-    return result;
 }
 
 void continueGround(const Ground& ground, DepthEstimate& depth) {

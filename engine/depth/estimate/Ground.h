@@ -1,12 +1,13 @@
 // The ground below the camera, taken for one plane. Caustics and shadows move over it by themselves, so
-// frames do not agree about it there; what is seen of it around them tells how far away it is.
+// frames do not agree about it there; what is seen of it around them, and in other frames, tells how far away
+// it is.
 #pragma once
 
 #include "engine/depth/estimate/StereoDepth.h"
 
 #include <glm/vec3.hpp>
 
-#include <vector>
+#include <span>
 
 namespace shoal::depth {
 
@@ -15,12 +16,12 @@ struct Ground {
     float trust = 0;      // 0 to 1
 };
 
-// Trusted as far as enough of what lies below the horizon is known to lie near one plane, and evenly. The map
-// has the size of FrameRecord.h.
-Ground findGround(const DepthEstimate& depth);
+// Of a frame: so many frames of the track about it, two seconds of most films, tell of its ground together.
+constexpr int kGroundFrames = 25;
 
-// One for each frame of the track: means over a second, so that the ground neither flickers nor jumps.
-std::vector<Ground> steadied(const std::vector<Ground>& grounds);
+// Trusted as far as enough of what lies below the horizon is known, in some of the frames, to lie near one
+// plane, and evenly. The maps have the size of FrameRecord.h.
+Ground findGround(std::span<const DepthEstimate> frames);
 
 // Where too little is known, what is clearly below the horizon is the ground. Things that nothing is known of
 // and that stand on it are lost in it.

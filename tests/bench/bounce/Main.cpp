@@ -47,7 +47,8 @@ Status writePlaces(const Path& folder) {
                 places += fmt::format("{} {} {} {}\n", one.frame, mm.x, mm.y, mm.z);
         }
         if (Status s = writeFileWhole(folder / (std::string(film.name) + ".places"), places); !s) return s;
-        if (Status s = writeFileWhole(folder / (std::string(film.name) + ".frames"), frames); !s) return s;
+        if (Status s = writeFileWhole(folder / (std::string(film.name) + ".frames"), frames + "\n"); !s)
+            return s;
     }
     return Done{};
 }
