@@ -24,11 +24,11 @@ constexpr int kRounds = 8;
 constexpr float kTolerance = 0.25f; // of the distance: what is off by more counts nothing
 constexpr float kOnGround = 0.12f;  // what is off by less is part of it
 constexpr int kLeastTimes = 2;      // in so many frames a texel's distance is known
-// Of the solid angle in question the share that is known to be ground; films that have one show 0.32 to 0.98,
+// Of the solid angle in question the share that is known to be ground; films that have one show 0.23 to 0.98,
 // things of another shape were taken for it over 0.02 to 0.19 (tests/bench/depth_estimate).
-constexpr float kLeastSeen = 0.2f, kEnoughSeen = 0.3f;
-// Root mean square of how far that is off: 0.01 to 0.05 of the one, 0.054 to 0.07 of the other.
-constexpr float kFlat = 0.05f, kUneven = 0.058f;
+constexpr float kLeastSeen = 0.15f, kEnoughSeen = 0.2f;
+// Root mean square of how far that is off: 0.01 to 0.051 of the one, 0.054 to 0.07 of the other.
+constexpr float kFlat = 0.05f, kUneven = 0.056f;
 constexpr float kFilledAngle = 0.21f; // sine, to the plane: 12 degrees. Nearer to its horizon rocks hide it.
 constexpr float kFilled = 0.7f;       // confidence
 
