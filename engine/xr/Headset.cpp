@@ -126,7 +126,14 @@ class Swapchain {
         return chain;
     }
 
-    Handle<XrSwapchain, xrDestroySwapchain> handle_;
+    // Its pictures may be memory that goes with it, and the driver's threads still draw into it where the
+    // runtime was lost in mid-frame.
+    static XrResult XRAPI_CALL destroyDrawn(XrSwapchain swapchain) {
+        glFinish();
+        return xrDestroySwapchain(swapchain);
+    }
+
+    Handle<XrSwapchain, destroyDrawn> handle_;
     std::vector<gl::Framebuffer> framebuffers_; // one a picture
     glm::ivec2 size_{0};
     bool acquired_ = false;

@@ -56,6 +56,10 @@ TEST_F(LostRuntime, ARuntimeThatHasCrashed) {
     loseIt([](FakeRuntime& f) { f.failing["xrEndFrame"] = XR_ERROR_INSTANCE_LOST; },
            "xrEndFrame says XR_ERROR_INSTANCE_LOST");
 }
+TEST_F(LostRuntime, ARuntimeThatCrashesWhileItsPictureIsDrawn) {
+    loseIt([](FakeRuntime& f) { f.failing["xrReleaseSwapchainImage"] = XR_ERROR_INSTANCE_LOST; },
+           "xrReleaseSwapchainImage says XR_ERROR_INSTANCE_LOST");
+}
 
 // It is asked for again and again, beside the window, which goes on; the dive then goes on in it, where it
 // was.

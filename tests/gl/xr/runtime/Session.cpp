@@ -145,8 +145,17 @@ XrResult xrCreateSwapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapc
     *out = handleOf<XrSwapchain>(chain);
     return XR_SUCCESS;
 }
+// Pictures of a real runtime may be in memory that goes with them, whatever OpenGL still has to draw into it.
+bool stillDraws() {
+    const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    GLint state = 0;
+    glGetSynciv(fence, GL_SYNC_STATUS, 1, nullptr, &state);
+    glDeleteSync(fence);
+    return state != GL_SIGNALED;
+}
 XrResult xrDestroySwapchain(XrSwapchain swapchain) {
     FAKE_XR(xrDestroySwapchain);
+    if (stillDraws()) shoalFakeRuntime().complain("xrDestroySwapchain: OpenGL still draws");
     FakeSwapchain* chain = &objectOf<FakeSwapchain>(swapchain);
     glDeleteTextures(static_cast<GLsizei>(chain->textures.size()), chain->textures.data());
     --shoalFakeRuntime().swapchains;
