@@ -156,29 +156,24 @@ class Maker {
         return Done{};
     }
 
-    // Of every frame, by frames before and after it; at the film's ends by those that there are.
-    Status findGrounds() {
-        const int reach = std::min(kGroundFrames, count_);
-        std::vector<DepthEstimate> around(static_cast<size_t>(reach)); // each at its number modulo reach
-        for (int t = 0, read = 0; t < count_; ++t) {
-            const int first = std::clamp(t - reach / 2, 0, count_ - reach);
-            for (; read < first + reach; ++read)
-                if (Status s = readAgreed(read, around[static_cast<size_t>(read % reach)]); !s) return s;
-            grounds_.push_back(findGround(around));
-        }
-        return Done{};
-    }
-
-    // What frames agree on, the ground where they do not, and outlines doubted.
+    // What frames agree on, the ground where they do not, and outlines doubted. To be asked for one frame
+    // after the other.
     Status readComplete(int number, DepthEstimate& depth) {
-        if (Status s = readAgreed(number, depth); !s) return s;
-        continueGround(grounds_[static_cast<size_t>(number)], depth);
+        // The ground of a frame is told by those before and after it; at the film's ends by those that there
+        // are.
+        const int window = std::min(kGroundFrames, count_);
+        const int first = std::clamp(number - window / 2, 0, count_ - window);
+        agreed_.resize(static_cast<size_t>(window));
+        for (; agreedEnd_ < first + window; ++agreedEnd_)
+            if (Status s = readAgreed(agreedEnd_, agreed_[static_cast<size_t>(agreedEnd_ % window)]); !s)
+                return s;
+        depth = agreed_[static_cast<size_t>(number % window)];
+        continueGround(findGround(agreed_), depth);
         doubtOutlines(depth);
         return Done{};
     }
 
     Result<FilmDepth> writeTrack() {
-        if (Status s = findGrounds(); !s) return s.error();
         auto writer = media::DepthTrackWriter::make(
             {kEstimateWidth, kEstimateHeight, count_, film_.info().duration_s}, {{identity_}});
         if (!writer) return writer.error();
@@ -217,8 +212,10 @@ class Maker {
     int count_, passes_;
     RecordFile records_;
     CameraPath path_;
-    std::vector<Ground> grounds_; // one for each frame
-    FrameRecord record_;          // scratch
+    // The frames around the one that readComplete() is asked for, each at its number modulo their count.
+    std::vector<DepthEstimate> agreed_;
+    int agreedEnd_ = 0;  // the number after the last of them
+    FrameRecord record_; // scratch
 };
 
 } // namespace

@@ -60,8 +60,9 @@ glm::vec3 fittedTo(const std::vector<Seen>& seen) {
     return plane;
 }
 
-// What is below the camera. The median of the frames: of waves' light each believes something else. The
-// camera's height changes little within them.
+// What is known of the texels below the camera, and the solid angle of all of these. The median of the
+// frames: under caustics each frame believes another distance. The camera's height changes little within
+// them.
 std::vector<Seen> seenTogether(std::span<const DepthEstimate> frames, float& allArea) {
     std::vector<Seen> seen;
     std::vector<float> known;

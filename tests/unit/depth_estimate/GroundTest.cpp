@@ -69,7 +69,7 @@ TEST(Ground, IsThePlaneThatMostOfItLiesIn) {
 // far.
 TEST(Ground, FramesTellOfItTogether) {
     std::vector<DepthEstimate> frames;
-    for (size_t frame = 0; frame < 25; ++frame) {
+    for (size_t frame = 0; frame < kGroundFrames; ++frame) {
         frames.push_back(seenInPlaces(1, frame));
         for (float& each : frames.back().inverse) each *= frame % 5 == 0 ? 0.5f : 1;
     }

@@ -15,7 +15,7 @@
 namespace shoal::render {
 namespace {
 
-// Of the squares of display values.
+// What of the squares of display values comes through so much water.
 glm::vec3 through(const water::Water& water, float distance_m) {
     return glm::exp(-water.attenuation_perM * distance_m);
 }
