@@ -14,7 +14,7 @@ namespace shoal::light {
 
 namespace {
 
-constexpr float kFullHeight = 0.3f;    // sine of the elevation from which on all is scaled
+constexpr float kFullHeight = 0.15f;   // sine of the elevation from which on all is scaled
 constexpr float kGroundNeeded = 0.25f; // of the half sphere below, weighed by its cosine
 
 // Of the largest channel, coded: a covered lens, a tripod's patch, bars.
@@ -22,9 +22,10 @@ constexpr int kLastBlack = 4, kFirstSeen = 12;
 
 constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
-// What the ground is trusted with light from the side and from straight above; up to which sine of its
-// elevation light is from the side.
-constexpr float kLeastTrust = 0.2f, kMostTrust = 1, kFromTheSide = 0.7f;
+constexpr float kMinTrust = 0.1f; // in the ground, for light from the horizon
+
+// Ground is cut at so many times the square of the mean root of its luminance.
+constexpr float kMostOfUsual = 2;
 
 // Of the elevation; row: from the zenith, a whole one is a row's upper edge.
 double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
@@ -43,9 +44,9 @@ SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
     return luminance(red, green, blue);
 }
 
-// Of which the whole is width.
+// Sums over a row's texels of what is seen of the ground, 0 to 1 each, and of its luminances' roots.
 struct Ground {
-    float light = 0, seen = 0;
+    float seen = 0, roots = 0;
 };
 
 // Linear values between which a texel comes to be seen, and to be clipped.
@@ -56,23 +57,42 @@ struct Seen {
 // 0 to 1; without a branch that would keep a loop from being vectorised.
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
 
+// value(luminance) of each texel of a row, as far as it is seen; at most kTexels of them.
+constexpr int kTexels = 512;
+template <class Value>
+inline void seenOf(const float* row, int count, const Seen& by, float* seen, float* values, Value&& value) {
+    for (int x = 0; x < count; ++x) {
+        const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
+        const float most = std::max(std::max(red, green), blue);
+        seen[x] = ramp(std::min((most - by.first) * by.perRise, (by.last - most) * by.perFall));
+        values[x] = seen[x] * value(luminance(red, green, blue));
+    }
+}
+
 SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by) {
-    constexpr int kTexels = 512; // at a time
-    std::array<float, kTexels> light, seen;
+    std::array<float, kTexels> seen, roots;
     Ground ground;
-    for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
+    for (int first = 0; first < width; first += kTexels) {
         const int count = std::min(kTexels, width - first);
-        for (int x = 0; x < count; ++x) {
-            const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
-            const float most = std::max(std::max(red, green), blue);
-            const float part = ramp(std::min((most - by.first) * by.perRise, (by.last - most) * by.perFall));
-            seen[static_cast<size_t>(x)] = part;
-            light[static_cast<size_t>(x)] = part * luminance(red, green, blue);
-        }
-        ground.light += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
+        seenOf(row + 3 * first, count, by, seen.data(), roots.data(),
+               [](float luminance) { return std::sqrt(luminance); });
         ground.seen += sumsOf<1>(seen.data(), static_cast<size_t>(count))[0];
+        ground.roots += sumsOf<1>(roots.data(), static_cast<size_t>(count))[0];
     }
     return ground;
+}
+
+// The sum of the luminances of a row's ground, each at most `most`.
+SHOAL_VECTORISE float groundLightOf(const float* row, int width, const Seen& by, float most) {
+    std::array<float, kTexels> seen, light;
+    float sum = 0;
+    for (int first = 0; first < width; first += kTexels) {
+        const int count = std::min(kTexels, width - first);
+        seenOf(row + 3 * first, count, by, seen.data(), light.data(),
+               [most](float luminance) { return std::min(luminance, most); });
+        sum += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
+    }
+    return sum;
 }
 
 // By the largest and by the least channel, linear: where a texel begins to be bright, and where it is white.
@@ -87,7 +107,6 @@ struct RowColours {
 };
 
 SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& by) {
-    constexpr int kTexels = 512; // at a time
     std::array<float, 3 * kTexels> unclipped, bright;
     RowColours colours{};
     for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
@@ -125,10 +144,7 @@ double levelIrradiance(int row, int width, int height) {
     return irradianceBetween(sineAt(row, height), sineAt(row + 1, height), width);
 }
 
-float groundTrust(float sine) {
-    const float high = std::clamp((sine - kFromTheSide) / (1 - kFromTheSide), 0.0f, 1.0f);
-    return kLeastTrust + (kMostTrust - kLeastTrust) * high;
-}
+float groundTrust(float sine) { return kMinTrust + (1 - kMinTrust) * std::clamp(sine, 0.0f, 1.0f); }
 
 float ClippedGain::at(float sine) const {
     const float trust = seen * groundTrust(sine);
@@ -141,28 +157,31 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     const std::array<float, 256>& linear = math::linearOfByte();
     const Seen by = {linear[kLastBlack], 1 / (linear[kFirstSeen] - linear[kLastBlack]), kWhite,
                      1 / (kWhite - linear[kLastUnclipped])};
-    // Irradiance of a level plane from above; radiance of the ground, of the part that is seen; that part.
-    double fromAbove = 0, ground = 0, groundSeen = 0;
-    double top = 1;
-    for (int y = 0; y < decoded.height; ++y) {
-        const double bottom = sineAt(y + 1, decoded.height);
-        const double weight = irradianceBetween(top, bottom, decoded.width);
-        if (2 * y < decoded.height) {
-            fromAbove += weight * static_cast<double>(luminanceOf(decoded.at(0, y), decoded.width));
-        } else {
-            const Ground row = groundOf(decoded.at(0, y), decoded.width, by);
-            ground += weight * static_cast<double>(row.light);
-            groundSeen += weight * static_cast<double>(row.seen);
-        }
-        top = bottom;
+    const int above = (decoded.height + 1) / 2;
+    const auto weightOf = [&](int y) { return levelIrradiance(y, decoded.width, decoded.height); };
+    double fromAbove = 0; // irradiance of a level plane
+    for (int y = 0; y < above; ++y)
+        fromAbove += weightOf(y) * static_cast<double>(luminanceOf(decoded.at(0, y), decoded.width));
+    double seen = 0, roots = 0;
+    for (int y = above; y < decoded.height; ++y) {
+        const Ground row = groundOf(decoded.at(0, y), decoded.width, by);
+        seen += weightOf(y) * static_cast<double>(row.seen);
+        roots += weightOf(y) * static_cast<double>(row.roots);
     }
-    const double below = std::numbers::pi; // of groundSeen, the whole
-    const double radiance = groundSeen > 0 ? ground / groundSeen : 0;
+    double radiance = 0;
+    if (seen > 0) {
+        const auto most =
+            static_cast<float>(static_cast<double>(kMostOfUsual) * roots * roots / (seen * seen));
+        for (int y = above; y < decoded.height; ++y)
+            radiance += weightOf(y) / seen *
+                        static_cast<double>(groundLightOf(decoded.at(0, y), decoded.width, by, most));
+    }
+    const double below = std::numbers::pi; // of `seen`, the whole
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
         std::clamp(missing / std::max(clippedIrradiance, 1e-6), 0.0, static_cast<double>(kMostFromGround));
     return {1 + static_cast<float>(times),
-            static_cast<float>(std::min(1.0, groundSeen / (static_cast<double>(kGroundNeeded) * below)))};
+            static_cast<float>(std::min(1.0, seen / (static_cast<double>(kGroundNeeded) * below)))};
 }
 
 glm::vec3 clippedTintOf(const ImageRgbF& decoded) {

@@ -234,22 +234,32 @@ template <class DecodeRow> void PyramidMaker::addRows(DecodeRow&& decodeRow, Ima
 }
 
 void PyramidMaker::addClipped(const FrameView& frame, ImageRgbF& base) {
-    // Puts a row into the red plane, a wholly clipped pixel as `white`; returns the row's sum for white 1.
+    const int above = (frame.height + 1) / 2;
+    // Puts a row into the red plane, a wholly clipped pixel as `white`; returns whether there is any.
     const auto decode = [&](int y, float white) {
-        const int steps = decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width,
-                                           white / kClippedSteps, red_.data());
-        return static_cast<double>(steps) / kClippedSteps;
+        return decodeClippedRow(frame.pixels + y * frame.rowStride, frame.width, white / kClippedSteps,
+                                red_.data()) > 0;
     };
-    double clipped = 0;
-    for (int y = 0; 2 * y < frame.height; ++y)
-        clipped += levelIrradiance(y, frame.width, frame.height) *
-                   static_cast<double>(clippedShares_[static_cast<size_t>(y)]) * decode(y, 1);
-    clippedGain_ = clippedGainOf(base, clipped);
+    const auto share = [&](int y) { return clippedShares_[static_cast<size_t>(y)]; };
+    density_.begin(frame.width, frame.height);
+    for (int y = 0; y < above; ++y) {
+        decode(y, share(y));
+        density_.addRow(y, red_.data());
+    }
+    density_.finish();
+    double irradiance = 0;
+    for (int y = 0; y < above; ++y) {
+        if (!decode(y, share(y))) continue;
+        density_.weigh(y, red_.data());
+        irradiance += levelIrradiance(y, frame.width, frame.height) *
+                      static_cast<double>(sumOf(red_.data(), frame.width));
+    }
+    clippedGain_ = clippedGainOf(base, irradiance);
     const glm::vec3 tint = clippedTintOf(base);
     addRows(
         [&](int y) {
-            const float share = clippedShares_[static_cast<size_t>(y)];
-            if (!(share > 0) || decode(y, (clippedGain_.of(y, frame.height) - 1) * share) == 0) return false;
+            if (y >= above || !decode(y, (clippedGain_.of(y, frame.height) - 1) * share(y))) return false;
+            density_.weigh(y, red_.data());
             for (size_t x = 0; x < red_.size(); ++x) {
                 green_[x] = tint.g * red_[x];
                 blue_[x] = tint.b * red_[x];
@@ -271,12 +281,17 @@ void PyramidMaker::makeBlocks(const FrameView& frame, ImageRgbF& blocks, FrameRa
     }
     clippedBlocks_.fit(blocks.width, blocks.height);
     makeLinearBlockMeans(frame, blockRows_, clippedShares_, blocks, clippedBlocks_);
-    double clipped = 0;
     const int above = (blocks.height + 1) / 2;
-    for (int y = 0; y < above; ++y)
-        clipped += levelIrradiance(y, blocks.width, blocks.height) *
-                   static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width));
-    clippedGain_ = clippedGainOf(blocks, clipped);
+    density_.begin(blocks.width, blocks.height);
+    for (int y = 0; y < above; ++y) density_.addRow(y, clippedBlocks_.at(0, y));
+    density_.finish();
+    double irradiance = 0;
+    for (int y = 0; y < above; ++y) {
+        density_.weigh(y, clippedBlocks_.at(0, y));
+        irradiance += levelIrradiance(y, blocks.width, blocks.height) *
+                      static_cast<double>(sumOf(clippedBlocks_.at(0, y), blocks.width));
+    }
+    clippedGain_ = clippedGainOf(blocks, irradiance);
     const glm::vec3 tint = clippedTintOf(blocks);
     for (int y = 0; y < above; ++y)
         addClippedBlocks(clippedBlocks_.at(0, y), (clippedGain_.of(y, blocks.height) - 1) * tint,

@@ -2,6 +2,7 @@
 // angles.
 #pragma once
 
+#include "engine/light/ClippedDensity.h"
 #include "engine/light/ClippedLight.h"
 #include "engine/light/EnvironmentLight.h"
 #include "engine/light/FrameView.h"
@@ -66,6 +67,7 @@ class PyramidMaker {
     std::vector<float> clippedShares_;      // of a frame of as many rows: clippedShare()
     ImageRgbF blocks_;                      // its result, where that is not the base itself
     ImageF clippedBlocks_;                  // the same of clipped pixels
+    ClippedDensity density_;                // of these
     std::vector<float> red_, green_, blue_; // one source row, linear
     std::vector<float> narrow_;             // the same at the base's width, interleaved
     ClippedGain clippedGain_;
