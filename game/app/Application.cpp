@@ -4,6 +4,7 @@
 #include "engine/core/Log.h"
 #include "engine/media/Pictures.h"
 #include "game/app/StopSignals.h"
+#include "game/texts/Animals.h"
 
 #include <GLFW/glfw3.h>
 
@@ -20,7 +21,8 @@ namespace {
 constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
 constexpr float kGoalsAtFirst_s = 8;      // for which the goals are shown as a dive begins
 constexpr float kGoalsOnNews_s = 4;       // and after one is reached
-constexpr float kResultsRest_s = 0.8f;    // in which the results take no choice
+constexpr float kResultsRest_s = 1;       // without a press, before the results take a choice
+constexpr float kMet_s = 4;               // for which an animal new in the field guide is named
 // Between the eyes of a tall person on a chair and of a small one who stands.
 constexpr float kStandingEyes_m = 1.35f;
 constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
@@ -132,7 +134,9 @@ Status Application::frame(bool measured) {
     simulate();
     measureHand();
     if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done) return done;
+    const size_t metBefore = screens_.facts.met.size();
     play_->states.update();
+    noteMet(metBefore);
     // The video begins with the dive, pauses with it, and begins anew with it.
     play_->freshVideo =
         environment_->update(play_->clock.video_s(session.shown.time_s), play_->clock.exactVideo());
@@ -203,7 +207,9 @@ void Application::noteDevice() {
 void Application::readMenuInput() {
     const platform::WindowInput& input = *play_->input;
     if (screens_.capturesKey()) {
-        if (!input.keysPressed.empty())
+        if (!input.keysPressed.empty() && input.keysPressed.front() == GLFW_KEY_ESCAPE)
+            screens_.cancelCapture();
+        else if (!input.keysPressed.empty())
             screens_.keyPressed(input.keysPressed.front());
         else if (!input.gamepad.pressed.empty())
             screens_.buttonPressed(input.gamepad.pressed.front());
@@ -219,7 +225,10 @@ void Application::readMenuInput() {
     // The dive ends while the player's button is busy: what was meant for a fish chooses nothing.
     if (play_->states.state() == ProgramStates::State::Results) {
         play_->results_s += static_cast<float>(play_->elapsed_s);
-        if (play_->results_s < kResultsRest_s) menu.accept = menu.pressed = menu.back = false;
+        if (play_->results_s < kResultsRest_s) {
+            if (menu.accept || menu.pressed) play_->results_s = 0;
+            menu.accept = menu.pressed = menu.back = false;
+        }
     }
     screens_.input(menu);
 }
@@ -229,6 +238,16 @@ void Application::noteWebcam() {
     const std::optional<TrackedHands>& tracked = play_->session.tracked;
     const bool webcam = tracked && tracked->hasCamera();
     if (std::exchange(screens_.facts.webcam, webcam) != webcam) screens_.refresh();
+}
+
+// before: how many animals the field guide had.
+void Application::noteMet(size_t before) {
+    const std::vector<std::string>& met = screens_.facts.met;
+    play_->metLeft_s -= static_cast<float>(play_->elapsed_s);
+    if (met.size() == before) return;
+    play_->met = game::Notice{"New in your field guide: {}",
+                              game::animalName(met.back(), 1, languageIn(options_.text))};
+    play_->metLeft_s = kMet_s;
 }
 
 // While its page is open, anew each time.
@@ -374,6 +393,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
     const game::Notice* notice = display_->notice();
     if (!notice) notice = environment_->notice();
     if (!notice && session.tracked) notice = session.tracked->notice();
+    if (!notice && play_->metLeft_s > 0) notice = &*play_->met;
     const auto* mouse = std::get_if<MouseSource>(&session.source);
     std::vector<std::string> goals;
     const bool goalsAreNews =

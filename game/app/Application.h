@@ -46,6 +46,7 @@ class Application {
             : session(config), states(session, screens, mode, keepsScores), clock(clockMode, fps),
               teaching(mode == Mode::FirstSteps ? Teaching::Kind::FirstSteps
                        : mode == Mode::Dive     ? Teaching::Kind::Hints
+                       : mode == Mode::FreeSwim ? Teaching::Kind::FreeSwim
                                                 : Teaching::Kind::Nothing,
                        config.rig, session.dive.species()) {}
         GameSession session;
@@ -56,8 +57,10 @@ class Application {
         Controls controls;
         bool freshVideo = false; // a new frame of the video is shown
         Teaching teaching;
-        float results_s = 0;   // for which the results have been shown
-        float goalsLeft_s = 0; // for which the goals are still shown
+        float results_s = 0;             // for which the results have been shown
+        float goalsLeft_s = 0;           // for which the goals are still shown
+        std::optional<game::Notice> met; // who is new in the field guide
+        float metLeft_s = 0;             // for which that is still said
     };
 
     Status openContext();
@@ -84,6 +87,7 @@ class Application {
     void readInput();
     void noteDevice();
     void noteWebcam();
+    void noteMet(size_t before);
     void measureHand();
     void readMenuInput();
     void globalActions(const Controls& controls);

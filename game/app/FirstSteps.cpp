@@ -82,6 +82,22 @@ void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& 
     shape(0, IM_COL32(235, 248, 255, 255));
 }
 
+// Arrows to both sides, of which one after the other moves outwards. round: 0 to 1.
+void drawTurning(const Pen& pen, float round) {
+    for (const float side : {-1.0f, 1.0f}) {
+        const float phase = side > 0 ? 2 * round : 2 * round - 1; // of its half of the round
+        const float out = phase > 0 && phase < 1 ? std::sin(3.14159265f * phase) : 0.0f;
+        const float x = pen.size.x * (0.5f + side * (0.2f + 0.06f * out)), y = pen.size.y * 0.5f;
+        const auto arrow = [&](float size, uint32_t colour) {
+            pen.list->AddTriangleFilled(ImVec2(x - side * 0.4f * size, y - size),
+                                        ImVec2(x - side * 0.4f * size, y + size),
+                                        ImVec2(x + side * 0.8f * size, y), colour);
+        };
+        arrow(1.5f * pen.line, IM_COL32(4, 22, 34, 255));
+        arrow(1.2f * pen.line, IM_COL32(235, 248, 255, 255));
+    }
+}
+
 } // namespace
 
 void FirstSteps::next(Step step) {
@@ -97,6 +113,8 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     const bool catchable =
         std::ranges::any_of(shown.creatures, [](const auto& creature) { return creature.catchable > 0.5f; });
     near_s_ = catchable ? near_s_ + elapsed_s : 0;
+    const bool holds = shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0;
+    away_s_ = catchable || holds ? 0 : away_s_ + elapsed_s;
     // The target stays for a round, so that the ghost does not jump from fish to fish.
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
@@ -108,7 +126,9 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     case Step::Reach:
         if (near_s_ > kNear_s) next(Step::Hold);
         break;
-    case Step::Hold:
+    case Step::Hold: // the fish may have gone on
+        if (away_s_ > kAway_s) next(Step::Reach);
+        break;
     case Step::Done:
         break;
     }
@@ -118,10 +138,6 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
 hands::HandPose FirstSteps::ghost(const render::View& view) const {
     const float round = std::fmod(inStep_s_, kShown_s) / kShown_s;
     const glm::vec3 rest(0.22f, -0.26f, -0.5f);
-    if (step_ == Step::Look) {
-        const float swing = std::sin(2 * 3.14159265f * round);
-        return hands::reachingHand(rig_, hands::Side::Right, {0.3f * swing, -0.05f, -0.6f}, 0);
-    }
     glm::vec3 goal(0, 0, -0.7f);
     if (target_) goal = glm::conjugate(view.worldFromEye) * (*target_ - view.eyeWorld);
     const glm::vec3 at = glm::mix(rest, goal, glm::smoothstep(0.0f, 1.0f, round * 2));
@@ -131,7 +147,10 @@ hands::HandPose FirstSteps::ghost(const render::View& view) const {
 
 void FirstSteps::draw(const Pen& pen, const render::View& view) const {
     if (step_ == Step::Done) return;
-    drawGhost(pen, view, ghost(view));
+    if (step_ == Step::Look)
+        drawTurning(pen, std::fmod(inStep_s_, kShown_s) / kShown_s);
+    else
+        drawGhost(pen, view, ghost(view));
     const std::array<const char*, 3> titles = {pen.in("Look around"),
                                                pen.in("Reach for a fish until it glows"),
                                                pen.in("Close your hand and hold the fish")};
@@ -172,6 +191,7 @@ void Hints::follow(const game::Snapshot& shown, std::span<const game::Event> eve
 std::optional<game::Text> Hints::shown() const { return now_ ? std::optional(kHints[*now_]) : std::nullopt; }
 
 void Teaching::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
+    time_s_ += elapsed_s;
     if (kind_ == Kind::Hints) hints_.follow(shown, events, elapsed_s);
     if (kind_ != Kind::FirstSteps) return;
     steps_.follow(shown, elapsed_s);
@@ -186,6 +206,8 @@ void Teaching::draw(const Pen& pen, const render::View& view) const {
     if (kind_ == Kind::FirstSteps) steps_.draw(pen, view);
     if (done_s_ > 0) say("Well caught! Now for real: 90 seconds");
     if (const auto hint = hints_.shown()) say(*hint);
+    if (kind_ == Kind::FreeSwim && time_s_ < kWelcome_s)
+        say("Fish swim past you and see you. Touch them; the field guide remembers whom you have met.");
 }
 
 } // namespace shoal::app

@@ -36,6 +36,7 @@ class FirstSteps {
     static constexpr float kTurned_rad = 0.6f; // away from the first view: the player has looked around
     static constexpr float kNear_s = 0.25f;    // a fish is within reach of the hand for so long
     static constexpr float kShown_s = 3;       // a round of what the ghost hand does
+    static constexpr float kAway_s = 3;        // no fish has been: the player reaches again
 
   private:
     void next(Step step);
@@ -43,7 +44,7 @@ class FirstSteps {
     hands::HandRig rig_;
     game::SpeciesTable species_;
     Step step_ = Step::Look;
-    float inStep_s_ = 0, near_s_ = 0;
+    float inStep_s_ = 0, near_s_ = 0, away_s_ = 0;
     std::optional<glm::quat> firstView_;
     std::optional<glm::vec3> target_;
     int caughtBefore_ = 0;
@@ -70,7 +71,7 @@ class Hints {
 // What a session teaches.
 class Teaching {
   public:
-    enum class Kind { Nothing, FirstSteps, Hints };
+    enum class Kind { Nothing, FirstSteps, Hints, FreeSwim };
     Teaching(Kind kind, hands::HandRig rig, game::SpeciesTable species)
         : kind_(kind), steps_(std::move(rig), std::move(species)) {}
 
@@ -78,12 +79,13 @@ class Teaching {
     bool stepsAreOver() const { return done_s_ > kStay_s; } // and what was said at their end was read
     void draw(const Pen& pen, const render::View& view) const;
 
-    static constexpr float kStay_s = 2.5f;
+    static constexpr float kStay_s = 2.5f, kWelcome_s = 9;
 
   private:
     Kind kind_;
     FirstSteps steps_;
     Hints hints_;
+    float time_s_ = 0;
     float done_s_ = 0; // since the steps were done
 };
 

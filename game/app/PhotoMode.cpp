@@ -45,16 +45,31 @@ Path newPictureFile(std::string_view what) {
     return userFolder(UserFolder::Pictures) / ("shoal-" + std::string(stamp) + std::string(what) + ".png");
 }
 
+// Letters where there are any, for they are short.
+std::string movingKeys(const Bindings& bindings) {
+    std::string names;
+    for (const Action action : {Action::LookUp, Action::LookLeft, Action::LookDown, Action::LookRight,
+                                Action::Farther, Action::Nearer}) {
+        const auto& keys = bindings.of(action).keys;
+        const std::string_view first = keyName(keys[0]), second = keyName(keys[1]);
+        names +=
+            (names.empty() ? "" : " ") + std::string(second.size() == 1 && keys[1] >= 0 ? second : first);
+    }
+    return names;
+}
+
 bool isAmong(const std::vector<int>& list, int value) { return std::ranges::find(list, value) != list.end(); }
 
 } // namespace
 
-PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad)
+PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad, const Bindings& bindings)
     : shown_(shown), origin_(shown.headWorld), look_(LookAngles::of(shown.worldFromView)),
       fovBefore_deg_(fov_deg),
-      notice_(game::Notice{byGamepad ? game::Text("A takes a picture; B goes back")
-                                     : "Space or a click takes a picture; Esc goes back"}) {
+      notice_(byGamepad ? game::Notice{"A: picture. Left stick: look. Right stick: move. B: back"}
+                        : game::Notice{"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
+                                       movingKeys(bindings)}) {
     for (game::HandView& hand : shown_.hands) hand.visible = false;
+    for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // nor is it marked
 }
 
 PhotoMode::Wish PhotoMode::step(const Controls& controls, const platform::WindowInput& input,
@@ -75,7 +90,7 @@ void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {
         const auto drawn = drawAround(renderer, shown_.headWorld, kAroundWidth);
         saved = drawn ? media::writePng(around, *drawn) : Status(drawn.error());
     }
-    notice_ = saved ? game::Notice{"Saved: {}", file.string()}
+    notice_ = saved ? game::Notice{"Saved, with a picture of all directions: {}", file.string()}
                     : game::Notice{"Not saved: {}", saved.error().message()};
     log::info("{}", notice_->in(game::Language::English));
 }

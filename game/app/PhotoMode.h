@@ -13,8 +13,8 @@ namespace shoal::app {
 
 class PhotoMode {
   public:
-    // From where the player looks.
-    PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad);
+    // From where the player looks. bindings: the keys that move the camera.
+    PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad, const Bindings& bindings);
 
     enum class Wish { None, Picture, Leave };
     // Once a frame: moves the camera, and tells what the player wants. fov_deg: of the picture, which the
@@ -31,8 +31,8 @@ class PhotoMode {
     const game::Notice* notice() const { return notice_ ? &*notice_ : nullptr; }
     void clearNotice() { notice_.reset(); }
 
-    static constexpr float kReach_m = 1.5f; // the camera goes from where the player is: farther, the film's
-                                            // own place would show
+    static constexpr float kReach_m = 0.5f; // the camera goes from where the player is: farther, what the
+                                            // film's camera did not see leaves holes
 
   private:
     void move(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);

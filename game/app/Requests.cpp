@@ -38,7 +38,7 @@ Status Application::answer(const Request& request) {
     case Request::Kind::Headset:
         return startHeadset();
     case Request::Kind::Photo:
-        photo_.emplace(session.shown, options_.fov_deg, byGamepad_);
+        photo_.emplace(session.shown, options_.fov_deg, byGamepad_, bindings_);
         screens_.close();
         return Done{};
     case Request::Kind::SettingsChanged:

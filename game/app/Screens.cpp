@@ -2,9 +2,11 @@
 
 #include "engine/core/Log.h"
 #include "game/settings/FilmFolders.h"
+#include "game/texts/Animals.h"
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 
@@ -45,15 +47,32 @@ template <class... Values> std::string filled(const char* text, const Values&...
     return fmt::format(fmt::runtime(text), values...);
 }
 
+// As it stands in the file of settings, or in the player's words: "PageUp", "Page up".
+std::string keyLabel(std::string_view name, game::Language language) {
+    std::string label(game::translated(name, language));
+    if (label != name) return label;
+    for (size_t i = 1; i < label.size(); ++i)
+        if (std::isupper(static_cast<unsigned char>(label[i])) &&
+            std::islower(static_cast<unsigned char>(label[i - 1])))
+            label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i]))),
+            label.insert(i, 1, ' ');
+    return label;
+}
+
+// Empty where there is none.
 std::string keysText(const Bindings::Keys& keys, game::Language language) {
-    std::string text(game::translated(keyName(keys.keys[0]), language));
-    if (keys.keys[1] >= 0) text += ", " + std::string(game::translated(keyName(keys.keys[1]), language));
-    // Most buttons are called what is printed on them.
-    const std::string_view button = buttonName(keys.button);
-    const bool printed = !button.starts_with("Pad");
+    std::string text;
+    for (const int key : keys.keys)
+        if (key >= 0) text += (text.empty() ? "" : ", ") + keyLabel(keyName(key), language);
     if (keys.button >= 0)
-        text += "  (" + std::string(printed ? button : game::translated(button, language)) + ")";
+        text += (text.empty() ? "(" : "  (") + keyLabel(buttonName(keys.button), language) + ")";
     return text;
+}
+
+// Of no use to who has muted the game.
+bool isVolume(const Setting& row) {
+    const std::string key = row.key();
+    return key == "volume" || key == "effects-volume" || key == "video-sound" || key == "headphones";
 }
 
 // What it asks for.
@@ -62,14 +81,15 @@ std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, 
     switch (goal.kind) {
     case game::GoalKind::Catch:
         if (goal.species < 0) return filled(text("Catch {} fish"), goal.count);
-        return filled(text("Catch {} of: {}"), goal.count,
-                      game::translated(species[static_cast<size_t>(goal.species)].name, language));
+        return filled(
+            text("Catch {} {}"), goal.count,
+            game::animalName(species[static_cast<size_t>(goal.species)].name, goal.count, language));
     case game::GoalKind::Different:
         return filled(text("Catch {} different species"), goal.count);
     case game::GoalKind::Score:
         return filled(text("Score {} points"), goal.count);
     case game::GoalKind::NoLoss:
-        return text("Lose no fish to the shark");
+        return text("Catch fish and lose none to the shark");
     case game::GoalKind::Combo:
         return filled(text("Catch {} different species in a row"), goal.count);
     }
@@ -238,7 +258,7 @@ void Screens::button(game::Text label, std::function<void()> act) { itemButton(i
 
 void Screens::diveButton(std::string label, const DiveName& dive, Request::Kind kind) {
     itemButton(std::move(label), [this, kind, name = dive.name] { ask(kind, name); });
-    entries_.back().item.picture = dive.picture;
+    if (facts.ownFilm) entries_.back().item.picture = dive.picture;
 }
 
 void Screens::backButton() {
@@ -302,15 +322,28 @@ MenuPage Screens::divesPage() {
         diveButton(std::move(label), dive, Request::Kind::Dive);
     }
     backButton();
-    return {.title = in("Choose a dive"), .layout = PageLayout::Side};
+    MenuPage page{.title = in("Choose a dive"), .layout = PageLayout::Side};
+    if (!facts.ownFilm) page.text = {otherFilm()};
+    return page;
 }
 
 MenuPage Screens::swimsPage() {
     for (const DiveName& dive : facts.dives) diveButton(named(dive.title), dive, Request::Kind::Swim);
     backButton();
-    return {.title = in("Free swim"),
-            .text = {in("No clock, no shark: meet the animals.")},
-            .layout = PageLayout::Side};
+    MenuPage page{.title = in("Free swim"),
+                  .text = {in("No clock, no shark: meet the animals.")},
+                  .layout = PageLayout::Side};
+    if (!facts.ownFilm) page.text.push_back(otherFilm());
+    return page;
+}
+
+// The player's own film or photo takes the place of every dive's.
+std::string Screens::otherFilm() const {
+    const EnvironmentOptions& shown = options_.environment;
+    const std::string& file = !shown.video.empty()   ? shown.video
+                              : !shown.photo.empty() ? shown.photo
+                                                     : shown.env;
+    return filled(in("All dives are in {}"), Path(file).filename().string());
 }
 
 MenuPage Screens::filmsPage() {
@@ -334,7 +367,8 @@ MenuPage Screens::settingsPage() {
 
 MenuPage Screens::groupPage(SettingsPage group) {
     for (size_t row = 0; row < table_.rows.size(); ++row)
-        if (table_.rows[row].page == group) settingEntry(row);
+        if (table_.rows[row].page == group && !(options_.mute && isVolume(table_.rows[row])))
+            settingEntry(row);
     if (group == SettingsPage::Hands && facts.webcam)
         button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();
@@ -369,16 +403,19 @@ MenuPage Screens::handSizePage() {
 }
 
 MenuPage Screens::bindingsPage() {
-    for (const ActionRow& row : kActionRows)
+    for (const ActionRow& row : kActionRows) {
+        const std::string keys = keysText(bindings_.of(row.action), language());
         entries_.push_back({{.label = in(row.label),
-                             .value = keysText(bindings_.of(row.action), language()),
-                             .fraction = {}},
+                             .value = keys.empty() ? named("none") : keys,
+                             .fraction = {},
+                             .isButton = true},
                             [this, action = row.action](const MenuEvent&) {
                                 captured_ = action;
-                                message_ = filled(in("Press a key or a button for: {}"),
+                                message_ = filled(in("Press a key or a button for: {}. Esc: leave it"),
                                                   in(kActionRows[static_cast<size_t>(action)].label));
                             }});
-    button("All as at first", [this] {
+    }
+    button("Reset all keys", [this] {
         bindings_ = Bindings();
         captured({});
     });
@@ -389,10 +426,12 @@ MenuPage Screens::bindingsPage() {
 void Screens::captured(std::optional<Action> loser) {
     captured_.reset();
     message_.clear();
-    if (loser)
-        message_ = filled(in("{} now has no key or button of its own: {}"),
-                          in(kActionRows[static_cast<size_t>(*loser)].label),
-                          keysText(bindings_.of(*loser), language()));
+    if (loser) {
+        const char* label = in(kActionRows[static_cast<size_t>(*loser)].label);
+        const std::string left = keysText(bindings_.of(*loser), language());
+        message_ = left.empty() ? filled(in("It was taken from: {}, which has no key or button now"), label)
+                                : filled(in("It was taken from: {}, which keeps {}"), label, left);
+    }
     options_.controls.bindings = bindings_.toText();
     for (size_t row = 0; row < table_.rows.size(); ++row)
         if (table_.rows[row].key() == "bindings") changed(row);
@@ -427,7 +466,10 @@ MenuPage Screens::howToPlayPage() {
                "button held. Tab swaps hands."),
             in("With a gamepad the left stick looks, the right stick reaches and the right trigger closes "
                "your hand."),
-            in("Esc, the middle mouse button or Start on a gamepad pauses."),
+            in("Esc, the middle mouse button or Start on a gamepad pauses. All keys: Settings, Keys and "
+               "buttons."),
+            in("Different species one after the other count two, three and four times. Each dive has three "
+               "goals. Jellyfish sting the hand that closes on them."),
             in("Fish fear a fast hand and are curious of one that rests: move slowly, or wait in their way."),
             in("The shark is drawn to a struggling fish. When it points at your hand, let go or pull "
                "away.")}};
@@ -440,7 +482,7 @@ MenuPage Screens::guidePage() {
     for (size_t species = 0; species < all.size(); ++species) {
         const bool known = std::ranges::find(facts.met, all[species].name) != facts.met.end();
         met += known;
-        itemButton(known ? named(all[species].name) : "?", [this, species] {
+        itemButton(known ? game::animalName(all[species].name, 1, language()) : "?", [this, species] {
             push(Screen::Animal);
             stack_.back().species = species;
             show(0);
@@ -448,16 +490,17 @@ MenuPage Screens::guidePage() {
         entries_.back().item.enabled = known;
     }
     backButton();
-    return {.title = in("Field guide"),
-            .text = {filled(in("You have met {} of {} animals. Touch the others to get to know them."), met,
-                            all.size())},
-            .layout = PageLayout::Side};
+    return {
+        .title = in("Field guide"),
+        .text = {filled(in("You have met {} of {} animals. Touch an animal in the water to get to know it."),
+                        met, all.size())},
+        .layout = PageLayout::Side};
 }
 
 MenuPage Screens::animalPage(size_t species) {
     const std::string& name = (*facts.species)[species].name;
     backButton();
-    MenuPage page{.title = named(name), .picture = "guide/" + name + ".png"};
+    MenuPage page{.title = game::animalName(name, 1, language()), .picture = "guide/" + name + ".png"};
     const auto fact = std::ranges::find(kFacts, name, &Fact::species);
     if (fact != kFacts.end()) page.text.emplace_back(in(fact->text));
     return page;
@@ -470,7 +513,7 @@ std::vector<std::string> Screens::goalLines(std::span<const game::GoalView> goal
         lines.push_back((goals[i].reached ? "\u2713 " : "\u25a1 ") +
                         goalText(goal, *facts.species, language()));
         if (!goals[i].reached && goals[i].progress > 0 && goal.kind != game::GoalKind::NoLoss)
-            lines.back() += fmt::format("   {}/{}", goals[i].progress, goal.count);
+            lines.back() += fmt::format("\u00a0\u00a0{}/{}", goals[i].progress, goal.count); // not broken
     }
     return lines;
 }
@@ -484,6 +527,7 @@ MenuPage Screens::pausedPage() {
     if (facts.headsetLost && !options_.xr) button("Headset", [this] { ask(Request::Kind::Headset); });
     if (options_.xr) button("Look ahead again", [this] { ask(Request::Kind::Recentre); });
     if (!options_.xr) button("Photo mode", [this] { ask(Request::Kind::Photo); });
+    if (facts.freeSwim) button("Field guide", [this] { push(Screen::Guide); });
     button("Settings", [this] { push(Screen::Settings); });
     button("How to play", [this] { push(Screen::HowToPlay); });
     button("Title screen", [this] { ask(Request::Kind::Title); });
@@ -496,14 +540,14 @@ MenuPage Screens::pausedPage() {
 
 MenuPage Screens::resultsPage() {
     const game::Snapshot& s = facts.results;
-    MenuPage page{.title = in("The dive is over") + std::string(":  ") + std::to_string(s.score)};
+    MenuPage page{.title = filled(in("The dive is over: {}"), s.score)};
     page.text.push_back(s.caught == 1 ? in("1 fish caught") : filled(in("{} fish caught"), s.caught));
     std::string tally;
     for (size_t i = 0; i < s.tally.size(); ++i)
         if (s.tally[i].caught > 0)
-            tally += (tally.empty() ? "" : ",  ") + std::to_string(s.tally[i].caught) + " " +
-                     named((*facts.species)[i].name);
-    if (!tally.empty()) page.text.back() += ":  " + tally;
+            tally += (tally.empty() ? "" : ", ") + std::to_string(s.tally[i].caught) + " " +
+                     game::animalName((*facts.species)[i].name, s.tally[i].caught, language());
+    if (!tally.empty()) page.text.push_back(tally);
     if (s.lost > 0) page.text.push_back(filled(in("{} taken by the shark"), s.lost));
     std::ranges::move(goalLines(s.goals), std::back_inserter(page.text));
     const DiveScores& before = facts.scores;
@@ -512,9 +556,9 @@ MenuPage Screens::resultsPage() {
     else if (before.last > 0 && s.score > before.last)
         page.text.push_back(filled(in("Better than last time by {}"), s.score - before.last));
     if (!before.top.empty()) {
-        std::string best = in("Your best dives before") + std::string(":");
-        for (const int score : before.top) best += "  " + std::to_string(score);
-        page.text.push_back(best);
+        std::string best;
+        for (const int score : before.top) best += (best.empty() ? "" : "  ") + std::to_string(score);
+        page.text.push_back(filled(in("Your best dives before: {}"), best));
     }
     button("Dive again", [this] { ask(Request::Kind::Restart); });
     button("Title screen", [this] { ask(Request::Kind::Title); });

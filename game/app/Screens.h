@@ -156,6 +156,7 @@ class Screens {
     const char* in(game::Text text) const { return text.in(language()); }
     game::Language language() const;
     std::string named(std::string_view english) const;
+    std::string otherFilm() const;
 
     PlayOptions& options_;
     Bindings& bindings_;

@@ -114,6 +114,11 @@ void SoundCues::happened(const Event& event) {
     const float pitch = music ? 1.0f : random_.between(0.94f, 1.06f);
     const glm::vec3 position = event.position.value_or(glm::vec3(0));
     play(row.sound, position, gain, !event.position, pitch);
+    if (event.kind == EventKind::DiveStart) captions_.clear(); // of the last one
+    // That a hand opens after its fish was counted is no news.
+    if (event.kind == EventKind::Grab) counted_ = false;
+    if (event.kind == EventKind::Catch) counted_ = true;
+    if (event.kind == EventKind::Release && counted_) return;
     if (row.caption) caption(*row.caption, position);
 }
 

@@ -52,10 +52,11 @@ class SoundCues {
     std::vector<Caption> captions_;
     std::vector<float> quiet_s_; // per creature: until it may be heard passing again
     float touchQuiet_s_ = 0;
-    float breath_s_;      // until the next
-    float enclosure_ = 0; // of what is shown, but never in a step
-    int countedDown_ = 0; // the last second that was counted
-    Random random_;       // of pitches and breaths; the simulation's is not touched
+    bool counted_ = false; // what was held last
+    float breath_s_;       // until the next
+    float enclosure_ = 0;  // of what is shown, but never in a step
+    int countedDown_ = 0;  // the last second that was counted
+    Random random_;        // of pitches and breaths; the simulation's is not touched
 };
 
 } // namespace shoal::game

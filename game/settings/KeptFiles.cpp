@@ -134,7 +134,7 @@ Status addScore(const std::string& dive, int score) {
     auto all = readObject(scoreFile());
     if (!all) return all.error();
     std::vector<int> top = scoresIn((*all)[dive]).top;
-    top.insert(std::ranges::upper_bound(top, score, std::greater()), score);
+    if (score > 0) top.insert(std::ranges::upper_bound(top, score, std::greater()), score);
     top.resize(std::min(top.size(), DiveScores::kKept));
     (*all)[dive] = {{"top", top}, {"last", score}};
     return writeFileWhole(scoreFile(), all->dump(2) + "\n");

@@ -1,5 +1,7 @@
 #include "game/ui/Hud.h"
 
+#include "game/texts/Animals.h"
+
 #include <epoxy/gl.h>
 #include <fmt/core.h>
 #include <imgui/imgui.h>
@@ -76,10 +78,12 @@ void drawPopups(const Pen& pen, const HudInfo& info) {
     for (const Popup& popup : info.popups) {
         ImVec2 at;
         if (!project(pen, *info.view, popup.position, at)) continue;
-        std::string text = fmt::format("+{} {}", popup.points, game::translated(popup.species, pen.language));
+        std::string text =
+            fmt::format("+{} {}", popup.points, game::animalName(popup.species, 1, pen.language));
         if (popup.combo > 1) text += fmt::format("  \u00d7{}", popup.combo);
         const float rise = 3 * pen.line * popup.age_s / Popups::kStay_s;
-        pen.label(at.x, std::clamp(at.y - 3 * pen.line - rise, pen.line, pen.size.y - 2 * pen.line), 0.5f,
+        const float lowest = pen.size.y - (2 + 1.6f * static_cast<float>(info.captions.size())) * pen.line;
+        pen.label(at.x, std::clamp(at.y - 3 * pen.line - rise, pen.line, std::max(lowest, pen.line)), 0.5f,
                   TextSize::Body, kGold, text);
     }
 }

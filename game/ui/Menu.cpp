@@ -204,7 +204,7 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
     }
     const uint32_t ink = item.enabled ? colour::kWhite : colour::kGrey;
     pen.text(x, y, 0, TextSize::Body, ink, item.label);
-    if (!item.adjustable()) return;
+    if (item.value.empty()) return;
     Rectangle track = trackOf(index);
     track.low.y = area->low.y;
     track.high.y = area->high.y;
@@ -218,7 +218,7 @@ void Menu::drawItem(const Pen& pen, size_t index) const {
         pen.text(area->high.x - 0.5f * line_, y, 1, TextSize::Body, ink, item.value);
         return;
     }
-    if (focused) {
+    if (focused && item.adjustable()) {
         pen.text(track.low.x, y, 0, TextSize::Body, colour::kGold, "\u2039");
         pen.text(track.high.x, y, 1, TextSize::Body, colour::kGold, "\u203a");
     }

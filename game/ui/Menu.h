@@ -15,9 +15,10 @@ struct MenuItem {
     std::string value;             // of a setting, as it is shown; empty: a button
     std::optional<float> fraction; // where the value stands between its ends, 0 to 1: a slider
     bool enabled = true;
+    bool isButton = false; // although it shows a value
     std::string picture{}; // shown while the item has the focus, as the page's
 
-    bool adjustable() const { return !value.empty(); }
+    bool adjustable() const { return !value.empty() && !isButton; }
 };
 
 enum class PageLayout { Side, Centre }; // Side: the left part of the picture, the rest stays free

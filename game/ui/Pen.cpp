@@ -37,13 +37,19 @@ float Pen::paragraph(float x, float y, float width, TextSize textSize, uint32_t 
 
 Rectangle Pen::label(float x, float y, float anchor, TextSize textSize, uint32_t colour,
                      std::string_view content) const {
-    const glm::vec2 extents = extent(content, textSize), margin(line * 0.5f, line * 0.18f);
+    const glm::vec2 margin(line * 0.5f, line * 0.18f);
     // Stays on the picture.
+    const float widest = size.x - 2 * margin.x;
+    const bool isWide = extent(content, textSize).x > widest;
+    const glm::vec2 extents = extent(content, textSize, isWide ? widest : 0);
     const float left =
         std::clamp(x - extents.x * anchor, margin.x, std::max(margin.x, size.x - margin.x - extents.x));
     const Rectangle area{glm::vec2(left, y) - margin, glm::vec2(left, y) + extents + margin};
     panel(area);
-    text(left, y, 0, textSize, colour, content);
+    if (isWide)
+        paragraph(left, y, widest, textSize, colour, content);
+    else
+        text(left, y, 0, textSize, colour, content);
     return area;
 }
 

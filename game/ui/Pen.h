@@ -57,7 +57,8 @@ struct Pen {
     // Lines broken at width; returns the height, pixels.
     float paragraph(float x, float y, float width, TextSize size, uint32_t colour,
                     std::string_view text) const;
-    // Text on a small panel of its own; y: of the text's upper edge. Returns the panel.
+    // Text on a small panel of its own, in lines where the picture is too narrow for one; y: of the text's
+    // upper edge. Returns the panel.
     Rectangle label(float x, float y, float anchor, TextSize size, uint32_t colour,
                     std::string_view text) const;
     void panel(const Rectangle& area) const;

@@ -2,5 +2,5 @@
 // towards the rim. highlight: 0 to 1. facing: cosine between its normal and the direction to the eye.
 float highlightOf(float highlight, float facing) {
     float edge = 1.0 - clamp(abs(facing), 0.0, 1.0);
-    return highlight * (0.15 + edge * (0.25 + 0.45 * edge * edge));
+    return highlight * (0.24 + edge * (0.25 + 0.45 * edge * edge));
 }

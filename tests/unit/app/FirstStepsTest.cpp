@@ -44,6 +44,25 @@ TEST(FirstSteps, LeadFromLookingToHolding) {
     EXPECT_EQ(p.steps.step(), Step::Done);
 }
 
+// The fish that was in reach has swum on: there is nothing to close the hand on.
+TEST(FirstSteps, HoldingWaitsForAFishInReach) {
+    Pupil p;
+    p.shown.creatures = {{.species = 1, .position = {0, 0, -1}, .catchable = 1}};
+    p.follow(0.1f);
+    p.shown.worldFromView = turned(1.1f * FirstSteps::kTurned_rad);
+    p.follow(1);
+    ASSERT_EQ(p.steps.step(), Step::Hold);
+    p.shown.creatures[0].catchable = 0;
+    p.shown.hands[0].holds = 0;
+    p.follow(2 * FirstSteps::kAway_s);
+    EXPECT_EQ(p.steps.step(), Step::Hold) << "it is in the hand";
+    p.shown.hands[0].holds = -1;
+    p.follow(0.5f * FirstSteps::kAway_s);
+    EXPECT_EQ(p.steps.step(), Step::Hold);
+    p.follow(FirstSteps::kAway_s);
+    EXPECT_EQ(p.steps.step(), Step::Reach);
+}
+
 TEST(FirstSteps, ACatchSkipsThemAll) {
     Pupil p;
     p.shown.caught = 1;

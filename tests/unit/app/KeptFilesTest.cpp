@@ -105,7 +105,9 @@ TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
     ASSERT_TRUE(addScore("wreck", 40));
     EXPECT_EQ(readScores("reef").top, (std::vector<int>{120, 70, 60, 50, 30}));
     EXPECT_EQ(readScores("reef").last, 60);
+    ASSERT_TRUE(addScore("wreck", 0)); // nothing to be proud of
     EXPECT_EQ(readScores("wreck").top, std::vector<int>{40});
+    EXPECT_EQ(readScores("wreck").last, 0);
 }
 
 TEST_F(KeptFiles, ScoresOfEarlierVersionsAreRead) {

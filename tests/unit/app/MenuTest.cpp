@@ -1,5 +1,6 @@
 // The menus: every page is reached with keys alone and with the pointer alone; settings hold at once; every
 // word has its translations; text can be read over white and black.
+#include "game/texts/Animals.h"
 #include "game/ui/MenuControls.h"
 #include "tests/unit/app/ScreensFixture.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 namespace shoal::app {
 namespace {
@@ -198,11 +200,63 @@ TEST_F(MenuTest, AKeyThatIsTakenIsSaid) {
     EXPECT_FALSE(screens_.capturesKey());
     EXPECT_EQ(bindings_.of(Action::SwapHands).keys[0], GLFW_KEY_P);
     EXPECT_EQ(bindings_.of(Action::Pause).keys[1], -1);
-    EXPECT_NE(page().note.find("Pause"), std::string::npos) << page().note;
+    EXPECT_EQ(page().note, "It was taken from: Pause, which keeps Escape  (Start)");
     Bindings read;
     ASSERT_TRUE(read.parse(options_.controls.bindings)) << options_.controls.bindings;
     EXPECT_EQ(read.of(Action::SwapHands).keys, bindings_.of(Action::SwapHands).keys);
     EXPECT_EQ(read.of(Action::Pause).keys, bindings_.of(Action::Pause).keys);
+    choose("Fullscreen");
+    screens_.keyPressed(GLFW_KEY_F1);
+    EXPECT_EQ(page().note, "It was taken from: Performance, which has no key or button now");
+    EXPECT_EQ(page().items[find("Performance")].value, "none");
+}
+
+// An arrow key that leads over the rows gives none of them a key.
+TEST_F(MenuTest, OnlyAcceptingAsksForAKey) {
+    choose("Settings");
+    choose("Keys and buttons");
+    screens_.input({.right = 1});
+    EXPECT_FALSE(screens_.capturesKey());
+    choose("Look up");
+    EXPECT_TRUE(screens_.capturesKey());
+    screens_.cancelCapture();
+    EXPECT_EQ(bindings_.toText(), "");
+    EXPECT_EQ(page().items[find("Reach farther")].value, "E, Page up  (Pad up)");
+}
+
+TEST_F(MenuTest, AMutedGameOffersNoVolume) {
+    const auto rowsOfSound = [&] {
+        screens_.open(Screen::Settings);
+        choose("Sound");
+        return page().items.size();
+    };
+    const size_t all = rowsOfSound();
+    options_.mute = true;
+    EXPECT_EQ(rowsOfSound(), all - 4);
+}
+
+TEST_F(MenuTest, DivesInThePlayersOwnFilmSaySo) {
+    choose("Dive");
+    EXPECT_TRUE(page().text.empty());
+    screens_.facts.ownFilm = false;
+    options_.environment.photo = "/home/me/beach.jpg";
+    screens_.open(Screen::Dives);
+    EXPECT_EQ(page().text, std::vector<std::string>{"All dives are in beach.jpg"});
+}
+
+TEST_F(MenuTest, OneIsOneAndTwoAreSeveral) {
+    screens_.facts.results.caught = 3;
+    screens_.facts.results.tally.resize(1);
+    for (const auto& [count, english, french] :
+         {std::tuple(1, "1 snapper", "1 vivaneau"), {3, "3 snappers", "3 vivaneaux"}}) {
+        screens_.facts.results.tally[0].caught = count;
+        for (const auto& [language, want] :
+             {std::pair(LanguageChoice::English, english), {LanguageChoice::French, french}}) {
+            options_.text.language = language;
+            screens_.open(Screen::Results);
+            EXPECT_EQ(page().text[1], want);
+        }
+    }
 }
 
 TEST(FieldGuide, EachAnimalHasItsPicture) {
@@ -249,7 +303,9 @@ TEST(Texts, DivesAndTheirAnimalsHaveTranslations) {
         EXPECT_LT(game::findText(files->dive.title), game::kTexts.size()) << files->dive.title;
         EXPECT_EQ(files->dive.goals.size(), 3u) << name;
         for (const game::Species& kind : files->species)
-            EXPECT_LT(game::findText(kind.name), game::kTexts.size()) << kind.name;
+            EXPECT_NE(std::ranges::find(game::kAnimals, kind.name, &game::AnimalRow::species),
+                      game::kAnimals.end())
+                << kind.name;
     }
 }
 

@@ -65,6 +65,37 @@ TEST(SoundCues, EveryKindOfEventIsHeardWhereItHappens) {
     }
 }
 
+bool hasCaption(const SoundCues& hear, EventKind kind) {
+    return std::ranges::find(hear.captions(), *rowOf(kind).caption, &Caption::text) != hear.captions().end();
+}
+
+TEST(SoundCues, OnlyAFishThatWasNotCountedIsLetGo) {
+    for (const bool counted : {false, true}) {
+        SoundCues hear;
+        const auto happens = [&](EventKind kind) {
+            const Event event{.kind = kind, .position = glm::vec3(0, 0, -1)};
+            hear.listen({}, {&event, 1}, kFrame_s);
+        };
+        happens(EventKind::Grab);
+        if (counted) happens(EventKind::Catch);
+        happens(EventKind::Release);
+        EXPECT_EQ(hasCaption(hear, EventKind::Release), !counted);
+        happens(EventKind::Grab);
+        happens(EventKind::Release);
+        EXPECT_TRUE(hasCaption(hear, EventKind::Release));
+    }
+}
+
+TEST(SoundCues, ANewDiveHasNoCaptionsOfTheLast) {
+    SoundCues hear;
+    const Event over{.kind = EventKind::DiveOver}, start{.kind = EventKind::DiveStart};
+    hear.listen({}, {&over, 1}, kFrame_s);
+    EXPECT_TRUE(hasCaption(hear, EventKind::DiveOver));
+    hear.listen({}, {&start, 1}, kFrame_s);
+    EXPECT_FALSE(hasCaption(hear, EventKind::DiveOver));
+    EXPECT_TRUE(hasCaption(hear, EventKind::DiveStart));
+}
+
 // No sound is made in vain: a dive in which everything happens plays each of them.
 TEST(SoundCues, EverySoundIsPlayedOfSomething) {
     SoundCues hear;
