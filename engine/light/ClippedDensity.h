@@ -5,6 +5,7 @@
 // them, wider along rows near the pole. One that moves from cell to cell keeps its own.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace shoal::light {
@@ -27,6 +28,7 @@ class ClippedDensity {
     size_t columns_ = 0, rows_ = 0;     // of cells, on the whole sphere
     std::vector<int> starts_;           // of a cell's pixels in a row, and the end of the last
     std::vector<int> counts_;           // of the frame's rows in a row of cells
+    std::vector<char> anything_;        // is clipped in a row of cells
     std::vector<float> sums_, density_; // columns_ x rows_
     std::vector<float> across_;         // scratch, as many
 };

@@ -24,8 +24,11 @@ constexpr float kWhite = 0.999f; // linear; means are off by a few 1e-4
 
 constexpr float kMinTrust = 0.1f; // in the ground, for light from the horizon
 
-// Ground is cut at so many times the square of the mean root of its luminance.
-constexpr float kMostOfUsual = 2;
+// Added to the irradiance of clipped pixels: what they would have to be times white does not leap where few
+// are left.
+constexpr double kFewClipped = 0.015;
+
+constexpr double kMostOfMean = 1.75; // of the ground's luminance: what is brighter is cut
 
 // Of the elevation; row: from the zenith, a whole one is a row's upper edge.
 double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
@@ -44,9 +47,9 @@ SHOAL_VECTORISE float luminanceOf(const float* row, int width) {
     return luminance(red, green, blue);
 }
 
-// Sums over a row's texels of what is seen of the ground, 0 to 1 each, and of its luminances' roots.
+// Sums over a row's texels: what is seen of the ground, 0 to 1 each, and its luminance.
 struct Ground {
-    float seen = 0, roots = 0;
+    float seen = 0, light = 0;
 };
 
 // Linear values between which a texel comes to be seen, and to be clipped.
@@ -57,42 +60,26 @@ struct Seen {
 // 0 to 1; without a branch that would keep a loop from being vectorised.
 inline float ramp(float value) { return 0.5f * (std::abs(value) - std::abs(value - 1) + 1); }
 
-// value(luminance) of each texel of a row, as far as it is seen; at most kTexels of them.
-constexpr int kTexels = 512;
-template <class Value>
-inline void seenOf(const float* row, int count, const Seen& by, float* seen, float* values, Value&& value) {
-    for (int x = 0; x < count; ++x) {
-        const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
-        const float most = std::max(std::max(red, green), blue);
-        seen[x] = ramp(std::min((most - by.first) * by.perRise, (by.last - most) * by.perFall));
-        values[x] = seen[x] * value(luminance(red, green, blue));
-    }
-}
+constexpr int kTexels = 512; // of a row at a time
 
-SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by) {
-    std::array<float, kTexels> seen, roots;
+// most: a texel's luminance is cut at it.
+SHOAL_VECTORISE Ground groundOf(const float* row, int width, const Seen& by, float most) {
+    std::array<float, kTexels> light, seen;
     Ground ground;
-    for (int first = 0; first < width; first += kTexels) {
+    for (int first = 0; first < width; first += kTexels, row += 3 * kTexels) {
         const int count = std::min(kTexels, width - first);
-        seenOf(row + 3 * first, count, by, seen.data(), roots.data(),
-               [](float luminance) { return std::sqrt(luminance); });
+        for (int x = 0; x < count; ++x) {
+            const float red = row[3 * x], green = row[3 * x + 1], blue = row[3 * x + 2];
+            const float largest = std::max(std::max(red, green), blue);
+            const float part =
+                ramp(std::min((largest - by.first) * by.perRise, (by.last - largest) * by.perFall));
+            seen[static_cast<size_t>(x)] = part;
+            light[static_cast<size_t>(x)] = part * std::min(luminance(red, green, blue), most);
+        }
+        ground.light += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
         ground.seen += sumsOf<1>(seen.data(), static_cast<size_t>(count))[0];
-        ground.roots += sumsOf<1>(roots.data(), static_cast<size_t>(count))[0];
     }
     return ground;
-}
-
-// The sum of the luminances of a row's ground, each at most `most`.
-SHOAL_VECTORISE float groundLightOf(const float* row, int width, const Seen& by, float most) {
-    std::array<float, kTexels> seen, light;
-    float sum = 0;
-    for (int first = 0; first < width; first += kTexels) {
-        const int count = std::min(kTexels, width - first);
-        seenOf(row + 3 * first, count, by, seen.data(), light.data(),
-               [most](float luminance) { return std::min(luminance, most); });
-        sum += sumsOf<1>(light.data(), static_cast<size_t>(count))[0];
-    }
-    return sum;
 }
 
 // By the largest and by the least channel, linear: where a texel begins to be bright, and where it is white.
@@ -162,24 +149,23 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     double fromAbove = 0; // irradiance of a level plane
     for (int y = 0; y < above; ++y)
         fromAbove += weightOf(y) * static_cast<double>(luminanceOf(decoded.at(0, y), decoded.width));
-    double seen = 0, roots = 0;
-    for (int y = above; y < decoded.height; ++y) {
-        const Ground row = groundOf(decoded.at(0, y), decoded.width, by);
-        seen += weightOf(y) * static_cast<double>(row.seen);
-        roots += weightOf(y) * static_cast<double>(row.roots);
-    }
-    double radiance = 0;
-    if (seen > 0) {
-        const auto most =
-            static_cast<float>(static_cast<double>(kMostOfUsual) * roots * roots / (seen * seen));
-        for (int y = above; y < decoded.height; ++y)
-            radiance += weightOf(y) / seen *
-                        static_cast<double>(groundLightOf(decoded.at(0, y), decoded.width, by, most));
-    }
+    double seen = 0, radiance = 0;
+    const auto measure = [&](float most) {
+        double light = 0;
+        seen = 0;
+        for (int y = above; y < decoded.height; ++y) {
+            const Ground row = groundOf(decoded.at(0, y), decoded.width, by, most);
+            seen += weightOf(y) * static_cast<double>(row.seen);
+            light += weightOf(y) * static_cast<double>(row.light);
+        }
+        radiance = seen > 0 ? light / seen : 0;
+    };
+    measure(1);
+    measure(static_cast<float>(kMostOfMean * radiance));
     const double below = std::numbers::pi; // of `seen`, the whole
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
-        std::clamp(missing / std::max(clippedIrradiance, 1e-6), 0.0, static_cast<double>(kMostFromGround));
+        std::clamp(missing / (clippedIrradiance + kFewClipped), 0.0, static_cast<double>(kMostFromGround));
     return {1 + static_cast<float>(times),
             static_cast<float>(std::min(1.0, seen / (static_cast<double>(kGroundNeeded) * below)))};
 }

@@ -3,11 +3,11 @@
 //
 // The frame is taken for a lat-long of a whole surround, its +Y up, of decoded sRGB. Three steps:
 //   1. The mean radiance of the unclipped ground, by pi over its albedo, is the irradiance from above.
-//   Patches
-//      far brighter than the rest are cut: a beam that falls on a cave's floor does not come from where its
-//      sky is seen.
+//      Patches far brighter than the rest are cut: a beam that falls on a cave's floor does not come from
+//      where its sky is seen.
 //   2. What unclipped pixels do not supply of it is the clipped pixels' above the horizon: that many times
-//      white they are. Light that is clipped all around counts most (ClippedDensity.h).
+//      white they are; fewer the less is clipped, so that light does not come and go with the last pixels.
+//      Light that is clipped all around counts most (ClippedDensity.h).
 //   3. Grounds differ in albedo by more than ten: the gain is the weighed geometric mean of that and of one
 //      that serves where there is no ground to be seen (covered, black, clipped). The higher clipped light
 //      stands, the more the ground tells of it: what comes from the side, as through windows and from a
@@ -18,7 +18,8 @@
 // tint is what the whole of the picture and its brightest parts that are not white have in common, as under
 // water: a white sun in a blue sky is white. Error by pictures with known light:
 // tests/bench/figures/chart.md. The constants are those that bring 42 public HDR pictures, none of them on
-// that chart, in three exposures each nearest to their light.
+// that chart, in three exposures each nearest to their light; how few clipped pixels are few, those that
+// make the light of our films steady.
 #pragma once
 
 #include "engine/core/Image.h"
@@ -30,9 +31,9 @@
 
 namespace shoal::light {
 
-constexpr float kGroundAlbedo = 0.12f;
-constexpr float kUsualGain = 3; // of clipped pixels in a scene of which nothing is known
-constexpr float kMostFromGround = 120;
+constexpr float kGroundAlbedo = 0.1f;
+constexpr float kUsualGain = 2.5f; // of clipped pixels in a scene of which nothing is known
+constexpr float kMostFromGround = 300;
 
 // The exponent of the ground's gain, 0.1 at the horizon to 1 at the zenith; the rest to 1 is the usual
 // gain's. sine: of the elevation of clipped light.
