@@ -51,7 +51,7 @@ def point_of_elbow(z, x, y):
     return 0.0075 * np.exp(-((z - ELBOW - 0.004) / 0.026) ** 2) * step(0.45, 1.0, x * POINT[0] + y * POINT[1])
 
 
-def texture_u(z_rows):
+def texture_u():
     """u of each ring: by length, but the inside of the hem has few texels and the upper arm half as many as the forearm."""
     rows = rings()
     length = np.hypot(np.diff(rows[:, 0]), np.diff(rows[:, 1]))
@@ -94,7 +94,7 @@ def sleeve():
     n = unit(np.cross(dv, du))
     n = n * np.sign(np.sum(n[12] * np.stack([x, y, 0 * g], -1)))  # outward
     n[-1] = [0, 0, 1]
-    uv = np.stack(np.broadcast_arrays(texture_u(z)[:, None], g / (2 * np.pi)), -1)
+    uv = np.stack(np.broadcast_arrays(texture_u()[:, None], g / (2 * np.pi)), -1)
     part = facing(without_slivers(Part(p.reshape(-1, 3), n.reshape(-1, 3), tangent_frame(n, du, -dv).reshape(-1, 4),
                                        uv.reshape(-1, 2), grid_triangles(*p.shape[:2]))))
     part.joints, part.weights = strongest_four(weights(part.positions[:, 2]))
@@ -105,7 +105,7 @@ def pictures():
     """Colour, normal map, roughness: u (along) to the right, v (around) down."""
     rows = rings()
     u, v = np.meshgrid((np.arange(WIDTH) + 0.5) / WIDTH, (np.arange(HEIGHT) + 0.5) / HEIGHT)
-    rows_u = texture_u(rows[:, 0])
+    rows_u = texture_u()
     z = np.interp(u, rows_u, rows[:, 0])
     x, y = np.cos(2 * np.pi * v), np.sin(2 * np.pi * v)
     wide = 0.5 * (np.interp(u, rows_u, rows[:, 1]) + np.interp(u, rows_u, rows[:, 2]))  # mean radius, metres

@@ -147,14 +147,8 @@ class Canvas:
             inside = (da / 1.25) ** 2 + db ** 2
             hit = (inside < 1) & (da > -0.2) & ~done
             local = np.sqrt(np.clip(inside, 0, 1))
-            relief = np.where(hit, step01(da / 1.25) * 0.75 + 0.25 * (1 - db ** 2), relief)
+            relief = np.where(hit, np.clip(da / 1.25, 0, 1) * 0.75 + 0.25 * (1 - db ** 2), relief)
             edge = np.where(hit, paint.step(0.74, 0.98, local), edge)
             which = np.where(hit, paint.scatter(seed, c, row), which)
             done |= hit
         return relief, edge, which
-
-
-def step01(x):
-    return np.clip(x, 0, 1)
-
-

@@ -37,19 +37,17 @@ class Glb:
             item['max'] = [float(v) for v in flat.max(0)]
         return self._append('accessors', item)
 
-    def texture(self, encoded, repeat=False):
+    def texture(self, encoded):
         """encoded: PNG or JPEG bytes."""
         mime = 'image/png' if encoded[:4] == b'\x89PNG' else 'image/jpeg'
         image = self._append('images', {'bufferView': self._view(encoded), 'mimeType': mime})
-        wrap = 10497 if repeat else 33071
-        sampler = {'magFilter': 9729, 'minFilter': 9987, 'wrapS': wrap, 'wrapT': wrap}
+        sampler = {'magFilter': 9729, 'minFilter': 9987, 'wrapS': 33071, 'wrapT': 33071}
         known = self.json.setdefault('samplers', [])
         if sampler not in known:
             known.append(sampler)
         return self._append('textures', {'sampler': known.index(sampler), 'source': image})
 
-    def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False,
-                 double=False, normal_scale=1.0, glow=None):
+    def material(self, name, base, normal=None, metal_rough=None, rough=1.0, metal=1.0, blend=False, glow=None):
         """base: texture index or linear RGBA; metal_rough: texture index (G roughness, B metallic); glow: texture index of
         what it emits."""
         pbr = {'metallicFactor': metal, 'roughnessFactor': rough}
@@ -61,26 +59,21 @@ class Glb:
             pbr['metallicRoughnessTexture'] = {'index': metal_rough}
         item = {'name': name, 'pbrMetallicRoughness': pbr}
         if normal is not None:
-            item['normalTexture'] = {'index': normal, 'scale': normal_scale}
+            item['normalTexture'] = {'index': normal, 'scale': 1.0}
         if glow is not None:
             item['emissiveTexture'], item['emissiveFactor'] = {'index': glow}, [1.0, 1.0, 1.0]
         if blend:
             item['alphaMode'] = 'BLEND'
-        if double:
-            item['doubleSided'] = True
         return self._append('materials', item)
 
-    def primitive(self, part, material, tangents=True):
+    def primitive(self, part, material):
         """part: a mesh.Part with weights as (joint indices, weights), four to a vertex."""
         vertex = 34962
         attributes = {'POSITION': self.accessor(part.positions, target=vertex, bounds=True),
-                      'NORMAL': self.accessor(part.normals, target=vertex)}
-        if tangents:
-            attributes['TANGENT'] = self.accessor(part.tangents, target=vertex)
+                      'NORMAL': self.accessor(part.normals, target=vertex),
+                      'TANGENT': self.accessor(part.tangents, target=vertex)}
         if part.uvs is not None:
             attributes['TEXCOORD_0'] = self.accessor(part.uvs, target=vertex)
-        if part.colours is not None:
-            attributes['COLOR_0'] = self.accessor(part.colours, target=vertex)
         attributes['JOINTS_0'] = self.accessor(part.joints, 'u1', vertex)
         attributes['WEIGHTS_0'] = self.accessor(part.weights, target=vertex)
         small = len(part.positions) < 65535

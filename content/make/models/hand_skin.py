@@ -72,7 +72,7 @@ class HandSkin:
     def nail_inside(self, finger, p):
         """Metres inside (+) the nail's outline, and its coordinates."""
         across, along, up, long, width = self.nail(finger, p)
-        root = along - 0.16 * across ** 2 * 0 - 0.10 * (1 - np.sqrt(np.clip(1 - across ** 2, 0, 1)))
+        root = along - 0.10 * (1 - np.sqrt(np.clip(1 - across ** 2, 0, 1)))
         tip = 1.0 - 0.20 * across ** 2 - along
         inside = np.minimum(np.minimum(root * long, tip * long), (1 - np.abs(across)) * width)
         return np.where(up > 0.5, inside, -1.0), across, along

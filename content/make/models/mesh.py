@@ -16,7 +16,6 @@ class Part:
     triangles: np.ndarray                    # m x 3
     joints: Optional[np.ndarray] = None      # n x 4
     weights: Optional[np.ndarray] = None     # n x 4
-    colours: Optional[np.ndarray] = None     # n x 4, linear
 
 
 def unit(v):
@@ -43,11 +42,6 @@ def grid_triangles(rows, columns, flip=False):
     return t[:, ::-1] if flip else t
 
 
-def grid_derivatives(p):
-    """Central differences of a grid of points along its rows and columns."""
-    return np.gradient(p, axis=0), np.gradient(p, axis=1)
-
-
 def join(parts):
     parts = list(parts)
     offsets = np.cumsum([0] + [len(p.positions) for p in parts[:-1]])
@@ -57,7 +51,7 @@ def join(parts):
         return None if rows[0] is None else np.concatenate(rows)
     return Part(gather('positions'), gather('normals'), gather('tangents'), gather('uvs'),
                 np.concatenate([p.triangles + o for p, o in zip(parts, offsets)]),
-                gather('joints'), gather('weights'), gather('colours'))
+                gather('joints'), gather('weights'))
 
 
 def without_slivers(part):

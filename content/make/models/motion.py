@@ -4,13 +4,12 @@ import numpy as np
 
 from mesh import quaternion, quaternion_product, unit
 
-def wave(amplitude, wave_length=0.95, cycles=1, bias=None):
+def wave(amplitude, wave_length=0.95, cycles=1):
     """A travelling wave in fractions of the length. The envelope 0.02 - 0.0825 s + 0.1625 s^2 is what Videler and
     Hess (1984) measured on saithe and mackerel; amplitude scales it."""
     def lateral(s, phase):
         envelope = 0.02 - 0.0825 * s + 0.1625 * s * s
-        x = amplitude * envelope * np.sin(2 * np.pi * (s / wave_length - cycles * phase))
-        return x if bias is None else x + bias(s, phase)
+        return amplitude * envelope * np.sin(2 * np.pi * (s / wave_length - cycles * phase))
     return lateral
 
 
@@ -41,16 +40,14 @@ def add_clip(glb, rig, nodes, name, duration, keys, lateral, fins=None, roll=Non
     glb.animation(name, times, channels)
 
 
-def flap(axis, beats, swing, rest=0.0, lag=0.0):
+def flap(axis, beats, swing, rest=0.0):
     """Both pectoral fins beat together, mirror images; axis: the left fin's root line."""
     axis = unit(axis)
 
     def clip(phase):
-        angle = rest + swing * np.sin(2 * np.pi * (beats * phase + lag))
-        twist = 0.35 * swing * np.cos(2 * np.pi * (beats * phase + lag))
+        angle = rest + swing * np.sin(2 * np.pi * (beats * phase))
+        twist = 0.35 * swing * np.cos(2 * np.pi * (beats * phase))
         left = quaternion_product(quaternion(axis, angle), quaternion([1, 0, 0], twist))
         right = left * [1, -1, -1, 1]  # mirrored in x
         return {'pectoral_left': left, 'pectoral_right': right}
     return clip
-
-

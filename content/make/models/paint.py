@@ -56,12 +56,12 @@ def noise(seed, *x):
     return total * 2 - 1
 
 
-def fbm(seed, *x, octaves=4, gain=0.5):
+def fbm(seed, *x, octaves=4):
     total, scale, size = 0.0, 1.0, 0.0
     for k in range(octaves):
         total = total + scale * noise(seed + 17 * k, *[np.asarray(v) * 2.03 ** k + 11.3 * k for v in x])
         size += scale
-        scale *= gain
+        scale *= 0.5
     return total / size
 
 

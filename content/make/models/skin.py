@@ -36,7 +36,6 @@ class Skin:
         self.shade(1 - edge * rim + variety * (which - 0.5), mask)
         self.metal += metal * (1 - 0.6 * rim) * mask * (0.6 + 0.4 * which)
         self.rough += (-0.05 + 0.06 * which + 0.05 * rim) * mask
-        self.scale_edge, self.scale_which = rim, which
 
     def gill(self, points, dark=0.45, width=0.0035, relief=0.004):
         """The hind edge of the gill cover along s(h): a step down, with a shadow behind it."""
