@@ -42,7 +42,6 @@ SCENE.toml lies beside this program's source; FOLDER keeps traced frames and wha
                                  right, up, back, what it stands at and the radiance there on spherical harmonics
     depth FILE.mkv FILM...       the track of distances that belongs to these versions of the film
     depths NAME WIDTH FRAME...   NAME_NNNN.depth.mkv: distances of single frames, as many as the film has pixels
-    enclosure FILE.toml          when the camera is enclosed, and how much
     look WIDTH FRAME...          PNGs of some frames in FOLDER, to be looked at
 )";
 
@@ -252,25 +251,6 @@ Status depths(const Studio& studio, const std::string& name, int width, const st
     return Done{};
 }
 
-// Shelter: how much of the light that open water has about it at this depth is missing.
-Status enclosure(const Studio& studio, const Path& to) {
-    std::string text = "# Where the film's camera is enclosed: seconds of the film, and how much, 0 (open "
-                       "water) to 1 (dark); straight lines between.\nenclosure = [\n";
-    const int fps = studio.scene.film.fps;
-    const auto bright = [&](int frame) {
-        return studio.world.ambient(studio.route.at(studio.turn(frame))).y;
-    };
-    float open = 0;
-    for (int frame = 0; frame < studio.scene.film.frames; frame += fps) open = std::max(open, bright(frame));
-    for (int frame = 0; frame <= studio.scene.film.frames; frame += fps) {
-        const float amount = glm::smoothstep(0.25f, 0.9f, 1 - bright(frame) / open);
-        char line[64];
-        std::snprintf(line, sizeof line, "    [%d, %.2f],\n", frame / fps, static_cast<double>(amount));
-        text += line;
-    }
-    return writeFileWhole(to, text + "]\n");
-}
-
 Status look(const Studio& studio, int width, const std::vector<int>& frames) {
     const auto exposure = meter(studio, 0);
     if (!exposure) return exposure.error();
@@ -325,7 +305,6 @@ Status perform(const Studio& studio, const std::vector<std::string>& words) {
     }
     if (task == "probes" && words.size() == 3) return probes(studio, words[1], words[2]);
     if (task == "truth") return truth(studio, words[1], named);
-    if (task == "enclosure") return enclosure(studio, words[1]);
     if (task == "look") return look(studio, std::atoi(words[1].c_str()), named);
     return Error{task, "is no task"};
 }
