@@ -3,9 +3,6 @@
 #include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
-#ifdef SHOAL_HAND_LANDMARKS
-#include "tests/accuracy/webcam/TinyModel.h"
-#endif
 
 #include <cstdio>
 #include <span>
@@ -97,7 +94,6 @@ void replays() {
     const std::string whole(bytes->begin(), bytes->end());
     put("Replay", "two_blocks.replay", whole);
     put("Replay", "stopped.replay", whole.substr(0, whole.size() - 12));
-    put("Replay", "version1.replay", contentFile("tests/unit/sim/version1.replay"));
     std::filesystem::remove(file);
 }
 
@@ -192,10 +188,6 @@ void devices() {
     std::string bytes = {static_cast<char>(sizeof descriptor), 0};
     bytes.append(reinterpret_cast<const char*>(descriptor), sizeof descriptor);
     put("HidReports", "pad", bytes + std::string(32, '\x55'));
-#ifdef SHOAL_HAND_LANDMARKS
-    const std::vector<uint8_t> model = hands::test::TinyModel().make();
-    put("HandModel", "tiny.tflite", {reinterpret_cast<const char*>(model.data()), model.size()});
-#endif
 }
 
 void ticks() {

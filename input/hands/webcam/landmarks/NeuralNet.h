@@ -15,8 +15,7 @@ namespace shoal::hands {
 
 class NeuralNet {
   public:
-    // Takes nothing on trust: every shape is derived from the operators and compared with what the file
-    // states. What the network may cost is bounded: see kMost... in the source. name: for the error.
+    // Of a file whose check sum is known: nothing that it states is checked. name: for the error.
     static Result<NeuralNet> read(std::span<const uint8_t> tfLite, const std::string& name);
 
     // To be filled before run(): the one input, rows of pixels of channels. Its shape, from the batch (1) on.
