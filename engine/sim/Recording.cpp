@@ -22,9 +22,8 @@ static_assert(std::endian::native == std::endian::little, "recordings are little
 
 namespace {
 
-constexpr std::string_view kMagic1 = "SHOALREC", kMagic2 = "SHOALRE2";
-constexpr int kVersion1 = 1, kVersion2 = 2;
-constexpr uint64_t kMaxFileBytes1 = 256u << 20; // of version 1, which is read as a whole
+constexpr std::string_view kMagic = "SHOALRE2";
+constexpr int kVersion = 2;
 constexpr uint32_t kMaxInputBytes = 65536, kMaxHeaderBytes = 1u << 20;
 constexpr uint32_t kBlockTicks = static_cast<uint32_t>(kTickRate_Hz);
 constexpr size_t kBlockPrefix = 12, kHashBytes = 8;
@@ -60,14 +59,14 @@ std::string blockPrefix(uint32_t ticks, std::span<const uint8_t> packed) {
     return prefix;
 }
 
-Result<RecordingHeader> parseHeader(std::span<const uint8_t> text, int version) {
+Result<RecordingHeader> parseHeader(std::span<const uint8_t> text) {
     const auto fail = [](std::string reason) { return Error{"", std::move(reason)}; };
     RecordingHeader header;
     try {
         const auto json = nlohmann::json::parse(text.begin(), text.end());
-        if (const int written = json.at("version"); written != version)
-            return fail("has version " + std::to_string(written) + ", this game reads versions up to " +
-                        std::to_string(kVersion2));
+        if (const int written = json.at("version"); written != kVersion)
+            return fail("has version " + std::to_string(written) + ", this game reads version " +
+                        std::to_string(kVersion));
         if (const int rate_Hz = json.at("tick_rate_Hz"); rate_Hz != kTickRate_Hz)
             return fail("ticks at " + std::to_string(rate_Hz) + " Hz, this game at " +
                         std::to_string(kTickRate_Hz));
@@ -126,11 +125,11 @@ Result<RecordingWriter> RecordingWriter::create(const Path& file, const Recordin
     assert(header.inputBytes > 0 && header.inputBytes <= kMaxInputBytes);
     auto opened = GrowingFile::create(file);
     if (!opened) return opened.error();
-    const nlohmann::json json = {{"version", kVersion2},         {"seed", header.seed},
+    const nlohmann::json json = {{"version", kVersion},          {"seed", header.seed},
                                  {"dive", header.dive},          {"settings", header.settings},
                                  {"tick_rate_Hz", kTickRate_Hz}, {"input_bytes", header.inputBytes}};
     const std::string text = json.dump();
-    std::string bytes(kMagic2);
+    std::string bytes(kMagic);
     append(bytes, static_cast<uint32_t>(text.size()));
     append(bytes, crcOf(asBytes(text)));
     if (Status written = opened->write(bytes + text); !written) return written.error();
@@ -197,9 +196,8 @@ struct RecordingReader::File {
     uint64_t stride() const { return uint64_t{header.inputBytes} + kHashBytes; }
     Error fail(std::string reason) const { return Error{path.string(), std::move(reason)}; }
     Status open(uint64_t maxBlockBytes);
-    Status open1(uint64_t maxBlockBytes);
-    Status open2();
-    bool addBlock2(uint64_t& at, std::vector<uint8_t>& body);
+    Status readHeader();
+    bool addBlock(uint64_t& at, std::vector<uint8_t>& body);
 
     Path path;
     int descriptor = -1;
@@ -224,44 +222,17 @@ Status RecordingReader::File::open(uint64_t maxBlockBytes) {
     std::array<uint8_t, 8> magic{};
     const bool read8 = read(0, magic);
     const std::string_view begin(reinterpret_cast<const char*>(magic.data()), magic.size());
-    if (read8 && begin == kMagic1) return open1(maxBlockBytes);
-    if (read8 && begin == kMagic2) {
-        if (Status opened = open2(); !opened) return opened;
-        if (stride() * kBlockTicks > maxBlockBytes) return fail("claims more input than is allowed");
-        return Done{};
-    }
-    return fail("is not a recording of this game");
-}
-
-Status RecordingReader::File::open1(uint64_t maxBlockBytes) {
-    constexpr uint64_t kPrefix = 8 + 4 + 8 + 8 + 4;
-    if (size > kMaxFileBytes1)
-        return fail("is larger than the limit of " + std::to_string(kMaxFileBytes1) + " bytes");
-    std::vector<uint8_t> bytes(size);
-    if (size < kPrefix || !read(0, bytes)) return fail("is cut short");
-    const uint8_t* at = bytes.data() + kMagic1.size();
-    const auto headerBytes = take<uint32_t>(at);
-    ticks = take<uint64_t>(at);
-    const auto packedBytes = take<uint64_t>(at);
-    const auto crc = take<uint32_t>(at);
-    const uint64_t rest = size - kPrefix;
-    if (headerBytes > kMaxHeaderBytes || headerBytes > rest || packedBytes != rest - headerBytes)
-        return fail("is cut short or damaged: its lengths do not add up");
-    if (crcOf({at, rest}) != crc) return fail("is damaged: its checksum is wrong");
-    auto parsed = parseHeader({at, headerBytes}, kVersion1);
-    if (!parsed) return fail(parsed.error().reason);
-    header = std::move(*parsed);
-    if (ticks > maxBlockBytes / stride()) return fail("claims more ticks than are allowed");
-    if (ticks > 0) blocks.push_back({kPrefix + headerBytes, ticks, packedBytes});
-    complete = true;
+    if (!read8 || begin != kMagic) return fail("is not a recording of this game");
+    if (Status opened = readHeader(); !opened) return opened;
+    if (stride() * kBlockTicks > maxBlockBytes) return fail("claims more input than is allowed");
     return Done{};
 }
 
-Status RecordingReader::File::open2() {
+Status RecordingReader::File::readHeader() {
     constexpr uint64_t kPrefix = 8 + 4 + 4;
     std::array<uint8_t, kPrefix> prefix;
     if (!read(0, prefix)) return fail("is cut short");
-    const uint8_t* at = prefix.data() + kMagic2.size();
+    const uint8_t* at = prefix.data() + kMagic.size();
     const auto headerBytes = take<uint32_t>(at);
     const auto crc = take<uint32_t>(at);
     if (headerBytes > kMaxHeaderBytes || headerBytes > size - kPrefix)
@@ -269,17 +240,17 @@ Status RecordingReader::File::open2() {
     std::vector<uint8_t> body(headerBytes);
     if (!read(kPrefix, body)) return fail("is cut short");
     if (crcOf(body) != crc) return fail("is damaged: its checksum is wrong");
-    auto parsed = parseHeader(body, kVersion2);
+    auto parsed = parseHeader(body);
     if (!parsed) return fail(parsed.error().reason);
     header = std::move(*parsed);
     uint64_t next = kPrefix + headerBytes;
-    while (addBlock2(next, body)) {
+    while (addBlock(next, body)) {
     }
     return Done{};
 }
 
 // at: where the block begins; then where it ends. False: it was the last, or it is not whole.
-bool RecordingReader::File::addBlock2(uint64_t& at, std::vector<uint8_t>& body) {
+bool RecordingReader::File::addBlock(uint64_t& at, std::vector<uint8_t>& body) {
     std::array<uint8_t, kBlockPrefix> prefix;
     if (size - at < kBlockPrefix || !read(at, prefix)) return false;
     at += kBlockPrefix;

@@ -1,14 +1,11 @@
 // Replays: the inputs of every tick and the hash of the state each led to. A bug report, a determinism test
 // and a benchmark in one file.
 //
-// The file, version 2, little-endian: "SHOALRE2", uint32 length and uint32 CRC-32 of the JSON header, the
-// header; then blocks of up to one second: uint32 ticks, uint32 length of the packed body, uint32 CRC-32 of
+// The file, little-endian: "SHOALRE2", uint32 length and uint32 CRC-32 of the JSON header, the header; then
+// blocks of up to one second: uint32 ticks, uint32 length of the packed body, uint32 CRC-32 of
 // these two and the body, the body. The body is one zlib stream of, per tick, the input bytes XOR those of
 // the tick before in the same block, then the 8 bytes of the hash. A block of no ticks ends the file. Blocks
 // are written as they fill: after a crash the file is read up to its last whole block.
-//
-// Version 1 ("SHOALREC", uint32 length of the header, uint64 ticks, uint64 length of the packed body, uint32
-// CRC-32 of header and body) had all ticks in one block; it is read.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -29,7 +26,7 @@ struct RecordingHeader {
     uint64_t seed = 0;
     std::string dive;        // name of content/dives/NAME.toml
     uint32_t inputBytes = 0; // per tick; 1 to 65536
-    // What else the simulation was set up with, by name; empty in files of earlier versions. At most 64.
+    // What else the simulation was set up with, by name. At most 64.
     std::map<std::string, std::string> settings{};
 
     bool operator==(const RecordingHeader&) const = default;
@@ -57,8 +54,8 @@ struct RecordedTick {
     uint64_t hash;
 };
 
-// Reads one from its first tick to its last. Memory does not depend on its length, but for version 1. Copies
-// share the open file and read on by themselves.
+// Reads one from its first tick to its last. Memory does not depend on its length. Copies share the open file
+// and read on by themselves.
 class RecordingReader {
   public:
     // Fails on anything that is not a recording of this tick rate, and on damage before its end.

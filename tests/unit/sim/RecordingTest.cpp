@@ -68,26 +68,6 @@ TEST_F(RecordingFile, ComesBackEqual) {
     }
 }
 
-// Written by the version of the game before this format: 130 ticks of sample(), in one block.
-TEST_F(RecordingFile, Version1IsRead) {
-    const auto in = tests::readRecorded(tests::sourceFolder() / "tests/unit/sim/version1.replay");
-    ASSERT_TRUE(in) << in.error().message();
-    const Recorded out = sample(130);
-    EXPECT_EQ(in->header(), out.header());
-    EXPECT_EQ(in->ticks(), 130u);
-    expectBeginOf(out, *in);
-}
-
-TEST_F(RecordingFile, Version1OfAnyOtherLengthIsAnError) {
-    const std::string whole = readText(tests::sourceFolder() / "tests/unit/sim/version1.replay").value();
-    for (size_t length = 0; length < whole.size(); length += 7) {
-        write(whole.substr(0, length));
-        EXPECT_FALSE(RecordingReader::open(file_)) << length;
-    }
-    write(whole + "x");
-    EXPECT_FALSE(RecordingReader::open(file_));
-}
-
 TEST_F(RecordingFile, OneThatIsCutIsReadUpToItsLastWholeBlock) {
     const Recorded out = sample(3 * kBlockTicks + 5);
     ASSERT_TRUE(tests::write(file_, out));
@@ -137,10 +117,6 @@ TEST_F(RecordingFile, LimitsHoldBeforeMemoryIsTaken) {
     const auto read = RecordingReader::open(file_, kBlockTicks * (kInputBytes + 8) - 1);
     ASSERT_FALSE(read);
     EXPECT_THAT(read.error().message(), HasSubstr("more input than is allowed"));
-    const auto old = RecordingReader::open(tests::sourceFolder() / "tests/unit/sim/version1.replay",
-                                           130 * (kInputBytes + 8) - 1);
-    ASSERT_FALSE(old);
-    EXPECT_THAT(old.error().message(), HasSubstr("more ticks than are allowed"));
     EXPECT_FALSE(RecordingReader::open(file_.string() + ".absent"));
     EXPECT_FALSE(RecordingReader::open(folder_.path()));
 }
