@@ -215,8 +215,6 @@ Status checkFilmSpace(const sim::RecordingHeader& header, const FilmSpace* space
     return Done{};
 }
 
-bool hasComparableStates(const sim::RecordingHeader& header) { return !header.settings.empty(); }
-
 uint64_t Dive::stateHash() const {
     Hash hash;
     addState(hash, state_);

@@ -90,10 +90,6 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader&);
 bool needsFilmSpace(const sim::RecordingHeader&);
 Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: none
 
-// Whether the recorded states can be compared with those of this version. Replays from before there were
-// rules to choose go the same way under the default ones, but their states had fewer fields.
-bool hasComparableStates(const sim::RecordingHeader&);
-
 // A mark's effect grows over the two seconds before it and fades over the two after it, beyond the video's
 // end from its start on. Nothing is known where videoLength_s is 0 (no video) or where a mark begins behind
 // the end (it belongs to a longer one).

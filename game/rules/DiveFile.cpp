@@ -1,6 +1,5 @@
 #include "game/rules/DiveFile.h"
 
-#include "engine/core/Log.h"
 #include "game/rules/TomlRead.h"
 
 #include <glm/geometric.hpp>
@@ -116,8 +115,8 @@ EncounterPlan readEncounter(TomlTable& table, const SpeciesTable& known) {
     return plan;
 }
 
-void readMarks(TomlTable& root, std::string_view key, std::vector<VideoMark>& marks) {
-    root.tables(key, kMaxMarks, [&](TomlTable& table) {
+void readMarks(TomlTable& root, std::vector<VideoMark>& marks) {
+    root.tables("enclosure", kMaxMarks, [&](TomlTable& table) {
         VideoMark& mark = marks.emplace_back();
         table.need("from_s", "to_s");
         table.number("from_s", mark.from_s, 0, 36000);
@@ -204,11 +203,7 @@ Result<DiveFile> loadDive(const Path& path, const SpeciesTable& known) {
         root.table("encounter", [&](TomlTable& table) { dive.encounter = readEncounter(table, known); });
         root.tables("goal", kMaxGoals,
                     [&](TomlTable& table) { dive.goals.push_back(readGoal(table, known)); });
-        // Files written for earlier versions say [[shelter]].
-        const char* enclosure = root.has("shelter") ? "shelter" : "enclosure";
-        readMarks(root, enclosure, dive.enclosure);
-        // And how high level ground is, for shadows, which the film's distances now tell.
-        if (root.list("ground")) log::warn("{}: [[ground]] is no longer read", path.string());
+        readMarks(root, dive.enclosure);
     });
     if (!read) return read.error();
     return dive;

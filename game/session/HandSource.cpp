@@ -215,8 +215,7 @@ bool ReplaySource::next(game::TickInput& input) {
 }
 
 void ReplaySource::compare(uint64_t stateHash) {
-    if (game::hasComparableStates(recording.header()))
-        verdict = sim::sameState(recording.position() - 1, hash, stateHash);
+    verdict = sim::sameState(recording.position() - 1, hash, stateHash);
     if (verdict && recording.atEnd() && !recording.complete())
         verdict =
             Error{"", "the recording is cut short or damaged after " + std::to_string(recording.ticks()) +

@@ -1,13 +1,10 @@
 // Species, dives and scripts as files: what is wrong is named with its line.
 #include "Fixture.h"
-#include "engine/core/Log.h"
 #include "engine/core/WriteFile.h"
 #include "tests/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 namespace shoal::game {
 namespace {
@@ -90,26 +87,8 @@ TEST_F(GameFiles, DiveErrorsNameTheLine) {
     EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = -1\nto_s = 4\n"), HasSubstr("line 6"));
     EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 1\nto_s = 4\namount = 1.5\n"), HasSubstr("line 8"));
     EXPECT_THAT(reason(good + "[[enclosure]]\nfrom_s = 1\n"), HasSubstr("\"to_s\" is missing"));
-    EXPECT_THAT(reason("shelter = 3\n" + good), HasSubstr("list"));
+    EXPECT_THAT(reason("enclosure = 3\n" + good), HasSubstr("list"));
     EXPECT_THAT(reason("duration = 30\n"), HasSubstr("\"school\" is missing"));
-}
-
-// Files written for earlier versions: what was renamed is read, and of what is gone a warning tells.
-TEST_F(GameFiles, DivesOfEarlierVersionsAreRead) {
-    const SpeciesTable& known = test::cove().species;
-    const std::string good = "duration = 30\n[[school]]\nspecies = \"snapper\"\ncount = 3\n";
-    const auto sheltered = loadDive(write(good + "[[shelter]]\nfrom_s = 1\nto_s = 4\n"), known);
-    ASSERT_TRUE(sheltered) << sheltered.error().message();
-    EXPECT_EQ(sheltered->enclosure.size(), 1u);
-    const std::string ground = "[[ground]]\nfrom_s = 1\nto_s = 4\nheight = -1.2\n";
-    testing::internal::CaptureStderr();
-    log::setUp(false);
-    const auto grounded = loadDive(write(good + ground + ground), known);
-    const std::string said = testing::internal::GetCapturedStderr();
-    ASSERT_TRUE(grounded) << grounded.error().message();
-    EXPECT_EQ(grounded->schools.size(), 1u);
-    EXPECT_THAT(said, AllOf(HasSubstr(file_.string()), HasSubstr("[[ground]]")));
-    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
 }
 
 TEST_F(GameFiles, ScriptErrorsNameTheLine) {
