@@ -67,21 +67,6 @@ struct Adjust {
     }
 };
 
-struct Slide {
-    const Setting& row;
-    float fraction;
-    template <class Number>
-    requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) void
-    operator()(Number* value) const {
-        if (row.range)
-            *value = static_cast<Number>(
-                rounded(row.range->low + static_cast<double>(fraction) * (row.range->high - row.range->low),
-                        *row.range));
-    }
-    void operator()(const TextSetting&) const {}
-    template <class Other> void operator()(Other*) const {}
-};
-
 } // namespace
 
 std::string shownValue(const Setting& setting, game::Language language) {
@@ -98,6 +83,11 @@ std::optional<float> sliderOf(const Setting& setting) {
 
 void adjust(const Setting& setting, int steps) { std::visit(Adjust{setting, steps}, setting.value); }
 
-void slide(const Setting& setting, float fraction) { std::visit(Slide{setting, fraction}, setting.value); }
+void slide(const Setting& setting, float fraction) {
+    if (!sliderOf(setting)) return;
+    const Setting::Range& range = *setting.range;
+    *std::get<float*>(setting.value) = static_cast<float>(
+        rounded(range.low + static_cast<double>(fraction) * (range.high - range.low), range));
+}
 
 } // namespace shoal::app
