@@ -42,14 +42,7 @@ struct Adjust {
     int steps;
     void operator()(bool* value) const { *value = (steps % 2 != 0) != *value; }
     void operator()(std::string* value) const { *value = next(row.suggestions, GetText{row}(value)); }
-    void operator()(const TextSetting& text) const {
-        // An alias is left out: it would stand beside the name that it means.
-        std::vector<std::string> names;
-        const std::string now = text.get();
-        for (const std::string& name : text.names)
-            if (text.set(name) && text.get() == name) names.push_back(name);
-        text.set(next(names, now));
-    }
+    void operator()(const TextSetting& text) const { text.set(next(text.names, text.get())); }
     template <class Number>
     requires std::is_arithmetic_v<Number>
     void operator()(Number* value) const {

@@ -218,13 +218,10 @@ struct PlayOptions {
             .shownAs(Picture, "Quality");
         table
             .addKept(
-                "--compose",
-                choice(compose, {Plain, MatchedResolution, VideoTexels, CameraResponse},
-                       {{"auto", CameraResponse}}),
+                "--compose", choice(compose, {Plain, MatchedResolution, VideoTexels, CameraResponse}),
                 "How objects come into the video: plain, as finely as the picture is drawn; resolution, as "
                 "finely as the video is, and scaled up with it; texels, into the video's own frame; camera, "
-                "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated); "
-                "auto: camera")
+                "as its camera would have filmed them (blur, glare, noise, levels, colours; all estimated)")
             .shownAs(Picture, "Compositing");
         table.addKept(
             "--water", choice(water),

@@ -33,18 +33,15 @@ struct TextSetting {
     std::vector<std::string> names{};                 // that may be set, if it is one of a few
 };
 
-// values: those that may be set, empty: all of the enumeration. alias: another name for one of them.
-template <class E>
-TextSetting choice(E& value, const std::vector<E>& values = {},
-                   std::optional<std::pair<std::string, E>> alias = {}) {
+// values: those that may be set, empty: all of the enumeration.
+template <class E> TextSetting choice(E& value, const std::vector<E>& values = {}) {
     const auto& all = EnumNames<E>::kNames;
     std::vector<std::string> names;
     for (const E allowed : values) names.emplace_back(enumName(allowed));
     if (names.empty()) names.assign(all.begin(), all.end());
-    if (alias) names.push_back(alias->first);
-    const auto set = [&value, names, alias](const std::string& name) {
+    const auto set = [&value, names](const std::string& name) {
         if (std::ranges::find(names, name) == names.end()) return false;
-        value = alias && name == alias->first ? alias->second : *enumNamed<E>(name);
+        value = *enumNamed<E>(name);
         return true;
     };
     return {set, "", [&value] { return std::string(enumName(value)); }, names};

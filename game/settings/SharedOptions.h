@@ -77,8 +77,7 @@ struct LookOptions {
                   "linear");
         table.add("--glossy", choice(glossy),
                   "Glossy light: ggx as glTF defines it, or the thesis' 36 Phong samples");
-        table.addKept("--occlusion", choice(occlusion, occlusions, {{"on", Occlusion::Ellipsoids}}),
-                      occlusionHelp);
+        table.addKept("--occlusion", choice(occlusion, occlusions), occlusionHelp);
         table
             .addKept("--samples", &samples,
                      "Anti-aliasing samples a pixel, 1 to 16; 0: 4, or without a graphics card 1 and "

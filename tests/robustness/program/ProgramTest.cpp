@@ -193,7 +193,7 @@ TEST_F(Program, WaysOfLightingCanBeChosen) {
         return bytes ? *bytes : std::string();
     };
     const std::string ours = draw("");
-    EXPECT_EQ(draw("--occlusion on --diffuse default --glossy ggx"), ours);
+    EXPECT_EQ(draw("--occlusion ellipsoids --diffuse default --glossy ggx"), ours);
     EXPECT_EQ(draw("--occlusion ellipsoids"), ours);
     EXPECT_NE(draw("--occlusion off"), ours);
     EXPECT_NE(draw("--diffuse thesis"), ours);
