@@ -52,9 +52,8 @@ TextSetting addressSetting(std::string& host, uint16_t& port); // HOST:PORT
 TextSetting vectorSetting(std::optional<glm::vec3>& value);    // X,Y,Z
 
 struct Setting {
-    using Value =
-        std::variant<bool*, int*, uint64_t*, float*, std::string*, std::vector<std::string>*,
-                     std::optional<float>*, std::optional<double>*, std::optional<uint64_t>*, TextSetting>;
+    using Value = std::variant<bool*, int*, float*, std::string*, std::vector<std::string>*,
+                               std::optional<float>*, std::optional<uint64_t>*, TextSetting>;
     struct Range {
         double low, high; // both included
     };

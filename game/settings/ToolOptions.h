@@ -80,7 +80,7 @@ struct LightOptions {
 
 struct PanoramaOptions {
     std::string photo, out;
-    std::optional<double> fov_deg; // horizontal, of the photo
+    std::optional<float> fov_deg; // horizontal, of the photo
 
     void addTo(SettingsTable& table) {
         table.add("PHOTO", &photo, "JPEG, PNG, WebP, BMP, PNM; .hdr, .exr, .pfm").mustBeGiven();
