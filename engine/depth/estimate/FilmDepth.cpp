@@ -26,7 +26,7 @@ constexpr double kLeastBelieved = 0.02;
 uint64_t identityOf(const std::string& film, const FilmDepthOptions& options, media::Layout layout) {
     Hash hash;
     hash.bytes(film.data(), film.size());
-    hash.add(static_cast<int>(layout)), hash.add(static_cast<int>(options.method));
+    hash.add(static_cast<int>(layout));
     hash.add(options.baseline_m), hash.add(options.height_m), hash.add(options.speed_mPerS);
     return hash.value();
 }
@@ -48,7 +48,7 @@ class Maker {
   public:
     Maker(FilmFrames& film, const FilmDepthOptions& options, const Path& out, const std::string& identity)
         : film_(film), options_(options), out_(out), identity_(identity), count_(film.trackCount()),
-          passes_(!film.isStereo() && options.method == MotionMethod::Sweep ? 2 : 1),
+          passes_(film.isStereo() ? 1 : 2),
           records_(out.string() + ".part", identityOf(identity, options, film.info().layout),
                    count_ * passes_) {}
 
@@ -89,7 +89,6 @@ class Maker {
         }
         path_.step = motion.step();
         if (Status s = findPath(); !s) return s;
-        if (passes_ == 1) return Done{};
         float nearest_perM = 0;
         if (Status s = findNearest(nearest_perM); !s) return s;
         SweepPass sweep(film_, path_, nearest_perM);

@@ -9,14 +9,7 @@
 
 namespace shoal::depth {
 
-// How distances of a film of one eye are found, once the camera's movement is known.
-enum class MotionMethod {
-    Pairs, // optical flow from a frame to one before and one after
-    Sweep, // several frames before and after at once
-};
-
 struct FilmDepthOptions {
-    MotionMethod method = MotionMethod::Sweep;
     media::Layout layout = media::Layout::Auto;
     double baseline_m = 0.064; // between the eyes of a stereo film
     // The scale of a mono film cannot be seen. The median height of the camera over what lies below it is

@@ -1,8 +1,7 @@
 // bench_estimate make FOLDER : writes made films and their true depth there.
-// bench_estimate measure NAME METHOD FILM TRUTH FROM_S : estimates the depth of the film, which begins at
-// that second of the truth, and prints a line for each frame of the track: name, method, time, shares and
-// factors as Accuracy.h has them, and the processor's seconds a frame of the track. METHOD: pairs, sweep or
-// eyes. bench_estimate methods NAME : prints those that suit the film.
+// bench_estimate measure NAME FILM TRUTH FROM_S : estimates the depth of the film, which begins at that
+// second of the truth, and prints a line for each frame of the track: name, time, shares and factors as
+// Accuracy.h has them, and the processor's seconds a frame of the track.
 #include "engine/depth/estimate/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
 #include "tests/bench/estimate/Scenes.h"
@@ -19,8 +18,6 @@ using namespace shoal::bench;
 
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; } // of all threads
 
-bool isStereo(const std::string& name) { return name == "stereo"; }
-
 Status make(const Path& folder) {
     for (const NamedScene& scene : scenes()) {
         std::error_code ignored;
@@ -30,29 +27,27 @@ Status make(const Path& folder) {
     return Done{};
 }
 
-void print(const std::string& name, const std::string& method, const Accuracy& accuracy, double each_s) {
+void print(const std::string& name, const Accuracy& accuracy, double each_s) {
     for (const FrameAccuracy& f : accuracy.frames)
-        std::printf("%s\t%s\t%.3f\t%.4f\t%.4f\t%.4f\t%.4f\t%.4f\t%.3f\n", name.c_str(), method.c_str(),
-                    f.time_s, f.right, f.rightOwn, f.covered, f.ownFactor, accuracy.factor, each_s);
+        std::printf("%s\t%.3f\t%.4f\t%.4f\t%.4f\t%.4f\t%.4f\t%.3f\n", name.c_str(), f.time_s, f.right,
+                    f.rightOwn, f.covered, f.ownFactor, accuracy.factor, each_s);
 }
 
-Status measure(const std::string& name, const std::string& method, const Path& film, const Path& truth,
-               double from_s) {
-    const Path track = film.string() + "." + method + ".depth.mkv";
+Status measure(const std::string& name, const Path& film, const Path& truth, double from_s) {
+    const Path track = film.string() + ".depth.mkv";
     depth::FilmDepthOptions options;
-    if (isStereo(name)) options.layout = media::Layout::TopBottom;
-    options.method = method == "pairs" ? depth::MotionMethod::Pairs : depth::MotionMethod::Sweep;
+    if (name == "stereo") options.layout = media::Layout::TopBottom;
     const double began_s = processor_s();
     const auto made = depth::makeFilmDepth(film, track, options);
     if (!made) return made.error();
     if (*made == depth::FilmDepth::CannotBeKnown) {
-        std::printf("%s\t%s\tcannot be known\n", name.c_str(), method.c_str());
+        std::printf("%s\tcannot be known\n", name.c_str());
         return Done{};
     }
     const double all_s = processor_s() - began_s;
     const auto accuracy = accuracyOf(track, truth, from_s);
     if (!accuracy) return accuracy.error();
-    print(name, method, *accuracy, all_s / static_cast<double>(accuracy->frames.size()));
+    print(name, *accuracy, all_s / static_cast<double>(accuracy->frames.size()));
     return Done{};
 }
 
@@ -62,12 +57,7 @@ int main(int argc, char** argv) {
     const std::string what = argc > 1 ? argv[1] : "";
     Status done = Error{"", "wrong arguments"};
     if (what == "make" && argc == 3) done = make(argv[2]);
-    if (what == "methods" && argc == 3) {
-        std::puts(isStereo(argv[2]) ? "eyes" : "pairs\nsweep");
-        done = Done{};
-    }
-    if (what == "measure" && argc == 7)
-        done = measure(argv[2], argv[3], argv[4], argv[5], std::atof(argv[6]));
+    if (what == "measure" && argc == 6) done = measure(argv[2], argv[3], argv[4], std::atof(argv[5]));
     if (!done) std::fprintf(stderr, "bench_estimate: %s\n", done.error().message().c_str());
     return done ? 0 : 1;
 }

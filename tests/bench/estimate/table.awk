@@ -1,29 +1,27 @@
 # depth_estimate.tsv as a table.
 NR == 1 { next }
-!(($1 SUBSEP $2) in frames) { order[++count] = $1 SUBSEP $2 }
-$3 == "cannot be known" { frames[$1 SUBSEP $2] = 0; next }
+!($1 in frames) { order[++count] = $1 }
+$2 == "cannot be known" { frames[$1] = 0; next }
 {
-    key = $1 SUBSEP $2
-    if (!frames[key]) { least[key] = $7; most[key] = $7; worst[key] = $4 }
-    ++frames[key]
-    right[key] += $4; own[key] += $5; covered[key] += $6
-    if ($7 < least[key]) least[key] = $7
-    if ($7 > most[key]) most[key] = $7
-    if ($4 < worst[key]) worst[key] = $4
-    factor[key] = $8; time[key] = $9
+    if (!frames[$1]) { least[$1] = $6; most[$1] = $6; worst[$1] = $3 }
+    ++frames[$1]
+    right[$1] += $3; own[$1] += $4; covered[$1] += $5
+    if ($6 < least[$1]) least[$1] = $6
+    if ($6 > most[$1]) most[$1] = $6
+    if ($3 < worst[$1]) worst[$1] = $3
+    factor[$1] = $7; time[$1] = $8
 }
 END {
-    print "| film | method | within 10 %, % | worst frame | each frame scaled, % | of what is nearer than 10 m, % | scale over time | scale guessed | processor, s a frame |"
-    print "|---|---|--:|--:|--:|--:|--:|--:|--:|"
+    print "| film | within 10 %, % | worst frame | each frame scaled, % | of what is nearer than 10 m, % | scale over time | scale guessed | processor, s a frame |"
+    print "|---|--:|--:|--:|--:|--:|--:|--:|"
     for (i = 1; i <= count; ++i) {
         key = order[i]
-        split(key, part, SUBSEP)
         n = frames[key]
         if (!n) {
-            printf "| %s | %s | says that it cannot be known | | | | | | |\n", part[1], part[2]
+            printf "| %s | says that it cannot be known | | | | | | |\n", key
             continue
         }
-        printf "| %s | %s | %.0f | %.0f | %.0f | %.0f | %.2f to %.2f | %.2f | %.2f |\n", part[1], part[2], 100 * right[key] / n, 100 * worst[key],
+        printf "| %s | %.0f | %.0f | %.0f | %.0f | %.2f to %.2f | %.2f | %.2f |\n", key, 100 * right[key] / n, 100 * worst[key],
             100 * own[key] / n, 100 * covered[key] / n, least[key], most[key], factor[key], time[key]
     }
     print ""
