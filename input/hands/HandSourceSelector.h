@@ -58,7 +58,6 @@ class PoseBlend {
     void take(const HandPose& pose) { pose_ = pose; }
 
     const HandPose& pose() const { return pose_; }
-    bool gliding() const { return glide_s_ > 0; }
 
   private:
     HandPose pose_; // as given out

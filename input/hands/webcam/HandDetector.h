@@ -69,7 +69,6 @@ class HandDetector final : public HandFinder {
 
     HandFrame detect(const cv::Mat& bgr, double time_s) override;
 
-    bool calibrated() const { return skin_.learnt(); }
     Instruction instruction() const override;                                        // while it learns
     const std::array<std::optional<WebcamHand>, 2>& hands() const { return hands_; } // left, right
 

@@ -117,7 +117,6 @@ TEST(Webcam, FindsPalmsAndTellsGesturesApart) {
             Errors& errors = all[behind];
             const HandFrame frame = eye.detect(picture, time_s);
             if (!moment.settled) continue;
-            ASSERT_TRUE(eye.calibrated()) << test::kBehindNames[behind];
             for (size_t side = 0; side < 2; ++side) {
                 const auto& seen = eye.hands()[side];
                 if (!moment.hands[side]) {
@@ -174,7 +173,6 @@ TEST(Webcam, TheHandsColourIsLearntInTheDark) {
     HandDetector eye(rig());
     const test::Row dark{.name = "dark", .light = 0.25f};
     const test::RowResult result = test::measure(*clip, rig(), dark, 60, {&eye})[0];
-    EXPECT_TRUE(eye.calibrated());
     EXPECT_GE(result.found, 0.95 * result.shown);
 }
 
