@@ -14,8 +14,8 @@ constexpr std::array<const char*, 13> kDoNames = {"reach",   "close", "hold",  "
                                                   "wait",    "wave",  "hover", "offer", "rest",
                                                   "restart", "pause", "again"};
 
-constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"},
-                                     kAtNames = {"shark", "fish"};
+constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
+constexpr std::array<const char*, 1> kAtNames = {"shark"};
 
 constexpr auto kEventNames = [] {
     std::array<const char*, kEventRows.size()> names{};
@@ -41,7 +41,7 @@ ScriptStep readStep(TomlTable& table, int number) {
     if (const auto what = table.choice("do", kDoNames)) step.what = static_cast<ScriptStep::Do>(*what);
     if (const auto hand = table.choice("hand", kHandNames)) step.hand = static_cast<int>(*hand);
     table.text("kind", step.kind);
-    readChoice(table, "at", kAtNames, step.at);
+    step.atShark = table.choice("at", kAtNames).has_value();
     constexpr float kDegree = std::numbers::pi_v<float> / 180;
     float yaw_deg = 0, pitch_deg = 0;
     table.number("seconds", step.seconds, 0, 600);
@@ -66,7 +66,6 @@ ScriptExpect readExpect(TomlTable& table) {
     ScriptExpect expect;
     expect.line = table.line();
     readCount(table, "caught", expect.caught);
-    readCount(table, "caught_at_least", expect.caughtAtLeast);
     readCount(table, "score_at_least", expect.scoreAtLeast);
     readCount(table, "lost", expect.lost);
     readChoice(table, "event", kEventNames, expect.event);
@@ -100,9 +99,6 @@ Result<Script> loadScript(const Path& path) {
         else if (script.dive.empty() || script.dive.find_first_of("/\\.") != std::string::npos)
             root.complain("dive",
                           "must be the name of a dive, or \"./\" and the path of a dive file from here");
-        if (const auto assist = root.choice("assist", EnumNames<Assist>::kNames))
-            script.rules.assist = static_cast<Assist>(*assist);
-        root.flag("free_swim", script.rules.freeSwim);
         root.flag("curious", script.rules.curious);
         root.whole("seed", script.seed, 0, INT64_MAX);
         root.number("timeout", script.timeout_s, 1, 3600);

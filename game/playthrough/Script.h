@@ -17,7 +17,7 @@ struct ScriptStep {
         Close,   // close a hand (and keep following the fish just reached for)
         Hold,    // wait `seconds` with hands as they are
         Open,    // open a hand
-        Look,    // turn towards yaw and pitch, or `at` "shark" or "fish"
+        Look,    // turn towards yaw and pitch, or `at` "shark"
         Wait,    // `seconds`, or `until` an event of that name, or until the `phase`
         Wave,    // swing a hand 0.5 m to both sides of where it is at `speed` m/s for `seconds`
         Hover,   // bring a hand in the shark's way, for `seconds`
@@ -32,8 +32,7 @@ struct ScriptStep {
     int line = 0; // in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    enum class At { Shark, Fish };
-    std::optional<At> at; // what to look at; empty: yaw and pitch
+    bool atShark = false; // what to look at, instead of yaw and pitch
     float seconds = 0;
     float speed = 1.5f;
     float yaw = 0, pitch = 0; // radians; yaw to the right, pitch up
@@ -46,10 +45,10 @@ struct ScriptStep {
 
 struct ScriptExpect {
     int line = 0;
-    std::optional<int> caught, caughtAtLeast, scoreAtLeast, lost; // at the script's end
-    std::optional<EventKind> event; // occurs at least `count` times in the given time
-    std::optional<EventKind> never; // does not occur at all
-    std::optional<Phase> phase;     // at the end
+    std::optional<int> caught, scoreAtLeast, lost; // at the script's end
+    std::optional<EventKind> event;                // occurs at least `count` times in the given time
+    std::optional<EventKind> never;                // does not occur at all
+    std::optional<Phase> phase;                    // at the end
     int count = 1;
     float after_s = 0, before_s = 1e9f; // since the script began
     std::vector<EventKind> order;       // occur in this order, others between
