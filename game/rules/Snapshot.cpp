@@ -37,9 +37,7 @@ void showCreature(const Swimmer& from, size_t id, int species, float length_m, i
 void showScore(const Score& score, const std::vector<Goal>& goals, Snapshot& out) {
     out.combo = score.combo();
     out.bestCombo = score.bestCombo;
-    out.tally.resize(score.species.size());
-    for (size_t i = 0; i < out.tally.size(); ++i)
-        out.tally[i] = {score.species[i].caught, score.species[i].lost, score.species[i].touched};
+    out.tally = score.species;
     out.goals.resize(goals.size());
     for (size_t i = 0; i < goals.size(); ++i) out.goals[i] = {progressOf(goals[i], score), score.reached[i]};
 }

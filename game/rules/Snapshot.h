@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/scene/HandPose.h"
+#include "game/rules/Score.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -90,12 +91,6 @@ struct HandView {
     glm::vec3 towardsElbow{0};
 };
 
-// One species' part of the dive.
-struct TallyView {
-    int caught = 0, lost = 0; // lost: to the shark
-    bool touched = false;     // by a hand
-};
-
 // One of the dive's goals, DiveFile::goals.
 struct GoalView {
     int progress = 0; // 0 to Goal::count
@@ -112,11 +107,11 @@ struct Snapshot {
     float enclosure = 0; // 0 open water to 1 a tunnel, where the video now is
     int score = 0;
     int caught = 0;
-    int lost = 0;                 // to the shark
-    int combo = 0;                // of the last catch, 0 to kMaxCombo; 0: no run of species is under way
-    int bestCombo = 0;            // of the dive
-    std::vector<TallyView> tally; // by index into the species table
-    std::vector<GoalView> goals;  // by index into DiveFile::goals; none in free swim
+    int lost = 0;                    // to the shark
+    int combo = 0;                   // of the last catch, 0 to kMaxCombo; 0: no run of species is under way
+    int bestCombo = 0;               // of the dive
+    std::vector<SpeciesTally> tally; // by index into the species table
+    std::vector<GoalView> goals;     // by index into DiveFile::goals; none in free swim
     glm::quat worldFromView{1, 0, 0, 0}; // where the player looks
     glm::vec3 headWorld{0};              // between the player's eyes
     std::array<HandView, 2> hands{};     // left, right

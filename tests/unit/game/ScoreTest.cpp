@@ -75,7 +75,7 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
     ASSERT_EQ(now.goals.size(), 3u);
     EXPECT_TRUE(now.goals[1].reached);
     EXPECT_FALSE(now.goals[0].reached || now.goals[2].reached);
-    const TallyView& tally = now.tally[static_cast<size_t>(one.fish().species)];
+    const SpeciesTally& tally = now.tally[static_cast<size_t>(one.fish().species)];
     EXPECT_EQ(tally.caught, 1);
     EXPECT_TRUE(tally.touched);
     one.step(static_cast<int>(one.world.file().duration_s) * 120);
