@@ -2,28 +2,23 @@
 
 #include <epoxy/gl.h>
 
-#include <string_view>
-
-#ifdef __linux__
-#include <sched.h>
-
 #include <filesystem>
 #include <fstream>
+#include <sched.h>
 #include <string>
+#include <string_view>
 #include <vector>
-#endif
 
 namespace shoal::gl {
 
 bool rendersInSoftware() {
     const std::string_view name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    for (const std::string_view part : {"llvmpipe", "softpipe", "SwiftShader", "GDI Generic"})
+    for (const std::string_view part : {"llvmpipe", "softpipe", "SwiftShader"})
         if (name.find(part) != std::string_view::npos) return true;
     return false;
 }
 
 void spreadRasterThreads() {
-#ifdef __linux__
     std::vector<pid_t> threads;
     std::error_code gone;
     for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", gone)) {
@@ -44,7 +39,6 @@ void spreadRasterThreads() {
         CPU_SET(core++, &own);
         sched_setaffinity(thread, sizeof own, &own);
     }
-#endif
 }
 
 } // namespace shoal::gl
