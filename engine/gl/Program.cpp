@@ -75,11 +75,7 @@ Result<ShaderSource> readShader(const std::string& name, const std::vector<std::
     ShaderSource source;
     std::string body;
     if (Status status = appendSource(name, body, source.files, 0); !status) return status.error();
-    // GLSL ES has no noperspective. It is a hint of ours: what carries it is drawn with w = 1, where both
-    // agree.
-    source.text = glsl == kGlslEs300 ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
-                                       "precision highp sampler2D;\n#define noperspective\n"
-                                     : "#version " + std::to_string(glsl) + " core\n";
+    source.text = "#version " + std::to_string(glsl) + " core\n";
     for (const std::string& define : defines) source.text += "#define " + define + " 1\n";
     source.text += "#line 1 0\n" + body;
     return source;

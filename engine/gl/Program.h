@@ -86,10 +86,8 @@ struct ShaderSource {
     std::vector<std::string> files; // as #line numbers them
 };
 
-constexpr int kGlslEs300 = 300; // OpenGL ES 3.0 and WebGL 2
-
 // name: below shaders/, with ending ("render/Object.vert"). defines: names set to 1. glsl: the version, 330
-// or more, or kGlslEs300.
+// or more.
 Result<ShaderSource> readShader(const std::string& name, const std::vector<std::string>& defines, int glsl);
 
 // One shader pair compiled with different sets of features. Software renderers run both sides of every
