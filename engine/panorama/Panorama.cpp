@@ -5,6 +5,7 @@
 #include "engine/panorama/RingMap.h"
 #include "engine/panorama/WrapBlend.h"
 
+#include <glm/common.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -302,8 +303,8 @@ void fillGap(cv::Mat& rows, int left, int right) {
     const auto depth = [&](double toLight) { return std::max(1, static_cast<int>(0.7 * toLight)); };
     const int depthLeft = depth(light), depthRight = depth(right - left - light);
     for (int k = 0; k < gap; ++k) {
-        const double t = (k + 0.5) / gap;
-        const double fromLeft = t * t * (3 - 2 * t); // the left end lies to the right of the gap
+        const double fromLeft =
+            glm::smoothstep(0.0, 1.0, (k + 0.5) / gap); // the left end lies to the right of the gap
         cv::Mat to = rows.col((right + k) % rows.cols);
         cv::addWeighted(rows.col(right - 1 - mirrored(k, depthRight)), 1 - fromLeft,
                         rows.col(left + mirrored(gap - 1 - k, depthLeft)), fromLeft, 0, to);

@@ -1,5 +1,6 @@
 #include "engine/panorama/PolarCaps.h"
 
+#include <glm/common.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -159,9 +160,9 @@ void fillPolarCap(cv::Mat& latLong, int edge, PolarCap kind) {
     if (kind == PolarCap::Ground) cv::multiply(filled, texture(latLong, cap), filled);
     filled = cv::max(filled, 0.0);
     for (int y = 0; y < cap.inner; ++y) {
-        const double t = y < edge ? 0 : (y - edge + 0.5) / (cap.inner - edge);
+        const double own = y < edge ? 0 : glm::smoothstep(0.0, 1.0, (y - edge + 0.5) / (cap.inner - edge));
         cv::Mat row = latLong.row(y);
-        cv::addWeighted(row, t * t * (3 - 2 * t), filled.row(y), 1 - t * t * (3 - 2 * t), 0, row);
+        cv::addWeighted(row, own, filled.row(y), 1 - own, 0, row);
     }
 }
 

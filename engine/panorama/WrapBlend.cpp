@@ -2,6 +2,7 @@
 
 #include "engine/panorama/SeamInsertion.h"
 
+#include <glm/common.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -46,8 +47,7 @@ std::vector<float> offsets(const cv::Mat& ring) {
 
 // 1 at an end, 0 from `reach` on, with a continuous slope.
 float fade(double distance, double reach) {
-    const double t = std::clamp(1 - distance / reach, 0.0, 1.0);
-    return static_cast<float>(t * t * (3 - 2 * t));
+    return static_cast<float>(glm::smoothstep(0.0, 1.0, 1 - distance / reach));
 }
 
 void alignRows(cv::Mat& ring) {
