@@ -8,6 +8,8 @@
 #include "game/rules/SharkBehaviour.h"
 #include "game/rules/StateHash.h"
 
+#include <fmt/core.h>
+
 namespace shoal::game {
 
 namespace {
@@ -154,13 +156,7 @@ namespace {
 
 constexpr const char* kFilmSpace = "film_space"; // among a recording's settings
 
-std::string nameOf(const FilmSpace& space) {
-    constexpr const char* kDigits = "0123456789abcdef";
-    std::string name;
-    const uint64_t hash = space.hash();
-    for (int shift = 60; shift >= 0; shift -= 4) name += kDigits[hash >> shift & 15];
-    return name;
-}
+std::string nameOf(const FilmSpace& space) { return fmt::format("{:016x}", space.hash()); }
 
 } // namespace
 
