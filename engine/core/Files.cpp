@@ -84,6 +84,13 @@ template <class Bytes> static Result<Bytes> read(const Path& file, uint64_t maxB
     return bytes;
 }
 
+std::string extensionOf(const Path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return extension;
+}
+
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes) {
     return read<std::vector<uint8_t>>(file, maxBytes, Extent::Whole);
 }

@@ -30,6 +30,9 @@ Path scoreFolder();
 enum class UserFolder { Pictures, Videos, Downloads };
 Path userFolder(UserFolder which);
 
+// With its dot and in lower case (of ASCII): ".png" of "A.PNG".
+std::string extensionOf(const Path& file);
+
 // The whole file. Fails if it is missing, not a regular file, or larger than maxBytes (checked before memory
 // is taken).
 Result<std::vector<uint8_t>> readFile(const Path& file, uint64_t maxBytes);

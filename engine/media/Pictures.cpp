@@ -14,7 +14,6 @@
 #include <array>
 #include <bit>
 #include <cassert>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -238,13 +237,6 @@ Status write(const Path& file, const cv::Mat& rgb, int toOpenCv, const std::stri
 }
 
 constexpr const char* kNoPng = "the picture cannot be coded as PNG";
-
-std::string extensionOf(const Path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 } // namespace
 

@@ -13,11 +13,8 @@ constexpr std::array kEndings = {".mp4",  ".mkv", ".webm", ".mov", ".jpg",
 constexpr size_t kMaxLooked = 5000; // entries of a folder
 
 bool endsAsFilm(const Path& file) {
-    std::string ending = file.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     const bool depth = file.stem().extension() == ".depth"; // of the film that lies beside it
-    return !depth && std::ranges::find(kEndings, ending) != kEndings.end();
+    return !depth && std::ranges::find(kEndings, extensionOf(file)) != kEndings.end();
 }
 
 } // namespace

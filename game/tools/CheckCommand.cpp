@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 
 namespace shoal::app {
@@ -100,9 +99,7 @@ Verdict checkFile(const Path& file) {
     const auto live = media::liveAddress(file.string());
     if (!live) return live.error();
     if (*live) return media::checkLive(**live);
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = extensionOf(file);
     if (file.string().ends_with(".depth.mkv")) return media::checkDepthTrack(file);
     for (const FileKind& kind : kKinds)
         for (const char* known : kind.endings)
