@@ -1,6 +1,6 @@
 #include "engine/depth/DepthMap.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 #include "shaders/render/Attributes.glsl"
 

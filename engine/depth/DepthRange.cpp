@@ -1,6 +1,6 @@
 #include "engine/depth/DepthRange.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLongCap.h"
 
 #include <algorithm>

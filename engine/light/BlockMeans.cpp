@@ -1,15 +1,11 @@
 #include "engine/light/BlockMeans.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/light/ClippedLight.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
-
-#if defined(__x86_64__) && defined(__GNUC__)
-#include <immintrin.h>
-#define SHOAL_AVX2 __attribute__((target("avx2")))
-#endif
 
 namespace shoal::light {
 

@@ -1,19 +1,12 @@
-// Marks the few inner loops which are worth compiling thrice: for every x86-64, for AVX2 and for AVX-512,
-// chosen when the program starts. Contraction is off, so all give the same bits.
+// Sums and rows of texels written so that compilers vectorise them.
 #pragma once
+
+#include "engine/core/Vectorise.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
-
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SHOAL_VERSIONS // there are functions of one name for several targets
-#define SHOAL_VECTORISE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#else
-#define SHOAL_VECTORISE
-#endif
 
 namespace shoal::light {
 

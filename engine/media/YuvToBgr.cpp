@@ -1,5 +1,7 @@
 #include "engine/media/YuvToBgr.h"
 
+#include "engine/core/Vectorise.h"
+
 #include <opencv2/core.hpp>
 
 extern "C" {
@@ -9,14 +11,6 @@ extern "C" {
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-// Loops compiled for AVX2 too, chosen when the program starts.
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
-    !defined(__SANITIZE_ADDRESS__)
-#define SHOAL_VECTORISE __attribute__((target_clones("avx2", "default")))
-#else
-#define SHOAL_VECTORISE
-#endif
 
 namespace shoal::media {
 

@@ -1,6 +1,6 @@
 #include "engine/render/FilmShadows.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 
 #include <glm/exponential.hpp>

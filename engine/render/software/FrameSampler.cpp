@@ -1,14 +1,9 @@
 #include "engine/render/software/FrameSampler.h"
 
+#include "engine/core/Vectorise.h"
+
 #include <algorithm>
 #include <cassert>
-
-// Intrinsics, not Highway: version 1.0 has no product of unsigned with signed bytes (maddubs), and the same
-// in 16 bits takes 1.17 to 1.23 times as long.
-#if defined(__x86_64__) && defined(__GNUC__)
-#include <immintrin.h>
-#define SHOAL_AVX2 __attribute__((target("avx2")))
-#endif
 
 namespace shoal::render {
 
@@ -16,6 +11,8 @@ namespace {
 
 constexpr float kOne = 65536; // fixed point
 
+// Intrinsics, not Highway: version 1.0 has no product of unsigned with signed bytes (maddubs), and the same
+// in 16 bits takes 1.17 to 1.23 times as long.
 #ifdef SHOAL_AVX2
 
 int fixed(float texels) { return _mm_cvtss_si32(_mm_set_ss(texels * kOne)); }

@@ -1,5 +1,6 @@
 #include "engine/render/software/PaintTexels.h"
 
+#include "engine/core/Vectorise.h"
 #include "engine/math/LatLong.h"
 #include "engine/render/software/FrameSampler.h"
 
@@ -9,12 +10,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-
-// The compilers that know these have operators of vectors too.
-#if defined(__x86_64__) && defined(__GNUC__)
-#include <immintrin.h>
-#define SHOAL_AVX2 __attribute__((target("avx2")))
-#endif
 
 namespace shoal::render {
 

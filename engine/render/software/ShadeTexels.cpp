@@ -1,6 +1,6 @@
 #include "engine/render/software/ShadeTexels.h"
 
-#include "engine/light/Vectorise.h"
+#include "engine/core/Vectorise.h"
 
 #include <algorithm>
 #include <array>
