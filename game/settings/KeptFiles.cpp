@@ -49,6 +49,7 @@ DiveScores scoresIn(const Json& entry) {
         if (const auto value = scoreIn(score); value && scores.top.size() < DiveScores::kKept)
             scores.top.push_back(*value);
     };
+    add(entry); // earlier versions kept the best one alone
     if (!entry.is_object()) return scores;
     if (const auto top = entry.find("top"); top != entry.end() && top->is_array())
         for (const Json& score : *top) add(score);

@@ -110,6 +110,14 @@ TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {
     EXPECT_EQ(readScores("wreck").last, 0);
 }
 
+TEST_F(KeptFiles, ScoresOfEarlierVersionsAreRead) {
+    ASSERT_TRUE(writeFileWhole(folder_ / "shoal/scores.json", R"({"reef": 90, "wreck": "many"})"));
+    EXPECT_EQ(readScores("reef").top, std::vector<int>{90});
+    EXPECT_TRUE(readScores("wreck").top.empty());
+    ASSERT_TRUE(addScore("reef", 40));
+    EXPECT_EQ(readScores("reef").top, (std::vector<int>{90, 40}));
+}
+
 TEST_F(KeptFiles, ADamagedScoreFileIsLeftAlone) {
     const Path file = folder_ / "shoal/scores.json";
     ASSERT_TRUE(writeFileWhole(file, "[1, 2"));
