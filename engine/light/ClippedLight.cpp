@@ -28,7 +28,7 @@ constexpr float kMinTrust = 0.1f; // in the ground, for light from the horizon
 // are left.
 constexpr double kFewClipped = 0.015;
 
-constexpr double kMostOfMean = 1.75; // of the ground's luminance: what is brighter is cut
+constexpr double kMaxOfMean = 1.75; // of the ground's luminance: what is brighter is cut
 
 // Of the elevation; row: from the zenith, a whole one is a row's upper edge.
 double sineAt(double row, int height) { return std::sin(std::numbers::pi * (0.5 - row / height)); }
@@ -161,11 +161,11 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
         radiance = seen > 0 ? light / seen : 0;
     };
     measure(1);
-    measure(static_cast<float>(kMostOfMean * radiance));
+    measure(static_cast<float>(kMaxOfMean * radiance));
     const double below = std::numbers::pi; // of `seen`, the whole
     const double missing = std::numbers::pi * radiance / static_cast<double>(kGroundAlbedo) - fromAbove;
     const double times =
-        std::clamp(missing / (clippedIrradiance + kFewClipped), 0.0, static_cast<double>(kMostFromGround));
+        std::clamp(missing / (clippedIrradiance + kFewClipped), 0.0, static_cast<double>(kMaxFromGround));
     return {1 + static_cast<float>(times),
             static_cast<float>(std::min(1.0, seen / (static_cast<double>(kGroundNeeded) * below)))};
 }

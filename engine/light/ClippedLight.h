@@ -33,7 +33,7 @@ namespace shoal::light {
 
 constexpr float kGroundAlbedo = 0.1f;
 constexpr float kUsualGain = 2.5f; // of clipped pixels in a scene of which nothing is known
-constexpr float kMostFromGround = 300;
+constexpr float kMaxFromGround = 300;
 
 // The exponent of the ground's gain, 0.1 at the horizon to 1 at the zenith; the rest to 1 is the usual
 // gain's. sine: of the elevation of clipped light.
@@ -59,7 +59,7 @@ double levelIrradiance(int row, int width, int height);
 
 // How many times white clipped pixels are.
 struct ClippedGain {
-    float byGround = kUsualGain; // 1 to 1 + kMostFromGround
+    float byGround = kUsualGain; // 1 to 1 + kMaxFromGround
     float seen = 0;              // 0 to 1: as far as there is ground to tell it
 
     float at(float sine) const; // of the elevation

@@ -11,13 +11,13 @@ namespace shoal::media {
 namespace {
 
 constexpr int kWidth = 128, kHeight = 64, kBlock = 8; // of a half, in which blocks are compared
-constexpr int kMostShift = 6;    // either way: 17 degrees of a sphere, twice what an arm's length away has
+constexpr int kMaxShift = 6;     // either way: 17 degrees of a sphere, twice what an arm's length away has
 constexpr double kStructure = 3; // of a block: standard deviation along its rows, in levels of 255
 // The correlation from which a block is found in the other half, and how many of those with structure are to
 // be. Of two stereo pictures at hand 97 % are; of a room that repeats itself 76 %; of ten other panoramas at
 // most 14 %.
 constexpr double kAlike = 0.7, kOfStructured = 0.9;
-constexpr int kFewest = 12; // blocks with structure, of 128: fewer tell nothing
+constexpr int kMinStructured = 12; // blocks with structure, of 128: fewer tell nothing
 
 // The brightness of a part of the frame.
 cv::Mat brightnessOf(const cv::Mat& frame, const cv::Rect& part) {
@@ -57,24 +57,24 @@ enum class Halves { Unlike, Alike, Unstructured };
 // Whether blocks of one half are found in the other, each with a shift of its own: near things are shifted
 // more than far ones.
 Halves compare(const cv::Mat& a, const cv::Mat& b) {
-    constexpr double kLeast = kStructure * kStructure * kBlock * kBlock;
+    constexpr double kMinVariance = kStructure * kStructure * kBlock * kBlock;
     int structured = 0, found = 0;
     for (int y = 0; y < kHeight; y += kBlock)
         for (int x = 0; x < kWidth; x += kBlock) {
             const auto block = blockAt(a, x, y);
             const double own = product(block, block);
-            if (own < kLeast) continue;
+            if (own < kMinVariance) continue;
             ++structured;
             double best = 0;
-            for (int shift = -kMostShift; shift <= kMostShift; ++shift) {
+            for (int shift = -kMaxShift; shift <= kMaxShift; ++shift) {
                 const auto other = blockAt(b, x + shift, y);
                 const double others = product(other, other);
-                if (others >= kLeast / 4)
+                if (others >= kMinVariance / 4)
                     best = std::max(best, product(block, other) / std::sqrt(own * others));
             }
             found += best >= kAlike;
         }
-    if (structured < kFewest) return Halves::Unstructured;
+    if (structured < kMinStructured) return Halves::Unstructured;
     return found >= kOfStructured * structured ? Halves::Alike : Halves::Unlike;
 }
 

@@ -42,8 +42,8 @@ bool applyBakedOcclusion(const BakedOcclusion& baked, scene::Model& model);
 // triangle.
 void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays);
 
-// Keeps what was traced on the model's surface in this pose. Meshes hung up more than once keep what the last
-// place says. Not where a material brings a map of its occlusion. kept: selfOcclusionBesideOwn takes the
+// Keeps what was traced on the model's surface in this pose. Of a mesh that several nodes show, the last
+// one's is kept. Not where a material brings a map of its occlusion. kept: selfOcclusionBesideOwn takes the
 // place of selfOcclusion once the body's own parts count in full (BodyOccluders.h).
 void keepSelfOcclusion(scene::Model& model, const scene::Pose& pose, std::span<const glm::vec4> traced,
                        std::vector<glm::vec4> scene::Primitive::*kept);

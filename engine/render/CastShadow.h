@@ -76,8 +76,8 @@ void flatten(std::span<const occlusion::Ellipsoid> body, const CastingLight& lig
 // frame.
 float covered(std::span<const FlatPiece> body, const CastingLight& light, const glm::vec3& place);
 
-constexpr float kMinDisc_m = 1e-3f;    // of the light, seen from a place that a body touches
-constexpr float kLeastShadow = 0.012f; // of a surface's light: three of 255 display values; less is not drawn
+constexpr float kMinDisc_m = 1e-3f;  // of the light, seen from a place that a body touches
+constexpr float kMinShadow = 0.012f; // of a surface's light: three of 255 display values; less is not drawn
 
 constexpr float kShadowReach_m = 8; // that shadows fall; they fade over its last third
 

@@ -106,13 +106,13 @@ void FilmShadows::add(std::span<const occlusion::Ellipsoid> body, const CastingL
     findSpots(film_, pieces_, light, spots_);
     const glm::vec3 most = light.presence * light.share;
     const float taken = darkest(spots_, light) * std::max({most.x, most.y, most.z});
-    if (taken <= kLeastShadow) return;
+    if (taken <= kMinShadow) return;
     lightFromEnv_ = glm::transpose(film_.envFromWorld *
                                    glm::mat3(spots_[0].piece.along, spots_[0].piece.aside, light.towards));
     findOccluders(light);
     reachTiles(light, eyes);
     // A body that takes a little more than nothing comes in faintly.
-    const float strength = light.presence * glm::smoothstep(kLeastShadow, 2 * kLeastShadow, taken);
+    const float strength = light.presence * glm::smoothstep(kMinShadow, 2 * kMinShadow, taken);
     for (const glm::ivec2& tile : reached_) shadeTile(light, strength, tile);
 }
 

@@ -82,8 +82,8 @@ void FloorShadowPass::add(std::span<const occlusion::Ellipsoid> body, const Cast
             nodes_.push_back({place, hidden > 0 ? takenOf(hidden * light.share, frames) : 0});
             most = std::max(most, nodes_.back().taken);
         }
-    if (most <= kLeastShadow) return;
-    const float strength = glm::smoothstep(kLeastShadow, 2 * kLeastShadow, most); // so that none pops
+    if (most <= kMinShadow) return;
+    const float strength = glm::smoothstep(kMinShadow, 2 * kMinShadow, most); // so that none pops
     for (Node& node : nodes_) node.taken *= strength;
     const auto triangle = [&](int a, int b, int c) {
         const Node corners[] = {nodes_[static_cast<size_t>(a)], nodes_[static_cast<size_t>(b)],

@@ -38,7 +38,7 @@ std::vector<MorphVertex> morphed(const scene::Primitive& primitive, std::span<co
     return vertices;
 }
 
-// x to the power 1 / 2.2, near enough to sRGB's coding for reflectances, and a power in earnest.
+// x to the power 1 / 2.2: near enough to sRGB's coding for reflectances.
 glm::vec4 coded(const glm::vec4& lin) {
     return {glm::pow(glm::max(glm::vec3(lin), 0.0f), glm::vec3(1 / 2.2f)), lin.a};
 }
@@ -164,12 +164,12 @@ std::shared_ptr<const TexturesGpu> uploadTextures(const scene::Model& model, Ref
         slot = uploadTexture(model.textures[index], smaller ? halved(texels) : texels, srgb, detail);
     };
     // Not of materials that another variant wears.
-    std::vector<bool> worn(model.materials.size());
+    std::vector<bool> isUsed(model.materials.size());
     for (const scene::Mesh& mesh : model.meshes)
         for (const scene::Primitive& primitive : mesh.primitives)
-            if (primitive.material >= 0) worn[static_cast<size_t>(primitive.material)] = true;
+            if (primitive.material >= 0) isUsed[static_cast<size_t>(primitive.material)] = true;
     for (size_t m = 0; m < model.materials.size(); ++m) {
-        if (!worn[m]) continue;
+        if (!isUsed[m]) continue;
         const scene::Material& material = model.materials[m];
         want(material.baseColour, reflectanceFor(material, reflectance) == Reflectance::Linear);
         want(material.emissive, true);

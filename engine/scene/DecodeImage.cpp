@@ -52,7 +52,7 @@ constexpr int kMaxScans = 100;
 // stb does and further: past what is no marker, and through entropy-coded data. ITU-T T.81, B.1.1 and
 // B.2.4.2.
 bool hasOverlongHuffmanTable(std::span<const uint8_t> bytes) {
-    constexpr size_t kMostCodes = 256,
+    constexpr size_t kMaxCodes = 256,
                      kTableHeader = 17; // class and place, and the number of codes of each length
     const auto byte = [&](size_t at) -> size_t { return at < bytes.size() ? bytes[at] : 0; };
     for (size_t at = 0; at < bytes.size();) {
@@ -66,7 +66,7 @@ bool hasOverlongHuffmanTable(std::span<const uint8_t> bytes) {
         for (size_t table = at + 2; marker == 0xC4 && table < end;) {
             size_t codes = 0;
             for (size_t i = 1; i < kTableHeader; ++i) codes += byte(table + i);
-            if (codes > kMostCodes) return true;
+            if (codes > kMaxCodes) return true;
             table += kTableHeader + codes;
         }
         at = end;

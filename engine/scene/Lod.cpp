@@ -8,7 +8,7 @@ namespace shoal::scene {
 
 namespace {
 
-constexpr size_t kFewestTriangles = 24;
+constexpr size_t kMinTriangles = 24;
 constexpr float kLargestError = 0.1f; // of the primitive's extent
 
 Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
@@ -37,7 +37,7 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
     };
     // Each from the original, so that errors do not add up.
     size_t triangles = primitive.indices.size() / 3;
-    while (triangles >= 2 * kFewestTriangles) {
+    while (triangles >= 2 * kMinTriangles) {
         float error = 0;
         coarser.resize(primitive.indices.size());
         coarser.resize(meshopt_simplify(coarser.data(), primitive.indices.data(), primitive.indices.size(),
@@ -48,7 +48,7 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
         keep(error);
     }
     // Many small separate parts keep their topology to the end; from afar nobody asks for it.
-    if (triangles >= 3 * kFewestTriangles) {
+    if (triangles >= 3 * kMinTriangles) {
         float error = 0;
         coarser.resize(primitive.indices.size());
         coarser.resize(meshopt_simplifySloppy(coarser.data(), primitive.indices.data(),

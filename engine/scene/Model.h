@@ -141,8 +141,8 @@ struct Model {
     const ImageRgba8* imageOf(const TextureUse&) const; // null: none
 };
 
-// Dresses the meshes as this variant has it. Materials that nothing wears then lose their textures, so that
-// nobody uploads them. False if there is no such variant.
+// Gives each primitive its material of this variant. Materials that no primitive uses then lose their
+// textures, so that these are not uploaded. False if there is no such variant.
 bool applyVariant(Model&, const std::string& variant);
 
 // The state of a model at one moment. Reused between frames: nothing allocates after the first use.

@@ -145,10 +145,10 @@ Mesh readMesh(GltfFile& file, const Model& model, const tinygltf::Mesh& from, co
         if (!primitive) continue;
         if (!file.variants.empty())
             primitive->variantMaterials = file.variantMaterials[model.meshes.size()][p];
-        for (const int worn : primitive->variantMaterials) {
-            if (worn < 0 || primitive->material < 0) continue;
+        for (const int other : primitive->variantMaterials) {
+            if (other < 0 || primitive->material < 0) continue;
             const auto &sets = file.uvSources[static_cast<size_t>(primitive->material)],
-                       &others = file.uvSources[static_cast<size_t>(worn)];
+                       &others = file.uvSources[static_cast<size_t>(other)];
             if (sets != others && (movesAny(sets) || movesAny(others)))
                 file.warn(name,
                           " has a variant whose textures are transformed otherwise; they lie as the first's");

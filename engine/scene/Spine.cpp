@@ -15,7 +15,7 @@ namespace shoal::scene {
 namespace {
 
 constexpr float kCentreOfMass = 0.4f; // of the length behind the snout, as in most fish
-constexpr size_t kFewestNodes = 3;
+constexpr size_t kMinNodes = 3;
 
 // From the frame that the first joint hangs in; scale plays no part along a spine.
 glm::mat4 upTo(const Spine& spine, size_t joint, const Pose& pose) {
@@ -79,7 +79,7 @@ Spine findSpine(const Model& model, float length_m, float low_m) {
     const std::vector<int> best = longestLine(model, pose);
     Spine spine;
     spine.length_m = length_m;
-    if (best.size() < kFewestNodes) return spine;
+    if (best.size() < kMinNodes) return spine;
 
     const bool tailwards = place(best.back()).z < place(best.front()).z;
     const float high_m = low_m + length_m;

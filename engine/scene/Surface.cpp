@@ -50,15 +50,15 @@ void append(const Model& model, const Node& node, uint16_t index, const Pose& po
 // Skin that several nodes move lies beside where any of them would take it, and so do triangles between two
 // spheres. Of radii: what fingers bent by more than a right angle need.
 constexpr float kWider = 1.2f;
-constexpr float kLongest = 1.6f;       // of the next longest side: longer things are two,
-constexpr size_t kFewestPositions = 8; // but not things of so few positions
+constexpr float kLongest = 1.6f;    // of the next longest side: longer things are two,
+constexpr size_t kMinPositions = 8; // but not things of so few positions
 
 void addSpheres(int node, std::span<glm::vec3> positions, std::vector<NodeSphere>& all) {
     glm::vec3 low = positions[0], high = positions[0];
     for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
     const glm::vec3 sides = high - low, middle = 0.5f * (low + high);
     const int longest = sides.x >= sides.y && sides.x >= sides.z ? 0 : sides.y >= sides.z ? 1 : 2;
-    if (positions.size() > kFewestPositions &&
+    if (positions.size() > kMinPositions &&
         sides[longest] > kLongest * std::max(sides[(longest + 1) % 3], sides[(longest + 2) % 3])) {
         const auto half = std::ranges::partition(
             positions, [&](const glm::vec3& p) { return p[longest] < middle[longest]; });
@@ -136,7 +136,7 @@ glm::vec3 meanBaseColour(const Model& model) {
 namespace {
 
 // Of a channel, 0 to 1: the least of all but the smallest hundredth of the values.
-float leastOf(const ImageRgba8& texels, size_t channel) {
+float minOf(const ImageRgba8& texels, size_t channel) {
     std::array<size_t, 256> counts{};
     for (size_t i = channel; i < texels.pixels.size(); i += 4) ++counts[texels.pixels[i]];
     size_t below = 0, value = 0;
@@ -156,13 +156,13 @@ float meanOf(const ImageRgba8& texels, size_t channel) {
 Gloss glossOf(const Model& model, const Material& material) {
     float least = material.roughness, roughness = material.roughness, metallic = material.metallic;
     if (const ImageRgba8* texels = model.imageOf(material.metallicRoughness)) {
-        least *= leastOf(*texels, 1);
+        least *= minOf(*texels, 1);
         roughness *= meanOf(*texels, 1);
         metallic *= meanOf(*texels, 2);
     }
     if (material.clearcoat > 0) {
         const ImageRgba8* texels = model.imageOf(material.coatRoughness);
-        least = std::min(least, material.clearcoatRoughness * (texels ? leastOf(*texels, 1) : 1));
+        least = std::min(least, material.clearcoatRoughness * (texels ? minOf(*texels, 1) : 1));
     }
     return {least, roughness, metallic};
 }

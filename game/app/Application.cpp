@@ -45,7 +45,7 @@ Status Application::run(bool measured) {
         awaitHeadset();
         if (isOver()) break; // first: a player who leaves while a film loads has ended the session
         if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
-        if (played && play_->teaching.stepsAreOver()) played = endFirstSteps();
+        if (played && play_->tutorial.stepsAreOver()) played = endFirstSteps();
     }
     const Status ended = endPlay(); // whatever went wrong
     return played ? ended : played;
@@ -296,15 +296,15 @@ void Application::globalActions(const Controls& controls) {
 void Application::photograph() {
     switch (photo_->step(play_->controls, *play_->input, options_.controls.sensitivity,
                          static_cast<float>(play_->elapsed_s), options_.fov_deg)) {
-    case PhotoMode::Wish::None:
+    case PhotoMode::Command::None:
         return;
-    case PhotoMode::Wish::Picture: {
+    case PhotoMode::Command::Picture: {
         photo_->clearNotice(); // nothing is written over the picture
         const Result<bool> drawn = draw();
         if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), *sceneRenderer_);
         return;
     }
-    case PhotoMode::Wish::Leave:
+    case PhotoMode::Command::Leave:
         options_.fov_deg = photo_->fovBefore_deg();
         photo_.reset();
         screens_.open(Screen::Paused);
@@ -328,7 +328,7 @@ void Application::simulate() {
         if (event.kind == game::EventKind::Goal) play_->goalsLeft_s = kGoalsOnNews_s;
     }
     popups_.advance(static_cast<float>(play_->elapsed_s));
-    play_->teaching.follow(session.shown, session.events, dt_s);
+    play_->tutorial.follow(session.shown, session.events, dt_s);
 }
 
 Result<bool> Application::draw() {
@@ -410,7 +410,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
          .inDive = states.mode() != Mode::Title,
          .overlay =
              [&](const Pen& pen) {
-                 if (!screens_.isOpen()) play_->teaching.draw(pen, view);
+                 if (!screens_.isOpen()) play_->tutorial.draw(pen, view);
                  screens_.draw(pen);
              },
          .text = textOptions(),

@@ -44,10 +44,10 @@ class Application {
         Play(const SessionConfig& config, Screens& screens, Mode mode, bool keepsScores,
              FrameClock::Mode clockMode, double fps)
             : session(config), states(session, screens, mode, keepsScores), clock(clockMode, fps),
-              teaching(mode == Mode::FirstSteps ? Teaching::Kind::FirstSteps
-                       : mode == Mode::Dive     ? Teaching::Kind::Hints
-                       : mode == Mode::FreeSwim ? Teaching::Kind::FreeSwim
-                                                : Teaching::Kind::Nothing,
+              tutorial(mode == Mode::FirstSteps ? Tutorial::Kind::FirstSteps
+                       : mode == Mode::Dive     ? Tutorial::Kind::Hints
+                       : mode == Mode::FreeSwim ? Tutorial::Kind::FreeSwim
+                                                : Tutorial::Kind::Nothing,
                        config.rig, session.dive.species()) {}
         GameSession session;
         ProgramStates states;
@@ -56,7 +56,7 @@ class Application {
         const platform::WindowInput* input = nullptr; // of this frame; null: there is no window
         Controls controls;
         bool freshVideo = false; // a new frame of the video is shown
-        Teaching teaching;
+        Tutorial tutorial;
         float results_s = 0;             // for which the results have been shown
         float goalsLeft_s = 0;           // for which the goals are still shown
         std::optional<game::Notice> met; // who is new in the field guide

@@ -190,7 +190,7 @@ void Hints::follow(const game::Snapshot& shown, std::span<const game::Event> eve
 
 std::optional<game::Text> Hints::shown() const { return now_ ? std::optional(kHints[*now_]) : std::nullopt; }
 
-void Teaching::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
+void Tutorial::follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s) {
     time_s_ += elapsed_s;
     if (kind_ == Kind::Hints) hints_.follow(shown, events, elapsed_s);
     if (kind_ != Kind::FirstSteps) return;
@@ -198,7 +198,7 @@ void Teaching::follow(const game::Snapshot& shown, std::span<const game::Event> 
     if (steps_.step() == FirstSteps::Step::Done) done_s_ += elapsed_s;
 }
 
-void Teaching::draw(const Pen& pen, const render::View& view) const {
+void Tutorial::draw(const Pen& pen, const render::View& view) const {
     if (pen.audience == Audience::Onlooker) return;
     const auto say = [&](game::Text text) {
         pen.label(pen.size.x / 2, pen.size.y * 0.14f, 0.5f, TextSize::Body, colour::kWhite, pen.in(text));

@@ -69,10 +69,10 @@ class Hints {
 };
 
 // What a session teaches.
-class Teaching {
+class Tutorial {
   public:
     enum class Kind { Nothing, FirstSteps, Hints, FreeSwim };
-    Teaching(Kind kind, hands::HandRig rig, game::SpeciesTable species)
+    Tutorial(Kind kind, hands::HandRig rig, game::SpeciesTable species)
         : kind_(kind), steps_(std::move(rig), std::move(species)) {}
 
     void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);

@@ -72,14 +72,14 @@ PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad,
     for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // nor is it marked
 }
 
-PhotoMode::Wish PhotoMode::step(const Controls& controls, const platform::WindowInput& input,
-                                float sensitivity, float dt_s, float& fov_deg) {
+PhotoMode::Command PhotoMode::step(const Controls& controls, const platform::WindowInput& input,
+                                   float sensitivity, float dt_s, float& fov_deg) {
     move(controls, sensitivity, dt_s, fov_deg);
     if (controls.was(Action::Pause) || isAmong(input.gamepad.pressed, GLFW_GAMEPAD_BUTTON_B))
-        return Wish::Leave;
+        return Command::Leave;
     const bool takes =
         input.leftPressed || controls.was(Action::CloseHand) || isAmong(input.keysPressed, GLFW_KEY_ENTER);
-    return takes ? Wish::Picture : Wish::None;
+    return takes ? Command::Picture : Command::None;
 }
 
 void PhotoMode::save(const ImageRgb8& picture, SceneRenderer& renderer) {

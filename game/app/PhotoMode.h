@@ -16,11 +16,11 @@ class PhotoMode {
     // From where the player looks. bindings: the keys that move the camera.
     PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad, const Bindings& bindings);
 
-    enum class Wish { None, Picture, Leave };
+    enum class Command { None, Picture, Leave };
     // Once a frame: moves the camera, and tells what the player wants. fov_deg: of the picture, which the
     // wheel changes.
-    Wish step(const Controls& controls, const platform::WindowInput& input, float sensitivity, float dt_s,
-              float& fov_deg);
+    Command step(const Controls& controls, const platform::WindowInput& input, float sensitivity, float dt_s,
+                 float& fov_deg);
     // The snapshot as the free camera sees it.
     const game::Snapshot& shown() const { return shown_; }
     float fovBefore_deg() const { return fovBefore_deg_; }

@@ -17,13 +17,13 @@ namespace {
 // Who sits has a lap and a floor nearer below the eyes than who stands, and cannot step towards a fish.
 void bringToSeated(DiveFile& dive) {
     constexpr float kLap_m = -0.45f, kFloor_m = -0.9f; // against the eyes; the floor is at -1.1 to -1.3
-    constexpr float kStep_m = 0.3f, kLeastBand_m = 0.3f;
+    constexpr float kStep_m = 0.3f, kMinBand_m = 0.3f;
     dive.floor_m = std::max(dive.floor_m, kFloor_m);
     for (School& school : dive.schools) {
         school.heightLow_m = std::max(school.heightLow_m, kLap_m);
-        school.heightHigh_m = std::max(school.heightHigh_m, school.heightLow_m + kLeastBand_m);
+        school.heightHigh_m = std::max(school.heightHigh_m, school.heightLow_m + kMinBand_m);
         school.radiusHigh_m = std::max(school.radiusHigh_m - kStep_m,
-                                       std::min(school.radiusHigh_m, school.radiusLow_m + kLeastBand_m));
+                                       std::min(school.radiusHigh_m, school.radiusLow_m + kMinBand_m));
     }
 }
 

@@ -78,8 +78,8 @@ void widen(const uint16_t* surface, float* room) {
 
 // Lowers cells until none is farther than its neighbours allow: sweeps there and back.
 void smoothDirections(const std::vector<std::array<float, 8>>& allowed, float* room) {
-    constexpr int kMostSweeps = 16;
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    constexpr int kMaxSweeps = 16;
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
         bool changed = false;
         for (int i = 0; i < FilmSpace::kCells; ++i) {
             const int cell = sweep % 2 ? FilmSpace::kCells - 1 - i : i;

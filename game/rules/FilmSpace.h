@@ -69,11 +69,11 @@ class FilmMoment {
     }
 
     bool known() const { return space_ != nullptr; }
-    // known(). From the place to the end of the room for bodies, outwards; negative beyond it.
+    // Only where known(): from the place to the end of the room for bodies, outwards; negative beyond it.
     float gap_m(glm::vec3 place) const;
-    // known(). The direction in which that gap grows fastest, unit length.
+    // Only where known(): the direction in which that gap grows fastest, unit length.
     glm::vec3 inward(glm::vec3 place) const;
-    // known(). Along rock and away from it: the nearer it comes, the less of the wanted way leads out of its
+    // Only where known(): along rock and away from it: the nearer it comes, the less of the wanted way leads out of its
     // room. gap_m: of the place where it soon is; shy_m: the room that it wants; push: of the way, away from
     // rock. Returns by how much of that room it is too near, up to 2; 0: not at all.
     float keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy_m, float push) const;

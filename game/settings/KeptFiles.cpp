@@ -36,10 +36,10 @@ Result<Json> readObject(const Path& file) {
 
 // Nothing where the entry is no score that a dive can have.
 std::optional<int> scoreIn(const Json& entry) {
-    constexpr double kMost = 1e6;
+    constexpr double kMaxScore = 1e6;
     if (!entry.is_number_integer()) return std::nullopt;
     const auto value = entry.get<double>();
-    return std::abs(value) <= kMost ? std::optional(static_cast<int>(value)) : std::nullopt;
+    return std::abs(value) <= kMaxScore ? std::optional(static_cast<int>(value)) : std::nullopt;
 }
 
 // Of one dive.

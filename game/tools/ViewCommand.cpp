@@ -27,8 +27,8 @@ namespace shoal::app {
 
 namespace {
 
-constexpr int kSelfOcclusionRays = 16, kFewestRays = 2; // from each of three points in a triangle, once
-constexpr size_t kMaxRays = 3'000'000;                  // a few seconds
+constexpr int kSelfOcclusionRays = 16, kMinRays = 2; // from each of three points in a triangle, once
+constexpr size_t kMaxRays = 3'000'000;               // a few seconds
 constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
 
 struct Clip {
@@ -135,7 +135,7 @@ void Viewer::bakeOcclusion() {
     for (const scene::Mesh& mesh : model_.meshes)
         for (const scene::Primitive& primitive : mesh.primitives) indices += primitive.indices.size();
     const auto rays = static_cast<int>(std::min<size_t>(kMaxRays / indices, kSelfOcclusionRays));
-    if (rays >= kFewestRays) render::bakeSelfOcclusion(model_, pose_, rays);
+    if (rays >= kMinRays) render::bakeSelfOcclusion(model_, pose_, rays);
 }
 
 // Layered fragment buffers of the posed model.

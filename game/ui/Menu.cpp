@@ -13,7 +13,7 @@ constexpr float kMargin = 1.1f, kRow = 1.75f, kParagraphGap = 0.45f, kTitleGap =
 constexpr float kWidth = 28, kSideWidth = 15, kPicture = 11;
 constexpr float kTextStep = 2;
 constexpr float kTrackWidth = 6, kValueWidth = 10;
-constexpr int kLeastRows = 3; // in sight beside a long text
+constexpr int kMinRows = 3; // in sight beside a long text
 
 // At the right edge of `room`, which shows a part of something `height` high.
 void drawScrollBar(const Pen& pen, const Rectangle& room, float height, float scroll) {
@@ -165,7 +165,7 @@ void Menu::place(const Pen& pen) {
         if (!line->empty()) below += pen.extent(*line, TextSize::Small, inner).y + kParagraphGap * line_;
     if (page_.progress) below += line_;
     const float rows = kRow * line_ * static_cast<float>(page_.items.size());
-    const float room = pen.size.y - 2.5f * margin, leastRows = std::min(rows, kRow * line_ * kLeastRows);
+    const float room = pen.size.y - 2.5f * margin, leastRows = std::min(rows, kRow * line_ * kMinRows);
     const float textRoom =
         std::min(textHeight_, std::max(room - above - leastRows - below, kTextStep * line_));
     const float textTop = above;

@@ -54,7 +54,7 @@ void change(hands::HandPose& hand, Bytes& bytes) {
 }
 
 std::vector<game::TickInput> inputsFrom(Bytes bytes) {
-    constexpr size_t kMostTicks = 150;
+    constexpr size_t kMaxTicks = 150;
     std::vector<game::TickInput> inputs;
     game::TickInput input;
     for (int h = 0; h < 2; ++h)
@@ -64,7 +64,7 @@ std::vector<game::TickInput> inputsFrom(Bytes bytes) {
                                                  -0.4f - 0.003f * along};
             input.hands[h].joints[i].radius = 0.01f;
         }
-    while (!bytes.empty() && inputs.size() < kMostTicks) {
+    while (!bytes.empty() && inputs.size() < kMaxTicks) {
         const auto what = bytes.next<uint8_t>();
         for (int h = 0; h < 2; ++h)
             if (what & (1 << h)) change(input.hands[h], bytes);

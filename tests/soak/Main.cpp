@@ -21,7 +21,7 @@ using namespace shoal;
 namespace {
 
 constexpr int kDivesAnHour = 40, kDrawnEvery = 5, kAloneEvery = 40;
-constexpr double kMostGrowth = 1.01; // of memory, from the second hour to the last
+constexpr double kMaxGrowth = 1.01; // of memory, from the second hour to the last
 
 struct Used {
     double memory_MB = 0;
@@ -142,7 +142,7 @@ Status playAll(int hours, uint64_t first) {
         std::fflush(stdout);
     }
     if (openGlErrors > 0) return Error{"", "OpenGL reported errors"};
-    if (used.memory_MB > kMostGrowth * second.memory_MB) return Error{"", "memory grows"};
+    if (used.memory_MB > kMaxGrowth * second.memory_MB) return Error{"", "memory grows"};
     if (used.files > second.files || used.threads > second.threads)
         return Error{"", "open files or threads grow"};
     return Done{};

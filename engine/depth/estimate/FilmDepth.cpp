@@ -21,7 +21,7 @@ constexpr int64_t kMaxFrames = 1'000'000;
 // Of the sphere, in the mean of all frames. By chance other frames agree with 0.5 % where noise is as loud as
 // the picture; 6 % is the least of films that show something (tests/bench/depth_estimate: darkness,
 // featureless). This is four times the one and a third of the other.
-constexpr double kLeastBelieved = 0.02;
+constexpr double kMinConfidence = 0.02;
 
 uint64_t identityOf(const std::string& film, const FilmDepthOptions& options, media::Layout layout) {
     Hash hash;
@@ -193,7 +193,7 @@ class Maker {
             if (Status s = writer->add(frame); !s) return s.error();
             if (t == count_ / 2) middle = frame;
         }
-        if (believed < kLeastBelieved) return FilmDepth::CannotBeKnown;
+        if (believed < kMinConfidence) return FilmDepth::CannotBeKnown;
         if (!options_.preview.empty())
             if (Status s = writePreview(options_.preview, film_.eye(int64_t{count_ / 2} * kFilmStep), middle);
                 !s)

@@ -23,10 +23,10 @@ constexpr double kFirstQuantile = 0.4;
 constexpr int kRounds = 8;
 constexpr float kTolerance = 0.25f; // of the distance: what is off by more counts nothing
 constexpr float kOnGround = 0.12f;  // what is off by less is part of it
-constexpr int kLeastTimes = 2;      // in so many frames a texel's distance is known
+constexpr int kMinTimes = 2;        // in so many frames a texel's distance is known
 // Of the solid angle in question the share that is known to be ground; films that have one show 0.23 to 0.98,
 // things of another shape were taken for it over 0.02 to 0.19 (tests/bench/depth_estimate).
-constexpr float kLeastSeen = 0.15f, kEnoughSeen = 0.2f;
+constexpr float kMinSeen = 0.15f, kEnoughSeen = 0.2f;
 // Root mean square of how far that is off: 0.01 to 0.051 of the one, 0.054 to 0.07 of the other.
 constexpr float kFlat = 0.05f, kUneven = 0.056f;
 constexpr float kFilledAngle = 0.21f; // sine, to the plane: 12 degrees. Nearer to its horizon rocks hide it.
@@ -76,7 +76,7 @@ std::vector<Seen> seenTogether(std::span<const DepthEstimate> frames, float& all
         known.clear();
         for (const DepthEstimate& each : frames)
             if (each.confidence[i] >= kKnown && each.inverse[i] > 0) known.push_back(each.inverse[i]);
-        if (known.size() >= kLeastTimes) seen.push_back({dir, math::median(known), area});
+        if (known.size() >= kMinTimes) seen.push_back({dir, math::median(known), area});
     }
     return seen;
 }
@@ -99,7 +99,7 @@ Ground findGround(std::span<const DepthEstimate> frames) {
         near += each.area, squares += each.area * off * off;
     }
     if (near > 0)
-        ground.trust = rising(kLeastSeen, kEnoughSeen, near / all) *
+        ground.trust = rising(kMinSeen, kEnoughSeen, near / all) *
                        (1 - rising(kFlat, kUneven, std::sqrt(squares / near)));
     return ground;
 }

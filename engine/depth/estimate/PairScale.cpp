@@ -69,12 +69,12 @@ glm::dvec3 meanDirection(const std::vector<PairMotion>& motions, int t, int reac
 
 void repairMotion(std::vector<PairMotion>& motions) {
     constexpr int kReach = 4;
-    constexpr double kLeastCosine = 0.85; // of 32 degrees
+    constexpr double kMinCosine = 0.85; // of 32 degrees
     const std::vector<PairMotion> found = motions;
     for (int t = 0; t < static_cast<int>(motions.size()); ++t) {
         const glm::dvec3 mean = meanDirection(found, t, kReach);
         if (const double length = glm::length(mean);
-            length > 1.5 && glm::dot(mean, found[static_cast<size_t>(t)].towards) < kLeastCosine * length)
+            length > 1.5 && glm::dot(mean, found[static_cast<size_t>(t)].towards) < kMinCosine * length)
             motions[static_cast<size_t>(t)].parallax_rad = 0;
     }
     const std::vector<PairMotion> kept = motions;

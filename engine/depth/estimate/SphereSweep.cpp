@@ -23,10 +23,10 @@ constexpr float kMaxDifference = 1.2f; // more counts as much, whatever it is: s
 constexpr int kDistances = 64;
 constexpr int kWidth = kSweepWidth / 2, kHeight = kSweepHeight / 2; // of the map
 constexpr int kDetail = 3; // pixels, of the window of what a place has of its own
-constexpr float kLeastDetail = 0.15f, kEnoughDetail = 0.25f; // shares, see SweepImage
-constexpr int kAggregated = 5;                     // pixels, of the window that costs are averaged in
-constexpr float kCodes = 400;                      // of a cost
-constexpr int kPenaltyOne = 10, kPenaltyMore = 45; // codes: neighbours one distance apart, and more
+constexpr float kMinDetail = 0.15f, kEnoughDetail = 0.25f; // shares, see SweepImage
+constexpr int kAggregated = 5;                             // pixels, of the window that costs are averaged in
+constexpr float kCodes = 400;                              // of a cost
+constexpr int kPenaltyOne = 10, kPenaltyMore = 45;         // codes: neighbours one distance apart, and more
 
 using Costs = std::vector<uint16_t>; // kDistances for each texel of the map
 
@@ -150,7 +150,7 @@ void deviationOf(const cv::Mat1f& values, int window, cv::Mat1f& mean, cv::Mat1f
 float ownDetail(const SweepImage& image, size_t texel) {
     const float* at = image.detail.data() + 2 * (texel / kWidth) * kSweepWidth + 2 * (texel % kWidth);
     const float most = std::max({at[0], at[1], at[kSweepWidth], at[kSweepWidth + 1]});
-    return std::clamp((most - kLeastDetail) / (kEnoughDetail - kLeastDetail), 0.0f, 1.0f);
+    return std::clamp((most - kMinDetail) / (kEnoughDetail - kMinDetail), 0.0f, 1.0f);
 }
 
 } // namespace

@@ -15,10 +15,10 @@ constexpr float kWebcamFov = 1.05f; // horizontal, radians
 
 // By how much pictures are to be made brighter so that hands are seen in the dark; else 1.
 inline double gainFor(const cv::Mat& bgr) {
-    constexpr double kDark = 70, kBright = 110, kMost = 6; // of a picture's mean, of 255
+    constexpr double kDark = 70, kBright = 110, kMaxGain = 6; // of a picture's mean, of 255
     const cv::Scalar mean = cv::mean(bgr);
     const double light = (mean[0] + mean[1] + mean[2]) / 3;
-    return light < kDark ? std::min(kBright / std::max(light, 1.0), kMost) : 1.0;
+    return light < kDark ? std::min(kBright / std::max(light, 1.0), kMaxGain) : 1.0;
 }
 
 class HandFinder {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWidth = 128, kHeight = 64; // of the map that lights are sought in
 constexpr int kCuts = 8;                  // 2^kCuts lights
-constexpr float kMost = 10;               // what white becomes, and from which on Reinhard's operator clips
+constexpr float kWhiteRadiance = 10;      // what white becomes, and from which on Reinhard's operator clips
 constexpr int kReach = 6;                 // texels: of a light's kernel
 
 struct Region {
@@ -94,8 +94,9 @@ InverseToneMapMethod banterle() {
                         const float l = luminance({texel[0], texel[1], texel[2]});
                         if (!(l > 0)) continue;
                         const float expanded =
-                            0.5f * kMost * kMost *
-                            (l - 1 + std::sqrt((1 - l) * (1 - l) + 4 * l / (kMost * kMost)));
+                            0.5f * kWhiteRadiance * kWhiteRadiance *
+                            (l - 1 +
+                             std::sqrt((1 - l) * (1 - l) + 4 * l / (kWhiteRadiance * kWhiteRadiance)));
                         const float part = lights.of(x, y, frame);
                         for (int c = 0; c < 3; ++c) texel[c] *= 1 + part * (expanded / l - 1);
                     }

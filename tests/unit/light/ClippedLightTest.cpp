@@ -130,7 +130,7 @@ TEST(ClippedLight, GlintsAreNoSun) {
 
 // Nothing goes beyond what is stated, in any of the cases in which a cue is missing.
 TEST(ClippedLight, FallsBackWhereACueIsMissing) {
-    const float usual = kUsualGain, most = 1 + kMostFromGround;
+    const float usual = kUsualGain, most = 1 + kMaxFromGround;
     const auto sunlit = [](const glm::vec3& d) { return openAir(d, 40); };
     const auto covered = [&](float below) {
         return gainOf([&](const glm::vec3& d) { return d.y < below ? 0.0f : sunlit(d); });

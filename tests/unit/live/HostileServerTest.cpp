@@ -20,9 +20,9 @@ using test::HttpServer;
 const std::string kOk = "HTTP/1.1 200 OK\r\nConnection: close\r\n";
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr double kMost_MB = 2 * 256; // the sanitizer keeps 256 MB of what has been freed
+constexpr double kMax_MB = 2 * 256; // the sanitizer keeps 256 MB of what has been freed
 #else
-constexpr double kMost_MB = 256;
+constexpr double kMax_MB = 256;
 #endif
 
 double peakMemory_MB() {
@@ -113,7 +113,7 @@ TEST(HostileServer, WhatNeverEndsIsLeftAndTakesNoMemory) {
             EXPECT_LT(sent_MB, 100) << "of " << head.substr(40);
         }
     }
-    EXPECT_LT(peakMemory_MB() - before_MB, kMost_MB);
+    EXPECT_LT(peakMemory_MB() - before_MB, kMax_MB);
 }
 
 TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
@@ -154,7 +154,7 @@ TEST(HostileServer, RubbishByTcpAndUdpIsLeftToo) {
     sending.join();
     ::close(socket);
     EXPECT_FALSE(player);
-    EXPECT_LT(peakMemory_MB() - before_MB, kMost_MB);
+    EXPECT_LT(peakMemory_MB() - before_MB, kMax_MB);
 }
 
 } // namespace

@@ -19,7 +19,7 @@ namespace {
 constexpr int kPalmPicture = 192, kHandPicture = 224; // the networks' inputs, pixels
 constexpr size_t kAnchors = 2016, kPerAnchor = 18;
 constexpr float kPalmThreshold = 0.5f, kSamePalm = 0.3f; // score; overlap of boxes
-constexpr size_t kMostPalms = 8;
+constexpr size_t kMaxPalms = 8;
 // The networks' outputs, in their files' order.
 enum PalmOutput : size_t { kBoxes, kScores };
 enum LandmarkOutput : size_t { kPlaces, kPresence, kRight, kShape };
@@ -172,7 +172,7 @@ std::span<const Palm> HandNets::findPalms(const cv::Mat& bgr) {
         const bool known = std::any_of(before.begin(), before.end(), [&](const Palm& other) {
             return overlap(other.box, palm.box) > kSamePalm;
         });
-        if (!known && kept < kMostPalms) found_[kept++] = palm;
+        if (!known && kept < kMaxPalms) found_[kept++] = palm;
     }
     return {found_.data(), kept};
 }
