@@ -21,7 +21,8 @@ namespace {
 constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
 constexpr float kGoalsAtFirst_s = 8;      // for which the goals are shown as a dive begins
 constexpr float kGoalsOnNews_s = 4;       // and after one is reached
-constexpr float kResultsRest_s = 1;       // without a press, before the results take a choice
+constexpr float kResultsRest_s = 1;       // without a press, before the results take a choice,
+constexpr float kMaxResultsRest_s = 3;    // for this long at most
 constexpr float kMet_s = 4;               // for which an animal new in the field guide is named
 // Between the eyes of a tall person on a chair and of a small one who stands.
 constexpr float kStandingEyes_m = 1.35f;
@@ -224,11 +225,11 @@ void Application::readMenuInput() {
                                         static_cast<float>(play_->elapsed_s));
     // The dive ends while the player's button is busy: what was meant for a fish chooses nothing.
     if (play_->states.state() == ProgramStates::State::Results) {
-        play_->results_s += static_cast<float>(play_->elapsed_s);
-        if (play_->results_s < kResultsRest_s) {
-            if (menu.accept || menu.pressed) play_->results_s = 0;
-            menu.accept = menu.pressed = menu.back = false;
-        }
+        const auto dt_s = static_cast<float>(play_->elapsed_s);
+        const bool rests = play_->results_s < kMaxResultsRest_s && play_->resultsQuiet_s < kResultsRest_s;
+        play_->results_s += dt_s;
+        play_->resultsQuiet_s = menu.accept || menu.pressed ? 0 : play_->resultsQuiet_s + dt_s;
+        if (rests) menu.accept = menu.pressed = menu.back = false;
     }
     screens_.input(menu);
 }

@@ -58,6 +58,7 @@ class Application {
         bool freshVideo = false; // a new frame of the video is shown
         Tutorial tutorial;
         float results_s = 0;             // for which the results have been shown
+        float resultsQuiet_s = 0;        // for which nothing has been pressed since
         float goalsLeft_s = 0;           // for which the goals are still shown
         std::optional<game::Notice> met; // who is new in the field guide
         float metLeft_s = 0;             // for which that is still said

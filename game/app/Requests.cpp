@@ -20,7 +20,7 @@ Status Application::answer(const Request& request) {
     case Request::Kind::Restart:
         session.restart = true;
         session.paused = false;
-        play_->results_s = 0;
+        play_->results_s = play_->resultsQuiet_s = 0;
         if (auto* mouse = std::get_if<MouseSource>(&session.source)) mouse->recentre();
         return Done{};
     case Request::Kind::Dive:

@@ -137,7 +137,7 @@ TEST_F(RenderGL, HighlightLightensMostAtTheRim) {
                 if (rest < 0.05f) continue; // the outline, where a pixel spans much of the rim
                 const glm::vec3 normal = glm::vec3(0, 0, 3) + (half - std::sqrt(rest)) * ray;
                 const float edge = 1 - glm::dot(normal, -ray);
-                const float share = 0.15f + edge * (0.25f + 0.45f * edge * edge);
+                const float share = 0.24f + edge * (0.25f + 0.45f * edge * edge);
                 // A pixel beside the middle row; by the vertex, a chord of the curve, which lies above it:
                 // over a rim of 24 triangles to the circle by a tenth of the display at most.
                 const auto plain = static_cast<float>(grey);
