@@ -133,7 +133,9 @@ TEST_F(GamepadProgram, EveryScreenAndASettingThatStays) {
         p.choose("Settings");
         p.choose("Comfort");
         EXPECT_EQ(p.page(), Screen::SettingsGroup);
-        p.tapHat(ABS_HAT0X, -1); // turning: in steps
+        p.choose("Turning"); // in steps; smooth again, and in steps
+        p.tapHat(ABS_HAT0X, -1);
+        p.tapHat(ABS_HAT0X, -1);
         p.tap(BTN_EAST);
         p.tap(BTN_EAST);
         p.choose("Free swim");
