@@ -117,6 +117,9 @@ SHOAL_VECTORISE RowColours coloursOf(const float* row, int width, const Bright& 
     return colours;
 }
 
+// Of the rows of large pictures every second one tells means over half of them well enough.
+int rowStep(int height) { return height >= 256 ? 2 : 1; }
+
 glm::dvec3 ofLuminanceOne(const glm::dvec3& colour) {
     return colour / (0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b);
 }
@@ -149,14 +152,15 @@ ClippedGain clippedGainOf(const ImageRgbF& decoded, double clippedIrradiance) {
     double fromAbove = 0; // irradiance of a level plane
     for (int y = 0; y < above; ++y)
         fromAbove += weightOf(y) * static_cast<double>(luminanceOf(decoded.at(0, y), decoded.width));
+    const int step = rowStep(decoded.height);
     double seen = 0, radiance = 0;
     const auto measure = [&](float most) {
         double light = 0;
         seen = 0;
-        for (int y = above; y < decoded.height; ++y) {
+        for (int y = above; y < decoded.height; y += step) {
             const Ground row = groundOf(decoded.at(0, y), decoded.width, by, most);
-            seen += weightOf(y) * static_cast<double>(row.seen);
-            light += weightOf(y) * static_cast<double>(row.light);
+            seen += step * weightOf(y) * static_cast<double>(row.seen);
+            light += step * weightOf(y) * static_cast<double>(row.light);
         }
         radiance = seen > 0 ? light / seen : 0;
     };
@@ -177,7 +181,7 @@ glm::vec3 clippedTintOf(const ImageRgbF& decoded) {
                        1 / (kWhite - linear[kLastUnclipped])};
     constexpr double kGrey = 1e-4; // steradians of white: too little of a picture tells no colour
     glm::dvec3 whole(kGrey), bright(kGrey);
-    const int step = decoded.height >= 256 ? 2 : 1; // rows: a mean colour needs no more
+    const int step = rowStep(decoded.height);
     for (int y = 0; y < decoded.height; y += step) {
         const RowColours row = coloursOf(decoded.at(0, y), decoded.width, by);
         const double weight = step * texelSolidAngle(y, decoded.width, decoded.height);

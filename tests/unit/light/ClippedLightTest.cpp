@@ -158,14 +158,15 @@ TEST(ClippedLight, FallsBackWhereACueIsMissing) {
     EXPECT_LE(boxed, most);
 }
 
-// It takes the ground for less the less of it is seen. A step is a row or two of 256, and 40 rows lie from
-// where the share begins to count to the horizon, over which the gain falls to a third.
+// It takes the ground for less the less of it is seen. A step is a row or two of 256, of which every second
+// one is read, so none, two or four; and 40 rows lie from where the share begins to count to the horizon,
+// over which the gain falls from 40 to 2.5: four of them are a factor of 1.32.
 TEST(ClippedLight, GroundThatDisappearsIsForgottenSmoothly) {
     float before = 0;
     for (float below = -1; below <= 0; below += 0.01f) {
         const float now = gainOf([&](const glm::vec3& d) { return d.y < below ? 0.0f : openAir(d, 40); });
         if (below > -1) {
-            EXPECT_NEAR(now / before, 1, 0.15f) << below;
+            EXPECT_NEAR(now / before, 1, 0.25f) << below; // 1 - 1 / 1.32
         }
         before = now;
     }
