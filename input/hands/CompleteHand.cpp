@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 namespace shoal::hands {
 
 namespace {
 
 constexpr float kSizeMin = 0.6f, kSizeMax = 1.5f; // of the rig's hand, a man's: a child's, a giant's
-constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger of which nothing is sent
+constexpr float kBentWhenUnseen = 0.9f;           // curl of a finger that an old service no longer shows
 
 glm::quat frameOf(glm::vec3 direction, glm::vec3 normal) {
     return glm::normalize(glm::quatLookAt(glm::normalize(direction), glm::normalize(-normal)));
@@ -49,7 +51,7 @@ bool agreesWithJoints(PartialHand& hand) {
     const Side byBend = bend > 0 ? Side::Right : Side::Left;
     const Side byNormal =
         glm::dot(glm::cross(hand.direction, hand.normal), thumbwards) > 0 ? Side::Right : Side::Left;
-    const bool disagree = byNormal != hand.side;
+    const bool disagree = byNormal != *hand.side;
     if (disagree && std::fabs(bend) < kTells) return false;
     if (!disagree && std::fabs(bend) < kOverrules) return true;
     hand.side = byBend;
@@ -79,8 +81,50 @@ float HandCompleter::sizeOf(const PartialHand& hand) const {
     return std::clamp(size, kSizeMin, kSizeMax);
 }
 
+// Fingers keep their order across the hand; of the ways to leave some out, the one whose angles, seen from
+// the palm, are nearest to those of a flat hand.
+HandCompleter::Fit HandCompleter::fitTips(const PartialHand& hand, Side side) const {
+    const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
+    const float thumbwards = side == Side::Left ? 1.0f : -1.0f; // sign of x on the thumb's side
+    const auto angle = [&](glm::vec3 inPalm) { return std::atan2(thumbwards * inPalm.x, -inPalm.z); };
+    const glm::quat palmFromDevice = glm::conjugate(frameOf(hand.direction, hand.normal));
+    std::array<float, kFingerCount> fingers{};
+    for (int f = 0; f < kFingerCount; ++f)
+        fingers[f] = angle(glm::conjugate(rest.joints[kPalmJoint].orientation) *
+                           (rest.joints[kFingerJoints[f].tip].position - rest.joints[kPalmJoint].position));
+    std::array<std::pair<float, int>, kFingerCount> tips;
+    tips.fill({-std::numeric_limits<float>::infinity(), -1});
+    const int count = hand.looseTipCount;
+    for (int t = 0; t < count; ++t) tips[t] = {angle(palmFromDevice * (hand.looseTips[t] - hand.palm)), t};
+    std::sort(tips.begin(), tips.end(), std::greater<>()); // the thumb's side first
+
+    Fit best;
+    best.cost = std::numeric_limits<float>::max();
+    for (unsigned chosen = 0; chosen < 1u << kFingerCount; ++chosen) {
+        Fit fit;
+        int t = 0;
+        for (int f = 0; f < kFingerCount; ++f) {
+            if (!(chosen >> f & 1u)) continue;
+            if (t < count) {
+                const float apart = tips[t].first - fingers[f];
+                fit.cost += apart * apart;
+                fit.fingerOfTip[tips[t].second] = f;
+            }
+            ++t;
+        }
+        if (t == count && fit.cost < best.cost) best = fit;
+    }
+    return best;
+}
+
+std::optional<Side> HandCompleter::sideOfTips(const PartialHand& hand) const {
+    if (hand.looseTipCount < 4) return std::nullopt; // without a thumb the hands look alike
+    return fitTips(hand, Side::Left).cost < fitTips(hand, Side::Right).cost ? Side::Left : Side::Right;
+}
+
 struct HandCompleter::Placement {
     const PartialHand& hand;
+    Side side;
     const HandPose& rest;
     float size;
     glm::quat deviceFromRest;
@@ -108,7 +152,7 @@ void HandCompleter::placeFinger(int finger, const Placement& placement,
         const auto bent = [&](float curl) {
             HandShape shape;
             shape.curl[finger] = curl;
-            return rig_.pose(placement.hand.side, shape, {});
+            return rig_.pose(placement.side, shape, {});
         };
         float low = 0, high = 1;
         if (at[tip]) {
@@ -138,10 +182,16 @@ void HandCompleter::placeFinger(int finger, const Placement& placement,
         at[metacarpal].value_or(rootAt + back * (length / std::max(glm::length(back), 1e-4f)));
 }
 
-HandPose HandCompleter::complete(const PartialHand& hand) const {
-    const HandPose& rest = rest_[hand.side == Side::Left ? 0 : 1];
+HandPose HandCompleter::complete(const PartialHand& given, Side side) const {
+    PartialHand hand = given;
+    if (hand.looseTipCount > 0) {
+        const Fit fit = fitTips(hand, side);
+        for (int t = 0; t < hand.looseTipCount; ++t)
+            hand.joints[kFingerJoints[fit.fingerOfTip[t]].tip] = hand.looseTips[t];
+    }
+    const HandPose& rest = rest_[side == Side::Left ? 0 : 1];
     const glm::quat palmTurn = frameOf(hand.direction, hand.normal);
-    const Placement placement{hand, rest, sizeOf(hand),
+    const Placement placement{hand, side, rest, sizeOf(hand),
                               palmTurn * glm::conjugate(rest.joints[kPalmJoint].orientation)};
 
     HandPose out;

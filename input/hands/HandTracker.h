@@ -90,7 +90,7 @@ class HandTracker {
     HandStream stream_;
 };
 
-// The service of Leap / Ultraleap, over its WebSocket (protocol 6): no library of theirs is needed.
+// The service of Leap / Ultraleap, over its WebSocket: no library of theirs is needed.
 enum class LeapMount { Desk, Head };
 struct LeapOptions {
     std::string host = "127.0.0.1";
@@ -100,7 +100,9 @@ struct LeapOptions {
 };
 
 // Its thread connects, and connects again whenever the service goes: at once if the connection has held for
-// retry_ms, else when so much time has passed since it was tried last.
+// retry_ms, else when so much time has passed since it was tried last. A service that closes with code 1001
+// is asked at once for the protocol one version older; one that was gone is asked for the newest again.
+constexpr int kNewestLeapVersion = 6;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
 // Where input/hands/webcam/get_models puts the models of hands.

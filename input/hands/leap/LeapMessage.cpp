@@ -73,9 +73,7 @@ std::optional<PartialHand> readHand(const json& from) {
     const auto identity = whole(from, "id");
     const auto palm = point(from, "palmPosition");
     const auto normal = triple(from, "palmNormal", 1, 10), direction = triple(from, "direction", 1, 10);
-    const std::string type = words(from, "type");
-    if (!identity || !palm || !normal || !direction || (type != "left" && type != "right"))
-        return std::nullopt;
+    if (!identity || !palm || !normal || !direction) return std::nullopt;
     const float sine = glm::length(glm::cross(glm::normalize(*normal), glm::normalize(*direction)));
     if (!(sine > 4e-3f)) return std::nullopt; // NaN too
     PartialHand hand;
@@ -83,7 +81,9 @@ std::optional<PartialHand> readHand(const json& from) {
     hand.palm = *palm;
     hand.normal = *normal;
     hand.direction = *direction;
-    hand.side = type == "left" ? Side::Left : Side::Right;
+    const std::string type = words(from, "type");
+    if (type == "left") hand.side = Side::Left;
+    if (type == "right") hand.side = Side::Right;
     hand.joints[kWristJoint] = point(from, "wrist");
     hand.elbow = point(from, "elbow");
     if (const auto width = number(from, "palmWidth"); width && *width > 20 && *width < 200)
@@ -106,20 +106,25 @@ void readPointable(const json& from, std::vector<PartialHand>& hands) {
         const auto bone = point(from, "btipPosition");
         return bone ? bone : point(from, "tipPosition");
     }();
+    const auto mcp = point(from, "mcpPosition"), pip = point(from, "pipPosition"),
+               dip = point(from, "dipPosition");
     auto type = whole(from, "type");
-    // Packed recordings leave the type out: a finger's number ends in it.
-    if (!type)
+    // Before fingers had types they had numbers, and those of a skeleton end in the finger's.
+    if (!type && mcp)
         if (const auto id = whole(from, "id")) type = *id - 10 * hand->identity;
-    if (!type || *type < 0 || *type >= kFingerCount) return;
-    const FingerJoints& finger = kFingerJoints[static_cast<size_t>(*type)];
-    const auto set = [&](int joint, const std::optional<glm::vec3>& position) {
-        hand->joints[static_cast<size_t>(joint)] = position;
-    };
-    if (*type != 0) set(finger.metacarpal, point(from, "carpPosition"));
-    set(finger.tip - 3, point(from, "mcpPosition"));
-    set(finger.tip - 2, point(from, "pipPosition"));
-    set(finger.tip - 1, point(from, "dipPosition"));
-    set(finger.tip, tip);
+    if (type && *type >= 0 && *type < kFingerCount) {
+        const FingerJoints& finger = kFingerJoints[static_cast<size_t>(*type)];
+        const auto set = [&](int joint, const std::optional<glm::vec3>& position) {
+            hand->joints[static_cast<size_t>(joint)] = position;
+        };
+        if (*type != 0) set(finger.metacarpal, point(from, "carpPosition"));
+        set(finger.tip - 3, mcp);
+        set(finger.tip - 2, pip);
+        set(finger.tip - 1, dip);
+        set(finger.tip, tip);
+    } else if (tip && hand->looseTipCount < kFingerCount) {
+        hand->looseTips[static_cast<size_t>(hand->looseTipCount++)] = *tip;
+    }
 }
 
 LeapFrame readFrame(const json& from) {
@@ -153,6 +158,18 @@ Result<LeapMessage> readLeapMessage(std::string_view text) {
     return LeapMessage();
 }
 
+// Old services do not tell: then a hand stays what it was, shows it by its thumb, or stands on that side.
+Side LeapTracks::sideOf(const PartialHand& hand, const LeapFrame& seen) const {
+    if (hand.side) return *hand.side;
+    if (hand.identity == identity_[0]) return Side::Left;
+    if (hand.identity == identity_[1]) return Side::Right;
+    if (const auto shown = completer_.sideOfTips(hand)) return *shown;
+    for (const PartialHand& other : seen.hands)
+        if (other.identity != hand.identity) return hand.palm.x < other.palm.x ? Side::Left : Side::Right;
+    const float viewerX = (placement_.mount().viewerFromDevice * hand.palm).x;
+    return viewerX < 0 ? Side::Left : Side::Right;
+}
+
 namespace {
 
 // Unit, from the wrist to the elbow, device's frame; 0 where no elbow is given, or one that no arm has.
@@ -171,14 +188,16 @@ HandFrame LeapTracks::frame(const LeapFrame& seen, int64_t time_us) {
     frame.time_us = time_us;
     std::array<int64_t, 2> found{-1, -1};
     for (PartialHand hand : seen.hands) {
+        hand.side = sideOf(hand, seen);
         if (!agreesWithJoints(hand)) continue;
-        const size_t i = hand.side == Side::Left ? 0 : 1;
+        const Side side = *hand.side;
+        const size_t i = side == Side::Left ? 0 : 1;
         // Of two hands said to be the same, the one that was there before, then the surer one.
         const bool known = hand.identity == identity_[i];
         if (frame.hands[i].tracked && (found[i] == identity_[i] ||
                                        (!known && hand.confidence.value_or(1) <= frame.hands[i].confidence)))
             continue;
-        frame.hands[i] = completer_.complete(hand);
+        frame.hands[i] = completer_.complete(hand, side);
         frame.hands[i].time_us = time_us;
         frame.towardsElbow[i] = placement_.mount().viewerFromDevice *
                                 towardsElbow(hand, frame.hands[i].joints[kWristJoint].position);

@@ -1,4 +1,4 @@
-// Parser of the messages of the Leap / Ultraleap service: JSON, protocol 6; and the hands in
+// Parser of the messages of the Leap / Ultraleap service: JSON, protocol versions 1 to 6; and the hands in
 // its frames as the game wants them.
 #pragma once
 
@@ -45,6 +45,8 @@ class LeapTracks {
     HandFrame frame(const LeapFrame& seen, int64_t time_us);
 
   private:
+    Side sideOf(const PartialHand& hand, const LeapFrame& seen) const;
+
     HandCompleter completer_;
     HandPlacement placement_;
     int64_t connection_ = 0;

@@ -15,6 +15,7 @@ namespace shoal::hands {
 
 namespace {
 
+constexpr uint16_t kUnknownVersion = 1001; // the service's close code for a protocol it does not speak
 // After three silent seconds a ping, after ten the connection is taken for dead.
 constexpr lws_retry_bo_t kLiveness = {nullptr, 0, 0, 3, 10, 0};
 
@@ -53,8 +54,10 @@ class LeapTracker final : public HandTracker {
         lws_sorted_usec_list_t timer{}; // first: the library hands back its address
         LeapTracker* tracker = nullptr;
     } retry_;
+    int version_ = kNewestLeapVersion;
     bool greeted_ = false; // the service has sent a message on this connection
     int64_t tried_us_ = 0; // when it was connected to, or tried
+    uint16_t closeCode_ = 0;
     std::vector<const char*> unsent_;
     std::string message_; // so far
     bool tooLong_ = false;
@@ -70,12 +73,12 @@ void LeapTracker::connectIn(int64_t wait_us) {
 }
 
 void LeapTracker::connect() {
-    const std::string host = address();
+    const std::string path = "/v" + std::to_string(version_) + ".json", host = address();
     lws_client_connect_info info{};
     info.context = context_;
     info.address = options_.host.c_str();
     info.port = options_.port;
-    info.path = "/v6.json";
+    info.path = path.c_str();
     info.host = info.origin = host.c_str();
     info.ietf_version_or_minus_one = -1;
     info.local_protocol_name = "leap";
@@ -84,6 +87,7 @@ void LeapTracker::connect() {
     info.pwsi = &socket_;
     greeted_ = tooLong_ = false;
     tried_us_ = now_us();
+    closeCode_ = 0;
     message_.clear();
     unsent_.clear();
     device_.clear();
@@ -127,7 +131,8 @@ void LeapTracker::handleMessage() {
     if (const auto* frame = std::get_if<LeapFrame>(&*read))
         stream().push(tracks_.frame(*frame, frame->time_us.value_or(now_us())));
     const bool unplugged = device_ == "no device attached";
-    setState(!unplugged, "protocol 6 at " + address() + (device_.empty() ? "" : ", " + device_));
+    setState(!unplugged, "protocol " + std::to_string(version_) + " at " + address() +
+                             (device_.empty() ? "" : ", " + device_));
 }
 
 void LeapTracker::disconnected() {
@@ -135,6 +140,12 @@ void LeapTracker::disconnected() {
     // To everybody else the hands are lost from now on; frames still on their way are not thrown away.
     setState(false, "no service at " + address());
     if (stopping_) return;
+    if (closeCode_ == kUnknownVersion && version_ > 1) {
+        --version_;
+        connectIn(1);
+        return;
+    }
+    version_ = kNewestLeapVersion;
     // At most one attempt in so much time: whoever accepts and closes at once keeps nobody busy.
     connectIn(std::max<int64_t>(1, tried_us_ + int64_t{options_.retry_ms} * 1000 - now_us()));
 }
@@ -152,6 +163,12 @@ int LeapTracker::callback(lws* wsi, lws_callback_reasons reason, void* in, size_
             if (lws_write(wsi, buffer.data() + LWS_PRE, count, LWS_WRITE_TEXT) < 0) return -1;
             unsent_.erase(unsent_.begin());
             if (!unsent_.empty()) lws_callback_on_writable(wsi);
+        }
+        break;
+    case LWS_CALLBACK_WS_PEER_INITIATED_CLOSE:
+        if (length >= 2) {
+            const auto* code = static_cast<const unsigned char*>(in);
+            closeCode_ = static_cast<uint16_t>(code[0] << 8 | code[1]);
         }
         break;
     case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:

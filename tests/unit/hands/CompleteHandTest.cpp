@@ -13,11 +13,10 @@ namespace {
 
 using tests::rig;
 
-enum class Sent { Everything, Skeleton, Tips, Nothing };
+enum class Sent { Everything, Skeleton, Tips, LooseTips, Nothing };
 
-PartialHand partial(Side side, const HandPose& pose, Sent sent, float size = 1) {
+PartialHand partial(const HandPose& pose, Sent sent, float size = 1) {
     PartialHand hand;
-    hand.side = side;
     const auto at = [&](int joint) { return pose.joints[joint].position * size; };
     hand.palm = at(0);
     hand.normal = pose.joints[0].orientation * glm::vec3(0, -1, 0);
@@ -25,7 +24,8 @@ PartialHand partial(Side side, const HandPose& pose, Sent sent, float size = 1) 
     if (sent == Sent::Everything) hand.joints[kWristJoint] = at(1);
     for (int f = 0; f < kFingerCount; ++f) {
         const int foot = f == 0 ? 2 : 1 + 5 * f, tip = f == 0 ? 5 : foot + 4;
-        if (sent == Sent::Nothing) continue;
+        if (sent == Sent::LooseTips) hand.looseTips[hand.looseTipCount++] = at(tip);
+        if (sent == Sent::LooseTips || sent == Sent::Nothing) continue;
         hand.joints[tip] = at(tip);
         if (sent == Sent::Tips) continue;
         for (int joint = foot + 1; joint < tip; ++joint) hand.joints[joint] = at(joint);
@@ -45,8 +45,8 @@ TEST(CompleteHand, JointsSentStayAndTheRestIsWhereTheRigHasIt) {
     for (Side side : {Side::Left, Side::Right})
         for (float curl : {0.0f, 0.4f, 0.9f}) {
             const HandPose truth = posed(side, curl, glm::normalize(glm::quat(0.8f, 0.3f, -0.4f, 0.2f)));
-            const HandPose all = completer.complete(partial(side, truth, Sent::Everything));
-            const HandPose some = completer.complete(partial(side, truth, Sent::Skeleton));
+            const HandPose all = completer.complete(partial(truth, Sent::Everything), side);
+            const HandPose some = completer.complete(partial(truth, Sent::Skeleton), side);
             for (int i = 0; i < kJointCount; ++i) {
                 EXPECT_NEAR(glm::distance(all.joints[i].position, truth.joints[i].position), 0, 2e-6f);
                 // Wrist and metacarpals hang rigidly from the palm: in the rig's own poses exactly.
@@ -66,9 +66,9 @@ TEST(CompleteHand, FromTipsAloneFingersBendAndKeepTheirBones) {
         for (float size : {0.8f, 1.0f, 1.2f})
             for (float curl : {0.0f, 0.3f, 0.6f, 0.9f}) {
                 const HandPose truth = posed(side, curl);
-                PartialHand hand = partial(side, truth, Sent::Tips, size);
+                PartialHand hand = partial(truth, Sent::Tips, size);
                 hand.palmWidth_m = 0.085f * size;
-                const HandPose made = completer.complete(hand);
+                const HandPose made = completer.complete(hand, side);
                 ASSERT_TRUE(plausible(made));
                 for (int i = 2; i < kJointCount; ++i) {
                     const int parent = kJointParent[i];
@@ -87,26 +87,44 @@ TEST(CompleteHand, FromTipsAloneFingersBendAndKeepTheirBones) {
 
 TEST(CompleteHand, ATipBeyondReachIsPointedAt) {
     const HandCompleter completer(rig());
-    PartialHand hand = partial(Side::Right, posed(Side::Right, 0), Sent::Tips);
+    PartialHand hand = partial(posed(Side::Right, 0), Sent::Tips);
     hand.joints[10] = *hand.joints[10] + glm::vec3(0, 0, -0.3f);
-    const HandPose made = completer.complete(hand);
+    const HandPose made = completer.complete(hand, Side::Right);
     EXPECT_TRUE(plausible(made));
     const glm::vec3 towards = glm::normalize(*hand.joints[10] - made.joints[7].position);
     EXPECT_NEAR(glm::dot(glm::normalize(made.joints[10].position - made.joints[7].position), towards), 1,
                 1e-4f);
 }
 
-TEST(CompleteHand, FingersOfWhichNothingIsSentAreBent) {
+TEST(CompleteHand, LooseTipsFindTheirFingersAndTheHandItsSide) {
     const HandCompleter completer(rig());
-    PartialHand hand = partial(Side::Right, posed(Side::Right, 0), Sent::Nothing);
-    EXPECT_GT(completer.complete(hand).grip, 0.8f);
+    for (Side side : {Side::Left, Side::Right}) {
+        HandShape open;
+        open.spread = 0.6f;
+        const HandPose truth = rig().pose(side, open, {{0, 0.2f, 0}, {1, 0, 0, 0}});
+        PartialHand hand = partial(truth, Sent::LooseTips);
+        EXPECT_EQ(completer.sideOfTips(hand), side);
+        std::swap(hand.looseTips[0], hand.looseTips[3]);
+        std::swap(hand.looseTips[1], hand.looseTips[4]);
+        const HandPose made = completer.complete(hand, side);
+        for (const auto& [metacarpal, proximal, tip] : kFingerJoints)
+            EXPECT_NEAR(glm::distance(made.joints[tip].position, truth.joints[tip].position), 0, 2e-3f);
+    }
+}
+
+TEST(CompleteHand, FingersThatAnOldServiceNoLongerSeesAreBent) {
+    const HandCompleter completer(rig());
+    PartialHand hand = partial(posed(Side::Right, 0), Sent::Nothing);
+    EXPECT_GT(completer.complete(hand, Side::Right).grip, 0.8f);
     hand.grip = 0.0f;
-    EXPECT_LT(completer.complete(hand).grip, 0.1f);
+    EXPECT_LT(completer.complete(hand, Side::Right).grip, 0.1f);
     // Index and middle pointing, the others gone.
     const HandPose flat = posed(Side::Right, 0);
     hand.grip.reset();
-    for (const int tip : {10, 15}) hand.joints[tip] = flat.joints[tip].position;
-    const HandPose pointing = completer.complete(hand);
+    hand.looseTips[0] = flat.joints[10].position;
+    hand.looseTips[1] = flat.joints[15].position;
+    hand.looseTipCount = 2;
+    const HandPose pointing = completer.complete(hand, Side::Right);
     EXPECT_NEAR(glm::distance(pointing.joints[10].position, flat.joints[10].position), 0, 2e-3f);
     EXPECT_GT(glm::distance(pointing.joints[20].position, flat.joints[20].position), 0.05f);
 }

@@ -43,10 +43,10 @@ HandFrame next(const Tracker& hands) {
 std::string frameAt(int64_t time_us, int64_t id = 1) {
     auto hand = test::closingHand(rig(), 1).front();
     hand.id = id;
-    return test::madeFrame(time_us, time_us, {hand});
+    return test::madeFrame(6, time_us, time_us, {hand});
 }
 
-TEST(LeapHands, AsksForProtocol6AndSendsExactlyTheseBytes) {
+TEST(LeapHands, AsksForTheNewestProtocolAndSendsExactlyTheseBytes) {
     Server server;
     const Tracker hands = connectTo(server);
     ASSERT_TRUE(server.waitForHeard(2));
@@ -93,20 +93,39 @@ TEST(LeapHands, OnAHeadsetItSaysSo) {
     for (const std::string& message : heard) EXPECT_LE(message.size(), 31u);
 }
 
-TEST(LeapHands, AWholeHandIsWhereTheServiceSeesIt) {
-    Server server;
-    const Tracker hands = connectTo(server);
-    const auto made = test::closingHand(rig(), 1, 0).front();
-    server.say(test::madeFrame(1, 1000, {made}));
-    const HandFrame frame = next(hands);
-    ASSERT_TRUE(frame.hands[1].tracked);
-    EXPECT_FALSE(frame.hands[0].tracked);
-    EXPECT_TRUE(plausible(frame.hands[1]));
-    HandPose truth = made.pose;
-    kDeskMount.apply(truth);
-    for (int i = 0; i < kJointCount; ++i)
-        EXPECT_NEAR(glm::distance(frame.hands[1].joints[i].position, truth.joints[i].position), 0, 1e-5f)
-            << kJointNames[i];
+TEST(LeapHands, GoesDownToTheVersionThatTheServiceSpeaks) {
+    for (int newest : {5, 3, 1}) {
+        Server server(0, newest);
+        const Tracker hands = connectTo(server);
+        server.say(frameAt(7));
+        EXPECT_EQ(next(hands).time_us, 7);
+        std::vector<std::string> expected;
+        for (int v = 6; v >= newest; --v) expected.push_back("/v" + std::to_string(v) + ".json");
+        EXPECT_EQ(server.paths(), expected);
+    }
+}
+
+TEST(LeapHands, EveryVersionGivesAWholeHandWhereItIs) {
+    for (int version = 1; version <= 6; ++version) {
+        Server server(0, version);
+        const Tracker hands = connectTo(server);
+        const auto made = test::closingHand(rig(), 1, 0).front();
+        server.say(test::madeFrame(version, 1, 1000, {made}));
+        const HandFrame frame = next(hands);
+        ASSERT_TRUE(frame.hands[1].tracked) << version;
+        EXPECT_FALSE(frame.hands[0].tracked) << version;
+        EXPECT_TRUE(plausible(frame.hands[1])) << version;
+        HandPose truth = made.pose;
+        kDeskMount.apply(truth);
+        for (int i = 0; i < kJointCount; ++i)
+            // All joints are sent at 6. Before, wrist and metacarpals come from the rig, and before 5 the
+            // fingers are bent as one parameter allows: half a finger's thickness.
+            EXPECT_NEAR(glm::distance(frame.hands[1].joints[i].position, truth.joints[i].position), 0,
+                        version == 6   ? 1e-5f
+                        : version == 5 ? 1e-3f
+                                       : 8e-3f)
+                << version << " " << kJointNames[i];
+    }
 }
 
 // As a direction, because a desk's mount moves hands farther apart than they are; turned with them.
@@ -117,15 +136,15 @@ TEST(LeapHands, TheElbowIsWhereTheServiceSeesItOrNotKnown) {
         auto made = test::closingHand(rig(), 1, 0).front();
         const glm::vec3 wrist = made.pose.joints[kWristJoint].position, forearm(0.06f, -0.03f, 0.25f);
         made.elbow = wrist + forearm;
-        server.say(test::madeFrame(1, 1000, {made}));
+        server.say(test::madeFrame(6, 1, 1000, {made}));
         const glm::vec3 expected =
             (onHeadset ? kHeadMount : kDeskMount).viewerFromDevice * glm::normalize(forearm);
         EXPECT_LT(glm::distance(next(hands).towardsElbow[1], expected), 1e-4f); // of 0.25 m: 25 um
         made.elbow = wrist + 4.0f * forearm;                                    // no arm is so long
-        server.say(test::madeFrame(2, 2000, {made}));
+        server.say(test::madeFrame(6, 2, 2000, {made}));
         EXPECT_EQ(next(hands).towardsElbow[1], glm::vec3(0));
         made.elbow.reset();
-        server.say(test::madeFrame(3, 3000, {made}));
+        server.say(test::madeFrame(6, 3, 3000, {made}));
         EXPECT_EQ(next(hands).towardsElbow[1], glm::vec3(0));
     }
 }
@@ -227,7 +246,7 @@ TEST(LeapHands, ClappingPalmsMeet) {
     for (int i = 0; i < kFrames; ++i) {
         const float apart_m = 0.036f + 0.005f * static_cast<float>(i); // from skin on skin to 0.73 m
         const auto made = facingHands(apart_m);
-        server.say(test::madeFrame(i, i * 10000, made));
+        server.say(test::madeFrame(6, i, i * 10000, made));
         const HandFrame frame = next(hands);
         ASSERT_TRUE(frame.hands[0].tracked && frame.hands[1].tracked) << i;
         const auto between = [](const HandPose& a, const HandPose& b, size_t joint) {
@@ -255,7 +274,7 @@ TEST(LeapHands, ASecondHandThatComesOrGoesLetsTheFirstNotLeap) {
     glm::vec3 before(0), alone(0);
     for (int i = 0; i < 150; ++i) {
         const bool second = i >= 50 && i < 100;
-        server.say(test::madeFrame(i, i * 10000, second ? both : std::vector{both[1]}));
+        server.say(test::madeFrame(6, i, i * 10000, second ? both : std::vector{both[1]}));
         const glm::vec3 palm = next(hands).hands[1].joints[kPalmJoint].position;
         if (i == 0) alone = palm;
         // 0.3 of the 0.1 m between them, within kEase_s.
@@ -293,8 +312,8 @@ TEST(LeapHands, AWrongLabelOrNormalIsCorrectedByTheJoints) {
                 shape.curl.fill(curl);
                 const glm::quat turn = glm::normalize(glm::quat(0.8f, 0.3f, -0.4f, 0.2f));
                 const test::MadeHand made{side, ++id, rig().pose(side, shape, {{0.05f, 0.2f, 0.1f}, turn})};
-                server.say(test::madeFrame(id, id * 500'000, {made}));
-                server.say(changed(test::madeFrame(id, id * 500'000, {made}), wrong & 1, wrong & 2));
+                server.say(test::madeFrame(6, id, id * 500'000, {made}));
+                server.say(changed(test::madeFrame(6, id, id * 500'000, {made}), wrong & 1, wrong & 2));
                 const HandFrame right = next(hands), seen = next(hands);
                 const size_t i = side == Side::Left ? 0 : 1;
                 ASSERT_TRUE(right.hands[i].tracked && seen.hands[i].tracked) << curl << " " << wrong;
@@ -321,7 +340,7 @@ TEST(LeapHands, WhereNothingTellsWhatIsWrongTheHandIsDropped) {
             const auto at = static_cast<size_t>(j);
             made.pose.joints[at].position = made.pose.joints[at - 1].position + glm::vec3(0, 0, -0.03f);
         }
-    const std::string frame = test::madeFrame(1, 1, {made});
+    const std::string frame = test::madeFrame(6, 1, 1, {made});
     for (const int wrong : {0, 1, 2}) {
         server.say(changed(frame, wrong & 1, wrong & 2));
         const HandFrame seen = next(hands);
@@ -341,7 +360,7 @@ TEST(LeapHands, AMovingHandIsSolidAndSteadyAtAnyRate) {
         for (int i = 0; i < 3 * rate_Hz; ++i) {
             const float x = -0.4f + kSpeed_mps * static_cast<float>(i) / static_cast<float>(rate_Hz);
             server.say(test::madeFrame(
-                i, i * interval_us,
+                6, i, i * interval_us,
                 {{Side::Right, 1, rig().pose(Side::Right, {}, {{x, 0.2f, 0.1f}, {1, 0, 0, 0}})}}));
         }
         DeviceHands device(DeviceTime::Stamps);

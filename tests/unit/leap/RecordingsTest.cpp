@@ -207,7 +207,7 @@ TEST(MadeRecording, TremblesLessAndComesLittleLater) {
         const float t = static_cast<float>(i) * 0.009f;
         const glm::vec3 wrist(0.08f * std::sin(6.283f * t) + noise(), 0.2f + noise(), 0.05f + noise());
         messages.push_back(test::madeFrame(
-            i, i * 9000, {{Side::Right, 1, rig().pose(Side::Right, {}, {wrist, {1, 0, 0, 0}})}}));
+            6, i, i * 9000, {{Side::Right, 1, rig().pose(Side::Right, {}, {wrist, {1, 0, 0, 0}})}}));
     }
     const Row row = measure(play(messages));
     print("made", row);
@@ -227,7 +227,7 @@ TEST(MadeRecording, ShortLossesOfARealKindAreBridgedAndTheFistKept) {
         if (i >= 145) hands[static_cast<size_t>(i)].id = 2;                           // found as another hand
         std::vector<test::MadeHand> shown;
         if (!lost) shown.push_back(hands[static_cast<size_t>(i)]);
-        messages.push_back(test::madeFrame(i, i * 10000, shown));
+        messages.push_back(test::madeFrame(6, i, i * 10000, shown));
     }
     LeapTracks tracks(rig(), kDeskMount);
     HandFilter filter;

@@ -59,10 +59,10 @@ std::vector<std::string> readRecordingMessages(const Path& file) {
     return messages;
 }
 
-std::string madeFrame(int64_t id, int64_t time_us, const std::vector<MadeHand>& hands) {
+std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vector<MadeHand>& hands) {
     json frame = {
         {"id", id}, {"timestamp", time_us}, {"hands", json::array()}, {"pointables", json::array()}};
-    frame["currentFrameRate"] = 100.0;
+    if (version >= 4) frame["currentFrameRate"] = 100.0;
     for (const MadeHand& made : hands) {
         const auto& joints = made.pose.joints;
         const glm::quat turn = joints[0].orientation;
@@ -70,32 +70,41 @@ std::string madeFrame(int64_t id, int64_t time_us, const std::vector<MadeHand>& 
                      {"palmPosition", millimetres(joints[0].position)},
                      {"palmNormal", unit(turn * glm::vec3(0, -1, 0))},
                      {"direction", unit(turn * glm::vec3(0, 0, -1))},
-                     {"palmVelocity", {0, 0, 0}},
-                     {"type", made.side == Side::Left ? "left" : "right"},
-                     {"grabStrength", made.pose.grip},
-                     {"pinchStrength", made.pose.pinch},
-                     {"confidence", 1.0},
-                     {"wrist", millimetres(joints[1].position)},
-                     {"palmWidth", 85.0},
-                     {"armBasis", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-        if (made.elbow) hand["elbow"] = millimetres(*made.elbow);
+                     {"palmVelocity", {0, 0, 0}}};
+        if (version >= 5) {
+            hand["type"] = made.side == Side::Left ? "left" : "right";
+            hand["grabStrength"] = made.pose.grip;
+            hand["pinchStrength"] = made.pose.pinch;
+            hand["confidence"] = 1.0;
+        }
+        if (version >= 6) {
+            hand["wrist"] = millimetres(joints[1].position);
+            hand["palmWidth"] = 85.0;
+            if (made.elbow) hand["elbow"] = millimetres(*made.elbow);
+            hand["armBasis"] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        }
         frame["hands"].push_back(hand);
         for (int f = 0; f < kFingerCount; ++f) {
             const int foot = f == 0 ? 2 : 1 + 5 * f, tip = f == 0 ? 5 : foot + 4;
             const auto at = [&](int joint) {
                 return millimetres(joints[static_cast<size_t>(joint)].position);
             };
-            frame["pointables"].push_back({{"id", made.id * 10 + f},
-                                           {"handId", made.id},
-                                           {"tool", false},
-                                           {"length", 60},
-                                           {"type", f},
-                                           {"carpPosition", at(foot)},
-                                           {"mcpPosition", at(f == 0 ? foot : foot + 1)},
-                                           {"pipPosition", at(f == 0 ? foot + 1 : foot + 2)},
-                                           {"dipPosition", at(tip - 1)},
-                                           {"tipPosition", at(tip)},
-                                           {"btipPosition", at(tip)}});
+            json finger = {{"id", made.id * 10 + f},
+                           {"handId", made.id},
+                           {"tool", false},
+                           {"length", 60},
+                           {"tipPosition", at(tip)}};
+            if (version >= 5) {
+                finger["type"] = f;
+                finger["mcpPosition"] = at(f == 0 ? foot : foot + 1);
+                finger["pipPosition"] = at(f == 0 ? foot + 1 : foot + 2);
+                finger["dipPosition"] = at(tip - 1);
+            }
+            if (version >= 6) {
+                finger["carpPosition"] = at(foot);
+                finger["btipPosition"] = at(tip);
+            }
+            frame["pointables"].push_back(finger);
         }
     }
     return frame.dump();
@@ -116,11 +125,11 @@ std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitud
     return hands;
 }
 
-std::vector<std::string> closingRecording(const HandRig& rig, int frames, int64_t begin_us) {
+std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames, int64_t begin_us) {
     std::vector<std::string> messages;
     int64_t i = 0;
     for (const MadeHand& made : closingHand(rig, frames)) {
-        messages.push_back(madeFrame(i, begin_us + i * 10000, {made}));
+        messages.push_back(madeFrame(version, i, begin_us + i * 10000, {made}));
         ++i;
     }
     return messages;

@@ -16,17 +16,19 @@ Path sharedRecording(const std::string& name);
 // The messages of a recording as they went over the socket; packed ones are unpacked.
 std::vector<std::string> readRecordingMessages(const Path& file);
 
-// One frame of a hand posed by the rig, in the Leap's desk frame and millimetres, as a service sends it.
+// One frame of a hand posed by the rig, in the Leap's desk frame and millimetres, as a service of that
+// protocol version would send it: joints from 5 on, everything at 6, mere fingertips before.
 struct MadeHand {
     Side side = Side::Right;
     int64_t id = 1;
-    HandPose pose;                    // device's frame, metres
-    std::optional<glm::vec3> elbow{}; // likewise
+    HandPose pose; // device's frame, metres
+    // Likewise; sent at 6.
+    std::optional<glm::vec3> elbow{};
 };
-std::string madeFrame(int64_t id, int64_t time_us, const std::vector<MadeHand>& hands);
+std::string madeFrame(int version, int64_t id, int64_t time_us, const std::vector<MadeHand>& hands);
 
 // A right hand over the device that closes, stays closed and opens again, 100 frames a second.
 std::vector<MadeHand> closingHand(const HandRig& rig, int frames, float amplitude = 1);
-std::vector<std::string> closingRecording(const HandRig& rig, int frames, int64_t begin_us = 0);
+std::vector<std::string> closingRecording(const HandRig& rig, int version, int frames, int64_t begin_us = 0);
 
 } // namespace shoal::hands::test

@@ -26,7 +26,7 @@ struct Command {
 struct Server::State {
     lws_context* context = nullptr;
     lws* client = nullptr;
-    int port = 0;
+    int port = 0, newest = 6;
     int heardHere = 0; // on this connection
     std::atomic<bool> leaving{false};
     mutable std::mutex mutex;
@@ -51,12 +51,20 @@ struct Server::State {
     int established(lws* wsi) {
         char path[64] = {};
         lws_hdr_copy(wsi, path, sizeof path, WSI_TOKEN_GET_URI);
+        int version = 0;
+        std::sscanf(path, "/v%d.json", &version);
         const std::lock_guard lock(mutex);
         paths.push_back(path);
         changed.notify_all();
+        if (version > newest || version < 1) {
+            lws_close_reason(wsi, static_cast<lws_close_status>(1001), nullptr, 0);
+            return -1;
+        }
         client = wsi;
         heardHere = 0;
-        commands.push_front({Command::Do::Text, "{\"serviceVersion\":\"2.3.1+33747\",\"version\":6}", 0});
+        commands.push_front(
+            {Command::Do::Text,
+             "{\"serviceVersion\":\"2.3.1+33747\",\"version\":" + std::to_string(version) + "}", 0});
         lws_callback_on_writable(wsi);
         return 0;
     }
@@ -116,7 +124,7 @@ struct Server::State {
     }
 };
 
-Server::Server(int port) : state_(std::make_unique<State>()) {
+Server::Server(int port, int newest) : state_(std::make_unique<State>()) {
     static const lws_protocols protocols[] = {
         {"leap",
          [](lws* wsi, lws_callback_reasons reason, void*, void* in, size_t length) {
@@ -133,6 +141,7 @@ Server::Server(int port) : state_(std::make_unique<State>()) {
     info.gid = info.uid = static_cast<decltype(info.gid)>(-1);
     info.user = state_.get();
     info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_ALLOW_LISTEN_SHARE;
+    state_->newest = newest;
     state_->context = lws_create_context(&info);
     lws_vhost* host = state_->context ? lws_create_vhost(state_->context, &info) : nullptr;
     if (!host) throw std::runtime_error("no loopback port to listen on");

@@ -10,8 +10,9 @@ namespace shoal::hands::test {
 
 class Server {
   public:
-    explicit Server(int port = 0); // 0: any free one
-    ~Server();                     // as a service that is stopped: connections are cut
+    // port 0: any free one. newest: a client that asks for a newer version is closed with 1001.
+    explicit Server(int port = 0, int newest = 6);
+    ~Server(); // as a service that is stopped: connections are cut
 
     int port() const;
 

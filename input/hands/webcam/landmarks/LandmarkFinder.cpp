@@ -298,7 +298,6 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
     }
     const HandPose fit = fitted(seen, track.side);
     PartialHand partial;
-    partial.side = track.side;
     for (size_t i = 0; i < kLandmarkCount; ++i) {
         const auto joint = static_cast<size_t>(kJointAt[i]);
         const float depth = -landmarkOf(fit, i).z;
@@ -309,7 +308,7 @@ std::optional<HandPose> LandmarkFinder::poseOf(const Track& track, cv::Size pict
     partial.direction = fit.joints[kPalmJoint].orientation * glm::vec3(0, 0, -1);
     partial.normal = fit.joints[kPalmJoint].orientation * glm::vec3(0, -1, 0);
     partial.confidence = hand.presence;
-    HandPose pose = completer_.complete(partial);
+    HandPose pose = completer_.complete(partial, track.side);
     if (!plausible(pose)) return std::nullopt;
     return pose;
 }
