@@ -561,6 +561,7 @@ MenuPage Screens::resultsPage() {
         page.text.push_back(filled(in("Your best dives before: {}"), best));
     }
     button("Dive again", [this] { ask(Request::Kind::Restart); });
+    if (facts.dives.size() > 1) button("Choose a dive", [this] { push(Screen::Dives); });
     button("Title screen", [this] { ask(Request::Kind::Title); });
     button("Quit", [this] { ask(Request::Kind::Quit); });
     page.note = filled(in("Seed {}"), facts.seed);

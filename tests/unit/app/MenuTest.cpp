@@ -244,6 +244,20 @@ TEST_F(MenuTest, DivesInThePlayersOwnFilmSaySo) {
     EXPECT_EQ(page().text, std::vector<std::string>{"All dives are in beach.jpg"});
 }
 
+TEST_F(MenuTest, TheResultsLeadToAnyDive) {
+    screens_.open(Screen::Results);
+    choose("Choose a dive");
+    EXPECT_EQ(screens_.top(), Screen::Dives);
+    choose("Back");
+    EXPECT_EQ(screens_.top(), Screen::Results);
+    choose("Choose a dive");
+    choose("The reef");
+    const auto request = asked();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->kind, Request::Kind::Dive);
+    EXPECT_EQ(request->name, "reef");
+}
+
 TEST_F(MenuTest, OneIsOneAndTwoAreSeveral) {
     screens_.facts.results.caught = 3;
     screens_.facts.results.tally.resize(1);
