@@ -51,11 +51,12 @@ template <class... Values> std::string filled(const char* text, const Values&...
 std::string keyLabel(std::string_view name, game::Language language) {
     std::string label(game::translated(name, language));
     if (label != name) return label;
-    for (size_t i = 1; i < label.size(); ++i)
-        if (std::isupper(static_cast<unsigned char>(label[i])) &&
-            std::islower(static_cast<unsigned char>(label[i - 1])))
-            label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i]))),
-            label.insert(i, 1, ' ');
+    const auto is = [&](int (*kind)(int), size_t at) { return kind(static_cast<unsigned char>(label[at])); };
+    for (size_t i = 1; i < label.size(); ++i) {
+        if (!is(std::isupper, i) || !is(std::islower, i - 1)) continue;
+        label[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
+        label.insert(i, 1, ' ');
+    }
     return label;
 }
 
