@@ -73,9 +73,9 @@ class FilmMoment {
     float gap_m(glm::vec3 place) const;
     // Only where known(): the direction in which that gap grows fastest, unit length.
     glm::vec3 inward(glm::vec3 place) const;
-    // Only where known(): along rock and away from it: the nearer it comes, the less of the wanted way leads out of its
-    // room. gap_m: of the place where it soon is; shy_m: the room that it wants; push: of the way, away from
-    // rock. Returns by how much of that room it is too near, up to 2; 0: not at all.
+    // Only where known(): along rock and away from it: the nearer it comes, the less of the wanted way leads
+    // out of its room. gap_m: of the place where it soon is; shy_m: the room that it wants; push: of the way,
+    // away from rock. Returns by how much of that room it is too near, up to 2; 0: not at all.
     float keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy_m, float push) const;
     // How far the body reaches out of its room; 0: not at all.
     float overshoot_m(const physics::Capsule& body) const;

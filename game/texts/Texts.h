@@ -314,7 +314,8 @@ inline constexpr auto kTexts = std::to_array<TextRow>({
     {"It was taken from: {}, which keeps {}", "Bisher hatte sie: {}; es bleibt {}",
      "Elle servait à : {} ; il reste {}"},
     {"It was taken from: {}, which has no key or button now",
-     "Bisher hatte sie: {}; dafür gibt es nun keine Taste mehr", "Elle servait à : {}, qui n’a plus de touche"},
+     "Bisher hatte sie: {}; dafür gibt es nun keine Taste mehr",
+     "Elle servait à : {}, qui n’a plus de touche"},
     {"Reset all keys", "Alle Tasten zurücksetzen", "Réinitialiser les touches"},
 
     // Names of keys; those with one letter or a number need none
