@@ -70,12 +70,6 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
     return text;
 }
 
-// Of no use to who has muted the game.
-bool isVolume(const Setting& row) {
-    const std::string key = row.key();
-    return key == "volume" || key == "effects-volume" || key == "video-sound" || key == "headphones";
-}
-
 // What it asks for.
 std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
     const auto text = [&](game::Text words) { return words.in(language); };
@@ -367,9 +361,9 @@ MenuPage Screens::settingsPage() {
 }
 
 MenuPage Screens::groupPage(SettingsPage group) {
-    for (size_t row = 0; row < table_.rows.size(); ++row)
-        if (table_.rows[row].page == group && !(options_.mute && isVolume(table_.rows[row])))
-            settingEntry(row);
+    const bool isMuted = group == SettingsPage::Sound && options_.mute; // nothing of it would be heard
+    for (size_t row = 0; row < table_.rows.size() && !isMuted; ++row)
+        if (table_.rows[row].page == group) settingEntry(row);
     if (group == SettingsPage::Hands && facts.webcam)
         button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();

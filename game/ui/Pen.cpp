@@ -40,8 +40,9 @@ Rectangle Pen::label(float x, float y, float anchor, TextSize textSize, uint32_t
     const glm::vec2 margin(line * 0.5f, line * 0.18f);
     // Stays on the picture.
     const float widest = size.x - 2 * margin.x;
-    const bool isWide = extent(content, textSize).x > widest;
-    const glm::vec2 extents = extent(content, textSize, isWide ? widest : 0);
+    glm::vec2 extents = extent(content, textSize);
+    const bool isWide = extents.x > widest;
+    if (isWide) extents = extent(content, textSize, widest);
     const float left =
         std::clamp(x - extents.x * anchor, margin.x, std::max(margin.x, size.x - margin.x - extents.x));
     const Rectangle area{glm::vec2(left, y) - margin, glm::vec2(left, y) + extents + margin};
