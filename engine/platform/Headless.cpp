@@ -3,6 +3,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include "engine/platform/GlVersions.h"
+
 namespace shoal::platform {
 
 namespace {
@@ -43,17 +45,19 @@ Result<Headless> Headless::open() {
         return Error{"", "no OpenGL without a display here; install libgl1-mesa-dri and libegl1"};
     Headless opened(display);
     eglBindAPI(EGL_OPENGL_API);
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
-    EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
-        return Error{"", "the graphics driver has no OpenGL 3.3 core context to give"};
-    return opened;
+    for (const GlVersion version : kGlVersions) {
+        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     version.major,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     version.minor,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                     EGL_NONE};
+        EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+        if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+            return opened;
+    }
+    return Error{"", "the graphics driver has no OpenGL 3.3 core context to give"};
 }
 
 } // namespace shoal::platform

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "engine/platform/GlVersions.h"
+
 namespace shoal::platform {
 
 namespace {
@@ -68,8 +70,6 @@ Result<Window> Window::open(const WindowOptions& options) {
                      "there is no display to open a window on; to see something without one, add --headless "
                      "--at 5 --screenshot shoal.png"};
     auto state = makeHidden<State>();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     GLFWmonitor* monitor = options.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
@@ -81,7 +81,12 @@ Result<Window> Window::open(const WindowOptions& options) {
     }
     state->restoreWidth = options.width;
     state->restoreHeight = options.height;
-    state->window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+    for (const GlVersion version : kGlVersions) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+        state->window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+        if (state->window) break;
+    }
     if (!state->window)
         return Error{"", "no window with OpenGL 3.3 could be opened; is the graphics driver installed?"};
     glfwMakeContextCurrent(state->window);

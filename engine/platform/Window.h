@@ -1,4 +1,5 @@
-// A window with an OpenGL 3.3 core context, and what the player does in it since the last poll.
+// A window with a context of OpenGL 3.3 or newer (core profile), and what the player does in it since the
+// last poll.
 #pragma once
 
 #include "engine/core/Hidden.h"
