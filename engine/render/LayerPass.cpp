@@ -61,25 +61,46 @@ void LayerPass::begin(glm::ivec2 size, int samples) {
         layer_.emplace(size.x, size.y, samples);
         samples_ = samples;
     }
-    areRead_ = false;
+    areRead_ = areNewer_ = false;
     layer_->bind();
     glDepthMask(GL_TRUE);
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-std::vector<uint32_t>& LayerPass::pixels() {
-    if (!areRead_) layer_->readBgra(pixels_);
+void LayerPass::read() {
+    if (areRead_) return;
+    layer_->readBgra(pixels_);
+    coverage_.find(pixels_, size());
     areRead_ = true;
+}
+
+const std::vector<uint32_t>& LayerPass::pixels() {
+    read();
     return pixels_;
 }
 
+const Coverage& LayerPass::coverage() {
+    read();
+    return coverage_;
+}
+
 void LayerPass::smoothOutlines() {
-    const glm::ivec2 size(layer_->width(), layer_->height());
-    smoother_.smooth(pixels(), size);
-    glBindTexture(GL_TEXTURE_2D, layer_->texture());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_BGRA, GL_UNSIGNED_BYTE, pixels_.data());
+    read();
+    smoother_.smooth(pixels_, size(), coverage_);
+    areNewer_ = true;
+}
+
+// Most frames are painted from the pixels alone.
+const gl::Target& LayerPass::layer() {
+    if (areNewer_) {
+        glBindTexture(GL_TEXTURE_2D, layer_->texture());
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, layer_->width(), layer_->height(), GL_BGRA, GL_UNSIGNED_BYTE,
+                        pixels_.data());
+        areNewer_ = false;
+    }
+    return *layer_;
 }
 
 void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& view) {
@@ -129,7 +150,7 @@ void LayerPass::layOver(std::span<const scene::Sphere> spheres, const View& view
     if (corners_.empty()) return;
 
     program_.use();
-    program_.setTexture("layer", 0, layer_->texture());
+    program_.setTexture("layer", 0, layer().texture());
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // premultiplied
     drawn_.draw(corners_);

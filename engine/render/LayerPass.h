@@ -49,11 +49,15 @@ class LayerPass {
     // beside them. Where its pixels have been read, only the cells of the picture in which there are any.
     void layOver(std::span<const scene::Sphere> spheres, const View& view);
 
-    const gl::Target& layer() const { return *layer_; } // after begin()
+    // After begin().
+    glm::ivec2 size() const { return {layer_->width(), layer_->height()}; }
+    const gl::Target& layer();
     // After end(): of the layer, blue first, from the lowest row; read once, waiting until it is drawn.
-    std::vector<uint32_t>& pixels();
+    const std::vector<uint32_t>& pixels();
+    const Coverage& coverage(); // of the pixels; smoothed outlines reach one pixel further
 
   private:
+    void read();
     void markSpheres(std::span<const scene::Sphere> spheres, const View& view);
     void unmarkEmpty(); // needs the pixels
 
@@ -63,7 +67,9 @@ class LayerPass {
     int samples_ = 0;
     OutlineSmoother smoother_;
     std::vector<uint32_t> pixels_;   // of the layer
+    Coverage coverage_;              // of these
     bool areRead_ = false;           // since begin()
+    bool areNewer_ = false;          // than what is in the layer's texture
     std::vector<bool> marked_;       // scratch: the cells of a grid over the picture
     std::vector<glm::vec2> corners_; // scratch: of their triangles
 };

@@ -214,12 +214,12 @@ TEST_F(LatLongGL, NothingOfOneEyesObjectsStaysInTheOthersPicture) {
     const auto make = [] {
         return std::move(*render::BackgroundPass::make(render::Backend::Software, true));
     };
-    // The picture towards -Z, with a sphere elsewhere in it.
-    const auto with = [&](const glm::vec3& to, render::BackgroundPass& background) {
+    // The picture towards -Z, with a sphere elsewhere in it; or where one may be, with nothing.
+    const auto with = [&](const glm::vec3& to, render::BackgroundPass& background, float alpha = 1) {
         constexpr float kHalfAngle = 0.15f;
         const render::View view = viewTowards({0, 0, -1});
         layer_->begin({4, 4}, 1);
-        glClearColor(1, 0, 0, 1);
+        glClearColor(alpha, 0, 0, alpha);
         glClear(GL_COLOR_BUFFER_BIT);
         const render::Sphere sphere{2.0f * glm::normalize(to), 2 * std::sin(kHalfAngle)};
         tiles_.choose({frame_.width, frame_.height}, glm::mat3(1), {&sphere, 1}, glm::vec3(0));
@@ -233,6 +233,10 @@ TEST_F(LatLongGL, NothingOfOneEyesObjectsStaysInTheOthersPicture) {
     const ImageRgba8 right = with({0.2f, 0.1f, -1}, *background);
     EXPECT_NE(left.pixels, right.pixels);
     EXPECT_EQ(right.pixels, with({0.2f, 0.1f, -1}, *fresh).pixels);
+    const ImageRgba8 none = with({0.2f, 0.1f, -1}, *background, 0);
+    EXPECT_EQ(none.pixels, with({-0.2f, 0, -1}, *fresher, 0).pixels);
+    EXPECT_NE(none.pixels, right.pixels);
+    EXPECT_EQ(right.pixels, with({0.2f, 0.1f, -1}, *background).pixels) << "comes back";
     for (uint8_t& value : frame_.pixels) value = static_cast<uint8_t>(value / 2 + 100); // a new frame
     environment_->setFrame({frame_.pixels.data(), frame_.width, frame_.height, frame_.width});
     EXPECT_EQ(with({0.2f, 0.1f, -1}, *background).pixels, with({0.2f, 0.1f, -1}, *fresher).pixels);

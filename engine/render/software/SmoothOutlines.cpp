@@ -1,5 +1,7 @@
 #include "engine/render/software/SmoothOutlines.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -65,7 +67,7 @@ uint32_t mixed(uint32_t own, const std::array<uint32_t, 4>& others, const std::a
     return result;
 }
 
-constexpr int kBlock = 16; // pixels of a row that are compared together
+constexpr int kBlock = Coverage::kBlock; // pixels of a row that are compared together
 
 // In its highest byte: where the alpha of a pixel is not that of those beside it.
 uint32_t differenceBeside(const uint32_t* pixel, ptrdiff_t row) {
@@ -81,16 +83,13 @@ bool isEven(const uint32_t* block, ptrdiff_t row) {
 
 } // namespace
 
-void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size) {
-    changed_.clear();
+void OutlineSmoother::smoothBlock(std::span<const uint32_t> pixels, const glm::ivec2& size,
+                                  const glm::ivec2& low, const glm::ivec2& high) {
     const ptrdiff_t row = size.x;
-    for (int y = 1; y + 1 < size.y; ++y)
-        for (int x = 1; x + 1 < size.x; ++x) {
+    for (int y = low.y; y < high.y; ++y) {
+        if (high.x - low.x == kBlock && isEven(pixels.data() + y * row + low.x, row)) continue;
+        for (int x = low.x; x < high.x; ++x) {
             const uint32_t* pixel = pixels.data() + y * row + x;
-            if (x % kBlock == 1 && x + kBlock < size.x && isEven(pixel, row)) {
-                x += kBlock - 1;
-                continue;
-            }
             if (differenceBeside(pixel, row) >> 24 == 0) continue;
             const std::array<uint32_t, 4> beside{pixel[-1], pixel[1], pixel[-row], pixel[row]};
             std::array<float, 4> shares{};
@@ -103,6 +102,17 @@ void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size)
             look(3, 1, row, x, size.x - 1 - x);
             const uint32_t now = mixed(*pixel, beside, shares);
             if (now != *pixel) changed_.emplace_back(pixel - pixels.data(), now);
+        }
+    }
+}
+
+void OutlineSmoother::smooth(std::span<uint32_t> pixels, const glm::ivec2& size, const Coverage& coverage) {
+    changed_.clear();
+    for (int y = 0; y < coverage.blocks().y; ++y)
+        for (int x = 0; x < coverage.blocks().x; ++x) {
+            const glm::ivec2 begin = kBlock * glm::ivec2(x, y), end = begin + kBlock;
+            if (coverage.any(begin - 1, end))
+                smoothBlock(pixels, size, glm::max(begin, 1), glm::min(end, size - 1));
         }
     for (const auto& [index, value] : changed_) pixels[index] = value;
 }

@@ -2,6 +2,8 @@
 // (Reshetov 2009, "Morphological Antialiasing"), by alpha, so that nothing within an outline is blurred.
 #pragma once
 
+#include "engine/render/software/Coverage.h"
+
 #include <glm/vec2.hpp>
 
 #include <cstdint>
@@ -16,10 +18,15 @@ namespace shoal::render {
 // lies beyond the line. Straight outlines come out as their coverage to 0.11 (root mean square; 0.26 before).
 class OutlineSmoother {
   public:
-    // Premultiplied, alpha in the highest byte; rows without gaps. Pixels at the edges stay.
-    void smooth(std::span<uint32_t> pixels, const glm::ivec2& size);
+    // Premultiplied, alpha in the highest byte; rows without gaps. Pixels at the edges stay. coverage: of
+    // these pixels; outlines reach one pixel further afterwards.
+    void smooth(std::span<uint32_t> pixels, const glm::ivec2& size, const Coverage& coverage);
 
   private:
+    // Pixels low to high - 1, of which none is at an edge.
+    void smoothBlock(std::span<const uint32_t> pixels, const glm::ivec2& size, const glm::ivec2& low,
+                     const glm::ivec2& high);
+
     std::vector<std::pair<size_t, uint32_t>> changed_; // scratch: pixels and their new values
 };
 

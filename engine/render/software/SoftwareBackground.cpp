@@ -1,10 +1,14 @@
 #include "engine/render/software/SoftwareBackground.h"
 
+#include "engine/math/LatLong.h"
 #include "engine/render/TriangleBatch.h"
 #include "engine/render/software/PaintTexels.h"
 #include "engine/render/software/ShadeTexels.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 namespace shoal::render {
@@ -14,6 +18,25 @@ namespace {
 bool canSample(const EyePicture& picture) {
     return canSampleFrames() && showsFrameAsCoded(picture.environment, picture.exposure) &&
            picture.canvas.samples() == 1;
+}
+
+// Whether the layer shows anything in a tile of the frame's texels, or a little beside it.
+bool showsAnything(LayerPass& layer, const TexelPaint& paint, const FrameTiles& tiles,
+                   const glm::ivec2& tile) {
+    constexpr float kMargin = 3; // pixels: of the filter, of smoothed outlines, of texels that share colours
+    glm::vec2 low(INFINITY), high(-INFINITY);
+    for (int k = 0; k < 4; ++k) {
+        const glm::ivec2 corner = tiles.lowOf(tile + glm::ivec2(k & 1, k >> 1));
+        const glm::vec3 ray =
+            paint.eyeFromEnv * directionFromLatLong(glm::vec2(corner) / glm::vec2(tiles.frameSize()));
+        if (ray.z > -0.05f) return true; // beside the eye, where a tile is no quadrangle in the picture
+        const glm::vec2 place = (glm::vec2(ray) / -ray.z - paint.rayShift) / paint.rayScale;
+        const glm::vec2 pixel = (0.5f * place + 0.5f) * glm::vec2(paint.layerSize);
+        low = glm::min(low, pixel), high = glm::max(high, pixel);
+    }
+    const glm::vec2 size(paint.layerSize);
+    return layer.coverage().any(glm::ivec2(glm::floor(glm::clamp(low - kMargin, glm::vec2(-1), size))),
+                                glm::ivec2(glm::floor(glm::clamp(high + kMargin, glm::vec2(-1), size))));
 }
 
 void copyTexels(const DisplayFrame& frame, const glm::ivec2& low, const glm::ivec2& high, uint32_t* out,
@@ -32,7 +55,9 @@ SoftwareBackground::SoftwareBackground()
 void SoftwareBackground::SampleRow::operator()(int row) const {
     const size_t first = pass->grid_.rowBegin(row), cells = pass->grid_.rowBegin(row + 1) - first;
     for (const State& state : std::span(pass->states_).subspan(first, cells))
-        if (state.due) sampleCell(frame, state.sampled, pass->picture_.data(), pass->shown_.size.x);
+        if (state.due)
+            sampleCell(state.painted ? painted : frame, state.sampled, pass->picture_.data(),
+                       pass->shown_.size.x);
 }
 
 void SoftwareBackground::classify(const EyePicture& picture) {
@@ -69,9 +94,9 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
         state.painted = (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh())) ||
                         (shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh()));
         state.due = state.here && !state.painted && !state.clean;
-        state.clean = state.here && !state.painted;
+        state.clean = state.clean || state.due;
     }
-    sampleRow_ = {this, shown_.frame};
+    sampleRow_ = {this, shown_.frame, {}};
     threadPool_.start(grid_.rows(), sampleRow_);
     started_ = true;
 }
@@ -83,14 +108,25 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     started_ = false;
     drawn_.clear();
     wanted_.assign(FrameTiles::kAll, false);
+    const FilmShadows* shadows = picture.seenShadows();
+    const TexelPaint paint = layer ? paintOf(picture, *layer) : TexelPaint();
+    if (layer) findCovered(*layer, paint);
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
-        if (!states_[k].here)
+        State& state = states_[k];
+        if (!state.here)
             drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
-        else if (states_[k].painted)
-            want(layer ? layer->tiles : picture.seenShadows()->tiles(), cell);
+        state.due = state.here && state.painted;
+        if (!state.due) continue;
+        const bool shaded = shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh());
+        state.painted = shaded || (layer && covered_.isChosen(cell.mapLow(), cell.mapHigh()));
+        if (state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
+        state.due = state.painted || !state.clean;
+        state.clean = !state.painted;
     }
-    if (std::ranges::find(wanted_, true) != wanted_.end()) paintTiles(picture, layer);
+    if (std::ranges::find(wanted_, true) != wanted_.end())
+        paintFrame(layer ? &covered_ : nullptr, paint, shadows);
+    threadPool_.parallelFor(grid_.rows(), SampleRow{this, shown_.frame, painted()});
     if (drawn_.size() < states_.size()) {
         glBindTexture(GL_TEXTURE_2D, picture.canvas.texture());
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -100,22 +136,21 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
     return drawCells(picture, layer);
 }
 
-// The wanted tiles, and those cells of the picture that show them.
-void SoftwareBackground::paintTiles(const EyePicture& picture, const TexelLayer* layer) {
-    if (layer)
-        paintFrame(&layer->tiles, paintOf(picture, *layer), picture.seenShadows());
-    else
-        paintFrame(nullptr, {}, picture.seenShadows());
-    for (State& state : states_) state.due = state.here && state.painted;
-    const auto* pixels = reinterpret_cast<const uint8_t*>(texels_.get());
-    threadPool_.parallelFor(grid_.rows(),
-                            SampleRow{this, {pixels, texelsSize_.x, texelsSize_.y, texelsSize_.x}});
+// Spheres around objects hold more of the film than the objects hide.
+void SoftwareBackground::findCovered(const TexelLayer& layer, const TexelPaint& paint) {
+    covered_.clear(layer.tiles.frameSize());
+    layer.tiles.eachChosen([&](const glm::ivec2& tile) {
+        if (showsAnything(layer.layer, paint, layer.tiles, tile)) covered_.choose(tile);
+    });
+}
+
+DisplayFrame SoftwareBackground::painted() const {
+    return {reinterpret_cast<const uint8_t*>(texels_.get()), texelsSize_.x, texelsSize_.y, texelsSize_.x};
 }
 
 TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLayer& layer) {
-    const gl::Target& drawn = layer.layer.layer();
     TexelPaint paint{.layer = layer.layer.pixels().data(),
-                     .layerSize = {drawn.width(), drawn.height()},
+                     .layerSize = layer.layer.size(),
                      .eyeFromEnv =
                          glm::transpose(picture.envFromWorld * glm::mat3_cast(layer.view.worldFromEye)),
                      .rayScale = layer.view.halfExtent(),
@@ -130,7 +165,7 @@ TexelPaint SoftwareBackground::paintOf(const EyePicture& picture, const TexelLay
     return paint;
 }
 
-// Of the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
+// Into the wanted tiles: the frame's texels, dimmed where shadows are, and objects over them.
 void SoftwareBackground::paintFrame(const FrameTiles* objects, const TexelPaint& paint,
                                     const FilmShadows* shadows) {
     const DisplayFrame& frame = shown_.frame;
@@ -140,7 +175,6 @@ void SoftwareBackground::paintFrame(const FrameTiles* objects, const TexelPaint&
         texels_ = std::make_unique_for_overwrite<uint32_t[]>(static_cast<size_t>(size.x) *
                                                              static_cast<size_t>(size.y));
     }
-    const DisplayFrame painted{reinterpret_cast<const uint8_t*>(texels_.get()), size.x, size.y, size.x};
     runs_.clear();
     eachRun(wanted_, FrameTiles::kCount, [&](int first, int end, int row) {
         runs_.push_back({row, first, end});
@@ -154,7 +188,7 @@ void SoftwareBackground::paintFrame(const FrameTiles* objects, const TexelPaint&
             const bool shaded = shadows && shadows->tiles().chosen()[tile];
             const bool covered = objects && objects->chosen()[tile];
             if (shaded) shadeTexels(frame, shadows->left(), low, high, texels_.get(), size.x);
-            if (covered) paintTexels(shaded ? painted : frame, paint, low, high, texels_.get(), size.x);
+            if (covered) paintTexels(shaded ? painted() : frame, paint, low, high, texels_.get(), size.x);
             if (!shaded && !covered) copyTexels(frame, low, high, texels_.get(), size.x);
         }
     });

@@ -40,12 +40,12 @@ class SoftwareBackground final : public BackgroundPass {
         SampledCell sampled;
         bool here = false;    // else OpenGL draws it
         bool clean = false;   // in the picture, without objects
-        bool painted = false; // there may be objects, or shadows
+        bool painted = false; // there are shadows, or objects; before the layer is known: there may be
         bool due = false;     // is sampled next
     };
     struct SampleRow { // the due ones of a row of cells
         SoftwareBackground* pass;
-        DisplayFrame frame;
+        DisplayFrame frame, painted;
         void operator()(int row) const;
     };
     struct Run {             // of tiles, as FrameTiles counts them
@@ -53,9 +53,10 @@ class SoftwareBackground final : public BackgroundPass {
     };
 
     void classify(const EyePicture& picture);
-    void paintTiles(const EyePicture& picture, const TexelLayer* layer);
+    void findCovered(const TexelLayer& layer, const TexelPaint& paint);
     TexelPaint paintOf(const EyePicture& picture, const TexelLayer& layer);
     void paintFrame(const FrameTiles* objects, const TexelPaint& paint, const FilmShadows* shadows);
+    DisplayFrame painted() const;
 
     Shown shown_;
     bool started_ = false;
@@ -69,6 +70,7 @@ class SoftwareBackground final : public BackgroundPass {
     std::unique_ptr<uint32_t[]> texels_;
     glm::ivec2 texelsSize_{0};
     std::vector<Run> runs_; // of wanted tiles
+    FrameTiles covered_;    // those of the layer's in which there is something
     SampleRow sampleRow_{};
     ThreadPool threadPool_; // last, so that it ends before what it reads
 };

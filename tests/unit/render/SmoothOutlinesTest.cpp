@@ -47,8 +47,13 @@ double error(const std::vector<uint32_t>& pixels, const Inside& inside) {
     return count ? std::sqrt(sum / count) : 0;
 }
 
+void smooth(std::vector<uint32_t>& pixels, const glm::ivec2& size = kPictureSize) {
+    Coverage coverage;
+    coverage.find(pixels, size);
+    OutlineSmoother().smooth(pixels, size, coverage);
+}
+
 TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
-    OutlineSmoother smoother;
     double before = 0, after = 0;
     constexpr int kTurns = 72;
     for (int k = 0; k < kTurns; ++k) {
@@ -56,7 +61,7 @@ TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
         const Inside inside = [&](double x, double y) { return a * (x - 47.7) + b * (y - 31.4) < 0; };
         std::vector<uint32_t> pixels = drawn(inside);
         before += error(pixels, inside) / kTurns;
-        smoother.smooth(pixels, kPictureSize);
+        smooth(pixels);
         EXPECT_LT(error(pixels, inside), 0.17) << "turned by " << turn; // worst: diagonals
         after += error(pixels, inside) / kTurns;
     }
@@ -65,12 +70,11 @@ TEST(SmoothOutlines, OfHalfPlanesAreTheirCoverage) {
 }
 
 TEST(SmoothOutlines, OfDiscsAreNearerToTheirCoverage) {
-    OutlineSmoother smoother;
     for (const double radius : {4.0, 9.0, 15.0}) {
         const Inside inside = [&](double x, double y) { return std::hypot(x - 48.2, y - 32.3) < radius; };
         std::vector<uint32_t> pixels = drawn(inside);
         const double before = error(pixels, inside);
-        smoother.smooth(pixels, kPictureSize);
+        smooth(pixels);
         EXPECT_LT(error(pixels, inside), 0.75 * before) << radius;
     }
 }
@@ -80,7 +84,7 @@ TEST(SmoothOutlines, ChangeNothingButCoverage) {
     const Inside inside = [](double x, double y) { return x + 0.3 * y < 60; };
     const std::vector<uint32_t> before = drawn(inside);
     std::vector<uint32_t> after = before;
-    OutlineSmoother().smooth(after, kPictureSize);
+    smooth(after);
     EXPECT_NE(after, before);
     for (size_t i = 0; i < after.size(); ++i) {
         const int x = static_cast<int>(i) % kPictureSize.x, y = static_cast<int>(i) / kPictureSize.x;
@@ -97,7 +101,7 @@ TEST(SmoothOutlines, SoftOutlinesStay) {
     for (int i = 0; i < kPictureSize.x * kPictureSize.y; ++i)
         pixels.push_back(static_cast<uint32_t>(2 * (i % kPictureSize.x)) << 24);
     const std::vector<uint32_t> before = pixels;
-    OutlineSmoother().smooth(pixels, kPictureSize);
+    smooth(pixels);
     EXPECT_EQ(pixels, before);
 }
 
@@ -106,7 +110,7 @@ TEST(SmoothOutlines, PicturesOfAnySize) {
          {glm::ivec2(0), glm::ivec2(1, 5), glm::ivec2(2), glm::ivec2(3), glm::ivec2(40, 3)}) {
         std::vector<uint32_t> pixels(static_cast<size_t>(size.x * size.y));
         for (size_t i = 0; i < pixels.size(); i += 2) pixels[i] = kSolid;
-        OutlineSmoother().smooth(pixels, size);
+        smooth(pixels, size);
     }
 }
 
