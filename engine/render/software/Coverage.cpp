@@ -1,20 +1,32 @@
 #include "engine/render/software/Coverage.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace shoal::render {
+
+namespace {
+
+bool isAny(const uint32_t* pixels, int count) {
+    uint32_t all = 0;
+    if (count == Coverage::kBlock) // a loop of known length becomes a few vectors
+        for (int i = 0; i < Coverage::kBlock; ++i) all |= pixels[i];
+    else
+        for (int i = 0; i < count; ++i) all |= pixels[i];
+    return all != 0;
+}
+
+} // namespace
 
 void Coverage::find(std::span<const uint32_t> pixels, const glm::ivec2& size) {
     blocks_ = (size + kBlock - 1) / kBlock;
     covered_.assign(static_cast<size_t>(blocks_.x) * static_cast<size_t>(blocks_.y), 0);
     const uint32_t* row = pixels.data();
-    for (int y = 0; y < size.y; ++y, row += size.x)
-        for (int block = 0; block < blocks_.x; ++block) {
-            uint32_t all = 0;
-            const int end = std::min((block + 1) * kBlock, size.x);
-            for (int x = block * kBlock; x < end; ++x) all |= row[x];
-            covered_[static_cast<size_t>(y / kBlock * blocks_.x + block)] |= all != 0;
-        }
+    for (int y = 0; y < size.y; ++y, row += size.x) {
+        uint8_t* covered = covered_.data() + ptrdiff_t{y / kBlock} * blocks_.x;
+        for (int block = 0; block < blocks_.x; ++block)
+            covered[block] |= isAny(row + block * kBlock, std::min(kBlock, size.x - block * kBlock));
+    }
 }
 
 bool Coverage::any(const glm::ivec2& low, const glm::ivec2& high) const {

@@ -100,6 +100,7 @@ void OutlineSmoother::smoothBlock(std::span<const uint32_t> pixels, const glm::i
             look(1, row, 1, y, size.y - 1 - y);
             look(2, 1, -row, x, size.x - 1 - x);
             look(3, 1, row, x, size.x - 1 - x);
+            if (shares == std::array<float, 4>{}) continue;
             const uint32_t now = mixed(*pixel, beside, shares);
             if (now != *pixel) changed_.emplace_back(pixel - pixels.data(), now);
         }
