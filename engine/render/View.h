@@ -24,6 +24,7 @@ struct View {
 
     int heightPixels = 0; // of the picture: what is smaller than these is not drawn; 0: all there is
 
+    bool operator==(const View&) const = default;
     glm::vec2 halfExtent() const {
         const float y = std::tan(verticalFov / 2);
         return {y * aspect, y};

@@ -83,8 +83,14 @@ void SceneRenderer::castShadows() {
     const gl::PassTimers::Scope scope(timers_, "shadows");
     filmed_.clear();
     for (const render::EyePicture& picture : pictures_) filmed_.push_back(filmedFrom(picture));
-    const render::NearBodies& bodies = passes_.objects.bodies();
     const size_t films = pictures_[0].sharesFrame ? 1 : pictures_.size();
+    for (size_t eye = 0; eye < pictures_.size(); ++eye)
+        pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
+    const uint64_t frame = pictures_[0].environment.frameNumber();
+    // Shadows are a part of what was filmed: where the view rests, they are as old as the film's picture.
+    if (shadowsOn_.map == map && shadowsOn_.frame == frame && shadowsOn_.from == filmed_) return;
+    shadowsOn_.map = map, shadowsOn_.frame = frame, shadowsOn_.from = filmed_;
+    const render::NearBodies& bodies = passes_.objects.bodies();
     for (size_t film = 0; film < films; ++film) {
         const glm::vec3 camera = films == 1 ? glm::vec3(0) : filmed_[film].eyeWorld;
         shadows_[film].begin({map, environment_->envFromWorld(), camera}, exposure_.frames,
@@ -93,8 +99,6 @@ void SceneRenderer::castShadows() {
         for (size_t body = 0; body < bodies.count(); ++body)
             shadows_[film].add(bodies.ellipsoids(body), *light, eyes);
     }
-    for (size_t eye = 0; eye < pictures_.size(); ++eye)
-        pictures_[eye].shadows = &shadows_[films == 1 ? 0 : eye];
 }
 
 // The player's hands cast theirs themselves.

@@ -103,6 +103,11 @@ class SceneRenderer final : private render::CompositorScene {
     std::vector<render::View> filmed_;         // scratch: where each is filmed from
     // Of the film, or of each eye's.
     std::array<render::FilmShadows, 2> shadows_;
+    struct Filmed { // what they were cast on
+        const depth::DepthMap* map = nullptr;
+        uint64_t frame = 0;
+        std::vector<render::View> from;
+    } shadowsOn_;
     std::vector<scene::Sphere> spheres_; // scratch
     bool floorIsShaded_ = false;         // in this frame
     double time_s_ = 0;

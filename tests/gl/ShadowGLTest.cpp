@@ -143,7 +143,35 @@ TEST_P(ShadowGL, SparesWhatIsBeforeTheGround) {
     EXPECT_GT(dimmed, 1000);
 }
 
-// The picture of a view that rests is kept where nothing changes: a shadow that goes must go.
+// The picture of a view that rests is kept where nothing changes: no object stays in it, and no shadow is
+// lost where one passed.
+TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
+    const render::View view = downwards();
+    cast(view);
+    const ImageRgba8 before = drawn(view);
+    auto layer = render::LayerPass::make();
+    ASSERT_TRUE(layer);
+    render::FrameTiles tiles;
+    const Sphere everything{{0, 0, 0}, 100};
+    tiles.choose({frame_.width, frame_.height}, glm::mat3(1), {&everything, 1}, glm::vec3(0));
+    const render::TexelLayer objects{*layer, render::widened(view, 1.02f), tiles};
+    for (const float alpha : {0.0f, 1.0f, 0.0f}) {
+        layer->begin({400, 400}, 1);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(120, 100, 150, 200);
+        glClearColor(0, 0, 0, alpha);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glDisable(GL_SCISSOR_TEST);
+        layer->end();
+        if (alpha == 0)
+            EXPECT_EQ(drawn(view, &objects).pixels, before.pixels);
+        else
+            EXPECT_NE(drawn(view, &objects).pixels, before.pixels);
+    }
+    EXPECT_EQ(drawn(view).pixels, before.pixels);
+}
+
+// A shadow that goes must go.
 TEST_P(ShadowGL, IsGoneWithWhatCastIt) {
     const render::View view = downwards();
     cast(view);

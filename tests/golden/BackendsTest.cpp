@@ -152,6 +152,43 @@ TEST_F(Backends, ObjectsInTheTexelsAreAsBright) {
     }
 }
 
+// Shadows on the film stay with its picture while the view rests; a new picture and a turned head see them
+// as a renderer does that has drawn nothing before.
+TEST_F(Backends, NoShadowIsOlderThanTheFilmsPicture) {
+    ASSERT_TRUE(environment_->depth());
+    GameSession session(*config_);
+    session.advance(11);
+    environment_->update(session.shown.time_s, true);
+    const auto fresh = [&](Backend backend) {
+        auto renderer = SceneRenderer::make(
+            renderer_->takeModels(),
+            {.detail = render::Detail::Lean,
+             .skip = render::SkippedPass::Bounce, // which follows from picture to picture
+             .compositor = {.composition = Composition::CameraResponse, .backend = backend}});
+        EXPECT_TRUE(renderer) << renderer.error().message();
+        renderer_ = std::move(*renderer);
+    };
+    for (const Backend backend : {Backend::OpenGL, Backend::Software}) {
+        const game::Snapshot first = session.shown;
+        session.advance(1.0 / 120);
+        const game::Snapshot next = session.shown;
+        game::Snapshot turned = next;
+        turned.worldFromView = glm::angleAxis(0.02f, glm::vec3(0, 1, 0)) * next.worldFromView;
+        fresh(backend);
+        const auto asItIs = draw(turned, 1);
+        fresh(backend);
+        draw(first, 1);
+        const auto rested = draw(next, 1);
+        EXPECT_EQ(draw(turned, 1)[0].pixels, asItIs[0].pixels);
+        session.advance(0.1);
+        environment_->update(session.shown.time_s, true);
+        const auto later = draw(session.shown, 1);
+        fresh(backend);
+        EXPECT_EQ(draw(session.shown, 1)[0].pixels, later[0].pixels);
+        EXPECT_NE(rested[0].pixels, later[0].pixels);
+    }
+}
+
 // With a copy of the shaders, to change.
 class ShaderReload : public Backends {
   protected:

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 namespace shoal::render {
 
@@ -88,13 +89,15 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     shown_ = shown;
     if (!same) classify(picture);
     const FilmShadows* shadows = picture.seenShadows();
+    const Shadows were = std::exchange(shadows_, {shadows, shadows ? shadows->number() : 0});
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
         State& state = states_[k];
+        if (state.shown == Content::Shaded && were != shadows_) state.shown = Content::Unknown;
         state.painted = (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh())) ||
                         (shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh()));
-        state.due = state.here && !state.painted && !state.clean;
-        state.clean = state.clean || state.due;
+        state.due = state.here && !state.painted && state.shown != Content::Frame;
+        if (state.due) state.shown = Content::Frame;
     }
     sampleRow_ = {this, shown_.frame, {}};
     threadPool_.start(grid_.rows(), sampleRow_);
@@ -119,10 +122,12 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
         state.due = state.here && state.painted;
         if (!state.due) continue;
         const bool shaded = shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh());
-        state.painted = shaded || (layer && covered_.isChosen(cell.mapLow(), cell.mapHigh()));
-        if (state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
-        state.due = state.painted || !state.clean;
-        state.clean = !state.painted;
+        const bool covered = layer && covered_.isChosen(cell.mapLow(), cell.mapHigh());
+        const Content content = covered ? Content::Objects : shaded ? Content::Shaded : Content::Frame;
+        state.due = covered || content != state.shown;
+        state.shown = content;
+        state.painted = shaded || covered;
+        if (state.due && state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
     }
     if (std::ranges::find(wanted_, true) != wanted_.end())
         paintFrame(layer ? &covered_ : nullptr, paint, shadows);

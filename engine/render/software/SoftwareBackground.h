@@ -22,7 +22,7 @@ class SoftwareBackground final : public BackgroundPass {
 
     // Begins to sample the cells without objects, on helper threads, while OpenGL still draws the objects.
     // Cells without objects are kept from an earlier picture of the same frame and view: a second eye's
-    // picture differs by objects only.
+    // picture, and those until the film goes on, differ by objects only.
     void prepare(const EyePicture& picture, const FrameTiles* tiles) override;
     Status draw(const EyePicture& picture, const TexelLayer* layer) override;
 
@@ -36,12 +36,18 @@ class SoftwareBackground final : public BackgroundPass {
         glm::vec3 eyeInFilm{0}; // 0 where the film has no distances, too
         bool operator==(const Shown&) const = default;
     };
+    enum class Content { Unknown, Frame, Shaded, Objects };
     struct State { // of a cell
         SampledCell sampled;
-        bool here = false;    // else OpenGL draws it
-        bool clean = false;   // in the picture, without objects
-        bool painted = false; // there are shadows, or objects; before the layer is known: there may be
-        bool due = false;     // is sampled next
+        bool here = false;                // else OpenGL draws it
+        Content shown = Content::Unknown; // in the picture; Shaded: by shadows_
+        bool painted = false;             // before the layer is known: there may be shadows or objects
+        bool due = false;                 // is sampled next
+    };
+    struct Shadows { // which, to tell whether they are others
+        const FilmShadows* of = nullptr;
+        uint64_t number = 0;
+        bool operator==(const Shadows&) const = default;
     };
     struct SampleRow { // the due ones of a row of cells
         SoftwareBackground* pass;
@@ -59,6 +65,7 @@ class SoftwareBackground final : public BackgroundPass {
     DisplayFrame painted() const;
 
     Shown shown_;
+    Shadows shadows_;
     bool started_ = false;
     BackgroundCells grid_;
     std::vector<State> states_;     // of the grid's cells
