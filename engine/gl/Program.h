@@ -111,6 +111,9 @@ class Variants {
         return &programs_.emplace(features, std::move(*program)).first->second;
     }
 
+    bool has(unsigned features) const { return programs_.contains(features); }
+    size_t count() const { return programs_.size(); } // compiled so far
+
   private:
     std::string stem_;
     std::span<const char* const> names_;

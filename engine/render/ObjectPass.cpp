@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace shoal::render {
 
@@ -303,8 +304,10 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
                             (detail_ == Detail::Lean ? LEAN : 0u) |
                             (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
+    std::optional<unsigned> soon;
     for (const ToDraw& next : order_) {
         const unsigned features = featuresFor(next, shared, picture, glossy);
+        if (const unsigned twin = features ^ FILM_DEPTH; !programs_.has(twin)) soon = twin;
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) use(**program, features, picture, water);
@@ -325,6 +328,12 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
+    // Programs for what swims behind something, or comes out from there, one a picture from the first on: a
+    // graphics driver takes a quarter to half a second for one, in which the game would stand still. Lean
+    // ones, for software renderers, take 20 ms.
+    if (soon && detail_ == Detail::Full && picture.environment.depth() &&
+        picture.surroundings != Surroundings::Room)
+        if (const auto compiled = programFor(*soon); !compiled) return compiled.error();
     return Done{};
 }
 

@@ -63,6 +63,7 @@ class ObjectPass {
 
     int drawCount() const { return drawCount_; } // since begin()
     int triangleCount() const { return triangleCount_; }
+    size_t programCount() const { return programs_.count(); } // compiled so far
 
   private:
     struct Item {

@@ -26,6 +26,12 @@ class FilmDepthGL : public WithContext {
     // A ball of radius 0.5 three metres ahead of the eye, in a film with these inverse distances.
     Drawn draw(const std::function<float(const glm::vec3&)>& inverseOf,
                const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
+        auto pass = render::ObjectPass::make();
+        EXPECT_TRUE(pass) << pass.error().message();
+        return draw(*pass, inverseOf, eyeInFilm, away);
+    }
+    Drawn draw(render::ObjectPass& pass, const std::function<float(const glm::vec3&)>& inverseOf,
+               const glm::vec3& eyeInFilm = glm::vec3(0), float away = 3) {
         setFilm(inverseOf);
         render::EnvironmentGpu environment;
         environment.uploadLight(lightOf(uniformFrame(90, 90, 90)), {});
@@ -36,26 +42,24 @@ class FilmDepthGL : public WithContext {
         scene::Pose pose;
         scene::restPose(model, pose);
         scene::updateGlobals(model, pose);
-        auto pass = render::ObjectPass::make();
-        EXPECT_TRUE(pass) << pass.error().message();
         const gl::Target target(kSize, kSize, 1);
         target.bind();
         glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const glm::vec3 centre = eyeInFilm + glm::vec3(0, 0, -away);
         glm::mat4 worldFromModel = glm::scale(glm::translate(glm::mat4(1), centre), glm::vec3(0.5f));
-        pass->begin();
-        pass->add({.model = model,
-                   .gpu = gpu,
-                   .pose = pose,
-                   .worldFromModel = worldFromModel,
-                   .bound = {centre, 0.5f}});
-        pass->upload(glm::mat3(1));
-        EXPECT_TRUE(pass->draw(
+        pass.begin();
+        pass.add({.model = model,
+                  .gpu = gpu,
+                  .pose = pose,
+                  .worldFromModel = worldFromModel,
+                  .bound = {centre, 0.5f}});
+        pass.upload(glm::mat3(1));
+        EXPECT_TRUE(pass.draw(
             {.environment = environment, .view = view(eyeInFilm), .canvas = target, .eyeInFilm = eyeInFilm},
             {}, render::Glossy::Prefiltered));
         target.resolve();
-        return {target.read(), pass->drawCount()};
+        return {target.read(), pass.drawCount()};
     }
     // Marine snow before a film that stands this far ahead, as a wall; 0: a film without distances. It has
     // been drawn with depth up to nearest, as the depth buffer holds it.
@@ -147,6 +151,19 @@ TEST_F(FilmDepthGL, NothingHidesWhatIsNearer) {
 TEST_F(FilmDepthGL, WhatIsWhollyBehindIsNotDrawn) {
     EXPECT_EQ(draw([](const glm::vec3&) { return 1.0f; }).draws, 0);
     EXPECT_EQ(draw([](const glm::vec3&) { return 1 / 2.8f; }).draws, 1); // its front is at 2.5 m
+}
+
+// No program is compiled in the middle of a dive, when the first animal swims behind something.
+TEST_F(FilmDepthGL, WhatAnEdgeCutsHasItsProgramBefore) {
+    const auto open = [](const glm::vec3&) { return 0.0f; };
+    const auto half = [](const glm::vec3& d) { return d.x < 0 ? 1.0f : 0.0f; };
+    auto pass = render::ObjectPass::make();
+    ASSERT_TRUE(pass) << pass.error().message();
+    draw(*pass, open);
+    draw(*pass, open);
+    const size_t programs = pass->programCount();
+    EXPECT_LT(covered(draw(*pass, half).picture), 0.9 * covered(draw(*pass, open).picture)) << "cut indeed";
+    EXPECT_EQ(pass->programCount(), programs);
 }
 
 // Film and ball meet in the middle: half of it is left, up to a column, since the outline is a pixel wide.
