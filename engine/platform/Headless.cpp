@@ -1,9 +1,9 @@
 #include "engine/platform/Headless.h"
 
+#include "engine/platform/GlVersions.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-
-#include "engine/platform/GlVersions.h"
 
 namespace shoal::platform {
 

@@ -1,12 +1,12 @@
 #include "engine/platform/Window.h"
 
+#include "engine/platform/GlVersions.h"
+
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-
-#include "engine/platform/GlVersions.h"
 
 namespace shoal::platform {
 

@@ -44,8 +44,13 @@ class FilmShadows {
     const FrameTiles& tiles() const { return tiles_; }
     // Lat-long, as fine as the distances; 255: all is left. Channels as DisplayFrame has them, blue first.
     const Image<uint8_t, 4>& left() const { return left_; }
-    // Of begin(), from 1 on: tells whoever has a copy whether it is up to date.
-    uint64_t number() const { return number_; }
+    // Which shadows, since which begin(): tells whoever has a copy whether it is up to date.
+    struct Version {
+        const FilmShadows* of = nullptr;
+        uint64_t number = 0; // of begin(), from 1 on
+        bool operator==(const Version&) const = default;
+    };
+    Version version() const { return {this, number_}; }
 
     // A body's piece in the light's frame: metres along, aside and up towards the light, from the film's
     // camera.

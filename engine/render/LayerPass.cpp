@@ -108,7 +108,7 @@ void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& 
     for (const scene::Sphere& sphere : spheres) {
         const Box box = boxAround(sphere.centre, sphere.radius, view);
         // Half a texel more on each side, which the filter reaches.
-        const glm::vec2 margin = 1.0f / glm::vec2(layer_->width(), layer_->height());
+        const glm::vec2 margin = 1.0f / glm::vec2(size());
         const auto cellOf = [](const glm::vec2& place) {
             return glm::ivec2(glm::floor((glm::clamp(place, -1.5f, 1.5f) * 0.5f + 0.5f) * glm::vec2(kCells)));
         };
@@ -120,7 +120,7 @@ void LayerPass::markSpheres(std::span<const scene::Sphere> spheres, const View& 
 }
 
 void LayerPass::unmarkEmpty() {
-    const glm::ivec2 size(layer_->width(), layer_->height());
+    const glm::ivec2 size = this->size();
     const auto isEmpty = [&](const glm::ivec2& cell) {
         // And a texel more on each side, which the filter reaches.
         const glm::ivec2 low = glm::max(cell * size / kCells - 1, 0);

@@ -304,10 +304,16 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
                             (detail_ == Detail::Lean ? LEAN : 0u) |
                             (picture.environment.lightIsScaled() ? SCALED_LIGHT : 0u);
     const gl::Program* current = nullptr;
+    // What swims behind something, or comes out from there, needs another program. They are compiled one a
+    // picture from the first on: a graphics driver takes a quarter to half a second for one, in which the
+    // game would stand still. Lean ones, for software renderers, take 20 ms.
+    const bool filmHides = picture.environment.depth() && picture.surroundings != Surroundings::Room;
     std::optional<unsigned> soon;
     for (const ToDraw& next : order_) {
         const unsigned features = featuresFor(next, shared, picture, glossy);
-        if (const unsigned twin = features ^ FILM_DEPTH; !programs_.has(twin)) soon = twin;
+        if (const unsigned other = features ^ FILM_DEPTH;
+            filmHides && detail_ == Detail::Full && !programs_.has(other))
+            soon = other;
         auto program = programFor(features);
         if (!program) return program.error();
         if (*program != current) use(**program, features, picture, water);
@@ -328,11 +334,7 @@ Status ObjectPass::draw(const EyePicture& picture, const water::Water& water, Gl
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(0);
-    // Programs for what swims behind something, or comes out from there, one a picture from the first on: a
-    // graphics driver takes a quarter to half a second for one, in which the game would stand still. Lean
-    // ones, for software renderers, take 20 ms.
-    if (soon && detail_ == Detail::Full && picture.environment.depth() &&
-        picture.surroundings != Surroundings::Room)
+    if (soon)
         if (const auto compiled = programFor(*soon); !compiled) return compiled.error();
     return Done{};
 }

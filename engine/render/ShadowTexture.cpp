@@ -5,9 +5,8 @@
 namespace shoal::render {
 
 GLuint ShadowTexture::update(const FilmShadows& shadows) {
-    if (of_ == &shadows && number_ == shadows.number()) return texture_.name();
-    of_ = &shadows;
-    number_ = shadows.number();
+    if (shown_ == shadows.version()) return texture_.name();
+    shown_ = shadows.version();
     const Image<uint8_t, 4>& left = shadows.left();
     const glm::ivec2 size(left.width, left.height);
     if (size != size_) texture_ = makeLatLongTexture();

@@ -14,8 +14,7 @@ class ShadowTexture {
   private:
     gl::Texture texture_;
     glm::ivec2 size_{0};
-    const FilmShadows* of_ = nullptr;
-    uint64_t number_ = 0;
+    FilmShadows::Version shown_;
 };
 
 } // namespace shoal::render

@@ -57,6 +57,13 @@ class ShadowGL : public WithContext, public testing::WithParamInterface<render::
         return target.read();
     }
 
+    render::FrameTiles allTiles() const {
+        render::FrameTiles tiles;
+        const Sphere everything{{0, 0, 0}, 100};
+        tiles.choose({frame_.width, frame_.height}, glm::mat3(1), {&everything, 1}, glm::vec3(0));
+        return tiles;
+    }
+
     const depth::DepthMap ground_ = tests::levelGround();
     const water::Water sea_{.attenuation_perM = {0.2f, 0.1f, 0.08f}};
     std::optional<render::EnvironmentGpu> environment_;
@@ -123,9 +130,7 @@ TEST_P(ShadowGL, SparesWhatIsBeforeTheGround) {
     }
     glDisable(GL_SCISSOR_TEST);
     layer->end();
-    render::FrameTiles tiles;
-    const Sphere everything{{0, 0, 0}, 100};
-    tiles.choose({frame_.width, frame_.height}, glm::mat3(1), {&everything, 1}, glm::vec3(0));
+    const render::FrameTiles tiles = allTiles();
     // Wider than the picture: texels at its edge are filtered with those beside them.
     const render::TexelLayer objects{*layer, render::widened(view, 1.02f), tiles};
     const ImageRgba8 covered = drawn(view, &objects);
@@ -151,9 +156,7 @@ TEST_P(ShadowGL, IsBackWhereAnObjectHasPassed) {
     const ImageRgba8 before = drawn(view);
     auto layer = render::LayerPass::make();
     ASSERT_TRUE(layer);
-    render::FrameTiles tiles;
-    const Sphere everything{{0, 0, 0}, 100};
-    tiles.choose({frame_.width, frame_.height}, glm::mat3(1), {&everything, 1}, glm::vec3(0));
+    const render::FrameTiles tiles = allTiles();
     const render::TexelLayer objects{*layer, render::widened(view, 1.02f), tiles};
     const auto with = [&](float alpha) {
         layer->begin({400, 400}, 1);

@@ -89,13 +89,13 @@ void SoftwareBackground::prepare(const EyePicture& picture, const FrameTiles* ti
     shown_ = shown;
     if (!same) classify(picture);
     const FilmShadows* shadows = picture.seenShadows();
-    const Shadows were = std::exchange(shadows_, {shadows, shadows ? shadows->number() : 0});
+    const auto were = std::exchange(shadows_, shadows ? shadows->version() : FilmShadows::Version());
     for (size_t k = 0; k < states_.size(); ++k) {
         const BackgroundCell& cell = grid_.all()[k];
         State& state = states_[k];
         if (state.shown == Content::Shaded && were != shadows_) state.shown = Content::Unknown;
-        state.painted = (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh())) ||
-                        (shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh()));
+        state.shaded = shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh());
+        state.painted = state.shaded || (tiles && tiles->isChosen(cell.mapLow(), cell.mapHigh()));
         state.due = state.here && !state.painted && state.shown != Content::Frame;
         if (state.due) state.shown = Content::Frame;
     }
@@ -121,12 +121,11 @@ Status SoftwareBackground::draw(const EyePicture& picture, const TexelLayer* lay
             drawn_.push_back({&cell, layer && layer->tiles.isChosen(cell.mapLow(), cell.mapHigh())});
         state.due = state.here && state.painted;
         if (!state.due) continue;
-        const bool shaded = shadows && shadows->tiles().isChosen(cell.mapLow(), cell.mapHigh());
         const bool covered = layer && covered_.isChosen(cell.mapLow(), cell.mapHigh());
-        const Content content = covered ? Content::Objects : shaded ? Content::Shaded : Content::Frame;
+        const Content content = covered ? Content::Objects : state.shaded ? Content::Shaded : Content::Frame;
         state.due = covered || content != state.shown;
         state.shown = content;
-        state.painted = shaded || covered;
+        state.painted = state.shaded || covered;
         if (state.due && state.painted) want(layer ? layer->tiles : shadows->tiles(), cell);
     }
     if (std::ranges::find(wanted_, true) != wanted_.end())

@@ -41,13 +41,9 @@ class SoftwareBackground final : public BackgroundPass {
         SampledCell sampled;
         bool here = false;                // else OpenGL draws it
         Content shown = Content::Unknown; // in the picture; Shaded: by shadows_
+        bool shaded = false;              // there are shadows
         bool painted = false;             // before the layer is known: there may be shadows or objects
         bool due = false;                 // is sampled next
-    };
-    struct Shadows { // which, to tell whether they are others
-        const FilmShadows* of = nullptr;
-        uint64_t number = 0;
-        bool operator==(const Shadows&) const = default;
     };
     struct SampleRow { // the due ones of a row of cells
         SoftwareBackground* pass;
@@ -65,7 +61,7 @@ class SoftwareBackground final : public BackgroundPass {
     DisplayFrame painted() const;
 
     Shown shown_;
-    Shadows shadows_;
+    FilmShadows::Version shadows_;
     bool started_ = false;
     BackgroundCells grid_;
     std::vector<State> states_;     // of the grid's cells

@@ -261,9 +261,9 @@ TEST(FilmShadows, BodiesMultiplyAndFramesBeginAnew) {
     both.add({&other, 1}, light, eyes);
     for (size_t i = 0; i < both.left().pixels.size(); ++i)
         ASSERT_NEAR(both.left().pixels[i], one.left().pixels[i] * two.left().pixels[i] / 255.0f, 1);
-    const uint64_t before = both.number();
+    const uint64_t before = both.version().number;
     both.begin({&ground}, FrameCoding::Srgb, {});
-    EXPECT_GT(both.number(), before);
+    EXPECT_GT(both.version().number, before);
     EXPECT_TRUE(both.empty());
     EXPECT_EQ(shadedTexels(both), 0);
 }
