@@ -99,7 +99,6 @@ Result<Script> loadScript(const Path& path) {
         else if (script.dive.empty() || script.dive.find_first_of("/\\.") != std::string::npos)
             root.complain("dive",
                           "must be the name of a dive, or \"./\" and the path of a dive file from here");
-        root.flag("curious", script.rules.curious);
         root.whole("seed", script.seed, 0, INT64_MAX);
         root.number("timeout", script.timeout_s, 1, 3600);
         root.need("step");

@@ -58,13 +58,14 @@ void Dive::begin(uint64_t seed) {
     neighbours_.resize(state_.fish.size());
     state_.shark = spawnShark(files_, state_.random);
     state_.passer = {};
-    const FilmMoment film = filmNow();
-    startInRoom(state_.fish, files_.species, film);
-    startInRoom(state_.shark, files_.species, film);
+    const FilmMoment now = film();
+    startInRoom(state_.fish, files_.species, now);
+    startInRoom(state_.shark, sharkView());
 }
 
-FilmMoment Dive::filmNow() const {
-    return {files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz};
+FilmMoment Dive::film(FilmSpace::Room of, float ahead_s) const {
+    return {files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz + static_cast<double>(ahead_s),
+            of};
 }
 
 void Dive::step(const TickInput& input, Events& events) {
@@ -81,18 +82,18 @@ void Dive::step(const TickInput& input, Events& events) {
         s.begun = true;
         events.push_back({EventKind::DiveStart});
     }
-    const FilmMoment film = filmNow();
+    const FilmMoment now = film();
     const bool diving = s.phase == Phase::Diving;
     trackHands(input, s.view, s.hands);
-    readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist, film);
-    frightenByHands(s.hands, temperOf(rules_), files_.species, s.fish, s.random, events);
+    readIntents(s.hands, s.view, files_.species, s.fish, rules_.assist, now);
+    frightenByHands(s.hands, files_.species, s.fish, s.random, events);
     followHands(s.hands, s.fish);
     touch(events);
-    closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, film, rules_.assist, s.tick, diving},
+    closeHands(s.hands, s.fish, {files_.species, s.contacts, s.view, now, rules_.assist, s.tick, diving},
                events);
-    if (rules_.curious) chooseVisitors(s.hands, s.view, files_.species, s.fish, s.random);
-    swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark, film}, neighbours_, s.random);
-    advanceShark(film, events);
+    chooseVisitors(s.hands, s.view, files_.species, s.fish, s.random);
+    swimFish(s.fish, {files_.dive, files_.species, s.hands, s.shark, now}, neighbours_, s.random);
+    advanceShark(events);
     passBy(s.passer, files_.dive.encounter, files_.species, static_cast<float>(s.tick) * kDt, passerId(),
            s.score, events);
     countCatches(s.hands, files_.species, s.fish, s.contacts, s.score, events);
@@ -112,25 +113,29 @@ void Dive::touch(Events& events) {
         for (const physics::Contact& contact : own) feel(contact, fish, s.hands);
         s.score.species[static_cast<size_t>(fish.species)].touched = true;
         if (fish.heldBy < 0)
-            pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, temperOf(rules_), s.random,
-                     events);
+            pushFish(fish, id, files_.species[fish.species], own, s.hands, s.tick, s.random, events);
     });
     for (Fish& fish : s.fish) fish.nervous_s = std::max(0.0f, fish.nervous_s - 0.1f * kDt);
 }
 
-void Dive::advanceShark(const FilmMoment& film, Events& events) {
+SharkView Dive::sharkView() const {
+    return {files_.dive,
+            files_.species,
+            state_.hands,
+            state_.fish,
+            static_cast<float>(state_.tick) * kDt,
+            state_.phase != Phase::Diving,
+            film(FilmSpace::Room::Shark),
+            film(FilmSpace::Room::Shark, kSoon_s)};
+}
+
+void Dive::advanceShark(Events& events) {
     DiveState& s = state_;
     if (!s.shark.present) return;
-    const SharkView view{files_.dive,
-                         files_.species,
-                         s.hands,
-                         s.fish,
-                         static_cast<float>(s.tick) * kDt,
-                         s.phase != Phase::Diving,
-                         film};
+    const SharkView view = sharkView();
     decide(s.shark, view, events);
     swimShark(s.shark, view);
-    bite(s.shark, files_.species, s.hands, s.fish, s.score, events);
+    bite(s.shark, view, s.hands, s.fish, s.score, events);
 }
 
 void Dive::endWhenOver(Events& events) {
@@ -168,7 +173,6 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     const DiveRules& rules = dive.rules();
     header.settings = {{"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
-                       {"curious", rules.curious ? "on" : "off"},
                        {"seated", rules.seated ? "on" : "off"}};
     if (const FilmSpace* space = dive.file().space.get()) header.settings[kFilmSpace] = nameOf(*space);
     return header;
@@ -185,8 +189,6 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
             rules.assist = assist.value_or(Assist::None);
         } else if (name == "free_swim")
             rules.freeSwim = on;
-        else if (name == "curious")
-            rules.curious = on;
         else if (name == "seated")
             rules.seated = on;
         else

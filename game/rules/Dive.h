@@ -11,6 +11,7 @@
 #include "game/rules/FilmSpace.h"
 #include "game/rules/FishBehaviour.h"
 #include "game/rules/HandContacts.h"
+#include "game/rules/SharkBehaviour.h"
 #include "game/rules/Snapshot.h"
 #include "game/rules/TickInput.h"
 
@@ -66,8 +67,9 @@ class Dive {
   private:
     void begin(uint64_t seed);
     void touch(Events&);
-    void advanceShark(const FilmMoment&, Events&);
-    FilmMoment filmNow() const;
+    SharkView sharkView() const;
+    void advanceShark(Events&);
+    FilmMoment film(FilmSpace::Room of = FilmSpace::Room::Fish, float ahead_s = 0) const;
     int passerId() const { return static_cast<int>(state_.fish.size()) + (state_.shark.present ? 1 : 0); }
     void endWhenOver(Events&);
     void reachGoals(Events&);

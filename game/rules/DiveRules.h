@@ -1,6 +1,5 @@
-// What a player chooses of the rules before a dive. It is part of a replay's header: with the same rules,
-// seed and inputs a dive goes the same way. The defaults are the rules of scripted playthroughs, and of
-// replays that were recorded before there was a choice.
+// The player's choice of rules before a dive. A replay's header holds it: with the same rules, seed and inputs
+// a dive goes the same way. The defaults are those of the settings.
 #pragma once
 
 #include "engine/core/EnumNames.h"
@@ -14,10 +13,8 @@ namespace shoal::game {
 enum class Assist { None, Normal, Strong };
 
 struct DiveRules {
-    Assist assist = Assist::None;
+    Assist assist = Assist::Normal;
     bool freeSwim = false; // no clock, no shark, no goals
-    // Fish come to look at a hand that rests (game/rules/Curiosity.h), and do not mind a head that turns.
-    bool curious = false;
     // The player sits: no fish circles where only a step or bent knees would reach it.
     bool seated = false;
 

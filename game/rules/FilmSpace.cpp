@@ -15,10 +15,12 @@ namespace {
 constexpr int kBordered = FilmSpace::kSide + 2;
 constexpr size_t kStride = static_cast<size_t>(kBordered) * kBordered; // of a step
 
-// A wall that comes nearer, or a pillar that passes, moves bodies no faster than this...
-constexpr float kWallSpeed_mps = 0.6f;
-// ...and the room narrows no faster than this from direction to direction, metres per radian.
-constexpr float kNarrowing_m = 2.5f;
+// How fast the room of an animal may shrink for it to swim along.
+struct Shrinking {
+    float wall_mps;    // a wall that comes nearer, or a pillar that passes, moves bodies no faster
+    float narrowing_m; // from direction to direction, metres per radian
+};
+constexpr std::array<Shrinking, 2> kShrinking = {{{0.6f, 2.5f}, {1.2f, 6.0f}}}; // by FilmSpace::Room
 
 // In cells, 0 to kSide.
 glm::vec2 unfolded(const glm::vec3& dir) {
@@ -48,7 +50,7 @@ constexpr std::array<std::array<int, 2>, 8> kAround = {
 
 // For each cell how much farther than each of its neighbours it may be, millimetres. A chord is shorter than
 // its angle, so the room narrows a little more slowly than it may.
-std::vector<std::array<float, 8>> allowances() {
+std::vector<std::array<float, 8>> allowances(float narrowing_m) {
     std::vector<glm::vec3> directions(kStride);
     for (int cell = 0; cell < FilmSpace::kCells; ++cell)
         directions[cellAt(cell % FilmSpace::kSide, cell / FilmSpace::kSide)] = FilmSpace::directionOf(cell);
@@ -59,7 +61,7 @@ std::vector<std::array<float, 8>> allowances() {
             for (size_t i = 0; i < kAround.size(); ++i) {
                 const glm::vec3 apart =
                     directions[cellAt(x, y)] - directions[cellAt(x + kAround[i][0], y + kAround[i][1])];
-                allowed[cellAt(x, y)][i] = 1000 * kNarrowing_m * glm::length(apart);
+                allowed[cellAt(x, y)][i] = 1000 * narrowing_m * glm::length(apart);
             }
     return allowed;
 }
@@ -108,13 +110,14 @@ FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
                 surface_mm[static_cast<size_t>(step) * kCells + cell], static_cast<uint16_t>(1000 * kFar_m));
         fillBorder(to);
     }
-    makeRoom();
+    for (const Room of : {Room::Fish, Room::Shark}) makeRoom(of);
 }
 
 // The lower envelope of the surface under cones in time and direction: the largest function below it that
 // changes no faster than the two limits. Both limits add, so it is made one after the other.
-void FilmSpace::makeRoom() {
-    const auto allowed = allowances();
+void FilmSpace::makeRoom(Room of) {
+    const Shrinking& may = kShrinking[static_cast<size_t>(of)];
+    const auto allowed = allowances(may.narrowing_m);
     std::vector<float> room(surface_mm_.size());
     for (int step = 0; step < steps_; ++step) {
         float* here = room.data() + static_cast<size_t>(step) * kStride;
@@ -122,7 +125,7 @@ void FilmSpace::makeRoom() {
         smoothDirections(allowed, here);
     }
     const auto step_s = static_cast<float>(length_s_ / steps_);
-    const float later = 1000 * kWallSpeed_mps * step_s;
+    const float later = 1000 * may.wall_mps * step_s;
     const auto limit = [&](int step, int by) {
         float* here = room.data() + static_cast<size_t>(step) * kStride;
         const float* other = room.data() + static_cast<size_t>(by) * kStride;
@@ -131,8 +134,9 @@ void FilmSpace::makeRoom() {
     // Twice around, as the film repeats.
     for (int i = 0; i < 2 * steps_; ++i) limit((i + 1) % steps_, i % steps_);
     for (int i = 2 * steps_; i > 0; --i) limit((i - 1) % steps_, i % steps_);
-    room_mm_.resize(room.size());
-    std::transform(room.begin(), room.end(), room_mm_.begin(),
+    std::vector<uint16_t>& made = room_mm_[static_cast<size_t>(of)];
+    made.resize(room.size());
+    std::transform(room.begin(), room.end(), made.begin(),
                    [](float mm) { return static_cast<uint16_t>(mm); });
 }
 
@@ -184,11 +188,13 @@ float FilmSpace::surface_m(const Moment& moment, glm::vec3 dir) const {
     return lookUp(surface_mm_, moment, dir);
 }
 
-float FilmSpace::room_m(const Moment& moment, glm::vec3 dir) const { return lookUp(room_mm_, moment, dir); }
+float FilmSpace::room_m(const Moment& moment, glm::vec3 dir, Room of) const {
+    return lookUp(room_mm_[static_cast<size_t>(of)], moment, dir);
+}
 
 float FilmMoment::gap_m(glm::vec3 place) const {
     const float distance = glm::length(place);
-    return space_->room_m(moment_, distance > 1e-4f ? place : kUp) - distance;
+    return space_->room_m(moment_, distance > 1e-4f ? place : kUp, of_) - distance;
 }
 
 glm::vec3 FilmMoment::inward(glm::vec3 place) const {

@@ -10,6 +10,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,6 +25,9 @@ class FilmSpace {
     static constexpr float kNearest_m = 0.6f; // nothing hides what is nearer to the eyes
     static constexpr int kMaxSteps = 2400;    // ten minutes
 
+    // Rooms differ in how fast they shrink: a shark follows a wall faster than a small fish does.
+    enum class Room { Fish, Shark };
+
     // surface_mm: for every step of time, evenly over the film, kCells distances in millimetres of the
     // nearest that the film shows within a cell. A multiple of kCells, at most kMaxSteps times.
     FilmSpace(double length_s, std::vector<uint16_t> surface_mm);
@@ -34,8 +38,9 @@ class FilmSpace {
 
     // Of all that it was made from: equal hashes, equal dives.
     uint64_t hash() const;
-    size_t bytes() const { return (surface_mm_.size() + room_mm_.size()) * sizeof(uint16_t); }
+    size_t bytes() const { return 3 * surface_mm_.size() * sizeof(uint16_t); }
     int steps() const { return steps_; }
+    double length_s() const { return length_s_; }
 
     // A time of the film: linear between two steps.
     struct Moment {
@@ -48,23 +53,25 @@ class FilmSpace {
     float surface_m(const Moment&, glm::vec3 dir) const;
     // From the camera to where bodies may be: not behind the surface, and changing so slowly, with time and
     // from direction to direction, that who keeps to it swims and does not jump.
-    float room_m(const Moment&, glm::vec3 dir) const;
+    float room_m(const Moment&, glm::vec3 dir, Room of = Room::Fish) const;
 
   private:
-    void makeRoom();
+    void makeRoom(Room of);
     float lookUp(const std::vector<uint16_t>& grid, const Moment&, glm::vec3 dir) const;
 
     double length_s_;
     int steps_;
     // Each step with a border of one cell around it, as the octahedron continues there.
-    std::vector<uint16_t> surface_mm_, room_mm_;
+    std::vector<uint16_t> surface_mm_;
+    std::array<std::vector<uint16_t>, 2> room_mm_; // by Room
 };
 
 // The film's space at one time, for the rules. Of a film without distances everything is free.
 class FilmMoment {
   public:
     FilmMoment() = default;
-    FilmMoment(const FilmSpace* space, double time_s) : space_(space) {
+    FilmMoment(const FilmSpace* space, double time_s, FilmSpace::Room of = FilmSpace::Room::Fish)
+        : space_(space), of_(of) {
         if (space) moment_ = space->at(time_s);
     }
 
@@ -84,6 +91,7 @@ class FilmMoment {
 
   private:
     const FilmSpace* space_ = nullptr;
+    FilmSpace::Room of_ = FilmSpace::Room::Fish;
     FilmSpace::Moment moment_;
 };
 

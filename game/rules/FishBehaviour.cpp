@@ -115,8 +115,8 @@ void startle(Fish& f, int id, glm::vec3 from, Random& random, Events& events) {
     events.push_back({.kind = EventKind::Startle, .creature = id, .position = f.position});
 }
 
-void frightenByHands(const Hands& hands, const Temper& temper, const SpeciesTable& species,
-                     std::span<Fish> fish, Random& random, Events& events) {
+void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<Fish> fish, Random& random,
+                     Events& events) {
     for (const Hand& hand : hands) {
         if (!hand.solid) continue;
         for (size_t i = 0; i < fish.size(); ++i) {
@@ -128,8 +128,7 @@ void frightenByHands(const Hands& hands, const Temper& temper, const SpeciesTabl
             const float distance = glm::length(apart);
             if (distance > 0.8f || distance < 1e-4f) continue;
             // A hand coming on at 1.2 m/s is noticed at 0.23 m, at 3 m/s at 0.5 m.
-            const glm::vec3 velocity = temper.mindsTurning ? hand.calmVelocity : hand.ownVelocity;
-            const float closing = glm::dot(velocity - f.velocity, apart / distance);
+            const float closing = glm::dot(hand.ownVelocity - f.velocity, apart / distance);
             if (closing < 1.2f || distance > shyness * (0.05f + 0.15f * closing)) continue;
             startle(f, static_cast<int>(i), hand.graspCentre, random, events);
         }

@@ -8,7 +8,6 @@
 #include "engine/core/Random.h"
 #include "game/rules/Creatures.h"
 #include "game/rules/DiveFile.h"
-#include "game/rules/DiveRules.h"
 #include "game/rules/Events.h"
 #include "game/rules/FilmSpace.h"
 #include "game/rules/Hand.h"
@@ -16,18 +15,6 @@
 #include <span>
 
 namespace shoal::game {
-
-// How readily fish take fright at hands.
-struct Temper {
-    bool mindsJerks = true;   // of a touching palm: its speed over one tick, not over a few
-    bool mindsTurning = true; // a hand's speed with what a turning head adds to it
-    float gentle_mps = 0.5f;  // a palm slower than this does not frighten by touching...
-    float patience_s = 0.5f;  // ...for so long
-};
-// The defaults are those of old replays and scripts; fish that are curious are also calmer.
-constexpr Temper temperOf(const DiveRules& rules) {
-    return rules.curious ? Temper{false, false, 0.6f, 1.5f} : Temper{};
-}
 
 void spawnFish(const DiveFiles&, Random&, std::vector<Fish>& out); // at the beginning of a dive
 
@@ -67,6 +54,6 @@ void swimFish(std::span<Fish>, const Surroundings&, std::span<Neighbours> neighb
 void startle(Fish&, int id, glm::vec3 from, Random&, Events&);
 
 // Startles fish that a fast hand comes upon.
-void frightenByHands(const Hands&, const Temper&, const SpeciesTable&, std::span<Fish>, Random&, Events&);
+void frightenByHands(const Hands&, const SpeciesTable&, std::span<Fish>, Random&, Events&);
 
 } // namespace shoal::game

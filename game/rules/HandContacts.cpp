@@ -11,7 +11,9 @@ namespace shoal::game {
 
 namespace {
 
-constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
+constexpr uint32_t kTouchKept = 12;  // ticks a touch is remembered
+constexpr float kGentle_mps = 0.6f; // a palm slower than this does not frighten by touching...
+constexpr float kPatience_s = 1.5f; // ...for so long
 
 } // namespace
 
@@ -76,7 +78,7 @@ void feel(const physics::Contact& contact, const Fish& f, Hands& hands) {
 }
 
 void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Contact> own, const Hands& hands,
-              uint32_t tick, const Temper& temper, Random& random, Events& events) {
+              uint32_t tick, Random& random, Events& events) {
     f.nervous_s += kDt;
     for (const physics::Contact& contact : own) {
         const int h = contact.group, part = partOfBone(contact.tag);
@@ -84,10 +86,9 @@ void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Con
             events.push_back({EventKind::Touch, id, h, contact.point, part, contact.closingSpeed});
         f.touchedUntil[h][part] = tick + kTouchKept;
         const Hand& hand = hands[h];
-        const glm::vec3 palm = temper.mindsJerks ? hand.velocity : hand.calmVelocity;
-        const float palmClosing = glm::dot(palm - f.velocity, contact.normal);
+        const float palmClosing = glm::dot(hand.calmVelocity - f.velocity, contact.normal);
         if (helpedTo(hand, id)) continue;
-        if (palmClosing > temper.gentle_mps || f.nervous_s > temper.patience_s ||
+        if (palmClosing > kGentle_mps || f.nervous_s > kPatience_s ||
             (hand.grasp.closed && hand.grasp.window == 0))
             startle(f, id, hand.palm().position, random, events);
     }

@@ -42,6 +42,6 @@ void feel(const physics::Contact&, const Fish&, Hands&);
 
 // Pushes a fish that nobody holds, by all contacts with it, and startles it when they are too rough.
 void pushFish(Fish&, int id, const Species&, std::span<const physics::Contact>, const Hands&, uint32_t tick,
-              const Temper&, Random&, Events&);
+              Random&, Events&);
 
 } // namespace shoal::game

@@ -1,16 +1,35 @@
 #include "game/rules/SharkBehaviour.h"
 
+#include "engine/math/Trigonometry.h"
 #include "game/rules/Hand.h"
 #include "game/rules/Steering.h"
 #include "game/rules/Swimmer.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace shoal::game {
 
 using State = Shark::State;
 
+float openRadius(glm::vec3 place, const SharkPlan& plan, const Species& kind, const FilmMoment& film) {
+    if (!film.known()) return plan.radius_m;
+    const glm::vec3 outward = placeOf(place).outward, along = glm::cross(kUp, outward) * kind.bodyHalf_m;
+    float fits = kSharkEyeRoom_m, tooFar = plan.radius_m + 0.1f;
+    for (int halving = 0; halving < 6; ++halving) { // to 6 cm
+        const float radius = 0.5f * (fits + tooFar);
+        const glm::vec3 at = outward * radius + kUp * plan.height_m;
+        (film.overshoot_m({at - along, at + along, kind.bodyRadius_m}) > 0 ? tooFar : fits) = radius;
+    }
+    return std::min(fits, plan.radius_m);
+}
+
 namespace {
+
+float openRadius(glm::vec3 place, const SharkView& view, const FilmMoment& film) {
+    return openRadius(place, view.dive.shark, view.species[view.dive.shark.species], film);
+}
+float openRadius(glm::vec3 place, const SharkView& view) { return openRadius(place, view, view.film); }
 
 glm::vec3 mouthOf(const Shark& shark, const SpeciesTable& species) {
     return shark.mouthPosition(species[shark.species].length_m);
@@ -30,6 +49,14 @@ int watchedHand(const Shark& shark, const SharkView& view) {
         if (distance < minimum) minimum = distance, best = h;
     }
     return best;
+}
+
+// How much nearer its mouth may come while it threatens that hand: it keeps its distance from the hand and from
+// the player's head. Negative: it is too near.
+float threatSpare(const Shark& shark, const SharkView& view, int hand) {
+    const glm::vec3 mouth = mouthOf(shark, view.species);
+    return std::min(glm::distance(mouth, view.hands[hand].graspCentre) - kThreatRoom_m,
+                    glm::length(mouth) - kSharkApart_m);
 }
 
 // A fish that struggles in a hand, -1 if none does.
@@ -58,12 +85,12 @@ void decideProwling(Shark& shark, const SharkView& view, int struggling) {
     shark.visit_s -= kDt;
     shark.threatRest_s -= kDt;
     const int hand = watchedHand(shark, view);
-    const float room =
+    const float away =
         hand < 0 ? 0 : glm::distance(mouthOf(shark, view.species), view.hands[hand].graspCentre);
     const bool holds = struggling >= 0 && hand >= 0 && view.hands[hand].grasp.holds == struggling;
     if (shark.visit_s <= 0)
         shark.set(State::Leave);
-    else if (hand >= 0 && room > 1.3f * kThreatRoom_m && room < kThreatFrom_m &&
+    else if (hand >= 0 && away < kThreatFrom_m && threatSpare(shark, view, hand) > 0.2f &&
              (holds || shark.threatRest_s <= 0)) {
         shark.set(State::Threaten);
         shark.watched = hand;
@@ -77,12 +104,12 @@ void decideThreatening(Shark& shark, const SharkView& view, int struggling) {
     const glm::vec3 to = hand.graspCentre - shark.position;
     const bool aimed = glm::dot(shark.forward, normalizedOr(to, shark.forward)) > kAimed;
     shark.aimed_s = aimed ? shark.aimed_s + kDt : 0;
-    const float room = glm::distance(mouthOf(shark, view.species), hand.graspCentre);
+    const float away = glm::distance(mouthOf(shark, view.species), hand.graspCentre);
     const bool held = struggling >= 0 && hand.grasp.holds == struggling;
-    if (held && shark.aimed_s >= kAim_s && room < kStrikeFrom_m) {
+    if (held && shark.aimed_s >= kAim_s && away < kStrikeFrom_m) {
         shark.prey = struggling;
         shark.set(State::Strike);
-    } else if (!hand.visible || room < kThreatRoom_m || shark.state_s > kThreat_s) {
+    } else if (!hand.visible || threatSpare(shark, view, shark.watched) < -0.3f || shark.state_s > kThreat_s) {
         shark.threatRest_s = kThreatRest_s;
         shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave);
     }
@@ -95,9 +122,13 @@ void decideStriking(Shark& shark, const SharkView& view) {
     shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave);
 }
 
+// On its circle, or as far from the player as the film lets it swim there.
+bool isFarOut(const Shark& shark, const SharkView& view) {
+    return placeOf(shark.position).radius > openRadius(shark.position, view) - kFarOut_m;
+}
+
 void decideLeaving(Shark& shark, const SharkView& view) {
-    if (placeOf(shark.position).radius > view.dive.shark.radius_m - 0.6f || shark.state_s > 15)
-        shark.set(State::Circle);
+    if (isFarOut(shark, view) || shark.state_s > 15) shark.set(State::Circle);
 }
 
 void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& events) {
@@ -160,15 +191,16 @@ void decide(Shark& shark, const SharkView& view, Events& events) {
     }
 }
 
-void bite(Shark& shark, const SpeciesTable& species, Hands& hands, std::span<Fish> fish, Score& score,
+void bite(Shark& shark, const SharkView& view, Hands& hands, std::span<Fish> fish, Score& score,
           Events& events) {
+    const SpeciesTable& species = view.species;
     const glm::vec3 mouth = mouthOf(shark, species);
     if (shark.state == State::Strike && glm::distance(mouth, fish[shark.prey].position) < kJaws_m)
         steal(shark, fish[shark.prey], shark.prey, hands, score, events);
     if (shark.mouth >= 0) {
         Fish& f = fish[shark.mouth];
         carryInMouth(shark, mouth, f);
-        if (placeOf(f.position).radius > kCarryTo_m || shark.state == State::Circle) breakFree(shark, f);
+        if (isFarOut(shark, view) || shark.state == State::Circle) breakFree(shark, f);
     }
     if (shark.gait.motion != Motion::Bite || shark.state_s > 0.6f)
         shark.gait.set(shark.state == State::Strike ? Motion::Lunge : Motion::Cruise);
@@ -177,12 +209,15 @@ void bite(Shark& shark, const SpeciesTable& species, Hands& hands, std::span<Fis
 
 void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physics::Contact> own, Hands& hands,
                std::span<Fish> fish, Events& events) {
+    // One that a wall, or the room around the eyes, moves aside does not hit.
+    constexpr float kMovedAside_mps = 0.4f;
+    if (glm::distance(shark.velocity, shark.forward * shark.speed) > kMovedAside_mps) return;
     for (const physics::Contact& contact : own) {
         const int h = contact.group;
         if (shark.bumpRest_s > 0) return;
         const bool striking = shark.state == State::Strike && hands[h].grasp.holds == shark.prey;
         if (striking) continue; // its jaws come first; see bite()
-        shark.bumpRest_s = 0.8f;
+        shark.bumpRest_s = kBumpRest_s;
         shark.visit_s = std::min(shark.visit_s, 1.0f); // it has had enough
         events.push_back({EventKind::SharkBump, static_cast<int>(fish.size()), h, contact.point,
                           partOfBone(contact.tag), contact.closingSpeed});
@@ -194,6 +229,13 @@ void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physic
 
 namespace {
 
+constexpr float kSharkRockShy_m = 0.8f;    // room to what the film shows below which it turns away
+constexpr float kHandShy_m = 0.8f;         // its nose keeps so far from hands where it is cramped
+constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
+constexpr float kRoomy_m = 2.8f;           // it does not circle on into less room than this...
+constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
+constexpr float kSharkGiveRoom_mps = 2.0f; // how fast a wall that comes nearer moves it at most
+
 // Where it wants to go, how fast, and how fast it turns.
 struct Course {
     glm::vec3 way{0};
@@ -203,11 +245,14 @@ struct Course {
 
 // Along the circle that what it does asks for. A visit is a row of approaches: close past the player, wide
 // out, and in again.
-Course circle(const Shark& shark, const Species& kind, const SharkPlan& plan, float radius,
+Course circle(const Shark& shark, const Species& kind, const SharkView& view, float radius,
               glm::vec3 outward) {
+    const SharkPlan& plan = view.dive.shark;
     const bool visits = shark.state == State::Prowl;
     const bool wide = shark.threatRest_s > 0 && shark.threatRest_s < 0.6f * kThreatRest_s;
-    const float goal = visits ? (wide ? kWide_m : plan.prowlRadius_m) : plan.radius_m;
+    const float open = std::min(openRadius(shark.position, view), openRadius(shark.position, view, view.filmSoon));
+    const float goal = std::min(visits ? (wide ? kWide_m : plan.prowlRadius_m) : plan.radius_m,
+                                std::max(open, kSharkApart_m + 0.2f));
     const float height = visits ? 0.5f * plan.height_m : plan.height_m;
     Course course;
     course.way = glm::cross(kUp, outward) * shark.sense +
@@ -219,6 +264,7 @@ Course circle(const Shark& shark, const Species& kind, const SharkPlan& plan, fl
         course.speed_mps = radius > goal + 0.8f ? 1.6f * kind.cruise_mps : 1.15f * kind.cruise_mps;
         course.turn_radps *= 1.4f;
     }
+    if (open < kNarrow_m) course.speed_mps = 1.6f * kind.cruise_mps; // away from here
     return course;
 }
 
@@ -234,13 +280,15 @@ Course strike(const Shark& shark, const Species& kind, glm::vec3 prey) {
 
 Course courseOf(const Shark& shark, const Species& kind, const SharkView& view, float radius,
                 glm::vec3 outward) {
-    Course course = circle(shark, kind, view.dive.shark, radius, outward);
+    Course course = circle(shark, kind, view, radius, outward);
     switch (shark.state) {
     case State::Circle:
     case State::Prowl:
         break;
     case State::Threaten:
-        return {view.hands[shark.watched].graspCentre - shark.position, 0.4f * kind.cruise_mps, 1.8f};
+        return {view.hands[shark.watched].graspCentre - shark.position,
+                0.4f * kind.cruise_mps * std::clamp(2 * threatSpare(shark, view, shark.watched), 0.0f, 1.0f),
+                1.8f};
     case State::Strike:
         return strike(shark, kind, view.fish[shark.prey].position);
     case State::Leave:
@@ -253,30 +301,53 @@ Course courseOf(const Shark& shark, const Species& kind, const SharkView& view, 
     return course;
 }
 
-// Round the player's head, not through it.
-void avoidHead(const Shark& shark, const Species& kind, Course& course) {
+// Round the player's head and hands, not through them.
+void avoidPlayer(const Shark& shark, const Species& kind, const SharkView& view, Course& course) {
+    if (shark.state == State::Strike || shark.state == State::Threaten) return;
     const glm::vec3 nose = shark.mouthPosition(kind.length_m);
-    const float room = glm::length(nose);
-    const bool after = shark.state == State::Strike || shark.state == State::Threaten;
-    if (room >= 1.1f || after) return;
-    course.way += nose / std::max(room, 0.05f) * (2.5f * (1.1f - room));
-    if (glm::dot(shark.forward, nose) < 0)
-        course.speed_mps = std::min(course.speed_mps, 0.5f * kind.cruise_mps);
+    const auto avoid = [&](glm::vec3 from, float shy_m) {
+        const glm::vec3 apart = nose - from;
+        const float distance = glm::length(apart);
+        if (distance >= shy_m) return;
+        course.way += apart / std::max(distance, 0.05f) * (2.5f * (shy_m - distance));
+        if (glm::dot(shark.forward, apart) < 0)
+            course.speed_mps = std::min(course.speed_mps, 0.5f * kind.cruise_mps);
+    };
+    avoid(glm::vec3(0), kSharkApart_m + 0.4f);
+    const float cramped = 1 - openRadius(shark.position, view) / view.dive.shark.radius_m;
+    for (const Hand& hand : view.hands)
+        if (hand.visible) avoid(hand.graspCentre, kHandShy_m * (0.3f + cramped));
 }
 
-constexpr float kSharkRockShy_m = 0.8f;    // room to what the film shows below which it turns away
-constexpr float kNarrow_m = 2.8f;          // it does not circle on into less water than this...
-constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
-constexpr float kSharkGiveRoom_mps = 2.0f; // how fast a wall that comes nearer moves it at most
+// As wide as the way between the hands and what the film will soon show, at that bearing.
+float roomAt(glm::vec3 outward, const SharkView& view) {
+    const float open = openRadius(outward, view, view.filmSoon);
+    for (const Hand& hand : view.hands) {
+        const Place at = placeOf(hand.graspCentre);
+        const bool beside = hand.visible && glm::dot(at.outward, outward) > 0.7f;
+        if (beside && open < at.radius + kHandShy_m) return std::min(open, kSharkApart_m);
+    }
+    return open;
+}
 
-// In a tunnel it keeps to the open ends: it turns back where its circle leads on to a wall.
-void turnBack(Shark& shark, const FilmMoment& film, glm::vec3 outward) {
-    if (!film.known() || shark.state != State::Circle) return;
-    constexpr float kAhead_m = 1.5f;
-    const glm::vec3 along = glm::cross(kUp, outward) * (shark.sense * kAhead_m);
-    const auto water = [&](glm::vec3 at) { return film.gap_m(at) + glm::length(at); };
-    const float ahead = water(shark.position + along);
-    if (ahead < kNarrow_m && water(shark.position - along) > ahead + kWider_m) shark.sense = -shark.sense;
+// Most room, as it will soon be, among bearings to one side that it reaches without passing a narrower one.
+float roomTowards(const Shark& shark, const SharkView& view, float sense) {
+    float most = 0, passed = view.dive.shark.radius_m;
+    glm::vec3 outward = placeOf(shark.position).outward;
+    for (int step = 1; step <= 3; ++step) {
+        outward = normalizedOr(outward + 0.65f * sense * glm::cross(kUp, outward), outward); // 33 degrees
+        const float room = roomAt(outward, view);
+        passed = std::min(passed, room);
+        most = std::max(most, room - std::max(0.0f, kNarrow_m - passed));
+    }
+    return most;
+}
+
+// It keeps to where most room is: it turns back where its circle leads on to a wall.
+void turnBack(Shark& shark, const SharkView& view) {
+    if (!view.film.known() || shark.state == State::Threaten || shark.state == State::Strike) return;
+    const float ahead = roomTowards(shark, view, shark.sense);
+    if (ahead < kRoomy_m && roomTowards(shark, view, -shark.sense) > ahead + kWider_m) shark.sense = -shark.sense;
 }
 
 void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, Course& course) {
@@ -290,7 +361,7 @@ void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, 
 void keepInRoom(Shark& shark, const Species& kind, const FilmMoment& film, float most_m) {
     const float over = film.overshoot_m(capsuleOf(shark, kind));
     const float distance = glm::length(shark.position);
-    const float spare = distance - kSharkEyeRoom_m;
+    const float spare = distance - (shark.state == State::Strike ? kSharkEyeRoom_m : kSharkApart_m);
     if (over > 0 && spare > 0)
         shark.position -= shark.position * (std::min({over, spare, most_m}) / distance);
 }
@@ -301,8 +372,8 @@ void keepClear(Shark& shark, const Species& kind, float floor_m, glm::vec3 outwa
     const float t = std::clamp(-glm::dot(shark.position, shark.forward), -reach, reach);
     const glm::vec3 nearest = shark.position + shark.forward * t;
     const float room = glm::length(nearest);
-    if (room < kSharkEyeRoom_m)
-        shark.position += normalizedOr(nearest, outward) * std::min(kSharkEyeRoom_m - room, 2.0f * kDt);
+    const float kept = shark.state == State::Strike ? kSharkEyeRoom_m : kSharkApart_m;
+    if (room < kept) shark.position += normalizedOr(nearest, outward) * std::min(kept - room, kSharkGiveRoom_mps * kDt);
     shark.position.y = std::max(shark.position.y, floor_m + kind.bodyRadius_m + 0.05f);
 }
 
@@ -325,10 +396,10 @@ void bendAndBeat(Shark& shark, const Species& kind, glm::vec3 desiredSpin) {
 void swimShark(Shark& shark, const SharkView& view) {
     const Species& kind = view.species[shark.species];
     const auto [radius, outward] = placeOf(shark.position);
-    turnBack(shark, view.film, outward);
+    turnBack(shark, view);
     Course course = courseOf(shark, kind, view, radius, outward);
     avoidRock(shark, kind, view.film, course);
-    avoidHead(shark, kind, course);
+    avoidPlayer(shark, kind, view, course);
 
     const glm::vec3 goal = levelled(normalizedOr(course.way, shark.forward), 0.35f);
     const bool strikes = shark.state == State::Strike;
@@ -349,10 +420,16 @@ void swimShark(Shark& shark, const SharkView& view) {
     bendAndBeat(shark, kind, spin);
 }
 
-void startInRoom(Shark& shark, const SpeciesTable& species, const FilmMoment& film) {
+void startInRoom(Shark& shark, const SharkView& view) {
     if (!shark.present) return;
-    for (int round = 0; round < 4; ++round)
-        keepInRoom(shark, species[shark.species], film, FilmSpace::kFar_m);
+    // Of sixteen bearings the first with a whole circle's room, or else the one with most.
+    constexpr int kBearings = 16;
+    const glm::quat turn = math::rotationAbout(kUp, 2 * std::numbers::pi_v<float> / kBearings);
+    float most = 0;
+    glm::vec3 outward = placeOf(shark.position).outward, best = outward;
+    for (int i = 0; i < kBearings && most < view.dive.shark.radius_m; ++i, outward = turn * outward)
+        if (const float open = openRadius(outward, view); open > most) most = open, best = outward;
+    startCircling(shark, best * most + kUp * view.dive.shark.height_m, best, shark.sense, shark.speed);
 }
 
 } // namespace shoal::game

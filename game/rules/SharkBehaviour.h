@@ -15,9 +15,11 @@
 namespace shoal::game {
 
 constexpr float kJaws_m = 0.28f;         // how near its mouth must come to take a fish
-constexpr float kSharkEyeRoom_m = 0.55f; // no part of its axis comes nearer to the player's eyes
+constexpr float kSharkEyeRoom_m = 0.55f; // no part of its axis comes nearer to the player's eyes...
+constexpr float kSharkApart_m = 1.1f;    // ...and none nearer than this but for a strike
 constexpr float kStrikeTime_s = 2.5f;    // then it gives up
-constexpr float kCarryTo_m = 3.6f;       // where it loses what it took
+constexpr float kFarOut_m = 0.6f;        // so near to its circle it has left, and loses what it took
+constexpr float kBumpRest_s = 2;         // it bumps no hand again for so long
 constexpr float kTempted = 4;            // seconds of struggling that bring it early
 constexpr float kStrikeFrom_m = 3.0f;    // farther away it does not try
 
@@ -27,13 +29,14 @@ constexpr float kAimed = 0.92f;       // cosine of the angle within which it poi
 constexpr float kThreat_s = 4.5f;     // then it breaks off
 constexpr float kThreatRest_s = 2.5f; // before the next
 constexpr float kThreatFrom_m = 2.6f; // from its mouth to the hand
-constexpr float kThreatRoom_m = 0.7f; // nearer than that it turns away
+constexpr float kThreatRoom_m = 0.7f; // nearer than that it does not come
+constexpr float kSoon_s = 1.5f;       // so far ahead it sees walls come
 constexpr float kWide_m = 2.6f;       // radius from which it begins the next approach
 
 Shark spawnShark(const DiveFiles&, Random&); // at the beginning of a dive
 
-// Before anybody sees it: in front of what the film shows.
-void startInRoom(Shark&, const SpeciesTable&, const FilmMoment&);
+// How far out its body fits as it swims along a circle, at the bearing of the place: at most the plan's radius.
+float openRadius(glm::vec3 place, const SharkPlan&, const Species&, const FilmMoment&);
 
 // What the shark knows of the dive.
 struct SharkView {
@@ -43,8 +46,11 @@ struct SharkView {
     std::span<const Fish> fish;
     float time_s;    // since the dive began
     bool diveIsOver; // no new visits
-    FilmMoment film{};
+    FilmMoment film{}, filmSoon{}; // in kSoon_s
 };
+
+// Before anybody sees it: where the film leaves room for it.
+void startInRoom(Shark&, const SharkView&);
 
 // Chooses what it does next.
 void decide(Shark&, const SharkView&, Events&);
@@ -53,7 +59,7 @@ void decide(Shark&, const SharkView&, Events&);
 void swimShark(Shark&, const SharkView&);
 
 // At the end of a strike: takes the fish out of the hand, carries it off, loses it far out.
-void bite(Shark&, const SpeciesTable&, Hands&, std::span<Fish>, Score&, Events&);
+void bite(Shark&, const SharkView&, Hands&, std::span<Fish>, Score&, Events&);
 
 // A hand that its body meets is bumped, and drops what it holds.
 void bumpHands(Shark&, const SpeciesTable&, std::span<const physics::Contact>, Hands&, std::span<Fish>,

@@ -87,12 +87,12 @@ void Dive::snapshot(Snapshot& out) const {
     const auto show = [&](size_t id, const Swimmer& from, int species, int heldBy) {
         showCreature(from, id, species, files_.species[species].length_m, heldBy, out.creatures[id]);
     };
-    const FilmMoment film = filmNow();
+    const FilmMoment now = film();
     for (size_t i = 0; i < s.fish.size(); ++i) {
         show(i, s.fish[i], s.fish[i].species, s.fish[i].heldBy);
         out.creatures[i].catchable = s.fish[i].catchable;
         out.creatures[i].catchableBy = s.fish[i].catchableBy;
-        out.creatures[i].hidden = film.hides(s.view.headWorld, s.fish[i].position);
+        out.creatures[i].hidden = now.hides(s.view.headWorld, s.fish[i].position);
     }
     if (s.shark.present) show(s.fish.size(), s.shark, s.shark.species, -1);
     if (passing) show(static_cast<size_t>(passerId()), s.passer, dive.encounter.species, -1);

@@ -52,7 +52,7 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     SessionConfig config;
     config.hands = options.hands;
     config.live = !options.headless && !options.timedemo;
-    config.rules = {options.assist, options.freeSwim, true};
+    config.rules = {options.assist, options.freeSwim};
     config.inputSettings = {{"speed", fmt::format("{}", options.speed)},
                             {"closing", enumName(options.controls.closing)}};
     config.seed = options.seed ? *options.seed : config.live ? drawnSeed() : 1;

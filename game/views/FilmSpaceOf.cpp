@@ -1,14 +1,13 @@
 #include "game/views/FilmSpaceOf.h"
 
 #include "engine/core/Log.h"
-#include "engine/math/LatLong.h"
+#include "engine/math/Trigonometry.h"
 #include "engine/media/DepthTrack.h"
-
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace shoal::app {
 
@@ -19,14 +18,22 @@ using game::FilmSpace;
 constexpr double kSteps_Hz = 4;
 constexpr int kBelieved = media::kMaxDepthCode / 2; // confidence; below, nothing is known to be there
 
-// Which cell each texel of the track lies in.
+// Which cell each texel of the track lies in. Without the C library's trigonometry: the rules hash the grid.
 std::vector<int> cellsOf(int width, int height, float yaw) {
-    const glm::quat worldFromEnv = glm::angleAxis(-yaw, glm::vec3(0, 1, 0));
+    constexpr float kPi = std::numbers::pi_v<float>;
+    std::vector<glm::vec2> ahead; // of each column: towards +X and -Z
+    for (int x = 0; x < width; ++x) {
+        const float right = kPi * (static_cast<float>(2 * x + 1) / static_cast<float>(width) - 1) + yaw;
+        ahead.emplace_back(math::sine(right), math::cosine(right));
+    }
     std::vector<int> cells;
     cells.reserve(static_cast<size_t>(width) * height);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            cells.push_back(FilmSpace::cellOf(worldFromEnv * texelDirection(x, y, width, height)));
+    for (int y = 0; y < height; ++y) {
+        const float up = kPi * 0.5f * (1 - static_cast<float>(2 * y + 1) / static_cast<float>(height));
+        const float level = math::cosine(up), rise = math::sine(up);
+        for (const glm::vec2 a : ahead)
+            cells.push_back(FilmSpace::cellOf({a.x * level, rise, -a.y * level}));
+    }
     return cells;
 }
 

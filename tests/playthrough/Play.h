@@ -13,11 +13,13 @@ struct Played {
     Status verdict;
     Snapshot end;
 };
-using Watch = std::function<void(const Snapshot&, const Events&)>; // sees every tick; may be empty
+// Both see every tick, and may be empty.
+using Watch = std::function<void(const Snapshot&, const Events&)>;
+using StateWatch = std::function<void(const DiveState&, const Events&)>;
 
 // Runs a script against a new dive until it has finished, after script.timeout_s at the latest.
 inline Played playScript(const Script& script, const hands::HandRig& rig, const DiveFiles& files,
-                         const Watch& watch = {}) {
+                         const Watch& watch = {}, const StateWatch& stateWatch = {}) {
     Dive dive(files.species, files.dive, script.seed, script.rules);
     ScriptRun run(script, rig, files.species);
     Played played{tests::Recorded(recordingHeader(dive)), Done{}, {}};
@@ -35,6 +37,7 @@ inline Played playScript(const Script& script, const hands::HandRig& rig, const 
         toBytes(input, bytes);
         played.recording.add(bytes, dive.stateHash());
         if (watch) watch(played.end, events);
+        if (stateWatch) stateWatch(dive.state(), events);
     }
     played.verdict = run.verdict();
     return played;

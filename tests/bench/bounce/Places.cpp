@@ -20,7 +20,7 @@ Result<std::vector<Places>> placesOf(const std::string& name, double every_s) {
     files->dive.space = app::filmSpaceOf(film, 0);
     const auto video = media::VideoSource::open(film, media::Layout::Mono);
     if (!video) return video.error();
-    game::Dive dive(files->species, files->dive, 1, game::DiveRules{game::Assist::Normal, false, true});
+    game::Dive dive(files->species, files->dive, 1);
     std::vector<Places> all;
     game::Events events;
     double next_s = every_s / 2;

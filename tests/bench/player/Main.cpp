@@ -24,8 +24,7 @@ struct Kind {
 std::vector<Kind> kinds() {
     using namespace player;
     using game::Assist;
-    const game::DiveRules none{Assist::None, false, true}, normal{Assist::Normal, false, true},
-        strong{Assist::Strong, false, true};
+    const game::DiveRules none{Assist::None}, normal, strong{Assist::Strong};
     return {
         {"mouse, novice", {Skill::Novice, Device::Mouse, normal}, 4, 1000, 45},
         {"mouse, practised", {Skill::Practised, Device::Mouse, normal}, 10, 18, 90},

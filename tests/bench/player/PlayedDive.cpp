@@ -104,7 +104,8 @@ void count(const game::Events& events, const game::Snapshot& now, PlayedDive& pl
 }
 
 template <class Source>
-PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSetup& setup) {
+PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSetup& setup,
+                    const Watch& watch) {
     game::Dive dive(files.species, files.dive, setup.seed, setup.rules);
     Player player(setup.skill, setup.device, setup.arm_m, setup.seed + 1000, files.species);
     PlayedDive played;
@@ -129,6 +130,7 @@ PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSet
             dive.step(input, events);
             dive.snapshot(now);
             count(events, now, played);
+            if (watch) watch(dive.state(), events);
         }
     }
     played.caught = now.caught;
@@ -139,10 +141,11 @@ PlayedDive playWith(Source source, const game::DiveFiles& files, const PlayerSet
 
 } // namespace
 
-PlayedDive play(const game::DiveFiles& files, const hands::HandRig& rig, const PlayerSetup& setup) {
+PlayedDive play(const game::DiveFiles& files, const hands::HandRig& rig, const PlayerSetup& setup,
+                const Watch& watch) {
     if (setup.device == Device::Mouse)
-        return playWith(AtTheMouse(rig, files.species, setup.reachHelp), files, setup);
-    return playWith(UnderATracker(rig, setup.seed), files, setup);
+        return playWith(AtTheMouse(rig, files.species, setup.reachHelp), files, setup, watch);
+    return playWith(UnderATracker(rig, setup.seed), files, setup, watch);
 }
 
 } // namespace shoal::player

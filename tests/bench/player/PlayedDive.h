@@ -7,13 +7,14 @@
 #include "tests/bench/player/Player.h"
 
 #include <array>
+#include <functional>
 
 namespace shoal::player {
 
 struct PlayerSetup {
     Skill skill = Skill::Novice;
     Device device = Device::Mouse;
-    game::DiveRules rules{game::Assist::Normal, false, true};
+    game::DiveRules rules;
     float reachHelp = 1;
     float arm_m = 1.2f; // with hands: leaning forward, before a screen; 0.7 m: seated in a headset
     uint64_t seed = 1;  // of the dive; the person's own follows from it
@@ -27,6 +28,8 @@ struct PlayedDive {
     std::array<float, kDoings> spent_s{}; // by Doing
 };
 
-PlayedDive play(const game::DiveFiles&, const hands::HandRig&, const PlayerSetup&);
+// watch, where there is one, sees the dive after every tick.
+using Watch = std::function<void(const game::DiveState&, const game::Events&)>;
+PlayedDive play(const game::DiveFiles&, const hands::HandRig&, const PlayerSetup&, const Watch& watch = {});
 
 } // namespace shoal::player

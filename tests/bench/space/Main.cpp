@@ -75,8 +75,7 @@ struct Penetration {
 Penetration swim(const game::DiveFiles& files, media::DepthTrack& track, int seeds) {
     std::vector<game::Dive> dives;
     for (int seed = 1; seed <= seeds; ++seed)
-        dives.emplace_back(files.species, files.dive, static_cast<uint64_t>(seed),
-                           game::DiveRules{game::Assist::Normal, false, true});
+        dives.emplace_back(files.species, files.dive, static_cast<uint64_t>(seed));
     Penetration found;
     game::Events events;
     media::DepthFrame frame;

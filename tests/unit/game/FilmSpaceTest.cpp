@@ -207,7 +207,7 @@ TEST(FilmSpace, WhatTheFilmHidesIsNeitherShownNorHelpedToNorTaken) {
     const auto near = madeSpace(1, 1, [](glm::vec3, double) { return 0.65f; });
     const glm::vec3 behind(0, -0.1f, -0.8f);
     for (const bool hidden : {false, true}) {
-        test::OneFish one(false, {Assist::Strong, false, true},
+        test::OneFish one(false, {Assist::Strong},
                           [&](DiveFile& file) { file.space = hidden ? near : nullptr; });
         for (int i = 0; i < 60; ++i) {
             one.rest(behind);

@@ -17,7 +17,7 @@ using test::kPlace;
 
 // One resting fish, and a right hand that is open at a place for a moment and then closes there in 0.12 s.
 struct OneClosing : test::OneFish {
-    explicit OneClosing(Assist assist) : OneFish(false, {assist, false, false}) {}
+    explicit OneClosing(Assist assist) : OneFish(false, {assist}) {}
 
     void open(glm::vec3 hand, glm::vec3 fish, int ticks = 30) {
         for (int i = 0; i < ticks; ++i) {

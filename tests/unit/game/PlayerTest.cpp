@@ -39,7 +39,7 @@ TEST_P(Players, CatchAsManyAsTheyShould) {
     EXPECT_GE(inTime, 5);
 }
 
-const game::DiveRules kNormal{game::Assist::Normal, false, true}, kNone{game::Assist::None, false, true};
+const game::DiveRules kNormal, kNone{game::Assist::None};
 
 INSTANTIATE_TEST_SUITE_P(
     , Players,

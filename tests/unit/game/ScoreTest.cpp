@@ -84,7 +84,7 @@ TEST(Score, ACatchTellsWhatItGaveAndReachesItsGoalOnce) {
 }
 
 TEST(FreeSwim, HasNoClockAndNoShark) {
-    test::OneFish one(true, {Assist::None, true, false});
+    test::OneFish one(true, {.freeSwim = true});
     one.step(static_cast<int>(2 * one.world.file().duration_s * 120));
     Snapshot now;
     one.world.snapshot(now);
@@ -98,7 +98,7 @@ TEST(FreeSwim, HasNoClockAndNoShark) {
 TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
     SpeciesTable species = cove().species;
     for (Species& kind : species) kind.stings = !kind.shark;
-    test::OpenDive world(species, test::OneFish::lonely(false), 5, {Assist::Strong, false, false});
+    test::OpenDive world(species, test::OneFish::lonely(false), 5, {Assist::Strong});
     TickInput input;
     Events events;
     const auto close = [&](bool stings) {
@@ -122,7 +122,7 @@ TEST(Sting, AHandThatClosesOnAJellyfishCannotHoldForASecond) {
 }
 
 TEST(Replays, CarryTheirRules) {
-    const DiveRules rules{Assist::Strong, true, true, true};
+    const DiveRules rules{Assist::Strong, true, true};
     const Dive dive(cove().species, cove().dive, 3, rules);
     sim::RecordingHeader header = recordingHeader(dive);
     ASSERT_TRUE(rulesOf(header));
