@@ -39,7 +39,7 @@ class Numbers : public tests::Program {
 };
 
 TEST_F(Numbers, OfOptions) {
-    constexpr std::array kNone = {"nan", "-nan", "inf", "-inf", "1e999", "0x1p3", "nan(1)", "1e"};
+    constexpr std::array kNone = {"nan", "-inf", "1e999", "0x1p3"};
     for (const auto& [command, options] : std::map<std::string, std::vector<std::string>>{
              {"play --headless",
               {"env-yaw", "text-size", "fps", "at", "exposure", "fov", "speed", "samples", "seed", "volume",
@@ -53,6 +53,14 @@ TEST_F(Numbers, OfOptions) {
             fill({command + " --" + option + "='#'", "--" + option}, kNone, [&](const std::string& words) {
                 expectOneMessage(run(words), "--" + option + ": wants", 2);
             });
+}
+
+TEST_F(Numbers, OfEveryKindThatIsNone) {
+    constexpr std::array kNone = {"-nan",   "NaN", "nan(1)", "inf", "infinity", "1e",
+                                  "1e-999", " 5",  "5 ",     "+-5", "0,5"};
+    fill({"play --headless --env-yaw='#'", ""}, kNone, [&](const std::string& words) {
+        expectOneMessage(run(words), "--env-yaw: wants a number from -360 to 360 (shoal play --help", 2);
+    });
 }
 
 TEST_F(Numbers, OfOptionsThatHoldSeveral) {
@@ -100,7 +108,7 @@ TEST_F(Numbers, OfSettings) {
 }
 
 TEST_F(Numbers, OfTomlFiles) {
-    constexpr std::array kNone = {"nan", "-nan", "inf", "-inf", "1e300"};
+    constexpr std::array kNone = {"nan", "-inf", "1e300"};
     constexpr std::array kNotEvenToml = {"1e999", "0x1p3"}; // of which the line is named
     const std::string species = "[[species]]\nname = \"a\"\nmodel = \"a.glb\"\nlength = ",
                       dive = "[[school]]\nspecies = \"clownfish\"\ncount = ",
