@@ -1,8 +1,9 @@
 #include "engine/core/WriteFile.h"
 
+#include "engine/core/Number.h"
+
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -86,12 +87,10 @@ void removeAbandoned(const Path& file) {
          entry.increment(code)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(prefix) || !name.ends_with(kEnding)) continue;
-        if (name.size() < prefix.size() + kEnding.size() + 1) continue;
-        pid_t process = 0;
-        const char* last = name.data() + name.size() - kEnding.size();
-        const auto [stop, problem] = std::from_chars(name.data() + prefix.size(), last, process);
-        if (problem != std::errc() || stop != last || process <= 0) continue;
-        const bool gone = process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
+        const auto process =
+            parseNumber<pid_t>(name.substr(prefix.size(), name.size() - prefix.size() - kEnding.size()), 1);
+        if (!process) continue;
+        const bool gone = *process == ::getpid() || (::kill(*process, 0) != 0 && errno == ESRCH);
         std::error_code ignored;
         if (gone) fs::remove_all(entry->path(), ignored);
     }

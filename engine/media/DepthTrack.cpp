@@ -1,6 +1,7 @@
 #include "engine/media/DepthTrack.h"
 
 #include "engine/core/Hash.h"
+#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Ffmpeg.h"
 
@@ -13,7 +14,6 @@ extern "C" {
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -48,12 +48,6 @@ bool isTrack(const DepthTrackInfo& info) {
 std::string tagOf(const AVFormatContext& input, const char* name) {
     const AVDictionaryEntry* tag = av_dict_get(input.metadata, name, nullptr, 0);
     return tag ? tag->value : "";
-}
-
-template <class T> T numberOf(const std::string& text) {
-    T value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? value : T{0};
 }
 
 // Each of FFV1's slices ends with the CRC of what comes before, so that its own is 0, and with it that of all
@@ -146,8 +140,8 @@ Result<DepthTrack> DepthTrack::open(const Path& file, const Path& film) {
             return failed("is the depth of another film");
     }
     DepthTrackInfo& info = impl->info;
-    info.frameCount = numberOf<int>(tagOf(input, kFramesTag));
-    info.duration_s = numberOf<double>(tagOf(input, kDurationTag));
+    info.frameCount = parseNumber<int>(tagOf(input, kFramesTag)).value_or(0);
+    info.duration_s = parseNumber<double>(tagOf(input, kDurationTag)).value_or(0);
     if (input.nb_streams != 1) return failed("is damaged: it holds more than one stream");
     const AVCodecParameters& coded = *input.streams[0]->codecpar;
     info.width = coded.width, info.height = coded.height;

@@ -1,5 +1,7 @@
 #include "engine/media/PictureHeader.h"
 
+#include "engine/core/Number.h"
+
 #include <fmt/core.h>
 #include <zlib.h>
 
@@ -61,11 +63,9 @@ std::optional<int64_t> nextNumber(ByteSpan b, size_t& at) {
         else
             ++at;
     }
-    int64_t value = 0;
     const size_t begin = at;
-    for (; at < b.size() && std::isdigit(b[at]) && at - begin < 9; ++at) value = value * 10 + (b[at] - '0');
-    if (at == begin) return std::nullopt;
-    return value;
+    while (at < b.size() && std::isdigit(b[at]) && at - begin < 9) ++at;
+    return parseNumber<int64_t>(asText(b.subspan(begin, at - begin)));
 }
 
 std::optional<Size> pnmSize(ByteSpan b) {

@@ -1,6 +1,7 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/core/Log.h"
+#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/EncodeHdr.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <bit>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
 namespace shoal::media {
@@ -168,9 +168,7 @@ float scaleOf(ByteSpan b, size_t& at) {
         field = asText(b.subspan(begin, at - begin));
     }
     ++at;
-    float scale = 0;
-    std::from_chars(field.data(), field.data() + field.size(), scale);
-    return std::isfinite(scale) ? scale : 0;
+    return parseNumber<float>(field).value_or(0);
 }
 
 // Portable float maps: "PF" or "Pf", size, scale (negative: little endian), then 32-bit floats, bottom row

@@ -1,5 +1,6 @@
 #include "engine/media/SphericalMetadata.h"
 
+#include "engine/core/Number.h"
 #include "engine/media/PictureHeader.h"
 
 extern "C" {
@@ -9,7 +10,6 @@ extern "C" {
 }
 
 #include <array>
-#include <charconv>
 #include <fstream>
 
 namespace shoal::media {
@@ -27,10 +27,7 @@ std::string_view xmpValue(std::string_view xmp, const std::string& name) {
 std::optional<PanoramaPlacement> placementIn(std::string_view xmp) {
     constexpr int kMaxPixels = 1 << 20;
     const auto pixels = [&](const char* name) {
-        const std::string_view value = xmpValue(xmp, std::string("GPano:") + name);
-        int number = -1;
-        std::from_chars(value.data(), value.data() + value.size(), number);
-        return number <= kMaxPixels ? number : -1;
+        return parseNumber(xmpValue(xmp, std::string("GPano:") + name), 0, kMaxPixels).value_or(-1);
     };
     const PanoramaPlacement p{.fullWidth = pixels("FullPanoWidthPixels"),
                               .fullHeight = pixels("FullPanoHeightPixels"),

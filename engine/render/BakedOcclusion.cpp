@@ -1,6 +1,7 @@
 #include "engine/render/BakedOcclusion.h"
 
 #include "engine/core/Hash.h"
+#include "engine/core/Number.h"
 #include "engine/occlusion/TraceSelfOcclusion.h"
 #include "engine/scene/Surface.h"
 
@@ -54,7 +55,7 @@ template <int kCount> glm::vec<kCount, float> vectorFrom(const json& list, float
     glm::vec<kCount, float> v(0);
     for (int i = 0; i < kCount; ++i) {
         v[i] = numbers[static_cast<size_t>(i)];
-        if (!(std::abs(v[i]) <= maximum)) throw std::out_of_range("has a number out of range");
+        if (!isWithin(v[i], -maximum, maximum)) throw std::out_of_range("has a number out of range");
     }
     return v;
 }

@@ -64,15 +64,16 @@ Result<RecordingHeader> parseHeader(std::span<const uint8_t> text) {
     RecordingHeader header;
     try {
         const auto json = nlohmann::json::parse(text.begin(), text.end());
-        if (const int written = json.at("version"); written != kVersion)
+        const auto whole = [&](const char* key) { return json.at(key).get_ref<const uint64_t&>(); };
+        if (const uint64_t written = whole("version"); written != kVersion)
             return fail("has version " + std::to_string(written) + ", this game reads version " +
                         std::to_string(kVersion));
-        if (const int rate_Hz = json.at("tick_rate_Hz"); rate_Hz != kTickRate_Hz)
+        if (const uint64_t rate_Hz = whole("tick_rate_Hz"); rate_Hz != kTickRate_Hz)
             return fail("ticks at " + std::to_string(rate_Hz) + " Hz, this game at " +
                         std::to_string(kTickRate_Hz));
-        json.at("seed").get_to(header.seed);
+        header.seed = whole("seed");
         json.at("dive").get_to(header.dive);
-        json.at("input_bytes").get_to(header.inputBytes);
+        header.inputBytes = static_cast<uint32_t>(std::min<uint64_t>(whole("input_bytes"), UINT32_MAX));
         json.at("settings").get_to(header.settings);
     } catch (const nlohmann::json::exception&) {
         return fail("has a header that cannot be read");

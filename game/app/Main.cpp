@@ -26,18 +26,18 @@ struct AddOption {
     CLI::App& command;
     const Setting& row;
 
-    template <class T> CLI::Option* operator()(T* value) const {
-        CLI::Option* option = command.add_option(row.option, *value, row.help);
-        limit<T>(*option);
-        if constexpr (std::is_arithmetic_v<T>) return option->capture_default_str();
-        if constexpr (std::is_same_v<T, std::string>)
-            if (!value->empty()) option->capture_default_str();
+    template <class Number> CLI::Option* operator()(Number* value) const {
+        const TextSetting text = numberSetting(*value, row);
+        CLI::Option* option =
+            (*this)(text)->type_name("NUMBER" + text.wants.substr(text.wants.find(" from ")));
+        if constexpr (std::is_arithmetic_v<Number>) option->default_str(fmt::format("{}", *value));
         return option;
     }
-    template <class T> CLI::Option* operator()(std::optional<T>* value) const {
-        CLI::Option* option = command.add_option(row.option, *value, row.help);
-        limit<T>(*option);
-        return option;
+    CLI::Option* operator()(std::string* value) const {
+        return command.add_option(row.option, *value, row.help)->capture_default_str();
+    }
+    CLI::Option* operator()(std::vector<std::string>* value) const {
+        return command.add_option(row.option, *value, row.help);
     }
     CLI::Option* operator()(bool* value) const { return command.add_flag(row.option, *value, row.help); }
     CLI::Option* operator()(const TextSetting& text) const {
@@ -47,12 +47,6 @@ struct AddOption {
         CLI::Option* option = command.add_option_function<std::string>(row.option, set, row.help);
         if (!text.names.empty()) option->check(CLI::IsMember(text.names))->default_str(text.get());
         return option;
-    }
-
-    template <class T> void limit(CLI::Option& option) const {
-        if constexpr (std::is_arithmetic_v<T>)
-            if (row.range)
-                option.check(CLI::Range(static_cast<T>(row.range->low), static_cast<T>(row.range->high)));
     }
 };
 

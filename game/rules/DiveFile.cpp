@@ -87,12 +87,12 @@ SharkPlan readShark(TomlTable& table, const SpeciesTable& known) {
     if (const auto* visits = table.list("visits")) {
         if (visits->size() > kMaxVisits) table.complain("visits", "holds more than 100 times");
         for (const toml::node& node : *visits) {
-            const float at = static_cast<float>(node.value<double>().value_or(-1));
-            if (!(at >= 0 && at <= 3600) || (!shark.visits_s.empty() && at <= shark.visits_s.back())) {
+            const auto at = numberIn(node, 0, 3600);
+            if (!at || (!shark.visits_s.empty() && *at <= shark.visits_s.back())) {
                 table.complain("visits", "must be rising times in seconds");
                 break;
             }
-            shark.visits_s.push_back(at);
+            shark.visits_s.push_back(*at);
         }
     }
     return shark;

@@ -1,8 +1,8 @@
 #include "game/rules/TomlRead.h"
 
-#include <fmt/core.h>
+#include "engine/core/Number.h"
 
-#include <cmath>
+#include <fmt/core.h>
 
 namespace shoal::game {
 
@@ -29,6 +29,11 @@ Status readToml(const Path& file, const TomlTable::Read& read) {
     return Done{};
 }
 
+std::optional<float> numberIn(const toml::node& node, float low, float high) {
+    const auto number = node.value<float>();
+    return number && isWithin(*number, low, high) ? number : std::nullopt;
+}
+
 const toml::node* TomlTable::at(std::string_view key) {
     read_.emplace(key);
     return table_.get(key);
@@ -43,22 +48,21 @@ template <class T, class Good>
 std::optional<T> TomlTable::read(std::string_view key, const std::string& mustBe, const Good& good) {
     const toml::node* node = at(key);
     if (!node) return std::nullopt;
-    const bool whole = std::is_same_v<T, double> && node->is_integer(); // is a number too
-    const auto value = whole ? node->value<T>() : node->value_exact<T>();
-    if (value && good(*value)) return value;
+    if (const auto value = node->value_exact<T>(); value && good(*value)) return value;
     complain(key, mustBe);
     return std::nullopt;
 }
 
 void TomlTable::number(std::string_view key, float& value, float low, float high) {
-    const auto good = [&](double v) { return v >= low && v <= high; };
-    if (const auto v = read<double>(key, fmt::format("must be a number from {} to {}", low, high), good))
-        value = static_cast<float>(*v);
+    const toml::node* node = at(key);
+    const auto number = node ? numberIn(*node, low, high) : value;
+    if (!number) return complain(key, fmt::format("must be a number from {} to {}", low, high));
+    value = *number;
 }
 
 std::optional<int64_t> TomlTable::readWhole(std::string_view key, int64_t low, int64_t high) {
     return read<int64_t>(key, fmt::format("must be a whole number from {} to {}", low, high),
-                         [&](int64_t v) { return v >= low && v <= high; });
+                         [&](int64_t v) { return isWithin(v, low, high); });
 }
 
 void TomlTable::flag(std::string_view key, bool& value) {
@@ -82,27 +86,21 @@ std::optional<size_t> TomlTable::choice(std::string_view key, std::span<const ch
 }
 
 void TomlTable::range(std::string_view key, float& first, float& second, float low, float high) {
-    const toml::node* node = at(key);
-    if (!node) return;
-    const auto* pair = node->as_array();
-    const auto a = pair && pair->size() == 2 ? (*pair)[0].value<double>() : std::nullopt;
-    const auto b = pair && pair->size() == 2 ? (*pair)[1].value<double>() : std::nullopt;
-    if (!a || !b || !(*a >= low && *a <= *b && *b <= high)) {
-        complain(key, fmt::format("must be [low, high] within {} to {}", low, high));
-        return;
-    }
-    first = static_cast<float>(*a);
-    second = static_cast<float>(*b);
+    const toml::array* pair = list(key);
+    if (!pair) return;
+    const auto a = pair->size() == 2 ? numberIn((*pair)[0], low, high) : std::nullopt;
+    const auto b = a ? numberIn((*pair)[1], *a, high) : std::nullopt;
+    if (!b) return complain(key, fmt::format("must be [low, high] within {} to {}", low, high));
+    first = *a;
+    second = *b;
 }
 
 void TomlTable::place(std::string_view key, glm::vec3& value, float limit) {
     const toml::array* all = list(key);
-    if (!all) return;
-    for (size_t k = 0; k < 3; ++k) {
-        const auto at = all->size() == 3 ? (*all)[k].value<double>() : std::nullopt;
-        if (!at || !(std::abs(*at) <= static_cast<double>(limit)))
-            return complain(key, fmt::format("must be [x, y, z] within -{0} to {0}", limit));
-        value[static_cast<int>(k)] = static_cast<float>(*at);
+    for (size_t k = 0; all && k < 3; ++k) {
+        const auto at = all->size() == 3 ? numberIn((*all)[k], -limit, limit) : std::nullopt;
+        if (!at) return complain(key, fmt::format("must be [x, y, z] within -{0} to {0}", limit));
+        value[static_cast<int>(k)] = *at;
     }
 }
 

@@ -26,6 +26,9 @@ struct TomlMistake {
     void complain(const toml::node* where, std::string reason);
 };
 
+// Empty: it is no number, or not within the range.
+std::optional<float> numberIn(const toml::node& node, float low, float high);
+
 // One table of the file. Optional keys keep the default.
 class TomlTable {
   public:

@@ -1,11 +1,11 @@
 #include "game/session/HandSource.h"
 
 #include "engine/core/Log.h"
+#include "engine/core/Number.h"
 #include "engine/math/Follow.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 namespace shoal::app {
@@ -23,13 +23,8 @@ constexpr double kFindDevices_s = 1; // before the mouse is said to be all there
 
 // No text: the first camera.
 hands::WebcamOptions webcamFrom(const std::string& which, bool live, float handSize) {
-    const bool isIndex = which.size() <= 2 && which.find_first_not_of("0123456789") == std::string::npos;
-    hands::WebcamOptions options{.live = live, .handSize = handSize};
-    if (isIndex)
-        options.index = std::atoi(which.c_str());
-    else
-        options.file = which;
-    return options;
+    const auto index = which.empty() ? std::optional(0) : parseNumber(which, 0, 99);
+    return {.file = index ? "" : which, .index = index.value_or(0), .live = live, .handSize = handSize};
 }
 
 // By how much the view turns in this frame: +x right, +y up, radians. snapped: kept from frame to frame.

@@ -26,8 +26,7 @@ struct GetText {
         return value->empty() && !row.suggestions.empty() ? row.suggestions[0] : *value;
     }
     std::string operator()(const TextSetting& text) const { return text.get ? text.get() : ""; }
-    template <class T> std::string operator()(std::optional<T>*) const { return ""; }
-    std::string operator()(std::vector<std::string>*) const { return ""; }
+    template <class Other> std::string operator()(Other*) const { return ""; }
     template <class Number>
     requires std::is_arithmetic_v<Number> std::string operator()(Number* value) const {
         const auto number = static_cast<double>(*value);
@@ -77,7 +76,7 @@ std::optional<float> sliderOf(const Setting& setting) {
 void adjust(const Setting& setting, int steps) { std::visit(Adjust{setting, steps}, setting.value); }
 
 void slide(const Setting& setting, float fraction) {
-    if (!sliderOf(setting)) return;
+    if (!sliderOf(setting) || !isWithin(fraction, 0.0f, 1.0f)) return;
     const Setting::Range& range = *setting.range;
     *std::get<float*>(setting.value) = static_cast<float>(
         rounded(range.low + static_cast<double>(fraction) * (range.high - range.low), range));

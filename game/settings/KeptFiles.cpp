@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace shoal::app {
@@ -36,10 +35,8 @@ Result<Json> readObject(const Path& file) {
 
 // Nothing where the entry is no score that a dive can have.
 std::optional<int> scoreIn(const Json& entry) {
-    constexpr double kMaxScore = 1e6;
-    if (!entry.is_number_integer()) return std::nullopt;
-    const auto value = entry.get<double>();
-    return std::abs(value) <= kMaxScore ? std::optional(static_cast<int>(value)) : std::nullopt;
+    constexpr int kMaxScore = 1'000'000;
+    return entry.is_number() ? parseNumber(entry.dump(), -kMaxScore, kMaxScore) : std::nullopt;
 }
 
 // Of one dive.
@@ -64,27 +61,15 @@ struct ReadEntry {
     const Json& entry;
     const Setting& row;
 
-    template <class Number>
-    requires std::is_arithmetic_v<Number>
-    bool operator()(Number* value) const {
-        if (!entry.is_number() || !row.range) return false;
-        const double given = entry.get<double>();
-        if (!(given >= row.range->low && given <= row.range->high)) return false;
-        *value = static_cast<Number>(given);
-        return true;
+    template <class Number> bool operator()(Number* value) const {
+        return entry.is_number() && numberSetting(*value, row).set(entry.dump());
     }
-    bool operator()(bool* value) const {
-        if (entry.is_boolean()) *value = entry.get<bool>();
-        return entry.is_boolean();
-    }
-    bool operator()(std::string* value) const {
-        if (entry.is_string()) *value = entry.get<std::string>();
-        return entry.is_string();
-    }
+    bool operator()(bool* value) const { return entry.is_boolean() && (entry.get_to(*value), true); }
+    bool operator()(std::string* value) const { return entry.is_string() && (entry.get_to(*value), true); }
     bool operator()(const TextSetting& text) const {
         return entry.is_string() && text.set(entry.get<std::string>());
     }
-    template <class Other> bool operator()(Other*) const { return false; } // these are not kept
+    bool operator()(std::vector<std::string>*) const { return false; } // these are not kept
 };
 
 struct MakeEntry {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "engine/core/EnumNames.h"
+#include "engine/core/Number.h"
 #include "game/texts/Texts.h"
 
+#include <fmt/core.h>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -83,6 +85,19 @@ struct Setting {
 
     std::string key() const; // its name in the settings file: the option's, without dashes and "no"
 };
+
+// A number, or one that may be left out, within the row's range or what its type can hold.
+template <class Value> TextSetting numberSetting(Value& value, const Setting& row) {
+    using T = typename decltype(std::optional(value))::value_type;
+    const T low = row.range ? static_cast<T>(row.range->low) : std::numeric_limits<T>::lowest();
+    const T high = row.range ? static_cast<T>(row.range->high) : std::numeric_limits<T>::max();
+    const auto set = [&value, low, high](const std::string& text) {
+        const auto number = parseNumber(text, low, high);
+        return number && (value = *number, true);
+    };
+    const char* whole = std::is_integral_v<T> ? "whole " : "";
+    return {set, fmt::format("wants a {}number from {} to {}", whole, low, high), {}};
+}
 
 struct SettingsTable {
     std::vector<Setting> rows;

@@ -1,4 +1,5 @@
 // shoal view: any glTF model in any surroundings, as a picture or in a window to turn it in.
+#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "game/tools/Commands.h"
 
@@ -18,7 +19,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -50,9 +50,9 @@ Result<Clip> findClip(const scene::Model& model, const std::string& text, const 
                                (names.empty() ? "; it has none" : "; it has " + names)};
     }
     if (at != std::string::npos) {
-        const char* end = text.data() + text.size();
-        if (std::from_chars(text.data() + at + 1, end, clip.time_s).ptr != end)
-            return Error{"--animation " + text, "wants NAME@SECONDS"};
+        const auto time_s = parseNumber<float>(std::string_view(text).substr(at + 1), -1e6f, 1e6f);
+        if (!time_s) return Error{"--animation " + text, "wants NAME@SECONDS"};
+        clip.time_s = *time_s;
     }
     return clip;
 }

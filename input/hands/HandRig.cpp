@@ -1,5 +1,6 @@
 #include "input/hands/HandRig.h"
 
+#include "engine/core/Number.h"
 #include "engine/math/Trigonometry.h"
 
 #include <glm/geometric.hpp>
@@ -76,7 +77,7 @@ Result<HandRig> HandRig::load(const Path& file) {
             up[i] = vectorFrom(entry.at("up"));
             rig.radius_[i] = entry.at("radius").get<float>();
             if (!(glm::length(position[i]) < 1)) return fail("joint \"" + name + "\" is a metre away");
-            if (!(rig.radius_[i] >= 0.001f && rig.radius_[i] <= 0.05f))
+            if (!isWithin(rig.radius_[i], 0.001f, 0.05f))
                 return fail("joint \"" + name + "\": radius must lie between 0.001 and 0.05");
         }
     } catch (const nlohmann::json::exception&) {
@@ -93,7 +94,7 @@ Result<HandRig> HandRig::load(const Path& file) {
         // Palm and wrist look along the middle finger, all others at the next joint.
         const int next = fingerOfJoint(i) < 0 ? kFingerJoints[2].proximal : i + 1;
         const glm::vec3 ahead = position[next] - position[i];
-        if (glm::length(ahead) < 1e-4f || glm::length(glm::cross(ahead, up[i])) < 1e-5f)
+        if (glm::length(ahead) < 1e-4f || !isWithin(glm::length(glm::cross(ahead, up[i])), 1e-5f, 1e5f))
             return fail("joint \"" + std::string(kJointNames[i]) + "\" has no usable direction");
         turn[i] = glm::normalize(glm::quatLookAt(glm::normalize(ahead), up[i]));
     }

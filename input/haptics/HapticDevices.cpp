@@ -186,10 +186,10 @@ void HapticOutput::run(const std::stop_token& ending, const HidBus& bus) {
         if (left_s > 0) next_s = std::min(next_s, left_s);
     }
     const Clock::time_point stopping = Clock::now();
+    double next_s = hapticDevices.step({}, secondsSince(began));
     while (!hapticDevices.allStopped() && secondsSince(stopping) < kStopping_s) {
-        const double next_s = hapticDevices.step({}, secondsSince(began));
-        if (!hapticDevices.allStopped())
-            std::this_thread::sleep_for(std::chrono::duration<double>(std::min(next_s, kStopping_s)));
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::min(next_s, kStopping_s)));
+        next_s = hapticDevices.step({}, secondsSince(began)); // also where it slept for too long
     }
 }
 

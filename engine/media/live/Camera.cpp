@@ -1,3 +1,4 @@
+#include "engine/core/Number.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoFrame.h"
 #include "engine/media/live/LiveFeed.h"
@@ -76,13 +77,12 @@ std::vector<CameraListed> listCameras() {
     std::error_code code;
     for (const auto& entry : std::filesystem::directory_iterator("/sys/class/video4linux", code)) {
         const std::string node = entry.path().filename().string();
-        if (!node.starts_with("video") || node.size() < 6 || node.size() > 8 ||
-            node.find_first_not_of("0123456789", 5) != std::string::npos)
-            continue;
+        const auto number = parseNumber(node.substr(std::min<size_t>(5, node.size())), 0, 999);
+        if (!node.starts_with("video") || !number) continue;
         // A camera's further nodes give metadata.
         int which = 0;
         if (std::ifstream(entry.path() / "index") >> which && which != 0) continue;
-        CameraListed camera{std::stoi(node.substr(5)), {}};
+        CameraListed camera{*number, {}};
         std::getline(std::ifstream(entry.path() / "name"), camera.name);
         cameras.push_back(std::move(camera));
     }

@@ -1,5 +1,7 @@
 #include "engine/media/live/LiveFeed.h"
 
+#include "engine/core/Number.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -33,11 +35,9 @@ std::string_view schemeOf(const std::string& text) {
 
 Result<std::optional<LiveAddress>> liveAddress(const std::string& text) {
     if (text.starts_with("camera:")) {
-        const std::string number = text.substr(7);
-        if (number.empty() || number.size() > 2 ||
-            number.find_first_not_of("0123456789") != std::string::npos)
-            return Error{text, "wants the number of a camera, such as camera:0"};
-        return std::optional<LiveAddress>(CameraAddress{std::stoi(number)});
+        const auto number = parseNumber(text.substr(7), 0, 99);
+        if (!number) return Error{text, "wants the number of a camera, such as camera:0"};
+        return std::optional<LiveAddress>(CameraAddress{*number});
     }
     if (const std::string_view scheme = schemeOf(text); !scheme.empty()) {
         if (text.size() > kMaxLength) return Error{withoutPassword(text.substr(0, 80)), "is too long a URL"};

@@ -1,11 +1,10 @@
 #include "input/hands/leap/LeapMessage.h"
 
 #include "engine/core/JsonBounds.h"
+#include "engine/core/Number.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace shoal::hands {
 
@@ -24,14 +23,12 @@ const json* member(const json& object, const char* key) {
 
 std::optional<double> number(const json& object, const char* key) {
     const json* value = member(object, key);
-    if (!value || !value->is_number()) return std::nullopt;
-    const auto v = value->get<double>();
-    return std::isfinite(v) ? std::optional(v) : std::nullopt;
+    return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
 std::optional<int64_t> whole(const json& object, const char* key) {
     const auto v = number(object, key);
-    if (!v || std::fabs(*v) > 9e15) return std::nullopt; // beyond 2^53 doubles skip numbers
+    if (!v || !isWithin(*v, -9e15, 9e15)) return std::nullopt; // beyond 2^53 doubles skip numbers
     return static_cast<int64_t>(*v);
 }
 
@@ -58,7 +55,7 @@ std::optional<glm::vec3> triple(const json& object, const char* key, double scal
         const json& entry = (*value)[static_cast<size_t>(i)];
         if (!entry.is_number()) return std::nullopt;
         const double given = entry.get<double>() * scale;
-        if (!(std::fabs(given) <= maximum)) return std::nullopt; // NaN too
+        if (!isWithin(given, -maximum, maximum)) return std::nullopt;
         v[i] = static_cast<float>(given);
     }
     return v;

@@ -214,7 +214,7 @@ TEST_F(WebcamClip, IsPlayedThroughAndAsksForWhatItNeeds) {
     size_t frames = 0, rights = 0, lefts = 0, fists = 0, pinches = 0;
     std::vector<Instruction> asked;
     int64_t last_us = -1;
-    while (hands->stream().take(frame, std::chrono::seconds(20))) {
+    while (hands->stream().take(frame, std::chrono::minutes(10))) {
         ++frames;
         EXPECT_GT(frame.time_us, last_us);
         last_us = frame.time_us;
@@ -244,7 +244,7 @@ TEST_F(WebcamClip, ASmallerHandIsNearerByAsMuch) {
     const auto first = [&](float size) {
         const auto hands = makeWebcamTracker({clipFile().string(), 0, false, folder_.path(), size}, rig());
         HandFrame frame;
-        while (hands->stream().take(frame, std::chrono::seconds(20)))
+        while (hands->stream().take(frame, std::chrono::minutes(10)))
             if (frame.hands[1].tracked) break;
         return frame;
     };
@@ -266,7 +266,7 @@ TEST_F(WebcamClip, PlaysTheGame) {
     char at[16];
     std::snprintf(at, sizeof at, "%.2f", static_cast<double>(frames_) / kRate_Hz);
     const std::string command =
-        "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME='" + folder_.path().string() + "' timeout 250 '" +
+        "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME='" + folder_.path().string() + "' timeout 1000 '" +
         tests::program() +
         "' play --headless --size 64x36 --backdrop-only --hands webcam:" + clipFile().string() + " --at " +
         at + " --record " + replay.string() + " 2>" + (folder_ / "err.txt").string();
@@ -290,7 +290,7 @@ TEST(WebcamHands, WhatIsNoClipIsSaidAndForgotten) {
     ASSERT_TRUE(writeFileWhole(file, "RIFF, but not really"));
     const auto hands = makeWebcamTracker({file.string(), 0, false, folder.path()}, rig());
     HandFrame frame;
-    EXPECT_FALSE(hands->stream().take(frame, std::chrono::seconds(20)));
+    EXPECT_FALSE(hands->stream().take(frame, std::chrono::minutes(10)));
     EXPECT_FALSE(hands->stream().state().present);
 }
 
@@ -315,7 +315,7 @@ TEST(WebcamHands, ThePlayerIsShownAsInAMirrorWhileSomebodyLooks) {
     writer.release();
     const auto hands = makeWebcamTracker({file.string(), 0, false, folder.path()}, rig());
     bool shown = hands->preview()->look(picture);
-    for (HandFrame frame; hands->stream().take(frame, std::chrono::seconds(20));)
+    for (HandFrame frame; hands->stream().take(frame, std::chrono::minutes(10));)
         shown |= hands->preview()->look(picture);
     ASSERT_TRUE(shown);
     EXPECT_EQ(picture.width, CameraPreview::kWidth);

@@ -44,7 +44,7 @@ class Faults : public testing::Test {
         const int err = ::open((folder_ / "err.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         ::dup2(err, STDERR_FILENO);
         ::dup2(::open("/dev/null", O_RDWR), STDOUT_FILENO);
-        ::alarm(120);
+        ::alarm(1000);
         before();
         ::execv(arguments[0], arguments.data());
         ::_exit(127);
@@ -75,7 +75,7 @@ class Faults : public testing::Test {
 
     // Has recorded for so many seconds of play.
     void awaitRecording(pid_t child, uint64_t seconds) const {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(10);
         while (std::chrono::steady_clock::now() < until && ::waitpid(child, nullptr, WNOHANG) == 0) {
             const auto reader = sim::RecordingReader::open(folder_ / "a.replay");
             if (reader && reader->ticks() >= seconds * sim::kTickRate_Hz) return;

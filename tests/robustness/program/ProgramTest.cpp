@@ -1,7 +1,6 @@
 // The program as a person meets it: bad input gets one sentence on standard error and a non-zero exit, never
 // a crash, and nothing half written; scripts and replays end with the status that they promise.
-#include "engine/core/Files.h"
-#include "tests/TestPaths.h"
+#include "Program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +11,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,45 +22,10 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
+using tests::Outcome;
 
-struct Outcome {
-    int status = -1; // exit status; -1 if a signal ended it
-    std::string out; // standard output
-    std::string err;
-};
-
-class Program : public testing::Test {
+class Program : public tests::Program {
   protected:
-    tests::ScratchFolder scratch_;
-    Path folder_ = scratch_.path();
-
-    Outcome run(const std::string& arguments) const {
-        const Path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
-        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME=" + folder_.string() +
-                                    " XDG_CONFIG_HOME=" + folder_.string() + " timeout 120 '" +
-                                    tests::program() + "' " + arguments + " >" + out.string() + " 2>" +
-                                    err.string() + " </dev/null";
-        const int status = std::system(command.c_str());
-        const auto text = [](const Path& file) {
-            auto content = readText(file);
-            return content ? *content : std::string();
-        };
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
-    }
-
-    Path write(const std::string& name, const std::string& content) const {
-        std::ofstream(folder_ / name, std::ios::binary) << content;
-        return folder_ / name;
-    }
-
-    static long lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
-
-    void expectOneMessage(const Outcome& outcome, const std::string& about, int status = 1) const {
-        EXPECT_EQ(outcome.status, status) << outcome.err;
-        EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
-        EXPECT_NE(outcome.err.find(about), std::string::npos) << outcome.err;
-    }
-
     // What `light` writes, by name.
     std::map<std::string, std::string> lightFiles(const Path& picture, const Path& out,
                                                   const std::string& how) const {

@@ -111,7 +111,7 @@ class TrackedHands : public testing::Test {
     int run(const std::string& arguments) const {
         const std::string command =
             "env -u DISPLAY -u WAYLAND_DISPLAY SHOAL_DATA=" + folder_.string() +
-            " XDG_DATA_HOME=" + folder_.string() + " timeout 120 '" + tests::program() + "' " + arguments +
+            " XDG_DATA_HOME=" + folder_.string() + " timeout 1000 '" + tests::program() + "' " + arguments +
             " >" + (folder_ / "out.txt").string() + " 2>" + (folder_ / "err.txt").string() + " </dev/null";
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -2,6 +2,7 @@
 #include "game/settings/KeptFiles.h"
 #include "engine/core/WriteFile.h"
 #include "game/session/Statistics.h"
+#include "game/settings/EditSetting.h"
 #include "game/settings/PlayOptions.h"
 #include "tests/TestPaths.h"
 
@@ -97,6 +98,22 @@ TEST_F(KeptFiles, SettingsThatMakeNoSenseAreNotBelieved) {
     EXPECT_EQ(load().fov_deg, PlayOptions().fov_deg);
     ASSERT_TRUE(writeFileWhole(folder_ / "shoal/settings.json", "{\"volume\": "));
     EXPECT_EQ(load().volume, PlayOptions().volume);
+}
+
+// The ends of ranges are floats too, which need not be what their decimals say.
+TEST_F(KeptFiles, BothEndsOfEveryRangeComeBack) {
+    for (const float fraction : {0.0f, 1.0f}) {
+        PlayOptions set;
+        for (const Setting& row : settingsOf(set).rows)
+            if (row.kept) slide(row, fraction);
+        ASSERT_TRUE(saveAll(set));
+        PlayOptions settings = load();
+        const auto given = settingsOf(set), read = settingsOf(settings);
+        for (size_t i = 0; i < given.rows.size(); ++i)
+            if (given.rows[i].kept) {
+                EXPECT_EQ(sliderOf(read.rows[i]), sliderOf(given.rows[i])) << given.rows[i].option;
+            }
+    }
 }
 
 TEST_F(KeptFiles, TheBestFiveScoresAreKeptByDive) {

@@ -116,6 +116,13 @@ TEST(HandRig, RefusesWhatIsNoSkeleton) {
     std::string far = good;
     far.replace(far.find("-0.060]"), 7, "-6e30 ]");
     EXPECT_FALSE(load(far));
+    for (const char* key : {"position", "up", "radius"})
+        for (const char* none : {"nan", "-inf", "1e999", "1e300", "1e30"}) {
+            std::string bad = good;
+            const size_t at = bad.find_first_of("-0123456789", bad.find(key, bad.find("index_proximal")));
+            bad.replace(at, bad.find_first_of(",]}", at) - at, none);
+            EXPECT_FALSE(load(bad)) << key << " " << none;
+        }
     std::filesystem::remove(file);
 }
 

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     bool good = argc > 2 ? dies(count, std::atoi(argv[2])) : pulses(count);
     for (hid_device* device : listening) {
         unsigned char byte = 0;
-        if (!device || hid_read_timeout(device, &byte, 1, 5000) != 1 || byte != 'K') {
+        if (!device || hid_read_timeout(device, &byte, 1, 300000) != 1 || byte != 'K') {
             std::fprintf(stderr, "not all reports came\n");
             good = false;
         }

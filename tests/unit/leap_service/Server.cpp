@@ -45,7 +45,7 @@ struct Server::State {
 
     template <class Holds> bool waitFor(Holds holds) {
         std::unique_lock lock(mutex);
-        return changed.wait_for(lock, std::chrono::seconds(10), holds);
+        return changed.wait_for(lock, std::chrono::minutes(10), holds);
     }
 
     int established(lws* wsi) {

@@ -23,7 +23,7 @@ class Server {
     void drop();               // cuts the connection once all that was said before has been sent
     void close(uint16_t code); // likewise, in good order
 
-    // Blocks until the condition holds; false after ten seconds.
+    // Blocks until the condition holds; false after ten minutes.
     bool waitForPaths(size_t count);
     bool waitForHeard(size_t count);
     bool waitUntilSent(); // all that was said

@@ -86,16 +86,19 @@ TEST(Stream, OneThatBreaksIsConnectedAnew) {
 
 TEST(Stream, ASilentOneIsLeftAndConnectedAnew) {
     HttpServer server;
-    auto player = openedBy(server, {60, 0.2});
+    auto player = openedBy(server, {60, 2});
     ASSERT_TRUE(player) << player.error().message();
     const int shown = numberOf(player->newest()->pixelsBgr);
     ASSERT_TRUE(server.waitForLeave()) << "the connection stands, and nothing comes";
     while (player->state() != LiveState::Lost) player->newest();
-    EXPECT_NE(player->notice().find("has sent no picture for 0.2 s"), std::string::npos) << player->notice();
+    EXPECT_NE(player->notice().find("has sent no picture for 2 s"), std::string::npos) << player->notice();
     EXPECT_EQ(numberOf(player->newest()->pixelsBgr), shown);
     ASSERT_TRUE(server.accept());
     ASSERT_TRUE(server.beginPictures());
-    while (player->newest(), player->state() != LiveState::Playing) server.sendPicture(jpegOf(9));
+    while (player->newest(), player->state() != LiveState::Playing) {
+        // Not sent: on a busy machine it may have been silent for too long again.
+        ASSERT_TRUE(server.sendPicture(jpegOf(9)) || (server.accept() && server.beginPictures()));
+    }
     EXPECT_EQ(numberOf(player->newest()->pixelsBgr), 9);
 }
 
@@ -187,7 +190,7 @@ TEST(Stream, AFileOnAServerPlaysWholeAndBeginsAnew) {
         if (number >= 0 && number < 12) seen[static_cast<size_t>(number)] = true;
         ++made;
     };
-    auto player = LivePlayer::open(feedOf(server.url()), std::move(options));
+    auto player = LivePlayer::open(feedOf(server.url(), {60, 60}), std::move(options));
     ASSERT_TRUE(player) << player.error().message();
     while (made < 24) player->newest();
     EXPECT_GE(player->counts().losses, 1);

@@ -32,7 +32,7 @@ class HttpServer {
 
     void cut();                              // the connection, as a cable is cut
     void hangUp();                           // in good order
-    bool waitForLeave(int atMax_ms = 20000); // of the client; false if it is still there then
+    bool waitForLeave(int atMax_ms = 600'000); // of the client; false if it is still there then
 
   private:
     int listening_ = -1, client_ = -1;

@@ -7,10 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
 namespace shoal::sim {
 namespace {
@@ -175,6 +177,26 @@ TEST_F(RecordingFile, AFullDiskIsSaidAndWhatIsWholeIsRead) {
         EXPECT_FALSE(reader->complete());
         expectBeginOf(out, tests::readAll(*reader).value());
     }
+}
+
+// Nor may whole numbers be negative, too large or fractions.
+TEST_F(RecordingFile, NumbersOfItsHeaderThatAreNoneAreRefused) {
+    const auto with = [&](const std::string& number, const std::string& inputBytes = "64") {
+        const std::string text = R"({"version":2,"tick_rate_Hz":120,"seed":)" + number +
+                                 R"(,"dive":"reef","input_bytes":)" + inputBytes + R"(,"settings":{}})";
+        const std::array<uint32_t, 2> prefix = {
+            static_cast<uint32_t>(text.size()),
+            static_cast<uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size()))};
+        write("SHOALRE2" + std::string(reinterpret_cast<const char*>(prefix.data()), sizeof prefix) + text);
+        const auto reader = RecordingReader::open(file_);
+        return reader ? "accepted" : reader.error().reason;
+    };
+    EXPECT_EQ(with("7"), "accepted");
+    for (const char* none : {"nan", "-nan", "inf", "1e999", "1e300", "-1", "1.5", "\"7\"", "0x7"}) {
+        EXPECT_EQ(with(none), "has a header that cannot be read") << none;
+        EXPECT_NE(with("7", none), "accepted") << none;
+    }
+    EXPECT_NE(with("7", "4294967360"), "accepted"); // 64 in its lower 32 bits
 }
 
 TEST(Recording, NamesTheTickThatDiffers) {

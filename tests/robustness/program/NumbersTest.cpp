@@ -1,0 +1,153 @@
+// Numbers that are none pass no range, wherever they come from: one sentence names the option or the key, and
+// nothing is done.
+#include "Program.h"
+
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace shoal {
+namespace {
+
+struct Place {
+    std::string text; // with a number in place of the #
+    std::string named;
+};
+
+class Numbers : public tests::Program {
+  protected:
+    // Calls use(the place's text) with each of these in place of the #.
+    template <class Use>
+    static void fill(const Place& place, std::span<const char* const> words, const Use& use) {
+        for (const char* word : words) {
+            std::string text = place.text;
+            text.replace(text.find('#'), 1, word);
+            SCOPED_TRACE(text);
+            use(text);
+        }
+    }
+
+    // Of a file of that name, which the arguments read.
+    void expectRefused(const std::string& name, const std::string& arguments, const Place& place,
+                       std::span<const char* const> words) const {
+        fill(place, words, [&](const std::string& text) {
+            write(name, text);
+            expectOneMessage(run(arguments), place.named);
+        });
+    }
+};
+
+TEST_F(Numbers, OfOptions) {
+    constexpr std::array kNone = {"nan", "-inf", "1e999", "0x1p3"};
+    for (const auto& [command, options] : std::map<std::string, std::vector<std::string>>{
+             {"play --headless",
+              {"env-yaw", "text-size", "fps", "at", "exposure", "fov", "speed", "samples", "seed", "volume",
+               "effects-volume", "video-sound", "doppler", "haptics", "hand-size", "sensitivity",
+               "reach-help", "eye-distance", "load"}},
+             {"view m.glb --out a.png", {"fov", "at", "exposure", "env-yaw", "samples"}},
+             {"light a.hdr -o out", {"at"}},
+             {"panorama a.jpg -o a.png", {"fov"}},
+             {"depth a.mp4 -o a.mkv", {"baseline", "height", "speed"}}})
+        for (const std::string& option : options)
+            fill({command + " --" + option + "='#'", "--" + option}, kNone, [&](const std::string& words) {
+                expectOneMessage(run(words), "--" + option + ": wants", 2);
+            });
+}
+
+TEST_F(Numbers, OfEveryKindThatIsNone) {
+    constexpr std::array kNone = {"-nan",   "NaN", "nan(1)", "inf", "infinity", "1e",
+                                  "1e-999", " 5",  "5 ",     "+-5", "0,5"};
+    fill({"play --headless --env-yaw='#'", ""}, kNone, [&](const std::string& words) {
+        expectOneMessage(run(words), "--env-yaw: wants a number from -360 to 360 (shoal play --help", 2);
+    });
+}
+
+TEST_F(Numbers, OfOptionsThatHoldSeveral) {
+    constexpr std::array kNone = {"nan", "-inf", "1e999", "0x10", "", " 5", "5 "};
+    const std::vector<Place> places = {
+        {"view m.glb --out a.png --orbit='#,0,1'", "--orbit: wants"},
+        {"view m.glb --out a.png --orbit='0,90,#'", "--orbit: wants"},
+        {"view m.glb --out a.png --target='0,#,1'", "--target: wants"},
+        {"play --headless --size='#x64'", "--size: wants"},
+        {"play --headless --size='64x#'", "--size: wants"},
+        {"play --headless --leap='localhost:#'", "--leap: wants"},
+        {"devices --leap='localhost:#'", "--leap: wants"},
+    };
+    for (const Place& place : places)
+        fill(place, kNone, [&](const std::string& words) { expectOneMessage(run(words), place.named, 2); });
+    for (const char* words :
+         {"view m.glb --out a.png --orbit=1e30,0,1", "view m.glb --out a.png --orbit=0,90",
+          "view m.glb --out a.png --orbit=0,90,1,1", "play --headless --size=4294967360x64",
+          "play --headless --leap=localhost:4294967297", "play --headless --leap=:80"})
+        expectOneMessage(run(words), ": wants", 2);
+    expectOneMessage(run("check camera:nan"), "camera:nan");
+}
+
+// As they were written before: a plus, a fraction alone, an exponent; zeros before a number change nothing.
+TEST_F(Numbers, OfAllUsualFormsAreRead) {
+    for (const char* words :
+         {"--fov=+65", "--exposure=-.5", "--fov=6.5e1", "--text-size=1.6", "--samples=08"})
+        EXPECT_EQ(run("play --headless --at=0 --size=64x36 " + std::string(words)).status, 0) << words;
+}
+
+TEST_F(Numbers, OfSettings) {
+    std::filesystem::create_directories(folder_ / "shoal");
+    const std::vector<Place> places = {{R"({"fov": #})", ""},          {R"({"text-size": #})", ""},
+                                       {R"({"samples": #})", ""},      {R"({"exposure": #})", ""},
+                                       {R"({"leap": "local:#"})", ""}, {R"({"volume": "#"})", ""}};
+    constexpr std::array kNone = {"nan", "-nan", "inf", "1e999", "1e300", "0x10"};
+    for (const Place& place : places)
+        fill(place, kNone, [&](const std::string& text) {
+            write("shoal/settings.json", text);
+            const std::string err = run("play").err; // which then finds no display
+            EXPECT_NE(err.find("settings.json: "), std::string::npos) << err;
+            EXPECT_NE(err.find("--headless"), std::string::npos) << err;
+            EXPECT_EQ(lines(err), 2) << err;
+        });
+}
+
+TEST_F(Numbers, OfTomlFiles) {
+    constexpr std::array kNone = {"nan", "-inf", "1e300"};
+    constexpr std::array kNotEvenToml = {"1e999", "0x1p3"}; // of which the line is named
+    const std::string species = "[[species]]\nname = \"a\"\nmodel = \"a.glb\"\nlength = ",
+                      dive = "[[school]]\nspecies = \"clownfish\"\ncount = ",
+                      shark = dive + "3\n[shark]\nspecies = \"shark\"\n",
+                      whale = dive + "3\n[encounter]\nspecies = \"whale\"\n",
+                      step = "[[step]]\ndo = \"wait\"\n";
+    const std::vector<Place> places = {
+        {species + "#\n", "line 4: \"length\""},
+        {species + "0.2\ncruise = #\n", "line 5: \"cruise\""},
+        {species + "0.2\nspacing = #\n", "line 5: \"spacing\""},
+        {"duration = #\n" + dive + "3\n", "line 1: \"duration\""},
+        {"exposure = #\n" + dive + "3\n", "line 1: \"exposure\""},
+        {dive + "#\n", "line 3: \"count\""},
+        {dive + "3\nradius = [1, #]\n", "line 4: \"radius\""},
+        {dive + "3\nheight = [#, 1]\n", "line 4: \"height\""},
+        {shark + "radius = #\n", "line 6: \"radius\""},
+        {shark + "visits = [10, #]\n", "line 6: \"visits\""},
+        {whale + "at = #\nfrom = [-9, 3, 0]\nto = [9, 3, 0]\n", "line 6: \"at\""},
+        {whale + "at = 9\nfrom = [-9, #, 0]\nto = [9, 3, 0]\n", "line 7: \"from\""},
+        {step + "seconds = #\n", "line 3: \"seconds\""},
+        {step + "[[step]]\ndo = \"look\"\nyaw_deg = #\n", "line 5: \"yaw_deg\""},
+        {"seed = #\n" + step, "line 1: \"seed\""},
+        {"timeout = #\n" + step, "line 1: \"timeout\""},
+        {step + "[[expect]]\nevent = \"catch\"\nbefore = #\n", "line 5: \"before\""},
+    };
+    for (const auto& [text, named] : places) {
+        const std::string check = "check " + (folder_ / "a.toml").string();
+        expectRefused("a.toml", check, {text, named}, kNone);
+        expectRefused("a.toml", check, {text, named.substr(0, named.find(':'))}, kNotEvenToml);
+    }
+}
+
+TEST_F(Numbers, OfPicturesThatHoldThemAsText) {
+    constexpr std::array kNone = {"nan", "-inf", "1e999", "0x1p3", "1x", "0"};
+    const Place scale{"PF\n2 1\n#\n" + std::string(24, '\0'), "a.pfm: its PFM header is damaged"};
+    expectRefused("a.pfm", "light " + (folder_ / "a.pfm").string() + " -o " + (folder_ / "out").string(),
+                  scale, kNone);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+} // namespace
+} // namespace shoal
