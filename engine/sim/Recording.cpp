@@ -23,7 +23,7 @@ static_assert(std::endian::native == std::endian::little, "recordings are little
 namespace {
 
 constexpr std::string_view kMagic = "SHOALRE2";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr uint32_t kMaxInputBytes = 65536, kMaxHeaderBytes = 1u << 20;
 constexpr uint32_t kBlockTicks = static_cast<uint32_t>(kTickRate_Hz);
 constexpr size_t kBlockPrefix = 12, kHashBytes = 8;

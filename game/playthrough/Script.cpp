@@ -2,6 +2,7 @@
 
 #include "game/rules/TomlRead.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace shoal::game {
@@ -10,12 +11,13 @@ namespace {
 
 constexpr int kMaxSteps = 1000, kMaxExpects = 200;
 
-constexpr std::array<const char*, 13> kDoNames = {"reach",   "close", "hold",  "open",  "look",
-                                                  "wait",    "wave",  "hover", "offer", "rest",
-                                                  "restart", "pause", "again"};
+constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "hold",    "open",  "look",
+                                                  "wait",  "wave",  "hover", "offer",   "rest",  "restart",
+                                                  "pause", "point", "press", "release", "again"};
 
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
-constexpr std::array<const char*, 1> kAtNames = {"shark"};
+constexpr std::array<const char*, 2> kAtNames = {"shark", "fish"};
+constexpr std::array<const char*, 2> kWaterNames = {"open", "film"};
 
 constexpr auto kEventNames = [] {
     std::array<const char*, kEventRows.size()> names{};
@@ -41,7 +43,13 @@ ScriptStep readStep(TomlTable& table, int number) {
     if (const auto what = table.choice("do", kDoNames)) step.what = static_cast<ScriptStep::Do>(*what);
     if (const auto hand = table.choice("hand", kHandNames)) step.hand = static_cast<int>(*hand);
     table.text("kind", step.kind);
-    step.atShark = table.choice("at", kAtNames).has_value();
+    const auto at = table.choice("at", kAtNames);
+    step.atShark = at == 0, step.atFish = at == 1;
+    table.place("offset", step.offset, 2);
+    table.place("to", step.to, 2);
+    table.number("x", step.pointer_px.x, 0, 1280);
+    table.number("y", step.pointer_px.y, 0, 720);
+    table.number("near", step.near_m, 0, 10);
     constexpr float kDegree = std::numbers::pi_v<float> / 180;
     float yaw_deg = 0, pitch_deg = 0;
     table.number("seconds", step.seconds, 0, 600);
@@ -68,6 +76,10 @@ ScriptExpect readExpect(TomlTable& table) {
     readCount(table, "caught", expect.caught);
     readCount(table, "score_at_least", expect.scoreAtLeast);
     readCount(table, "lost", expect.lost);
+    readCount(table, "combo_at_least", expect.comboAtLeast);
+    if (table.has("fish_above")) table.number("fish_above", expect.fishAbove_m.emplace(), -10, 10);
+    if (const auto water = table.choice("water", kWaterNames))
+        expect.water = *water == 0 ? ScriptExpect::Water::Open : ScriptExpect::Water::Film;
     readChoice(table, "event", kEventNames, expect.event);
     readChoice(table, "never", kEventNames, expect.never);
     readChoice(table, "phase", kPhaseNames, expect.phase);
@@ -99,6 +111,11 @@ Result<Script> loadScript(const Path& path) {
         else if (script.dive.empty() || script.dive.find_first_of("/\\.") != std::string::npos)
             root.complain("dive",
                           "must be the name of a dive, or \"./\" and the path of a dive file from here");
+        root.text("film", script.film);
+        const auto assist = root.choice("assist", EnumNames<Assist>::kNames);
+        if (assist) script.rules.assist = static_cast<Assist>(*assist);
+        root.flag("seated", script.rules.seated);
+        root.flag("free", script.rules.freeSwim);
         root.whole("seed", script.seed, 0, INT64_MAX);
         root.number("timeout", script.timeout_s, 1, 3600);
         root.need("step");
@@ -109,7 +126,26 @@ Result<Script> loadScript(const Path& path) {
                     [&](TomlTable& table) { script.expects.push_back(readExpect(table)); });
     });
     if (!read) return read.error();
+    const auto points = [](const ScriptStep& step) {
+        return step.what >= ScriptStep::Do::Point && step.what <= ScriptStep::Do::Release;
+    };
+    using Do = ScriptStep::Do;
+    constexpr std::array kOfHands = {Do::Reach, Do::Move, Do::Close, Do::Open, Do::Wave, Do::Hover, Do::Offer, Do::Rest};
+    const bool holds = std::ranges::any_of(
+        script.steps, [&](const ScriptStep& step) { return std::ranges::find(kOfHands, step.what) != kOfHands.end(); });
+    script.points = std::ranges::any_of(script.steps, points);
+    if (script.points && holds)
+        return Error{path.string(), "moves both the mouse and hands: a script has either"};
     return script;
+}
+
+Result<DiveFiles> loadDiveFiles(const Script& script) {
+    auto files = loadDiveFiles(script.dive);
+    if (!files || script.film.empty()) return files;
+    const auto other = loadDiveFiles(script.film);
+    if (!other) return other.error();
+    files->dive.video = other->dive.video;
+    return files;
 }
 
 } // namespace shoal::game

@@ -1,9 +1,11 @@
 // A playthrough: steps of a scripted player and the expectations that must be met, read from a TOML file.
 #pragma once
 
+#include "engine/core/Hash.h"
 #include "game/feedback/EventTable.h"
 #include "game/rules/Dive.h"
-#include "input/hands/HandRig.h"
+#include "game/rules/ReachHelp.h"
+#include "input/hands/MouseHands.h"
 
 #include <optional>
 #include <string>
@@ -13,18 +15,22 @@ namespace shoal::game {
 
 struct ScriptStep {
     enum class Do {
-        Reach,   // bring a hand to the nearest fish (of `kind`) until it could be grasped
+        Reach,   // bring a hand to the nearest fish (of `kind`), or to `offset` from it, until it is there
+        Move,    // bring a hand to the place `to`, with `speed`
         Close,   // close a hand (and keep following the fish just reached for)
         Hold,    // wait `seconds` with hands as they are
         Open,    // open a hand
         Look,    // turn towards yaw and pitch, or `at` "shark"
-        Wait,    // `seconds`, or `until` an event of that name, or until the `phase`
+        Wait,    // `seconds`, `until` an event of that name, until the `phase`, or until a fish is `near` the hand
         Wave,    // swing a hand 0.5 m to both sides of where it is at `speed` m/s for `seconds`
         Hover,   // bring a hand in the shark's way, for `seconds`
         Offer,   // bring what the hand holds as near to the shark as it reaches, for `seconds`
         Rest,    // take a hand back to the side
         Restart, // a new dive
         Pause,   // for `seconds`
+        Point,   // move the mouse to `x` and `y`, or after the nearest fish (of `kind`) until the hand has it
+        Press,   // the mouse's button
+        Release,
         Again,   // back to step number `from` (1 is the first), at most `times`, unless event `unless` has
                  // occurred
     };
@@ -33,6 +39,10 @@ struct ScriptStep {
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
     bool atShark = false; // what to look at, instead of yaw and pitch
+    bool atFish = false;  // what to point at, instead of x and y
+    glm::vec3 offset{0}, to{0}; // viewer's frame, metres
+    glm::vec2 pointer_px{640, 360}; // in a window of 1280x720: +x right, +y down
+    float near_m = 0;
     float seconds = 0;
     float speed = 1.5f;
     float yaw = 0, pitch = 0; // radians; yaw to the right, pitch up
@@ -45,7 +55,10 @@ struct ScriptStep {
 
 struct ScriptExpect {
     int line = 0;
-    std::optional<int> caught, scoreAtLeast, lost; // at the script's end
+    enum class Water { Any, Open, Film };
+    Water water = Water::Any; // the only water in which this is expected
+    std::optional<int> caught, scoreAtLeast, lost, comboAtLeast; // at the script's end
+    std::optional<float> fishAbove_m; // no fish has been lower, against the eyes
     std::optional<EventKind> event;                // occurs at least `count` times in the given time
     std::optional<EventKind> never;                // does not occur at all
     std::optional<Phase> phase;                    // at the end
@@ -57,40 +70,48 @@ struct ScriptExpect {
 struct Script {
     std::string name;
     std::string dive = "reef"; // for loadDiveFiles()
+    std::string film;          // of the dive of that name, in place of the dive's own; empty: its own
     uint64_t seed = 1;
-    DiveRules rules;
+    DiveRules rules; // a player's, but for what the file says
     float timeout_s = 120;
+    bool points = false; // with the mouse, in place of hands
     std::vector<ScriptStep> steps;
     std::vector<ScriptExpect> expects;
 };
 
 Result<Script> loadScript(const Path& file);
 
+// The files of its dive, with the film that it names.
+Result<DiveFiles> loadDiveFiles(const Script&);
+
 // Plays a script: one TickInput a tick from what the last tick showed. Motions keep below 1.5 m/s (but for
 // Wave), as a person's do. Depends on snapshots and events alone, never on the display.
 class ScriptRun {
   public:
-    ScriptRun(Script, hands::HandRig, SpeciesTable);
+    // inFilm: the dive is in the room of its film, of which some expectations are.
+    ScriptRun(Script, hands::HandRig, SpeciesTable, bool inFilm);
 
     // Input of the next tick, from the snapshot after the last one.
     void next(const Snapshot&, TickInput& out);
-    // Events of the tick just stepped, and the snapshot after it.
-    void observe(const Events&, const Snapshot&);
+    // Of the tick just stepped: events, the state's hash, and the snapshot after it.
+    void observe(const Events&, uint64_t stateHash, const Snapshot&);
 
     bool finished() const { return finished_; }
     // After the end: success, or the first step that timed out or expectation unmet, as a sentence.
     Status verdict() const;
     uint64_t ticks() const { return tick_; }
+    uint64_t hash() const { return hash_.value(); } // of all ticks' states
 
   private:
     struct ScriptHand {
         glm::vec3 graspWorld{0};
         glm::vec3 anchor{0}; // middle of a wave
+        glm::vec3 offset{0}; // from the creature followed, viewer's frame
         float closed = 0;
         float closedGoal = 0;
         int target = -1; // creature followed
     };
-    struct Seen {
+    struct Occurred {
         EventKind kind;
         float time_s;
     };
@@ -99,6 +120,9 @@ class ScriptRun {
     bool perform(const ScriptStep&, const Snapshot&, TickInput&);
     bool reach(const ScriptStep&, const Snapshot&);
     bool look(const ScriptStep&, const Snapshot&, float spent_s);
+    bool point(const ScriptStep&, const Snapshot&);
+    void movePointer(glm::vec2 goal_px);
+    void feedMouse(const Snapshot&, TickInput&);
     bool wait(const ScriptStep&, const Snapshot&, float spent_s) const;
     void wave(const ScriptStep&, const Snapshot&, float spent_s);
     void meetShark(const ScriptStep&, const Snapshot&);
@@ -111,14 +135,20 @@ class ScriptRun {
     Script script_;
     hands::HandRig rig_;
     SpeciesTable species_;
+    bool inFilm_;
     std::array<ScriptHand, 2> hands_{};
+    hands::MouseHands mouse_; // of a script that points
+    hands::MouseInput mouseInput_;
+    ReachHelp reach_;
     float yaw_ = 0, pitch_ = 0;
     size_t step_ = 0;
     uint64_t tick_ = 0, stepBegan_ = 0;
     size_t seenAtStep_ = 0;
     std::vector<int> repeats_;
-    std::vector<Seen> seen_;
+    std::vector<Occurred> seen_;
     Snapshot last_;
+    float lowestFish_m_ = 1e9f;
+    Hash hash_;
     bool finished_ = false;
     std::string failure_;
 };

@@ -21,6 +21,12 @@ constexpr float kNear_m = 0.3f;
 constexpr float kThere_m = 0.045f; // grasp centre this near to a fish's middle: close now
 constexpr float kPi = std::numbers::pi_v<float>;
 
+// The window that a script's mouse points into, with the game's own field of view.
+constexpr glm::vec2 kHalfWindow_px(640, 360);
+constexpr float kWindowFov = 65 * kPi / 180;
+constexpr float kSeenReach_m = 1.4f;
+constexpr float kMouseThere_m = 0.07f; // as near as eyes tell that the mouse's hand is at a fish
+
 glm::vec3 withinReach(glm::vec3 p) {
     const float distance = glm::length(p);
     if (distance < 1e-4f) return {0, 0, -kNear_m};
@@ -43,12 +49,46 @@ glm::vec3 mouthOf(const CreatureView& shark) {
     return shark.position + shark.worldFromBody * glm::vec3(0, 0, 0.46f * shark.length);
 }
 
+bool isFree(const CreatureView& creature, const ScriptStep& step, const SpeciesTable& species) {
+    const Species& kind = species[creature.species];
+    const bool asked = step.kind == "any" ? isCatchable(kind) : kind.name == step.kind;
+    return asked && creature.heldBy < 0 && creature.gait.motion != Motion::Struggle;
+}
+
+bool isNear(const Snapshot& now, glm::vec3 place, float near_m, const SpeciesTable& species) {
+    return std::ranges::any_of(now.creatures, [&](const CreatureView& creature) {
+        return isCatchable(species[creature.species]) && glm::distance(creature.position, place) < near_m;
+    });
+}
+
+// Pixels of the window, of a place in the viewer's frame before the viewer.
+glm::vec2 pixelOf(glm::vec3 view) {
+    const float half = 0.5f * kWindowFov, focal_px = kHalfWindow_px.y * math::cosine(half) / math::sine(half);
+    return kHalfWindow_px + glm::vec2(view.x, -view.y) * (focal_px / std::max(-view.z, 0.05f));
+}
+
+// The nearest fish within reach and well inside the window; -1: none.
+int chooseSeen(const ScriptStep& step, const Snapshot& now, const SpeciesTable& species) {
+    int best = -1;
+    float nearest = kSeenReach_m;
+    for (const CreatureView& creature : now.creatures) {
+        const glm::vec3 view = glm::conjugate(now.worldFromView) * creature.position;
+        const glm::vec2 fromMiddle = glm::abs(pixelOf(view) / kHalfWindow_px - 1.0f);
+        if (!isFree(creature, step, species) || creature.gait.motion == Motion::Dart || view.z > -kNear_m) continue;
+        if (std::max(fromMiddle.x, fromMiddle.y) > 0.8f || glm::length(view) >= nearest) continue;
+        nearest = glm::length(view);
+        best = static_cast<int>(creature.id);
+    }
+    return best;
+}
+
 } // namespace
 
-ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species)
-    : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)),
+ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species, bool inFilm)
+    : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)), inFilm_(inFilm), mouse_(rig_),
       repeats_(script_.steps.size(), 0) {
     seen_.reserve(4096);
+    mouseInput_.fovY = kWindowFov;
 }
 
 void ScriptRun::moveHand(int h, glm::vec3 goalWorld, float speed) {
@@ -69,10 +109,7 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     int best = -1;
     float bestCost = std::numeric_limits<float>::max();
     for (const CreatureView& creature : now.creatures) {
-        if (!isCatchable(species_[creature.species]) || creature.heldBy >= 0 ||
-            creature.gait.motion == Motion::Struggle)
-            continue;
-        if (step.kind != "any" && species_[creature.species].name != step.kind) continue;
+        if (!isFree(creature, step, species_)) continue;
         const int id = static_cast<int>(creature.id);
         if (id == hands_[1 - step.hand].target && hands_[1 - step.hand].closedGoal > 0) continue;
         const glm::vec3 soon = creature.position + 0.4f * creature.velocity;
@@ -87,20 +124,20 @@ int ScriptRun::chooseFish(const ScriptStep& step, const Snapshot& now) const {
     return best;
 }
 
-// True when the hand is where it could close on its fish.
+// True when the hand is where it could close on its fish, or at its offset from it.
 bool ScriptRun::follow(int h, const Snapshot& now) {
     ScriptHand& hand = hands_[h];
     if (hand.target < 0 || hand.target >= static_cast<int>(now.creatures.size())) return false;
     const CreatureView& fish = now.creatures[hand.target];
     if (fish.heldBy == h) return true;
-    const glm::vec3 goal = fish.position + fish.velocity * (2 * kDt);
+    const glm::vec3 place = fish.position + now.worldFromView * hand.offset, goal = place + fish.velocity * (2 * kDt);
     const float distance = glm::distance(goal, hand.graspWorld);
     // Quickly from afar, softly at the end, always keeping up with it.
     const float speed =
         std::min(kHandSpeed_mps, std::clamp(1.8f * distance, 0.2f, 1.2f) + glm::length(fish.velocity));
     lookTowards(fish.position);
     moveHand(h, goal, speed);
-    return glm::distance(fish.position, hand.graspWorld) < kThere_m;
+    return glm::distance(place, hand.graspWorld) < kThere_m;
 }
 
 // Another fish when this one fled or is out of reach, or two seconds brought nothing.
@@ -113,6 +150,7 @@ bool ScriptRun::reach(const ScriptStep& step, const Snapshot& now) {
         again = fish.gait.motion == Motion::Dart || glm::length(fish.position) > kReach_m;
     }
     if (again) hand.target = chooseFish(step, now);
+    hand.offset = step.offset;
     hand.closedGoal = 0;
     return follow(step.hand, now) && hand.closed == 0;
 }
@@ -129,10 +167,35 @@ bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s)
 
 bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s) const {
     if (step.phase) return now.phase == *step.phase;
+    if (step.near_m > 0) return spent_s >= step.seconds && isNear(now, hands_[step.hand].graspWorld, step.near_m, species_);
     if (!step.until) return spent_s >= step.seconds;
     for (size_t i = seenAtStep_; i < seen_.size(); ++i)
         if (seen_[i].kind == *step.until) return true;
     return false;
+}
+
+// At the pace of a person's: at most two halves of the window a second, slower as it comes near.
+void ScriptRun::movePointer(glm::vec2 goal_px) {
+    const glm::vec2 way = goal_px / kHalfWindow_px * glm::vec2(1, -1) + glm::vec2(-1, 1) - mouseInput_.cursor;
+    const float length = glm::length(way), step = std::min(2.0f, 4 * length + 0.05f) * kDt;
+    mouseInput_.cursor += length > step ? way * (step / length) : way;
+}
+
+// True when the pointer is there, or the hand at the fish that it follows. Another fish after three seconds.
+bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
+    if (!step.atFish) {
+        movePointer(step.pointer_px);
+        const glm::vec2 apart = (mouseInput_.cursor + glm::vec2(1, -1)) * glm::vec2(1, -1) * kHalfWindow_px - step.pointer_px;
+        return glm::length(apart) < 1;
+    }
+    ScriptHand& hand = hands_[1];
+    if (hand.target < 0 || (tick_ - stepBegan_) % 360 == 0) hand.target = chooseSeen(step, now, species_);
+    if (hand.target < 0) return false;
+    const CreatureView& fish = now.creatures[hand.target];
+    constexpr float kLead_s = 0.2f;
+    const glm::vec3 soon = glm::conjugate(now.worldFromView) * (fish.position + fish.velocity * kLead_s);
+    movePointer(pixelOf(soon));
+    return glm::distance(hands::graspCentre(now.hands[1].joints), fish.position) < kMouseThere_m;
 }
 
 // To and fro over 1 m about where the hand was; a triangle, so the speed is the same throughout.
@@ -160,6 +223,10 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
     switch (step.what) {
     case Do::Reach:
         return reach(step, now);
+    case Do::Move:
+        moveHand(step.hand, now.worldFromView * step.to, step.speed);
+        hand.target = -1;
+        return glm::distance(hand.graspWorld, now.worldFromView * step.to) < 0.01f;
     case Do::Close:
         hand.closedGoal = 1;
         follow(step.hand, now);
@@ -192,6 +259,12 @@ bool ScriptRun::perform(const ScriptStep& step, const Snapshot& now, TickInput& 
     case Do::Pause:
         out.pause = true;
         return spent_s >= step.seconds;
+    case Do::Point:
+        return point(step, now);
+    case Do::Press:
+    case Do::Release:
+        mouseInput_.close = step.what == Do::Press;
+        return true;
     case Do::Again:
         return true; // next() decides
     }
@@ -208,7 +281,7 @@ void ScriptRun::advance(size_t to) {
     }
     // A step that brings a hand to a fish chooses anew.
     const ScriptStep& step = script_.steps[step_];
-    if (step.what == ScriptStep::Do::Reach) hands_[step.hand].target = -1;
+    if (step.what == ScriptStep::Do::Reach || step.what == ScriptStep::Do::Point) hands_[step.hand].target = -1;
 }
 
 // The step under way; one that ends lets the next begin on the next tick, so every step sees its own result.
@@ -218,7 +291,7 @@ void ScriptRun::performStep(const Snapshot& now, TickInput& out) {
     if (step.what == ScriptStep::Do::Again) {
         bool repeat = repeats_[step_] < step.times;
         if (step.unless)
-            for (const Seen& seen : seen_) repeat = repeat && seen.kind != *step.unless;
+            for (const Occurred& seen : seen_) repeat = repeat && seen.kind != *step.unless;
         if (repeat) ++repeats_[step_];
         advance(repeat ? static_cast<size_t>(step.from - 1) : step_ + 1);
     } else if (perform(step, now, out)) {
@@ -249,7 +322,8 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     const glm::quat worldFromView =
         glm::normalize(math::rotationAbout(kUp, -yaw_) * math::rotationAbout(glm::vec3(1, 0, 0), pitch_));
     out.worldFromView = worldFromView;
-    for (int h = 0; h < 2; ++h) {
+    if (script_.points) feedMouse(now, out);
+    for (int h = 0; h < 2 && !script_.points; ++h) {
         ScriptHand& hand = hands_[h];
         hand.closed = towards(hand.closed, hand.closedGoal, kDt / kCloseTime_s);
         out.hands[h] = hands::reachingHand(rig_, h == 0 ? hands::Side::Left : hands::Side::Right,
@@ -258,8 +332,19 @@ void ScriptRun::next(const Snapshot& now, TickInput& out) {
     ++tick_;
 }
 
-void ScriptRun::observe(const Events& events, const Snapshot& after) {
+// As the program does: help with depth, then the hand.
+void ScriptRun::feedMouse(const Snapshot& now, TickInput& out) {
+    const glm::vec3 ray = rayThroughCursor(mouseInput_);
+    mouseInput_.reach_m = reach_.update(now, species_, ray, mouse_.distance_m());
+    out.hands = mouse_.update(mouseInput_, kDt);
+}
+
+void ScriptRun::observe(const Events& events, uint64_t stateHash, const Snapshot& after) {
+    hash_.add(stateHash);
     for (const Event& event : events) seen_.push_back({event.kind, static_cast<float>(tick_) * kDt});
+    for (const CreatureView& creature : after.creatures)
+        if (isCatchable(species_[creature.species]) && creature.heldBy < 0)
+            lowestFish_m_ = std::min(lowestFish_m_, creature.position.y);
     last_ = after;
 }
 
@@ -273,16 +358,21 @@ Status ScriptRun::verdict() const {
     const auto name = [](EventKind kind) { return std::string(rowOf(kind).name); };
     const auto text = [](auto number) { return std::to_string(number); };
     for (const ScriptExpect& e : script_.expects) {
+        if (e.water == (inFilm_ ? ScriptExpect::Water::Open : ScriptExpect::Water::Film)) continue;
         if (e.caught && last_.caught != *e.caught)
             return fail(&e, "caught " + text(last_.caught) + ", expected " + text(*e.caught));
         if (e.scoreAtLeast && last_.score < *e.scoreAtLeast)
             return fail(&e, "score " + text(last_.score) + ", expected at least " + text(*e.scoreAtLeast));
         if (e.lost && last_.lost != *e.lost)
             return fail(&e, "lost " + text(last_.lost) + " to the shark, expected " + text(*e.lost));
+        if (e.comboAtLeast && last_.bestCombo < *e.comboAtLeast)
+            return fail(&e, "best combo " + text(last_.bestCombo) + ", expected at least " + text(*e.comboAtLeast));
+        if (e.fishAbove_m && lowestFish_m_ < *e.fishAbove_m)
+            return fail(&e, "a fish was at " + text(lowestFish_m_) + " m, expected above " + text(*e.fishAbove_m));
         if (e.phase && last_.phase != *e.phase) return fail(&e, "ended in the other phase");
         int count = 0;
         size_t inOrder = 0;
-        for (const Seen& seen : seen_) {
+        for (const Occurred& seen : seen_) {
             if (e.never && seen.kind == *e.never)
                 return fail(&e, "\"" + name(*e.never) + "\" at " + text(seen.time_s) + " s, expected never");
             if (e.event && seen.kind == *e.event && seen.time_s >= e.after_s && seen.time_s <= e.before_s)

@@ -25,7 +25,8 @@ namespace {
 bool graspable(const Fish& f, const Hand& hand, int h, const Closing& closing) {
     const Species& kind = closing.species[f.species];
     if (!f.free() || f.uncatchable_s > 0 || kind.stings) return false;
-    if (closing.film.hides(closing.view.headWorld, f.position)) return false;
+    const auto hides = [&](glm::vec3 at) { return closing.film.hides(closing.view.headWorld, at); };
+    if (hides(f.position) || hides(hand.graspCentre)) return false;
     if (!onPalmSide(f, hand)) return false;
     if (graspGap(f, kind, hand) < kGraspRadius_m) return true;
     const auto touched = [&](int part) { return f.touchedUntil[h][part] > closing.tick; };

@@ -126,7 +126,8 @@ SharkView Dive::sharkView() const {
             static_cast<float>(state_.tick) * kDt,
             state_.phase != Phase::Diving,
             film(FilmSpace::Room::Shark),
-            film(FilmSpace::Room::Shark, kSoon_s)};
+            film(FilmSpace::Room::Shark, kSoon_s),
+            film(FilmSpace::Room::Shark, kLater_s)};
 }
 
 void Dive::advanceShark(Events& events) {

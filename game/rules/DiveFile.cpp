@@ -227,12 +227,12 @@ Result<DiveFiles> loadDiveFiles(const std::string& name, const Path& content) {
         for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
         return Error{name, "there is no such dive; there is " + (list.empty() ? "none" : list)};
     }
-    const Path file = isFile ? Path(name) : root / "dives" / (name + ".toml");
+    const Path file = isFile ? std::filesystem::absolute(name).lexically_normal() : root / "dives" / (name + ".toml");
     auto species = loadSpecies((isFile ? file.parent_path() : root) / "species.toml");
     if (!species) return species.error();
     auto dive = loadDive(file, *species);
     if (!dive) return dive.error();
-    dive->name = name; // by which a recording finds it again
+    dive->name = isFile ? file.string() : name; // by which a recording finds it again, from any folder
     return DiveFiles{*std::move(species), *std::move(dive)};
 }
 

@@ -70,7 +70,8 @@ void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, 
                 const Help& help, const FilmMoment& film) {
     Intent& intent = hand.intent;
     intent.inRange = false;
-    if (!hand.solid || hand.stung_s > 0 || hand.grasp.holds >= 0) {
+    const bool hidden = film.hides(view.headWorld, hand.graspCentre);
+    if (!hand.solid || hand.stung_s > 0 || hand.grasp.holds >= 0 || hidden) {
         intent.fish = -1;
         return;
     }

@@ -22,7 +22,7 @@
 namespace shoal::game {
 
 // Every tick, before anything moves: what each hand is after, and how far catchable that makes each fish.
-// None is after a fish that the film hides.
+// None is after a fish that the film hides, and none that it hides is after any.
 void readIntents(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Assist, const FilmMoment&);
 
 // A hand that closes on the fish it is after: moves the hand towards it, and the fish into the hand, both by

@@ -31,6 +31,11 @@ float openRadius(glm::vec3 place, const SharkView& view, const FilmMoment& film)
 }
 float openRadius(glm::vec3 place, const SharkView& view) { return openRadius(place, view, view.film); }
 
+// The least of it in the time that the shark needs to swim somewhere else.
+float soonOpen(glm::vec3 place, const SharkView& view) {
+    return std::min(openRadius(place, view, view.filmSoon), openRadius(place, view, view.filmLater));
+}
+
 glm::vec3 mouthOf(const Shark& shark, const SpeciesTable& species) {
     return shark.mouthPosition(species[shark.species].length_m);
 }
@@ -234,7 +239,7 @@ constexpr float kHandShy_m = 0.8f;         // its nose keeps so far from hands w
 constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
 constexpr float kRoomy_m = 2.8f;           // it does not circle on into less room than this...
 constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
-constexpr float kSharkGiveRoom_mps = 2.0f; // how fast a wall that comes nearer moves it at most
+constexpr float kSharkGiveRoom_mps = 3.0f; // how fast a wall that comes nearer moves it at most
 
 // Where it wants to go, how fast, and how fast it turns.
 struct Course {
@@ -250,7 +255,7 @@ Course circle(const Shark& shark, const Species& kind, const SharkView& view, fl
     const SharkPlan& plan = view.dive.shark;
     const bool visits = shark.state == State::Prowl;
     const bool wide = shark.threatRest_s > 0 && shark.threatRest_s < 0.6f * kThreatRest_s;
-    const float open = std::min(openRadius(shark.position, view), openRadius(shark.position, view, view.filmSoon));
+    const float open = std::min(openRadius(shark.position, view), soonOpen(shark.position, view));
     const float goal = std::min(visits ? (wide ? kWide_m : plan.prowlRadius_m) : plan.radius_m,
                                 std::max(open, kSharkApart_m + 0.2f));
     const float height = visits ? 0.5f * plan.height_m : plan.height_m;
@@ -264,7 +269,7 @@ Course circle(const Shark& shark, const Species& kind, const SharkView& view, fl
         course.speed_mps = radius > goal + 0.8f ? 1.6f * kind.cruise_mps : 1.15f * kind.cruise_mps;
         course.turn_radps *= 1.4f;
     }
-    if (open < kNarrow_m) course.speed_mps = 1.6f * kind.cruise_mps; // away from here
+    if (open < kNarrow_m) course.speed_mps = 2 * kind.cruise_mps; // away from here
     return course;
 }
 
@@ -321,7 +326,7 @@ void avoidPlayer(const Shark& shark, const Species& kind, const SharkView& view,
 
 // As wide as the way between the hands and what the film will soon show, at that bearing.
 float roomAt(glm::vec3 outward, const SharkView& view) {
-    const float open = openRadius(outward, view, view.filmSoon);
+    const float open = soonOpen(outward, view);
     for (const Hand& hand : view.hands) {
         const Place at = placeOf(hand.graspCentre);
         const bool beside = hand.visible && glm::dot(at.outward, outward) > 0.7f;
@@ -361,20 +366,19 @@ void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, 
 void keepInRoom(Shark& shark, const Species& kind, const FilmMoment& film, float most_m) {
     const float over = film.overshoot_m(capsuleOf(shark, kind));
     const float distance = glm::length(shark.position);
-    const float spare = distance - (shark.state == State::Strike ? kSharkEyeRoom_m : kSharkApart_m);
+    const float spare = distance - kSharkEyeRoom_m;
     if (over > 0 && spare > 0)
         shark.position -= shark.position * (std::min({over, spare, most_m}) / distance);
 }
 
-// Whatever happened: its axis keeps clear of the eyes, and its body of the ground.
-void keepClear(Shark& shark, const Species& kind, float floor_m, glm::vec3 outward) {
+// Moves its axis out of the room around the eyes.
+void keepFromEyes(Shark& shark, const Species& kind, float room_m, glm::vec3 outward) {
     const float reach = 0.46f * kind.length_m;
     const float t = std::clamp(-glm::dot(shark.position, shark.forward), -reach, reach);
     const glm::vec3 nearest = shark.position + shark.forward * t;
-    const float room = glm::length(nearest);
-    const float kept = shark.state == State::Strike ? kSharkEyeRoom_m : kSharkApart_m;
-    if (room < kept) shark.position += normalizedOr(nearest, outward) * std::min(kept - room, kSharkGiveRoom_mps * kDt);
-    shark.position.y = std::max(shark.position.y, floor_m + kind.bodyRadius_m + 0.05f);
+    const float missing = room_m - glm::length(nearest);
+    if (missing > 0)
+        shark.position += normalizedOr(nearest, outward) * std::min(missing, kSharkGiveRoom_mps * kDt);
 }
 
 // A shark that threatens: back arched, snout raised, pectoral fins lowered, the whole body swinging slowly
@@ -413,8 +417,10 @@ void swimShark(Shark& shark, const SharkView& view) {
 
     const glm::vec3 from = shark.position;
     shark.position += shark.forward * shark.speed * kDt;
+    if (!strikes) keepFromEyes(shark, kind, kSharkApart_m, outward);
     keepInRoom(shark, kind, view.film, kSharkGiveRoom_mps * kDt);
-    keepClear(shark, kind, view.dive.floor_m, outward);
+    keepFromEyes(shark, kind, kSharkEyeRoom_m, outward);
+    shark.position.y = std::max(shark.position.y, view.dive.floor_m + kind.bodyRadius_m + 0.05f);
     shark.velocity = (shark.position - from) / kDt;
     shark.worldFromBody = bodyTurn(shark.forward, shark.bank);
     bendAndBeat(shark, kind, spin);

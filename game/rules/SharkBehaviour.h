@@ -30,7 +30,7 @@ constexpr float kThreat_s = 4.5f;     // then it breaks off
 constexpr float kThreatRest_s = 2.5f; // before the next
 constexpr float kThreatFrom_m = 2.6f; // from its mouth to the hand
 constexpr float kThreatRoom_m = 0.7f; // nearer than that it does not come
-constexpr float kSoon_s = 1.5f;       // so far ahead it sees walls come
+constexpr float kSoon_s = 1.2f, kLater_s = 3; // so far ahead it sees walls come
 constexpr float kWide_m = 2.6f;       // radius from which it begins the next approach
 
 Shark spawnShark(const DiveFiles&, Random&); // at the beginning of a dive
@@ -46,7 +46,7 @@ struct SharkView {
     std::span<const Fish> fish;
     float time_s;    // since the dive began
     bool diveIsOver; // no new visits
-    FilmMoment film{}, filmSoon{}; // in kSoon_s
+    FilmMoment film{}, filmSoon{}, filmLater{}; // in kSoon_s, in kLater_s
 };
 
 // Before anybody sees it: where the film leaves room for it.

@@ -26,7 +26,8 @@ Result<HandSourceChoice> parseHandSource(const std::string& text) {
 }
 
 HandSource makeSource(const SessionConfig& config) {
-    if (config.script) return game::ScriptRun(*config.script, config.rig, config.species);
+    if (config.script)
+        return game::ScriptRun(*config.script, config.rig, config.species, config.dive.space != nullptr);
     if (config.replay) return ReplaySource(*config.replay);
     if (config.handSource.kind == HandSourceKind::OpenXr) return OpenXrSource{};
     return MouseSource(config.rig, config.species);
@@ -136,7 +137,7 @@ void GameSession::tick(float share, float ago_s) {
     events.insert(events.end(), tickEvents_.begin(), tickEvents_.end());
     if (recording_) addToRecording(input);
     if (auto* script = std::get_if<game::ScriptRun>(&source)) {
-        script->observe(tickEvents_, after);
+        script->observe(tickEvents_, dive.stateHash(), after);
         if (script->finished()) {
             ended = true;
             verdict = script->verdict();

@@ -83,10 +83,7 @@ void MouseSource::frame(const Controls* controls, const ControlOptions& options,
             if (!c.mouseCloses && !c.is(Action::CloseHand)) mouse.closeTo = c.trigger;
         }
         wasDown_ = down;
-        const float half = std::tan(verticalFov / 2);
-        const glm::vec3 ray =
-            glm::normalize(glm::vec3(mouse.cursor.x * half * aspect, mouse.cursor.y * half, -1));
-        mouse.reach_m = reach_.update(shown, species_, ray, hands_.distance_m());
+        mouse.reach_m = reach_.update(shown, species_, rayThroughCursor(mouse), hands_.distance_m());
         mouse.reachHelp = options.reachHelp;
     }
     poses_ = hands_.update(mouse, dt_s);

@@ -1,6 +1,7 @@
 #include "input/hands/MouseHands.h"
 
 #include "engine/math/Follow.h"
+#include "engine/math/Trigonometry.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -28,7 +29,19 @@ glm::vec3 restingPlace(Side side, float tanX, float tanY) {
     return {sign * z * std::min(0.62f * tanX, 0.6f), -z * 0.88f * tanY, -z};
 }
 
+// Of the picture at a metre's distance: right, up.
+glm::vec2 cornerOf(const MouseInput& input) {
+    const float half = 0.5f * std::clamp(input.fovY, 0.2f, 2.6f);
+    const float tanY = math::sine(half) / math::cosine(half);
+    return {tanY * std::clamp(input.aspect, 0.1f, 10.0f), tanY};
+}
+
 } // namespace
+
+glm::vec3 rayThroughCursor(const MouseInput& input) {
+    const glm::vec2 at = glm::clamp(input.cursor, glm::vec2(-1), glm::vec2(1)) * cornerOf(input);
+    return glm::normalize(glm::vec3(at, -1));
+}
 
 HandPose reachingHand(const HandRig& rig, Side side, glm::vec3 grasp, float closed) {
     const float sign = side == Side::Left ? -1.0f : 1.0f;
@@ -79,16 +92,14 @@ const std::array<HandPose, 2>& MouseHands::update(const MouseInput& input, float
 
     followReach(input, dt_s);
 
-    const float tanY = std::tan(0.5f * std::clamp(input.fovY, 0.2f, 2.6f));
-    const float tanX = tanY * std::clamp(input.aspect, 0.1f, 10.0f);
-    const glm::vec2 cursor = glm::clamp(input.cursor, glm::vec2(-1), glm::vec2(1));
-    const glm::vec3 ray = glm::normalize(glm::vec3(cursor.x * tanX, cursor.y * tanY, -1));
+    const glm::vec2 corner = cornerOf(input);
+    const glm::vec3 ray = rayThroughCursor(input);
 
     for (int i = 0; i < 2; ++i) {
         const Side side = i == 0 ? Side::Left : Side::Right;
         const bool active = side == active_;
         Hand& hand = hands_[i];
-        const glm::vec3 goal = active ? ray * distance_m() : restingPlace(side, tanX, tanY);
+        const glm::vec3 goal = active ? ray * distance_m() : restingPlace(side, corner.x, corner.y);
         if (hand.placed)
             hand.grasp += (goal - hand.grasp) * math::followShare(dt_s, active ? kFollow_s : kSwap_s);
         else

@@ -25,6 +25,9 @@ struct MouseInput {
     float reachHelp = 1; // 0 to 1: share of the way there
 };
 
+// Unit ray from the eye through the cursor, viewer's frame.
+glm::vec3 rayThroughCursor(const MouseInput&);
+
 class MouseHands {
   public:
     explicit MouseHands(HandRig rig) : rig_(std::move(rig)) {}

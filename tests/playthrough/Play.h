@@ -12,6 +12,7 @@ struct Played {
     tests::Recorded recording;
     Status verdict;
     Snapshot end;
+    uint64_t hash = 0; // of all states
 };
 // Both see every tick, and may be empty.
 using Watch = std::function<void(const Snapshot&, const Events&)>;
@@ -21,8 +22,8 @@ using StateWatch = std::function<void(const DiveState&, const Events&)>;
 inline Played playScript(const Script& script, const hands::HandRig& rig, const DiveFiles& files,
                          const Watch& watch = {}, const StateWatch& stateWatch = {}) {
     Dive dive(files.species, files.dive, script.seed, script.rules);
-    ScriptRun run(script, rig, files.species);
-    Played played{tests::Recorded(recordingHeader(dive)), Done{}, {}};
+    ScriptRun run(script, rig, files.species, files.dive.space != nullptr);
+    Played played{tests::Recorded(recordingHeader(dive)), Done{}, {}, 0};
     std::array<uint8_t, kTickInputBytes> bytes;
     Events events;
     TickInput input;
@@ -33,13 +34,15 @@ inline Played playScript(const Script& script, const hands::HandRig& rig, const 
         events.clear();
         dive.step(input, events);
         dive.snapshot(played.end);
-        run.observe(events, played.end);
+        const uint64_t hash = dive.stateHash();
+        run.observe(events, hash, played.end);
         toBytes(input, bytes);
-        played.recording.add(bytes, dive.stateHash());
+        played.recording.add(bytes, hash);
         if (watch) watch(played.end, events);
         if (stateWatch) stateWatch(dive.state(), events);
     }
     played.verdict = run.verdict();
+    played.hash = run.hash();
     return played;
 }
 

@@ -1,13 +1,16 @@
-// Every script of this folder plays headless, meets its expectations at every display rate, and its recording
-// replays tick for tick.
+// Every script of this folder plays headless, in open water and in the room of its film; meets its expectations at every
+// display rate, gives the states stored in tests/equal_hashes.txt, and its recording replays tick for tick.
 #include "engine/sim/FixedStep.h"
 #include "tests/TestPaths.h"
 #include "tests/playthrough/Play.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <sstream>
 
 namespace shoal::game {
 namespace {
@@ -20,11 +23,30 @@ std::vector<Path> scripts() {
     return files;
 }
 
+// What a script is played with, or a failure.
+struct Setup {
+    Script script;
+    DiveFiles files;
+    hands::HandRig rig;
+};
+
+Result<Setup> setUp(const Path& file, bool inFilm) {
+    const auto script = loadScript(file);
+    if (!script) return script.error();
+    auto files = loadDiveFiles(*script);
+    if (!files) return files.error();
+    if (inFilm)
+        if (Status found = roomOf(files->dive.video).moveTo(files->dive.space); !found) return found.error();
+    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
+    if (!rig) return rig.error();
+    return Setup{*script, *std::move(files), *rig};
+}
+
 // The same player before a display of that speed, which stumbles over a frame of 300 ms once.
-std::pair<uint64_t, Status> playAt(int framesPerSecond, const Script& script, const DiveFiles& files,
-                                   const hands::HandRig& rig) {
+std::pair<uint64_t, Status> playAt(int framesPerSecond, const Setup& setup) {
+    const auto& [script, files, rig] = setup;
     Dive dive(files.species, files.dive, script.seed, script.rules);
-    ScriptRun run(script, rig, files.species);
+    ScriptRun run(script, rig, files.species, files.dive.space != nullptr);
     sim::FixedStep clock;
     Snapshot before, now, shown;
     Events events;
@@ -38,22 +60,31 @@ std::pair<uint64_t, Status> playAt(int framesPerSecond, const Script& script, co
             events.clear();
             dive.step(input, events);
             dive.snapshot(now);
-            run.observe(events, now);
+            run.observe(events, 0, now);
         }
         if (!before.creatures.empty()) interpolate(before, now, clock.alpha(), shown); // what a display does
     }
     return {dive.stateHash(), run.verdict()};
 }
 
-class Playthrough : public testing::TestWithParam<Path> {};
+// "NAME OPEN FILM": a playthrough's name, and hashes of all its states in open water and in its film's room.
+uint64_t storedHash(const std::string& name, bool inFilm) {
+    std::istringstream lines(readText(dataRoot() / "tests/equal_hashes.txt").value());
+    std::string word, open, film;
+    while (lines >> word >> open >> film)
+        if (word == name) return std::stoull(inFilm ? film : open, nullptr, 16);
+    return 0;
+}
+
+class Playthrough : public testing::TestWithParam<std::tuple<Path, bool>> {
+  protected:
+    Path file() const { return std::get<0>(GetParam()); }
+    bool inFilm() const { return std::get<1>(GetParam()); }
+};
 
 TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
-    const auto script = loadScript(GetParam());
-    ASSERT_TRUE(script) << script.error().message();
-    const auto files = loadDiveFiles(script->dive);
-    ASSERT_TRUE(files) << files.error().message();
-    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    ASSERT_TRUE(rig) << rig.error().message();
+    const auto setup = setUp(file(), inFilm());
+    ASSERT_TRUE(setup) << setup.error().message();
 
     std::string story;
     double sharkNear_s = -1e9;
@@ -64,7 +95,7 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
             // Nobody is taken by surprise: a second's notice, of this visit.
             if (event.kind == EventKind::SharkSteal || event.kind == EventKind::SharkBump) {
                 EXPECT_GE(now.time_s - sharkNear_s, 1);
-                EXPECT_LE(now.time_s - sharkNear_s, files->dive.shark.visitLength_s + 15);
+                EXPECT_LE(now.time_s - sharkNear_s, setup->files.dive.shark.visitLength_s + 15);
             }
         }
         for (const Event& event : events)
@@ -72,43 +103,68 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
                 story += std::to_string(now.time_s) + " " + rowOf(event.kind).name + " hand " +
                          std::to_string(event.hand) + "\n";
     };
-    const Played played = playScript(*script, *rig, *files, watch);
+    const Played played = playScript(setup->script, setup->rig, setup->files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());
     EXPECT_TRUE(played.verdict) << played.verdict.error().message() << "\nwhat happened:\n" << story;
+    EXPECT_EQ(played.hash, storedHash(file().stem(), inFilm())) << "tests/equal_hashes --update stores it anew";
     ASSERT_GT(played.recording.ticks(), 0u);
 
     // Through the file, twice: the same state after every tick.
     const tests::ScratchFolder folder;
-    const Path file = folder / "played.rec";
-    const Status written = tests::write(file, played.recording);
+    const Path recording = folder / "played.rec";
+    const Status written = tests::write(recording, played.recording);
     ASSERT_TRUE(written) << written.error().message();
-    const auto read = tests::readRecorded(file);
+    const auto read = tests::readRecorded(recording);
     ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->ticks(), played.recording.ticks());
     for (int round = 0; round < 2; ++round) {
-        const Status same = replay(*read, *files);
+        const Status same = replay(*read, setup->files);
         EXPECT_TRUE(same) << same.error().message();
     }
 }
 
 TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {
-    const auto script = loadScript(GetParam());
-    ASSERT_TRUE(script) << script.error().message();
-    const auto files = loadDiveFiles(script->dive);
-    ASSERT_TRUE(files) << files.error().message();
-    const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    ASSERT_TRUE(rig) << rig.error().message();
+    const auto setup = setUp(file(), inFilm());
+    ASSERT_TRUE(setup) << setup.error().message();
     std::optional<uint64_t> reference;
-    for (int fps : {24, 30, 60, 90, 120, 144}) {
-        const auto [hash, verdict] = playAt(fps, *script, *files, *rig);
+    for (int fps : {24, 60, 144}) {
+        const auto [hash, verdict] = playAt(fps, *setup);
         EXPECT_EQ(hash, reference.value_or(hash)) << fps << " frames a second";
         EXPECT_TRUE(verdict) << verdict.error().message() << " at " << fps << " frames a second";
         reference = hash;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scripts, Playthrough, testing::ValuesIn(scripts()),
-                         [](const auto& parameter) { return parameter.param.stem().string(); });
+INSTANTIATE_TEST_SUITE_P(Scripts, Playthrough, testing::Combine(testing::ValuesIn(scripts()), testing::Bool()),
+                         [](const auto& parameter) {
+                             return std::get<0>(parameter.param).stem().string() +
+                                    (std::get<1>(parameter.param) ? "InItsFilm" : "InOpenWater");
+                         });
+
+TEST(Playthroughs, ExpectEveryEvent) {
+    std::set<EventKind> expected;
+    for (const Path& file : scripts()) {
+        const auto script = loadScript(file);
+        ASSERT_TRUE(script) << script.error().message();
+        for (const ScriptExpect& expect : script->expects) {
+            if (expect.event) expected.insert(*expect.event);
+            expected.insert(expect.order.begin(), expect.order.end());
+        }
+    }
+    for (const EventRow& row : kEventRows)
+        EXPECT_TRUE(expected.contains(row.kind)) << "no playthrough expects \"" << row.name << '"';
+}
+
+TEST(Playthroughs, OfEachFilmSeeTheSharkSteal) {
+    std::set<std::string> films;
+    for (const Path& file : scripts()) {
+        const auto script = loadScript(file);
+        ASSERT_TRUE(script) << script.error().message();
+        for (const ScriptExpect& expect : script->expects)
+            if (expect.event == EventKind::SharkSteal) films.insert(loadDiveFiles(*script).value().dive.video);
+    }
+    EXPECT_EQ(films.size(), 3u);
+}
 
 } // namespace
 } // namespace shoal::game
