@@ -198,10 +198,10 @@ TEST(Dependencies, AreInTheBillOfMaterials) {
                                 quoted(tests::sourceFolder() / "content/package/Sbom.cmake"));
     ASSERT_EQ(outcome.status, 0) << outcome.said;
     const std::string text = readText(bill).value();
-    std::vector<std::string> expected = packagesOfTheGame();
-    expected.insert(expected.end(), {"libavcodec59", "libopencv-core406", "libopenal1", "libc6"}); // loaded
-    for (const std::string& package : expected)
+    for (const std::string& package : packagesOfTheGame())
         EXPECT_THAT(text, HasSubstr("\"" + package + "\"")) << package;
+    for (const char* loaded : {"libavcodec[0-9]+", "libopencv-core[0-9]+", "libopenal1", "libc6"})
+        EXPECT_THAT(text, testing::ContainsRegex(std::string("\"") + loaded + "\""));
 }
 
 } // namespace
