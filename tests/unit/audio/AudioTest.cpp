@@ -127,8 +127,8 @@ TEST(Audio, WaterLeavesTheCuesOfDirection) {
         EXPECT_GT(dB(nearSide.left, nearSide.right), 6); // there is a cue to be kept
         // The reverberation fills the far ear, in OpenAL Soft 1.24 by 9.5 dB at 8 m; in 1.19 by less than 2.
         EXPECT_GT(dB(farSide.left, farSide.right), 6) << distance_m;
-        if (distance_m < 8)
-            EXPECT_NEAR(dB(farSide.left, farSide.right), dB(nearSide.left, nearSide.right), 2);
+        EXPECT_NEAR(dB(farSide.left, farSide.right), dB(nearSide.left, nearSide.right),
+                    distance_m < 8 ? 2 : 11);
         const double near = dB(at({0, 0, -1}, 1).both(), at({0, 0, 1}, 1).both());
         const double far = dB(at({0, 0, -1}, distance_m).both(), at({0, 0, 1}, distance_m).both());
         EXPECT_NEAR(far, near, 2) << distance_m;
