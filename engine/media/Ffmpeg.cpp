@@ -4,7 +4,6 @@
 
 extern "C" {
 #include <libavutil/log.h>
-#include <libavutil/mem.h>
 }
 
 #include <cstdlib>

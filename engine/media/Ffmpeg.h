@@ -48,6 +48,20 @@ void setUpDecoders();
 // server. Null if it cannot be opened.
 Input openInput(const Path& file, const AVInputFormat* container = nullptr);
 
+// What a stream states beside its packets; null if it does not, or not so many. FFmpeg 6.1 moved it.
+template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType type, size_t count = 1) {
+#if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 0)
+    const AVCodecParameters& in = *of.codecpar;
+    const auto* found = av_packet_side_data_get(in.coded_side_data, in.nb_coded_side_data, type);
+    const uint8_t* bytes = found ? found->data : nullptr;
+    const size_t size = found ? found->size : 0;
+#else
+    size_t size = 0;
+    const uint8_t* bytes = av_stream_get_side_data(&of, type, &size);
+#endif
+    return size >= count * sizeof(T) ? reinterpret_cast<const T*>(bytes) : nullptr;
+}
+
 // Of all streams only this one is read.
 void keepOnly(AVFormatContext& input, int stream);
 

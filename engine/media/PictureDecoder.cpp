@@ -7,7 +7,6 @@ extern "C" {
 }
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace shoal::media {
@@ -42,18 +41,12 @@ Status PictureDecoder::open(const AVCodecParameters& parameters, AVRational time
     return Done{};
 }
 
-void PictureDecoder::send(const AVPacket* packet, double arrived_s, bool hurry) {
+void PictureDecoder::send(const AVPacket* packet, bool hurry) {
     codec_->skip_frame = hurry ? AVDISCARD_NONREF : AVDISCARD_DEFAULT;
-    // Comes out with the picture, whatever the order: microseconds.
-    codec_->reordered_opaque = std::llround(arrived_s * 1e6);
     avcodec_send_packet(codec_.get(), packet);
 }
 
-void PictureDecoder::flush() { avcodec_flush_buffers(codec_.get()); }
-
 bool PictureDecoder::receive() { return avcodec_receive_frame(codec_.get(), frame_.get()) == 0; }
-
-double PictureDecoder::arrived_s() const { return static_cast<double>(frame_->reordered_opaque) * 1e-6; }
 
 ColourMatrix PictureDecoder::matrix() const {
     return matrixOf(codec_->codec_id, frame_->colorspace, frame_->width, frame_->height);

@@ -40,14 +40,13 @@ class PictureDecoder {
                 int threads, int64_t maxPixels = kMaxPixels);
 
     // packet: null drains the decoder. Damaged packets are skipped. hurry: non-reference pictures too.
-    void send(const AVPacket* packet, double arrived_s = 0, bool hurry = false);
-    void flush(); // after a seek, or where packets were left out
+    void send(const AVPacket* packet, bool hurry = false);
+    void flush() { avcodec_flush_buffers(codec_.get()); } // after a seek, or where packets were left out
 
     // The next picture that is complete, if there is one.
     bool receive();
     // Properties of the picture received last:
     const AVFrame& frame() const { return *frame_; }
-    double arrived_s() const; // of its packet, as given to send()
     ColourMatrix matrix() const;
     glm::ivec2 chromaTexels() const; // that share a colour, across and down
 

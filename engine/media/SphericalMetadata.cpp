@@ -1,10 +1,10 @@
 #include "engine/media/SphericalMetadata.h"
 
 #include "engine/core/Number.h"
+#include "engine/media/Ffmpeg.h"
 #include "engine/media/PictureHeader.h"
 
 extern "C" {
-#include <libavformat/avformat.h>
 #include <libavutil/spherical.h>
 #include <libavutil/stereo3d.h>
 }
@@ -79,10 +79,6 @@ SphericalMetadata unreadMetadata(const Path& file, bool matroska) {
                                             : Layout::Auto;
     }
     return m;
-}
-
-template <class T> const T* sideData(const AVStream& stream, AVPacketSideDataType type) {
-    return reinterpret_cast<const T*>(av_stream_get_side_data(&stream, type, nullptr));
 }
 
 } // namespace

@@ -56,12 +56,9 @@ double rateOf(AVRational rate) { return rate.num > 0 && rate.den > 0 ? av_q2d(ra
 
 // Clockwise quarter turns that show the stream's pictures upright: a telephone held upright says so.
 int quarterTurnsOf(const AVStream& stream) {
-    size_t size = 0;
-    const uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &size);
-    if (!matrix || size < 9 * sizeof(int32_t)) return 0;
-    const double turn_deg = av_display_rotation_get(reinterpret_cast<const int32_t*>(matrix));
-    if (!std::isfinite(turn_deg)) return 0;
-    return static_cast<int>(std::lround(-turn_deg / 90)) & 3;
+    const auto* matrix = sideData<int32_t>(stream, AV_PKT_DATA_DISPLAYMATRIX, 9);
+    const double turn_deg = matrix ? av_display_rotation_get(matrix) : 0;
+    return std::isfinite(turn_deg) ? static_cast<int>(std::lround(-turn_deg / 90)) & 3 : 0;
 }
 
 } // namespace

@@ -65,6 +65,9 @@ struct Window::State {
 
 Result<Window> Window::open(const WindowOptions& options) {
     glfwSetErrorCallback([](int, const char*) {}); // said in our own words below
+#ifdef GLFW_PLATFORM_X11 // 3.4 would open its windows by Wayland, where headsets are not bound to them
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (!glfwInit())
         return Error{"",
                      "there is no display to open a window on; to see something without one, add --headless "
@@ -73,12 +76,8 @@ Result<Window> Window::open(const WindowOptions& options) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     GLFWmonitor* monitor = options.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
-    int width = options.width, height = options.height;
-    if (monitor) {
-        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-        width = mode->width;
-        height = mode->height;
-    }
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    const int width = mode ? mode->width : options.width, height = mode ? mode->height : options.height;
     state->restoreWidth = options.width;
     state->restoreHeight = options.height;
     for (const GlVersion version : kGlVersions) {

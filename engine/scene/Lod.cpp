@@ -10,6 +10,7 @@ namespace {
 
 constexpr size_t kMinTriangles = 24;
 constexpr float kLargestError = 0.1f; // of the primitive's extent
+constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.33f; // of it; at 0.055 bodies were gone
 
 Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
     std::vector<uint32_t> place(vertexCount); // ~0: not used
@@ -42,10 +43,10 @@ std::vector<Lod> makeLods(const Primitive& primitive) {
         coarser.resize(primitive.indices.size());
         coarser.resize(meshopt_simplify(coarser.data(), primitive.indices.data(), primitive.indices.size(),
                                         positions, vertexCount, sizeof(glm::vec3), triangles / 2 * 3,
-                                        kLargestError, 0, &error));
+                                        kStated * kLargestError, 0, &error));
         if (coarser.empty() || coarser.size() / 3 * 4 > triangles * 3) break; // no more to be had
         triangles = coarser.size() / 3;
-        keep(error);
+        keep(error / kStated);
     }
     // Many small separate parts keep their topology to the end; from afar nobody asks for it.
     if (triangles >= 3 * kMinTriangles) {

@@ -23,11 +23,9 @@ constexpr int kShadowSide = 1800;
 constexpr float kSwayingSeen = 16; // metres: beyond it the water hides so little motion
 
 bool traceRay(RTCScene scene, const vec3& origin, const vec3& dir, float furthest, RTCRayHit& ray) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     ray.ray = {origin.x, origin.y, origin.z, 1e-4f, dir.x, dir.y, dir.z, 0, furthest, ~0u, 0, 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context, &ray);
+    intersect(scene, ray);
     return ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }
 

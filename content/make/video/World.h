@@ -1,11 +1,10 @@
 // Everything solid under the water: traced, shadowed, and lit by what its surroundings send back.
 #pragma once
 
+#include "content/make/video/Embree.h"
 #include "content/make/video/Lamps.h"
 #include "content/make/video/Mesh.h"
 #include "content/make/video/Route.h"
-
-#include <embree3/rtcore.h>
 
 #include <array>
 #include <memory>

@@ -324,7 +324,7 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
                 continue;
             }
             if (Status converted = decoder_->convert(bgr); !converted) return converted.error();
-            picture.arrived_s = decoder_->arrived_s();
+            picture.arrived_s = static_cast<double>(decoder_->frame().pts) * 1e-6;
             picture.chromaTexels = decoder_->chromaTexels();
             lastShown_s_ = liveNow_s();
             picture.decode_ms = 1e3 * (lastShown_s_ - began_s);
@@ -337,7 +337,9 @@ Result<LivePicture> Stream::read(ImageRgb8& bgr) {
         picture.passedOver += popped.dropped;
         ended_ = !popped.packet; // reported once the decoder is drained
         const bool hurry = !stored_ && queue_.count() >= kBehind;
-        decoder_->send(popped.packet.get(), popped.arrived_s, hurry);
+        // A stamp comes out with the picture, whatever the order: when its packet was here, in microseconds.
+        if (popped.packet) popped.packet->pts = static_cast<int64_t>(popped.arrived_s * 1e6);
+        decoder_->send(popped.packet.get(), hurry);
     }
 }
 

@@ -25,20 +25,16 @@ Rays::Rays(const std::vector<const Mesh*>& meshes) : meshes_(meshes) {
 }
 
 bool Rays::occluded(const glm::vec3& o, const glm::vec3& d, float nearest, float furthest) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRay ray{o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0, furthest, ~0u, 0, 0};
-    rtcOccluded1(scene_.get(), &context, &ray);
+    occlude(scene_.get(), ray);
     return ray.tfar < 0;
 }
 
 std::optional<Touch> Rays::touch(const glm::vec3& o, const glm::vec3& d, float nearest) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit ray;
     ray.ray = {o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0, 1e30f, ~0u, 0, 0};
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_.get(), &context, &ray);
+    intersect(scene_.get(), ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Touch{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, ray.hit.u, ray.hit.v};
 }

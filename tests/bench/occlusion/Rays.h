@@ -1,9 +1,8 @@
 // Rays against triangles, exactly: what every method is measured against. Embree.
 #pragma once
 
+#include "content/make/video/Embree.h"
 #include "tests/bench/occlusion/Mesh.h"
-
-#include <embree3/rtcore.h>
 
 #include <memory>
 #include <optional>

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 
 namespace shoal::test {
 
@@ -30,9 +31,10 @@ class WithFakeRuntime : public testing::Test {
     // Debian's layer (1.0.20) refuses structures of extensions that are younger.
     static void withoutValidation() { unsetenv("XR_ENABLE_API_LAYERS"); }
     // What the layer has complained of; it writes no file without a complaint.
+    // But that it begins and ends, which the layer's version 1.1 reports as well.
     std::string validationReport() const {
         const auto text = readText(validation_);
-        return text ? *text : std::string();
+        return std::regex_replace(text ? *text : "", std::regex("[^\n]*VALID_DEBUG[^\n]*\n"), "");
     }
 
     void SetUp() override {

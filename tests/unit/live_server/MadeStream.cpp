@@ -18,8 +18,8 @@ template <auto free> struct Free {
     template <class T> void operator()(T* thing) const { free(&thing); }
 };
 
-int keep(void* pieces, uint8_t* bytes, int count) {
-    static_cast<std::vector<std::string>*>(pieces)->emplace_back(reinterpret_cast<char*>(bytes),
+template <class Byte> int keep(void* pieces, Byte* bytes, int count) { // FFmpeg 7 has them const
+    static_cast<std::vector<std::string>*>(pieces)->emplace_back(reinterpret_cast<const char*>(bytes),
                                                                  static_cast<size_t>(count));
     return count;
 }

@@ -237,12 +237,13 @@ TEST(Hostile, Images) {
         return refusal(file.load());
     };
     EXPECT_EQ(reason({1, 2, 3}), "images[0] is not a PNG or JPEG image that can be read");
-    // A PNG header (RFC 2083) of 16000 x 16000, and one whose data says that it has 1 GiB.
-    std::vector<uint8_t> png = {0x89, 'P',  'N',  'G', 13, 10,   26,   10, 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0,
-                                0,    0x3E, 0x80, 0,   0,  0x3E, 0x80, 8,  6, 0, 0, 0,  0,   0,   0,   0};
+    // A PNG header (RFC 2083) of 16000 x 16000, whose data says that it has 1 GiB; then a small one.
+    std::vector<uint8_t> png = {0x89, 'P', 'N', 'G', 13,  10, 26,   10,   0, 0,    0,    13,
+                                'I',  'H', 'D', 'R', 0,   0,  0x3E, 0x80, 0, 0,    0x3E, 0x80,
+                                8,    6,   0,   0,   0,   0,  0,    0,    0, 0x3F, 0xFF, 0xFF,
+                                0xFF, 'I', 'D', 'A', 'T', 0,  0,    0,    0};
     EXPECT_EQ(reason(png), "images[0] brings the model to more than the limit of 64000000 image pixels");
     png[18] = png[22] = 0, png[19] = png[23] = 4;
-    png.insert(png.end(), {0x3F, 0xFF, 0xFF, 0xFF, 'I', 'D', 'A', 'T', 0, 0, 0, 0});
     EXPECT_EQ(reason(png), "images[0] is broken or cut short");
     // A JPEG's Huffman table (ITU-T T.81, B.2.4.2) of 16 times 255 codes, the second of its segment, behind
     // fill bytes and padding; and the same bytes where they are a comment.
