@@ -122,6 +122,7 @@ Status Application::endPlay() {
     statistics_.ticks = session.ticks;
     const Status written = session.endRecording();
     const Status verdict = session.verdict;
+    summary_ = session.summary;
     play_.reset();
     return written ? verdict : written;
 }

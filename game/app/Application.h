@@ -33,6 +33,7 @@ class Application {
 
     bool hasPicture() const { return !display_->pictures().empty(); }
     Status saveScreenshot() const;
+    const std::string& summary() const { return summary_; } // of a script that was played
     const Statistics& statistics() const { return statistics_; }
     bool leaving() const { return leaving_; }           // the player has asked for it
     const Screens& screens() const { return screens_; } // as they stand over the picture
@@ -67,7 +68,6 @@ class Application {
     Status openContext();
     Status openDisplay();
     Status openScene();
-    Status findFilmSpace();
     Status loadModels();
     EnvironmentSetup environmentSetup(float minRoughness);
     Status makeRenderer(CreatureModels models, render::Composition composition);
@@ -137,6 +137,7 @@ class Application {
     Pictures::Picture cameraPicture_; // what a hand tracker's camera sees
     ImageRgba8 cameraImage_;          // scratch: the same
     Statistics statistics_;           // of the present session
+    std::string summary_;
     int recordings_ = 0;              // begun
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input

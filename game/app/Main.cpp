@@ -126,6 +126,12 @@ int parseAndRun(CLI::App& app, const std::vector<std::string>& words, const std:
         return wrongCommandLine(explained(error, app, command, words),
                                 &command == &app ? "shoal" : "shoal " + command.get_name());
     }
+    const CLI::App& play = *parsed.front();
+    const std::string hands = play.count("--hands") ? play["--hands"]->as<std::string>() : "";
+    if (hands.starts_with("script:") || hands.starts_with("replay:"))
+        for (const Setting& row : commands.front().table.rows)
+            if (row.personal && play.count(row.option) > 0)
+                return wrongCommandLine(row.option + ": a script or replay brings its own", "shoal play");
     if (verbose) log::setUp(true);
     for (size_t i = 0; i < commands.size(); ++i)
         if (*parsed[i]) return commands[i].run();

@@ -5,6 +5,7 @@
 #include "engine/core/Log.h"
 #include "engine/gl/Renderer.h"
 #include "engine/media/Pictures.h"
+#include "engine/media/live/LivePlayer.h"
 #include "engine/xr/Headset.h"
 #include "game/app/FlatDisplay.h"
 #include "game/app/HeadsetDisplay.h"
@@ -192,13 +193,13 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
         .moveTo(sceneRenderer_);
 }
 
-// What the rules know of the film's distances. A replay that was made without plays without.
-Status Application::findFilmSpace() {
-    config_.dive.space.reset();
-    const bool wanted = !config_.replay || game::needsFilmSpace(config_.replay->header());
-    if (wanted && environment_->hasDepthTrack())
-        config_.dive.space = filmSpaceOf(environment_->file(), glm::radians(options_.environment.envYaw_deg));
-    return config_.replay ? game::checkFilmSpace(config_.replay->header(), config_.dive.space.get()) : Done{};
+// What the rules know of the distances of the film; no file: nothing. A replay that was made without plays without.
+static Status findFilmSpace(const Path& film, const EnvironmentOptions& options, SessionConfig& config) {
+    config.dive.space.reset();
+    const bool wanted = !config.replay || game::needsFilmSpace(config.replay->header());
+    if (wanted && !film.empty() && options.depth)
+        config.dive.space = filmSpaceOf(film, glm::radians(options.envYaw_deg));
+    return config.replay ? game::checkFilmSpace(config.replay->header(), config.dive.space.get()) : Done{};
 }
 
 // The film first, so that there is a picture; then the models, and the light that they need.
@@ -223,7 +224,8 @@ Status Application::openScene() {
     if (Status s = Environment::open(environmentSetup(models_->minRoughness())).moveTo(environment_); !s)
         return s;
     if (options_.environment.isOwnVideo()) config_.dive.videoLength_s = environment_->length_s();
-    if (Status s = findFilmSpace(); !s) return s;
+    const Path film = environment_->hasDepthTrack() ? environment_->file() : Path();
+    if (Status s = findFilmSpace(film, options_.environment, config_); !s) return s;
     CreatureModels taken = std::move(*models_);
     models_.reset();
     screens_.facts.ownFilm = options_.environment.isOwnVideo();
@@ -244,11 +246,65 @@ static Status checkOutputsOf(const PlayOptions& options) {
     return checkOutputs(outputs, inputs);
 }
 
+// A script that met its expectations is named, with the hash that tests/equal_hashes.txt stores of it.
+static void tellSummary(const std::string& summary, const Status& verdict) {
+    if (verdict && !summary.empty()) std::printf("%s\n", summary.c_str());
+}
+
+// Nobody sees a picture, and rules know none. A live video is shown: it has the clock's time.
+static bool isSeen(const PlayOptions& options) {
+    const auto address = media::liveAddress(options.environment.video);
+    return !options.headless || options.timedemo || !options.screenshot.empty() || !address || *address;
+}
+
+// A session without a picture, as fast as it can: only the film's room is followed.
+static Status playUnseen(const PlayOptions& options) {
+    SessionConfig config;
+    if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
+    const EnvironmentOptions& environment = options.environment;
+    const Path film = environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
+    for (const Path& file : {film, Path(environment.photo), Path(environment.env)})
+        if (std::error_code code; !file.empty() && !std::filesystem::exists(file, code))
+            return Error{file, "there is no such file"};
+    const bool still = !environment.photo.empty() || !environment.env.empty();
+    if (Status s = findFilmSpace(still ? Path() : film, environment, config); !s) return s;
+    GameSession session(config);
+    if (!options.record.empty())
+        if (Status s = session.record(options.record); !s) return s;
+    auto* mouse = std::get_if<MouseSource>(&session.source);
+    const double frame_s = static_cast<double>(options.speed) / static_cast<double>(options.fps);
+    const double end_s = static_cast<double>(options.at_s.value_or(1e9f));
+    double passed_s = 0;
+    const auto isOver = [&] {
+        const bool results = mouse && session.after.phase == game::Phase::Results;
+        return session.ended || results || passed_s >= end_s || stopSignal() != 0;
+    };
+    while (!isOver()) {
+        if (mouse)
+            mouse->frame(nullptr, options.controls, session.shown, static_cast<float>(frame_s),
+                         glm::radians(options.fov_deg), 16.0f / 9);
+        session.advance(frame_s);
+        passed_s += frame_s;
+    }
+    if (Status ended = session.endRecording(); !ended) return ended;
+    if (!options.stats.empty()) {
+        const Statistics statistics{.renderer = "none",
+                                    .caught = session.after.caught,
+                                    .score = session.after.score,
+                                    .stateHash = session.dive.stateHash(),
+                                    .ticks = session.ticks};
+        if (Status written = writeStatistics(options.stats, statistics); !written) return written;
+    }
+    tellSummary(session.summary, session.verdict);
+    return session.verdict;
+}
+
 Status play(const PlayOptions& given) {
     PlayOptions options = given;
     if (!options.file.empty()) options.environment = environmentOf(options.file, options.environment);
     if (Status possible = checkOutputsOf(options); !possible) return possible;
     noteStopSignals();
+    if (!isSeen(options)) return playUnseen(options);
     Application application(options);
     if (Status opened = application.open(); !opened) {
         if (application.leaving()) return Done{};
@@ -263,6 +319,7 @@ Status play(const PlayOptions& given) {
     if (!options.stats.empty())
         if (Status written = writeStatistics(options.stats, application.statistics()); !written)
             return written;
+    tellSummary(application.summary(), verdict);
     if (options.timedemo) printTimes(application.statistics(), application.showsLiveVideo());
     return verdict;
 }

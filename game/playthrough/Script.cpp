@@ -102,7 +102,7 @@ ScriptExpect readExpect(TomlTable& table) {
 
 Result<Script> loadScript(const Path& path) {
     Script script;
-    script.name = path.stem().string();
+    script.file = script.name = path.stem().string();
     const Status read = readToml(path, [&](TomlTable& root) {
         root.text("name", script.name);
         root.text("dive", script.dive);

@@ -68,6 +68,7 @@ struct ScriptExpect {
 };
 
 struct Script {
+    std::string file; // its stem
     std::string name;
     std::string dive = "reef"; // for loadDiveFiles()
     std::string film;          // of the dive of that name, in place of the dive's own; empty: its own
@@ -100,6 +101,7 @@ class ScriptRun {
     // After the end: success, or the first step that timed out or expectation unmet, as a sentence.
     Status verdict() const;
     uint64_t ticks() const { return tick_; }
+    const std::string& name() const { return script_.file; }
     uint64_t hash() const { return hash_.value(); } // of all ticks' states
 
   private:

@@ -172,7 +172,8 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
     header.dive = dive.file().name;
     header.inputBytes = kTickInputBytes;
     const DiveRules& rules = dive.rules();
-    header.settings = {{"assist", enumName(rules.assist)},
+    header.settings = {{"film", dive.file().video},
+                       {"assist", enumName(rules.assist)},
                        {"free_swim", rules.freeSwim ? "on" : "off"},
                        {"seated", rules.seated ? "on" : "off"}};
     if (const FilmSpace* space = dive.file().space.get()) header.settings[kFilmSpace] = nameOf(*space);
@@ -180,6 +181,8 @@ sim::RecordingHeader recordingHeader(const Dive& dive) {
 }
 
 Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
+    if (header.inputBytes != kTickInputBytes)
+        return Error{"the recording", "holds inputs of another kind than this version of the game takes"};
     DiveRules rules;
     for (const auto& [name, value] : header.settings) {
         const bool on = value == "on";
@@ -197,6 +200,11 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
         if (!known) return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;
+}
+
+std::string filmOf(const sim::RecordingHeader& header, const std::string& own) {
+    const auto film = header.settings.find("film");
+    return film == header.settings.end() || film->second.find("..") != std::string::npos ? own : film->second;
 }
 
 bool needsFilmSpace(const sim::RecordingHeader& header) { return header.settings.contains(kFilmSpace); }

@@ -84,8 +84,12 @@ class Dive {
 
 sim::RecordingHeader recordingHeader(const Dive&);
 
-// The rules under which a recording was made; an error names a value that this version does not know.
+// The rules under which a recording was made; an error names a value, or the kind of inputs, that this version does
+// not know.
 Result<DiveRules> rulesOf(const sim::RecordingHeader&);
+
+// The film that it was played in, a file below content/; own: the dive's own.
+std::string filmOf(const sim::RecordingHeader&, const std::string& own);
 
 // A dive goes the same way only in the same space: a recording that was made with one is played with that
 // one, and one made without is played without. An error says which it is not.

@@ -318,7 +318,7 @@ void avoidPlayer(const Shark& shark, const Species& kind, const SharkView& view,
         if (glm::dot(shark.forward, apart) < 0)
             course.speed_mps = std::min(course.speed_mps, 0.5f * kind.cruise_mps);
     };
-    avoid(glm::vec3(0), kSharkApart_m + 0.4f);
+    avoid(glm::vec3(0), kSharkApart_m + 0.15f);
     const float cramped = 1 - openRadius(shark.position, view) / view.dive.shark.radius_m;
     for (const Hand& hand : view.hands)
         if (hand.visible) avoid(hand.graspCentre, kHandShy_m * (0.3f + cramped));

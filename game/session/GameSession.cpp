@@ -63,15 +63,12 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     if (config.handSource.kind == HandSourceKind::Script) {
         auto script = game::loadScript(file);
         if (!script) return script.error();
-        diveName = script->dive;
         config.seed = script->seed;
         config.rules = script->rules;
         config.script = std::move(*script);
     } else if (config.handSource.kind == HandSourceKind::Replay) {
         auto recording = sim::RecordingReader::open(file);
         if (!recording) return recording.error();
-        if (recording->header().inputBytes != game::kTickInputBytes)
-            return Error{file, "holds inputs of another kind than this version of the game takes"};
         if (Status s = game::rulesOf(recording->header()).moveTo(config.rules); !s)
             return Error{file, s.error().reason};
         diveName = recording->header().dive;
@@ -80,10 +77,11 @@ Result<SessionConfig> makeSessionConfig(const PlayOptions& options) {
     } else if (Status there = checkHandSource(config.handSource); !there) {
         return there.error();
     }
-    auto files = game::loadDiveFiles(diveName);
+    auto files = config.script ? game::loadDiveFiles(*config.script) : game::loadDiveFiles(diveName);
     if (!files) return files.error();
     config.species = std::move(files->species);
     config.dive = std::move(files->dive);
+    if (config.replay) config.dive.video = game::filmOf(config.replay->header(), config.dive.video);
     if (Status s = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json").moveTo(config.rig);
         !s)
         return s.error();
@@ -131,19 +129,21 @@ void GameSession::tick(float share, float ago_s) {
     }
     tickEvents_.clear();
     dive.step(input, tickEvents_);
+    const uint64_t hash = recording_ || !playedByAPerson(source) ? dive.stateHash() : 0;
     std::swap(before, after);
     dive.snapshot(after);
     ++ticks;
     events.insert(events.end(), tickEvents_.begin(), tickEvents_.end());
-    if (recording_) addToRecording(input);
+    if (recording_) addToRecording(input, hash);
     if (auto* script = std::get_if<game::ScriptRun>(&source)) {
-        script->observe(tickEvents_, dive.stateHash(), after);
+        script->observe(tickEvents_, hash, after);
         if (script->finished()) {
             ended = true;
             verdict = script->verdict();
+            summary = fmt::format("{} {:016x}", script->name(), script->hash());
         }
     } else if (auto* replay = std::get_if<ReplaySource>(&source)) {
-        replay->compare(dive.stateHash());
+        replay->compare(hash);
         ended |= replay->atEnd();
         if (ended) verdict = replay->verdict;
     }
@@ -155,10 +155,10 @@ Status GameSession::record(const Path& file) {
     return sim::RecordingWriter::create(file, header).moveTo(recording_);
 }
 
-void GameSession::addToRecording(const game::TickInput& input) {
+void GameSession::addToRecording(const game::TickInput& input, uint64_t hash) {
     std::array<uint8_t, game::kTickInputBytes> bytes;
     game::toBytes(input, bytes);
-    recorded_ = recording_->add(bytes, dive.stateHash());
+    recorded_ = recording_->add(bytes, hash);
     if (recorded_) return;
     log::error("{}; the recording ends here", recorded_.error().message());
     recording_.reset();

@@ -63,12 +63,13 @@ struct GameSession {
     bool paused = false, restart = false;
     bool ended = false; // the source has no more input
     Status verdict = Done{};
+    std::string summary; // of a script that has ended: its file's name, and the hash of all states
 
   private:
     // share: the tick's time between the frame before (0) and this one (1). ago_s: how long before this
     // frame's time it lies.
     void tick(float share, float ago_s);
-    void addToRecording(const game::TickInput& input);
+    void addToRecording(const game::TickInput& input, uint64_t hash);
     std::map<std::string, std::string> inputSettings_; // for the recording's header
     std::optional<sim::RecordingWriter> recording_;
     Status recorded_ = Done{};           // an error: the recording ended there, the game goes on

@@ -36,7 +36,8 @@ struct ControlOptions {
                 "--reach-help", &reachHelp,
                 "Draws the mouse's hand to the distance of the fish it points at: 0 (the wheel alone) to 1")
             .between(0, 1)
-            .shownAs(Hands, "Help with depth");
+            .shownAs(Hands, "Help with depth")
+            .ofAPerson();
         table
             .addKept(
                 "--closing", choice(closing),
@@ -132,7 +133,7 @@ struct PlayOptions {
     void addTo(SettingsTable& table) {
         using enum SettingsPage;
         table.category = Category::Dive;
-        table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given");
+        table.add("--dive", &dive, "Name of a dive in content/dives; reef if not given").ofAPerson();
         table.add(
             "--start", choice(start),
             "What the game begins with: title or dive; auto: title, where a person plays in a window and "
@@ -148,12 +149,14 @@ struct PlayOptions {
             .addKept("--posture", choice(posture),
                      "In a headset, seated brings fish to where you reach them without a step; auto: as you "
                      "are when a dive begins, where the headset knows the floor, else standing")
-            .shownAs(Comfort, "Posture");
+            .shownAs(Comfort, "Posture")
+            .ofAPerson();
         table.add("--seed", &seed,
                   "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
-                  "dives without a window have 1");
+                  "dives without a window have 1")
+            .ofAPerson();
         table.add("--record", &record, "Writes a replay: seed and every tick's input").takes("FILE");
-        table.add("--free-swim", &freeSwim, "No clock and no shark");
+        table.add("--free-swim", &freeSwim, "No clock and no shark").ofAPerson();
         environment.addTo(table);
         table
             .add("FILE", &file,
@@ -167,7 +170,8 @@ struct PlayOptions {
                 "--assist", choice(assist),
                 "Helps a hand that is nearly right when it closes on a fish; none: only what the fingers "
                 "really close around is held")
-            .shownAs(Hands, "Help with catching");
+            .shownAs(Hands, "Help with catching")
+            .ofAPerson();
         table.addKept("--skin", choice(skin), "How your hands look").shownAs(Hands, "Skin");
         controls.addTo(table);
         table.category = Category::Hands;
@@ -270,11 +274,12 @@ struct PlayOptions {
     void addTestsTo(SettingsTable& table) {
         table.category = Category::Measuring;
         table.add("--headless", &headless,
-                  "No window, no sound device, no display server; the same pictures");
+                  "No window, no sound device, no display server; the same pictures, drawn for --screenshot and "
+                  "--timedemo alone");
         table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive").between(1, 1000);
         table.add("--at", &at_s, "Headless: ends after that many seconds of the dive").between(0, 3600);
         table.add("--screenshot", &screenshot, "Writes a picture at --at, or at the end").takes("FILE.png");
-        table.add("--stats", &stats, "Writes frame times (milliseconds), counts and the state hash")
+        table.add("--stats", &stats, "Writes frame times (milliseconds; of pictures, where some are drawn), counts and the state hash")
             .takes("FILE.json");
         table.add("--timedemo", &timedemo,
                   "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate");

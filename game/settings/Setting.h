@@ -68,6 +68,7 @@ struct Setting {
     std::string placeholder{};    // in --help, for what follows the option
     bool kept = false;            // in the settings file
     bool required = false;
+    bool personal = false; // of a person who plays: has no effect on a script or replay
     std::vector<std::string> excludes{}, needs{}; // other options
     // In the game's own settings; numbers are sliders there, so they need a range.
     SettingsPage page = SettingsPage::None;
@@ -76,6 +77,7 @@ struct Setting {
 
     Setting& between(double low, double high) { return range = {low, high}, *this; }
     Setting& takes(std::string what) { return placeholder = std::move(what), *this; }
+    Setting& ofAPerson() { return personal = true, *this; }
     Setting& mustBeGiven() { return required = true, *this; }
     Setting& without(std::vector<std::string> others) { return excludes = std::move(others), *this; }
     Setting& with(std::vector<std::string> others) { return needs = std::move(others), *this; }

@@ -7,8 +7,7 @@
 #include "engine/scene/LoadModel.h"
 #include "engine/sim/Recording.h"
 #include "game/playthrough/Script.h"
-#include "game/rules/DiveFile.h"
-#include "game/rules/TickInput.h"
+#include "game/rules/Dive.h"
 
 #include <algorithm>
 #include <array>
@@ -73,8 +72,9 @@ Verdict checkToml(const Path& file) {
 Verdict checkReplay(const Path& file) {
     auto recording = sim::RecordingReader::open(file);
     if (!recording) return recording.error();
-    if (recording->header().inputBytes != game::kTickInputBytes)
-        return Error{file.string(), "holds inputs of another kind than this version of the game takes"};
+    if (const auto rules = game::rulesOf(recording->header()); !rules) return Error{file.string(), rules.error().reason};
+    if (const auto dive = game::loadDiveFiles(recording->header().dive); !dive)
+        return Error{file.string(), "its dive cannot be played: " + dive.error().message()};
     const uint64_t ticks = recording->ticks();
     while (!recording->atEnd())
         if (const auto tick = recording->next(); !tick) return tick.error();
