@@ -34,8 +34,8 @@ enum class FrameThreading { None, ByThreads };
 
 class PictureDecoder {
   public:
-    // threads: at least 1. maxPixels: larger pictures are skipped as damaged ones are. Error: no such codec is
-    // installed, or it does not start.
+    // threads: at least 1. maxPixels: larger pictures are skipped as damaged ones are. Error: no such codec
+    // is installed, or it does not start.
     Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
                 int threads, int64_t maxPixels = kMaxPixels);
 

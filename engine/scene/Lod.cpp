@@ -9,7 +9,7 @@ namespace shoal::scene {
 namespace {
 
 constexpr size_t kMinTriangles = 24;
-constexpr float kLargestError = 0.1f; // of the primitive's extent
+constexpr float kLargestError = 0.1f;                              // of the primitive's extent
 constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.33f; // of it; at 0.055 bodies were gone
 
 Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {

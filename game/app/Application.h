@@ -138,7 +138,7 @@ class Application {
     ImageRgba8 cameraImage_;          // scratch: the same
     Statistics statistics_;           // of the present session
     std::string summary_;
-    int recordings_ = 0;              // begun
+    int recordings_ = 0; // begun
     double volumeShown_s_ = -10;
     bool byGamepad_ = false; // the player's last input
     bool leaving_ = false;

@@ -216,7 +216,8 @@ int run(int argc, char** argv) {
     return parseAndRun(app, words, commands);
 }
 
-// What no one catches, in any thread: lack of memory most of all. One sentence, and what is on the disk stays.
+// What no one catches, in any thread: lack of memory most of all. One sentence, and what is on the disk
+// stays.
 [[noreturn]] void endBecauseOfException() {
     try {
         if (std::current_exception()) std::rethrow_exception(std::current_exception());

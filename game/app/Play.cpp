@@ -4,6 +4,7 @@
 
 #include "engine/core/Log.h"
 #include "engine/gl/Renderer.h"
+#include "engine/media/Check.h"
 #include "engine/media/Pictures.h"
 #include "engine/media/live/LivePlayer.h"
 #include "engine/xr/Headset.h"
@@ -193,7 +194,8 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
         .moveTo(sceneRenderer_);
 }
 
-// What the rules know of the distances of the film; no file: nothing. A replay that was made without plays without.
+// What the rules know of the distances of the film; no file: nothing. A replay that was made without plays
+// without.
 static Status findFilmSpace(const Path& film, const EnvironmentOptions& options, SessionConfig& config) {
     config.dive.space.reset();
     const bool wanted = !config.replay || game::needsFilmSpace(config.replay->header());
@@ -262,11 +264,13 @@ static Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
     const EnvironmentOptions& environment = options.environment;
-    const Path film = environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
-    for (const Path& file : {film, Path(environment.photo), Path(environment.env)})
-        if (std::error_code code; !file.empty() && !std::filesystem::exists(file, code))
-            return Error{file, "there is no such file"};
+    const Path film =
+        environment.video.empty() ? dataRoot() / "content" / config.dive.video : Path(environment.video);
     const bool still = !environment.photo.empty() || !environment.env.empty();
+    const auto usable = still                       ? media::checkPicture(environment.photo + environment.env)
+                        : !environment.isOwnVideo() ? media::checkVideo(film)
+                                                    : Result<std::string>("");
+    if (!usable) return usable.error();
     if (Status s = findFilmSpace(still ? Path() : film, environment, config); !s) return s;
     GameSession session(config);
     if (!options.record.empty())

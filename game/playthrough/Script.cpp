@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kMaxSteps = 1000, kMaxExpects = 200;
 
-constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "hold",    "open",  "look",
-                                                  "wait",  "wave",  "hover", "offer",   "rest",  "restart",
+constexpr std::array<const char*, 17> kDoNames = {"reach", "move",  "close", "hold",    "open", "look",
+                                                  "wait",  "wave",  "hover", "offer",   "rest", "restart",
                                                   "pause", "point", "press", "release", "again"};
 
 constexpr std::array<const char*, 2> kHandNames = {"left", "right"}, kPhaseNames = {"diving", "results"};
@@ -130,9 +130,11 @@ Result<Script> loadScript(const Path& path) {
         return step.what >= ScriptStep::Do::Point && step.what <= ScriptStep::Do::Release;
     };
     using Do = ScriptStep::Do;
-    constexpr std::array kOfHands = {Do::Reach, Do::Move, Do::Close, Do::Open, Do::Wave, Do::Hover, Do::Offer, Do::Rest};
-    const bool holds = std::ranges::any_of(
-        script.steps, [&](const ScriptStep& step) { return std::ranges::find(kOfHands, step.what) != kOfHands.end(); });
+    constexpr std::array kOfHands = {Do::Reach, Do::Move,  Do::Close, Do::Open,
+                                     Do::Wave,  Do::Hover, Do::Offer, Do::Rest};
+    const bool holds = std::ranges::any_of(script.steps, [&](const ScriptStep& step) {
+        return std::ranges::find(kOfHands, step.what) != kOfHands.end();
+    });
     script.points = std::ranges::any_of(script.steps, points);
     if (script.points && holds)
         return Error{path.string(), "moves both the mouse and hands: a script has either"};

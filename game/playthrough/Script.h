@@ -21,7 +21,8 @@ struct ScriptStep {
         Hold,    // wait `seconds` with hands as they are
         Open,    // open a hand
         Look,    // turn towards yaw and pitch, or `at` "shark"
-        Wait,    // `seconds`, `until` an event of that name, until the `phase`, or until a fish is `near` the hand
+        Wait,    // `seconds`, `until` an event of that name, until the `phase`, or until a fish is `near` the
+                 // hand
         Wave,    // swing a hand 0.5 m to both sides of where it is at `speed` m/s for `seconds`
         Hover,   // bring a hand in the shark's way, for `seconds`
         Offer,   // bring what the hand holds as near to the shark as it reaches, for `seconds`
@@ -31,16 +32,16 @@ struct ScriptStep {
         Point,   // move the mouse to `x` and `y`, or after the nearest fish (of `kind`) until the hand has it
         Press,   // the mouse's button
         Release,
-        Again,   // back to step number `from` (1 is the first), at most `times`, unless event `unless` has
-                 // occurred
+        Again, // back to step number `from` (1 is the first), at most `times`, unless event `unless` has
+               // occurred
     };
     Do what = Do::Wait;
     int line = 0; // in the file
     int hand = 1; // 0 left, 1 right
     std::string kind = "any";
-    bool atShark = false; // what to look at, instead of yaw and pitch
-    bool atFish = false;  // what to point at, instead of x and y
-    glm::vec3 offset{0}, to{0}; // viewer's frame, metres
+    bool atShark = false;           // what to look at, instead of yaw and pitch
+    bool atFish = false;            // what to point at, instead of x and y
+    glm::vec3 offset{0}, to{0};     // viewer's frame, metres
     glm::vec2 pointer_px{640, 360}; // in a window of 1280x720: +x right, +y down
     float near_m = 0;
     float seconds = 0;
@@ -56,12 +57,12 @@ struct ScriptStep {
 struct ScriptExpect {
     int line = 0;
     enum class Water { Any, Open, Film };
-    Water water = Water::Any; // the only water in which this is expected
+    Water water = Water::Any;                                    // the only water in which this is expected
     std::optional<int> caught, scoreAtLeast, lost, comboAtLeast; // at the script's end
-    std::optional<float> fishAbove_m; // no fish has been lower, against the eyes
-    std::optional<EventKind> event;                // occurs at least `count` times in the given time
-    std::optional<EventKind> never;                // does not occur at all
-    std::optional<Phase> phase;                    // at the end
+    std::optional<float> fishAbove_m;                            // no fish has been lower, against the eyes
+    std::optional<EventKind> event; // occurs at least `count` times in the given time
+    std::optional<EventKind> never; // does not occur at all
+    std::optional<Phase> phase;     // at the end
     int count = 1;
     float after_s = 0, before_s = 1e9f; // since the script began
     std::vector<EventKind> order;       // occur in this order, others between

@@ -74,7 +74,8 @@ int chooseSeen(const ScriptStep& step, const Snapshot& now, const SpeciesTable& 
     for (const CreatureView& creature : now.creatures) {
         const glm::vec3 view = glm::conjugate(now.worldFromView) * creature.position;
         const glm::vec2 fromMiddle = glm::abs(pixelOf(view) / kHalfWindow_px - 1.0f);
-        if (!isFree(creature, step, species) || creature.gait.motion == Motion::Dart || view.z > -kNear_m) continue;
+        if (!isFree(creature, step, species) || creature.gait.motion == Motion::Dart || view.z > -kNear_m)
+            continue;
         if (std::max(fromMiddle.x, fromMiddle.y) > 0.8f || glm::length(view) >= nearest) continue;
         nearest = glm::length(view);
         best = static_cast<int>(creature.id);
@@ -85,8 +86,8 @@ int chooseSeen(const ScriptStep& step, const Snapshot& now, const SpeciesTable& 
 } // namespace
 
 ScriptRun::ScriptRun(Script script, hands::HandRig rig, SpeciesTable species, bool inFilm)
-    : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)), inFilm_(inFilm), mouse_(rig_),
-      repeats_(script_.steps.size(), 0) {
+    : script_(std::move(script)), rig_(std::move(rig)), species_(std::move(species)), inFilm_(inFilm),
+      mouse_(rig_), repeats_(script_.steps.size(), 0) {
     seen_.reserve(4096);
     mouseInput_.fovY = kWindowFov;
 }
@@ -130,7 +131,8 @@ bool ScriptRun::follow(int h, const Snapshot& now) {
     if (hand.target < 0 || hand.target >= static_cast<int>(now.creatures.size())) return false;
     const CreatureView& fish = now.creatures[hand.target];
     if (fish.heldBy == h) return true;
-    const glm::vec3 place = fish.position + now.worldFromView * hand.offset, goal = place + fish.velocity * (2 * kDt);
+    const glm::vec3 place = fish.position + now.worldFromView * hand.offset,
+                    goal = place + fish.velocity * (2 * kDt);
     const float distance = glm::distance(goal, hand.graspWorld);
     // Quickly from afar, softly at the end, always keeping up with it.
     const float speed =
@@ -167,7 +169,8 @@ bool ScriptRun::look(const ScriptStep& step, const Snapshot& now, float spent_s)
 
 bool ScriptRun::wait(const ScriptStep& step, const Snapshot& now, float spent_s) const {
     if (step.phase) return now.phase == *step.phase;
-    if (step.near_m > 0) return spent_s >= step.seconds && isNear(now, hands_[step.hand].graspWorld, step.near_m, species_);
+    if (step.near_m > 0)
+        return spent_s >= step.seconds && isNear(now, hands_[step.hand].graspWorld, step.near_m, species_);
     if (!step.until) return spent_s >= step.seconds;
     for (size_t i = seenAtStep_; i < seen_.size(); ++i)
         if (seen_[i].kind == *step.until) return true;
@@ -185,7 +188,8 @@ void ScriptRun::movePointer(glm::vec2 goal_px) {
 bool ScriptRun::point(const ScriptStep& step, const Snapshot& now) {
     if (!step.atFish) {
         movePointer(step.pointer_px);
-        const glm::vec2 apart = (mouseInput_.cursor + glm::vec2(1, -1)) * glm::vec2(1, -1) * kHalfWindow_px - step.pointer_px;
+        const glm::vec2 apart =
+            (mouseInput_.cursor + glm::vec2(1, -1)) * glm::vec2(1, -1) * kHalfWindow_px - step.pointer_px;
         return glm::length(apart) < 1;
     }
     ScriptHand& hand = hands_[1];
@@ -281,7 +285,8 @@ void ScriptRun::advance(size_t to) {
     }
     // A step that brings a hand to a fish chooses anew.
     const ScriptStep& step = script_.steps[step_];
-    if (step.what == ScriptStep::Do::Reach || step.what == ScriptStep::Do::Point) hands_[step.hand].target = -1;
+    if (step.what == ScriptStep::Do::Reach || step.what == ScriptStep::Do::Point)
+        hands_[step.hand].target = -1;
 }
 
 // The step under way; one that ends lets the next begin on the next tick, so every step sees its own result.
@@ -366,9 +371,11 @@ Status ScriptRun::verdict() const {
         if (e.lost && last_.lost != *e.lost)
             return fail(&e, "lost " + text(last_.lost) + " to the shark, expected " + text(*e.lost));
         if (e.comboAtLeast && last_.bestCombo < *e.comboAtLeast)
-            return fail(&e, "best combo " + text(last_.bestCombo) + ", expected at least " + text(*e.comboAtLeast));
+            return fail(&e, "best combo " + text(last_.bestCombo) + ", expected at least " +
+                                text(*e.comboAtLeast));
         if (e.fishAbove_m && lowestFish_m_ < *e.fishAbove_m)
-            return fail(&e, "a fish was at " + text(lowestFish_m_) + " m, expected above " + text(*e.fishAbove_m));
+            return fail(&e, "a fish was at " + text(lowestFish_m_) + " m, expected above " +
+                                text(*e.fishAbove_m));
         if (e.phase && last_.phase != *e.phase) return fail(&e, "ended in the other phase");
         int count = 0;
         size_t inOrder = 0;

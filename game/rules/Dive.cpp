@@ -64,8 +64,8 @@ void Dive::begin(uint64_t seed) {
 }
 
 FilmMoment Dive::film(FilmSpace::Room of, float ahead_s) const {
-    return {files_.dive.space.get(), static_cast<double>(state_.tick) / sim::kTickRate_Hz + static_cast<double>(ahead_s),
-            of};
+    return {files_.dive.space.get(),
+            static_cast<double>(state_.tick) / sim::kTickRate_Hz + static_cast<double>(ahead_s), of};
 }
 
 void Dive::step(const TickInput& input, Events& events) {

@@ -84,8 +84,8 @@ class Dive {
 
 sim::RecordingHeader recordingHeader(const Dive&);
 
-// The rules under which a recording was made; an error names a value, or the kind of inputs, that this version does
-// not know.
+// The rules under which a recording was made; an error names a value, or the kind of inputs, that this
+// version does not know.
 Result<DiveRules> rulesOf(const sim::RecordingHeader&);
 
 // The film that it was played in, a file below content/; own: the dive's own.

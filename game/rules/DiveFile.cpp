@@ -227,7 +227,8 @@ Result<DiveFiles> loadDiveFiles(const std::string& name, const Path& content) {
         for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
         return Error{name, "there is no such dive; there is " + (list.empty() ? "none" : list)};
     }
-    const Path file = isFile ? std::filesystem::absolute(name).lexically_normal() : root / "dives" / (name + ".toml");
+    const Path file =
+        isFile ? std::filesystem::absolute(name).lexically_normal() : root / "dives" / (name + ".toml");
     auto species = loadSpecies((isFile ? file.parent_path() : root) / "species.toml");
     if (!species) return species.error();
     auto dive = loadDive(file, *species);

@@ -1,5 +1,5 @@
-// The player's choice of rules before a dive. A replay's header holds it: with the same rules, seed and inputs
-// a dive goes the same way. The defaults are those of the settings.
+// The player's choice of rules before a dive. A replay's header holds it: with the same rules, seed and
+// inputs a dive goes the same way. The defaults are those of the settings.
 #pragma once
 
 #include "engine/core/EnumNames.h"

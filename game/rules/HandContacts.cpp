@@ -11,7 +11,7 @@ namespace shoal::game {
 
 namespace {
 
-constexpr uint32_t kTouchKept = 12;  // ticks a touch is remembered
+constexpr uint32_t kTouchKept = 12; // ticks a touch is remembered
 constexpr float kGentle_mps = 0.6f; // a palm slower than this does not frighten by touching...
 constexpr float kPatience_s = 1.5f; // ...for so long
 

@@ -56,8 +56,8 @@ int watchedHand(const Shark& shark, const SharkView& view) {
     return best;
 }
 
-// How much nearer its mouth may come while it threatens that hand: it keeps its distance from the hand and from
-// the player's head. Negative: it is too near.
+// How much nearer its mouth may come while it threatens that hand: it keeps its distance from the hand and
+// from the player's head. Negative: it is too near.
 float threatSpare(const Shark& shark, const SharkView& view, int hand) {
     const glm::vec3 mouth = mouthOf(shark, view.species);
     return std::min(glm::distance(mouth, view.hands[hand].graspCentre) - kThreatRoom_m,
@@ -114,7 +114,8 @@ void decideThreatening(Shark& shark, const SharkView& view, int struggling) {
     if (held && shark.aimed_s >= kAim_s && away < kStrikeFrom_m) {
         shark.prey = struggling;
         shark.set(State::Strike);
-    } else if (!hand.visible || threatSpare(shark, view, shark.watched) < -0.3f || shark.state_s > kThreat_s) {
+    } else if (!hand.visible || threatSpare(shark, view, shark.watched) < -0.3f ||
+               shark.state_s > kThreat_s) {
         shark.threatRest_s = kThreatRest_s;
         shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave);
     }
@@ -352,7 +353,8 @@ float roomTowards(const Shark& shark, const SharkView& view, float sense) {
 void turnBack(Shark& shark, const SharkView& view) {
     if (!view.film.known() || shark.state == State::Threaten || shark.state == State::Strike) return;
     const float ahead = roomTowards(shark, view, shark.sense);
-    if (ahead < kRoomy_m && roomTowards(shark, view, -shark.sense) > ahead + kWider_m) shark.sense = -shark.sense;
+    if (ahead < kRoomy_m && roomTowards(shark, view, -shark.sense) > ahead + kWider_m)
+        shark.sense = -shark.sense;
 }
 
 void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, Course& course) {

@@ -25,17 +25,18 @@ constexpr float kStrikeFrom_m = 3.0f;    // farther away it does not try
 
 // It never strikes unannounced: first it points at a hand, slowly, in full view, for at least so long.
 constexpr float kAim_s = 1.1f;
-constexpr float kAimed = 0.92f;       // cosine of the angle within which it points at it
-constexpr float kThreat_s = 4.5f;     // then it breaks off
-constexpr float kThreatRest_s = 2.5f; // before the next
-constexpr float kThreatFrom_m = 2.6f; // from its mouth to the hand
-constexpr float kThreatRoom_m = 0.7f; // nearer than that it does not come
+constexpr float kAimed = 0.92f;               // cosine of the angle within which it points at it
+constexpr float kThreat_s = 4.5f;             // then it breaks off
+constexpr float kThreatRest_s = 2.5f;         // before the next
+constexpr float kThreatFrom_m = 2.6f;         // from its mouth to the hand
+constexpr float kThreatRoom_m = 0.7f;         // nearer than that it does not come
 constexpr float kSoon_s = 1.2f, kLater_s = 3; // so far ahead it sees walls come
-constexpr float kWide_m = 2.6f;       // radius from which it begins the next approach
+constexpr float kWide_m = 2.6f;               // radius from which it begins the next approach
 
 Shark spawnShark(const DiveFiles&, Random&); // at the beginning of a dive
 
-// How far out its body fits as it swims along a circle, at the bearing of the place: at most the plan's radius.
+// How far out its body fits as it swims along a circle, at the bearing of the place: at most the plan's
+// radius.
 float openRadius(glm::vec3 place, const SharkPlan&, const Species&, const FilmMoment&);
 
 // What the shark knows of the dive.
@@ -44,8 +45,8 @@ struct SharkView {
     const SpeciesTable& species;
     const Hands& hands;
     std::span<const Fish> fish;
-    float time_s;    // since the dive began
-    bool diveIsOver; // no new visits
+    float time_s;                               // since the dive began
+    bool diveIsOver;                            // no new visits
     FilmMoment film{}, filmSoon{}, filmLater{}; // in kSoon_s, in kLater_s
 };
 

@@ -151,9 +151,10 @@ struct PlayOptions {
                      "are when a dive begins, where the headset knows the floor, else standing")
             .shownAs(Comfort, "Posture")
             .ofAPerson();
-        table.add("--seed", &seed,
-                  "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
-                  "dives without a window have 1")
+        table
+            .add("--seed", &seed,
+                 "Seed of everything random in the dive; if not given, each dive in a window draws one, and "
+                 "dives without a window have 1")
             .ofAPerson();
         table.add("--record", &record, "Writes a replay: seed and every tick's input").takes("FILE");
         table.add("--free-swim", &freeSwim, "No clock and no shark").ofAPerson();
@@ -273,13 +274,17 @@ struct PlayOptions {
 
     void addTestsTo(SettingsTable& table) {
         table.category = Category::Measuring;
-        table.add("--headless", &headless,
-                  "No window, no sound device, no display server; the same pictures, drawn for --screenshot and "
-                  "--timedemo alone");
+        table.add(
+            "--headless", &headless,
+            "No window, no sound device, no display server; the same pictures, drawn for --screenshot and "
+            "--timedemo alone");
         table.add("--fps", &fps, "Headless: pictures drawn for each second of the dive").between(1, 1000);
         table.add("--at", &at_s, "Headless: ends after that many seconds of the dive").between(0, 3600);
         table.add("--screenshot", &screenshot, "Writes a picture at --at, or at the end").takes("FILE.png");
-        table.add("--stats", &stats, "Writes frame times (milliseconds; of pictures, where some are drawn), counts and the state hash")
+        table
+            .add("--stats", &stats,
+                 "Writes frame times (milliseconds; of pictures, where some are drawn), counts and the state "
+                 "hash")
             .takes("FILE.json");
         table.add("--timedemo", &timedemo,
                   "Draws as fast as it can, first five seconds to warm up; the video keeps its own rate");

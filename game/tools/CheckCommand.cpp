@@ -72,7 +72,8 @@ Verdict checkToml(const Path& file) {
 Verdict checkReplay(const Path& file) {
     auto recording = sim::RecordingReader::open(file);
     if (!recording) return recording.error();
-    if (const auto rules = game::rulesOf(recording->header()); !rules) return Error{file.string(), rules.error().reason};
+    if (const auto rules = game::rulesOf(recording->header()); !rules)
+        return Error{file.string(), rules.error().reason};
     if (const auto dive = game::loadDiveFiles(recording->header().dive); !dive)
         return Error{file.string(), "its dive cannot be played: " + dive.error().message()};
     const uint64_t ticks = recording->ticks();

@@ -31,8 +31,7 @@ std::vector<int> cellsOf(int width, int height, float yaw) {
     for (int y = 0; y < height; ++y) {
         const float up = kPi * 0.5f * (1 - static_cast<float>(2 * y + 1) / static_cast<float>(height));
         const float level = math::cosine(up), rise = math::sine(up);
-        for (const glm::vec2 a : ahead)
-            cells.push_back(FilmSpace::cellOf({a.x * level, rise, -a.y * level}));
+        for (const glm::vec2 a : ahead) cells.push_back(FilmSpace::cellOf({a.x * level, rise, -a.y * level}));
     }
     return cells;
 }

@@ -1,6 +1,7 @@
 // Ticks of the simulation with any input at all: finite, bounded, and the same when played again.
 #include "game/rules/Dive.h"
 #include "tests/fuzz/Target.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <glm/geometric.hpp>
 
@@ -101,7 +102,13 @@ void check(const game::DiveState& state) {
 }
 
 uint64_t played(uint64_t seed, const std::vector<game::TickInput>& inputs, bool checked) {
-    static const game::DiveFiles files = *game::loadDiveFiles("reef");
+    // With an odd seed in the room of its film.
+    static const std::array<game::DiveFiles, 2> waters = [] {
+        game::DiveFiles open = *game::loadDiveFiles("night"), film = open;
+        film.dive.space = game::roomOf(film.dive.video).value();
+        return std::array{open, film};
+    }();
+    const game::DiveFiles& files = waters[seed % 2];
     game::Dive dive(files.species, files.dive, seed);
     game::Events events;
     game::Snapshot snapshot;

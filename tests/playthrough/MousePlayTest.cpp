@@ -1,4 +1,5 @@
-// Somebody with a mouse and nothing but the picture, in several dives: points at a fish, clicks when the hand is there.
+// Somebody with a mouse and nothing but the picture, in several dives: points at a fish, clicks when the hand
+// is there.
 #include "tests/playthrough/Play.h"
 #include "tests/playthrough/Rooms.h"
 

@@ -1,5 +1,6 @@
-// Every script of this folder plays headless, in open water and in the room of its film; meets its expectations at every
-// display rate, gives the states stored in tests/equal_hashes.txt, and its recording replays tick for tick.
+// Every script of this folder plays headless, in open water and in the room of its film; meets its
+// expectations at every display rate, gives the states stored in tests/equal_hashes.txt, and its recording
+// replays tick for tick.
 #include "engine/sim/FixedStep.h"
 #include "tests/TestPaths.h"
 #include "tests/playthrough/Play.h"
@@ -106,7 +107,8 @@ TEST_P(Playthrough, MeetsItsExpectationsAndReplays) {
     const Played played = playScript(setup->script, setup->rig, setup->files, watch);
     if (std::getenv("SHOAL_STORY")) std::puts(story.c_str());
     EXPECT_TRUE(played.verdict) << played.verdict.error().message() << "\nwhat happened:\n" << story;
-    EXPECT_EQ(played.hash, storedHash(file().stem(), inFilm())) << "tests/equal_hashes --update stores it anew";
+    EXPECT_EQ(played.hash, storedHash(file().stem(), inFilm()))
+        << "tests/equal_hashes --update stores it anew";
     ASSERT_GT(played.recording.ticks(), 0u);
 
     // Through the file, twice: the same state after every tick.
@@ -135,7 +137,8 @@ TEST_P(Playthrough, MeetsItsExpectationsAtEveryDisplayRate) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scripts, Playthrough, testing::Combine(testing::ValuesIn(scripts()), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(Scripts, Playthrough,
+                         testing::Combine(testing::ValuesIn(scripts()), testing::Bool()),
                          [](const auto& parameter) {
                              return std::get<0>(parameter.param).stem().string() +
                                     (std::get<1>(parameter.param) ? "InItsFilm" : "InOpenWater");
@@ -161,7 +164,8 @@ TEST(Playthroughs, OfEachFilmSeeTheSharkSteal) {
         const auto script = loadScript(file);
         ASSERT_TRUE(script) << script.error().message();
         for (const ScriptExpect& expect : script->expects)
-            if (expect.event == EventKind::SharkSteal) films.insert(loadDiveFiles(*script).value().dive.video);
+            if (expect.event == EventKind::SharkSteal)
+                films.insert(loadDiveFiles(*script).value().dive.video);
     }
     EXPECT_EQ(films.size(), 3u);
 }

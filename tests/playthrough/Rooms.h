@@ -1,13 +1,13 @@
-// Grids of distances of the dives' films, as small files: playthroughs are played in the rooms of their films where
-// nothing can decode a film. The program makes each grid of the film's depth track; tests/unit/app/RoomsTest.cpp
-// compares the files with what it makes, and writes them.
+// Grids of distances of the dives' films, as small files: playthroughs are played in the rooms of their films
+// where nothing can decode a film. The program makes each grid of the film's depth track;
+// tests/unit/app/RoomsTest.cpp compares the files with what it makes, and writes them.
 //
-// A file is zlib's gzip: a double, the film's length in seconds; an int32, the number of steps; for each step the
-// distances of its cells in millimetres as uint16, less those of the step before. Little-endian.
+// A file is zlib's gzip: a double, the film's length in seconds; an int32, the number of steps; for each step
+// the distances of its cells in millimetres as uint16, less those of the step before. Little-endian.
 #pragma once
 
 #include "engine/core/Files.h"
-#include "game/playthrough/Script.h"
+#include "game/rules/DiveFile.h"
 #include "game/rules/FilmSpace.h"
 
 #include <zlib.h>
@@ -35,7 +35,8 @@ inline Result<Room> readRoom(const Path& file) {
     if (!whole || !read(room.surface_mm.data(), room.surface_mm.size() * sizeof(uint16_t)))
         return Error{file.string(), "is no room of a film"};
     for (size_t i = FilmSpace::kCells; i < room.surface_mm.size(); ++i)
-        room.surface_mm[i] = static_cast<uint16_t>(room.surface_mm[i] + room.surface_mm[i - FilmSpace::kCells]);
+        room.surface_mm[i] =
+            static_cast<uint16_t>(room.surface_mm[i] + room.surface_mm[i - FilmSpace::kCells]);
     return room;
 }
 

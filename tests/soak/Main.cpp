@@ -6,6 +6,7 @@
 #include "game/app/Application.h"
 #include "tests/TestPaths.h"
 #include "tests/playthrough/Play.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <epoxy/gl.h>
 #include <nlohmann/json.hpp>
@@ -55,8 +56,9 @@ Result<Files> readFiles() {
     if (!rig) return rig.error();
     auto script = game::loadScript(file);
     if (!script) return script.error();
-    auto dive = game::loadDiveFiles(script->dive);
+    auto dive = game::loadDiveFiles(*script);
     if (!dive) return dive.error();
+    if (Status s = game::roomOf(dive->dive.video).moveTo(dive->dive.space); !s) return s.error();
     auto text = readText(file);
     if (!text) return text.error();
     return Files{std::move(*rig), std::move(*script), std::move(*dive), std::move(*text)};
@@ -99,10 +101,9 @@ Result<uint64_t> drawn(const Path& script) {
 // By the program in a process of its own.
 Result<uint64_t> alone(const Path& script, const Path& folder) {
     const Path statistics = folder / "stats.json";
-    const std::string command =
-        "'" + tests::program() +
-        "' play --headless --backdrop-only --size 32x18 --fps 15 --hands script:" + script.string() +
-        " --stats " + statistics.string();
+    const std::string command = "'" + tests::program() +
+                                "' play --headless --fps 15 --hands script:" + script.string() + " --stats " +
+                                statistics.string();
     if (std::system(command.c_str()) != 0) return Error{script.string(), "failed in a process of its own"};
     const auto text = readText(statistics);
     if (!text) return text.error();

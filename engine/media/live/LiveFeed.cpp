@@ -11,11 +11,8 @@ namespace {
 
 // Schemes of URLs that are played, with StreamAddress::protocols; all others are refused. RTSP sends pictures
 // over its own connection: by UDP its server could have us talk to others.
-constexpr std::pair<const char*, const char*> kStreams[] = {{"rtsp", "tcp"},
-                                                            {"http", "http,tcp"},
-                                                            {"https", "https,tls,tcp"},
-                                                            {"tcp", "tcp"},
-                                                            {"udp", "udp"}};
+constexpr std::pair<const char*, const char*> kStreams[] = {
+    {"rtsp", "tcp"}, {"http", "http,tcp"}, {"https", "https,tls,tcp"}, {"tcp", "tcp"}, {"udp", "udp"}};
 
 constexpr size_t kMaxLength = 2048;
 

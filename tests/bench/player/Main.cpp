@@ -3,6 +3,7 @@
 // FOLDER/players.tsv, a row a dive.
 #include "engine/core/WriteFile.h"
 #include "tests/bench/player/PlayedDive.h"
+#include "tests/playthrough/Rooms.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -81,10 +82,12 @@ int main(int count, char** arguments) {
     }
     const int seeds = count > 2 ? std::max(1, std::atoi(arguments[2])) : 50;
     const int from = count > 3 ? std::max(1, std::atoi(arguments[3])) : 1;
-    const auto files = game::loadDiveFiles(count > 5 ? arguments[5] : "reef");
+    auto files = game::loadDiveFiles(count > 5 ? arguments[5] : "reef");
     const auto rig = hands::HandRig::load(dataRoot() / "content/models/hand_skeleton.json");
-    if (!files || !rig) {
-        std::fprintf(stderr, "%s\n", (files ? rig.error() : files.error()).message().c_str());
+    Status found = !files ? Status(files.error()) : game::roomOf(files->dive.video).moveTo(files->dive.space);
+    if (!rig) found = rig.error();
+    if (!found) {
+        std::fprintf(stderr, "%s\n", found.error().message().c_str());
         return 1;
     }
     std::string table =

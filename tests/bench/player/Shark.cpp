@@ -1,6 +1,6 @@
-// What the shark does in whole dives of modelled players, and of a scripted one who offers it fish, in open water and in
-// the rooms of the films: bench_shark [SEEDS [FIRST [DIVE]]], in the cove of the
-// playthroughs or another dive.
+// What the shark does in whole dives of modelled players, and of a scripted one who offers it fish, in open
+// water and in the rooms of the films: bench_shark [SEEDS [FIRST [DIVE]]], in the cove of the playthroughs or
+// another dive.
 #include "tests/bench/player/PlayedDive.h"
 #include "tests/bench/player/SharkWatch.h"
 #include "tests/playthrough/Play.h"
@@ -15,13 +15,15 @@ namespace {
 
 void report(const char* who, const player::SharkWatch& w) {
     const double n = w.dives, ticks = w.ticks / 100;
-    std::printf("  %-17s a dive: %.2f steals of %.2f strikes, %.2f threats, %.1f grabs; %.2f bumps; farther out than "
-                "the median fish %.0f %% (with room %.0f %% of %.0f %%), near %.2f (its middle %.2f) %%; circles %.0f, visits %.0f, "
-                "threatens %.0f, strikes %.0f, leaves %.0f %%\n",
-                who, w.steals / n, w.strikes / n, w.threats / n, w.grabs / n, w.bumps / n, w.farther / ticks,
-                100 * w.fartherWithRoom / std::max(1.0, w.roomTicks), w.roomTicks / ticks, w.near / ticks, w.middleNear / ticks,
-                w.inState[0] / ticks, w.inState[1] / ticks, w.inState[2] / ticks, w.inState[3] / ticks,
-                w.inState[4] / ticks);
+    std::printf(
+        "  %-17s a dive: %.2f steals of %.2f strikes, %.2f threats, %.1f grabs; %.2f bumps; farther out than "
+        "the median fish %.0f %% (with room %.0f %% of %.0f %%), near %.2f (its middle %.2f) %%; circles "
+        "%.0f, visits %.0f, "
+        "threatens %.0f, strikes %.0f, leaves %.0f %%\n",
+        who, w.steals / n, w.strikes / n, w.threats / n, w.grabs / n, w.bumps / n, w.farther / ticks,
+        100 * w.fartherWithRoom / std::max(1.0, w.roomTicks), w.roomTicks / ticks, w.near / ticks,
+        w.middleNear / ticks, w.inState[0] / ticks, w.inState[1] / ticks, w.inState[2] / ticks,
+        w.inState[3] / ticks, w.inState[4] / ticks);
     std::fflush(stdout);
 }
 

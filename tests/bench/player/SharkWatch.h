@@ -17,8 +17,8 @@ struct SharkWatch {
     int dives = 0, steals = 0, bumps = 0, grabs = 0, threats = 0, strikes = 0;
     double ticks = 0, farther = 0; // farther: from the vertical axis than the median of the free fish
     double roomTicks = 0, fartherWithRoom = 0; // of those in which the film leaves that room
-    double near = 0; // within kNear_m of the eyes, after it has come there for no strike
-    double middleNear = 0; // of its middle, in no strike
+    double near = 0;                 // within kNear_m of the eyes, after it has come there for no strike
+    double middleNear = 0;           // of its middle, in no strike
     std::array<double, 5> inState{}; // ticks by Shark::State
     static constexpr float kNear_m = 1;
 
@@ -52,7 +52,8 @@ struct SharkWatch {
         farther += isFarther;
         const game::FilmMoment film(dive.space.get(), static_cast<double>(s.tick) / sim::kTickRate_Hz,
                                     game::FilmSpace::Room::Shark);
-        const bool room = game::openRadius(shark.position, dive.shark, species[shark.species], film) > *middle + 0.3f;
+        const bool room =
+            game::openRadius(shark.position, dive.shark, species[shark.species], film) > *middle + 0.3f;
         roomTicks += room;
         fartherWithRoom += room && isFarther;
         const physics::Capsule body = game::capsuleOf(shark, species[shark.species]);

@@ -1,5 +1,6 @@
-// Plays playthroughs without a display, in open water and in the rooms of their films, and prints each one's name and the
-// hashes of all its states in both: playthrough_hashes FILE... Exits 1 if one does not meet its expectations.
+// Plays playthroughs without a display, in open water and in the rooms of their films, and prints each one's
+// name and the hashes of all its states in both: playthrough_hashes FILE... Exits 1 if one does not meet its
+// expectations.
 #include "tests/playthrough/Play.h"
 #include "tests/playthrough/Rooms.h"
 
@@ -22,7 +23,8 @@ Result<std::array<uint64_t, 2>> hashesOf(const Path& file, const hands::HandRig&
         files->dive.space = i == 0 ? nullptr : *room;
         const game::Played played = game::playScript(*script, rig, *files);
         if (!played.verdict)
-            return Error{i == 0 ? "in open water" : "in the room of its film", played.verdict.error().message()};
+            return Error{i == 0 ? "in open water" : "in the room of its film",
+                         played.verdict.error().message()};
         hashes[i] = played.hash;
     }
     return hashes;
@@ -41,7 +43,8 @@ int main(int count, char** arguments) {
         const Path file = arguments[i];
         const auto hashes = hashesOf(file, *rig);
         if (hashes)
-            std::printf("%s %016" PRIx64 " %016" PRIx64 "\n", file.stem().c_str(), (*hashes)[0], (*hashes)[1]);
+            std::printf("%s %016" PRIx64 " %016" PRIx64 "\n", file.stem().c_str(), (*hashes)[0],
+                        (*hashes)[1]);
         else
             std::fprintf(stderr, "%s: %s\n", file.c_str(), hashes.error().message().c_str());
         met = met && hashes;

@@ -65,6 +65,11 @@ class Faults : public testing::Test {
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
+    // With pictures.
+    std::vector<std::string> draw(std::vector<std::string> more) const {
+        more.insert(more.end(), {"--screenshot", file("picture.png")});
+        return play(std::move(more));
+    }
     std::string script() const {
         return "script:" + (tests::sourceFolder() / "tests/bench/looking_around.toml").string();
     }
@@ -95,7 +100,7 @@ void limitFiles(uint64_t bytes) {
 // A session that is asked to stop writes what it was to leave, and the recording is whole.
 TEST_F(Faults, SignalsEndADiveInOrder) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        const pid_t child = start(play(
+        const pid_t child = start(draw(
             {"--hands", script(), "--fps", "30", "--record", file("a.replay"), "--stats", file("s.json")}));
         awaitRecording(child, 2);
         ::kill(child, signal);
@@ -111,7 +116,7 @@ TEST_F(Faults, SignalsEndADiveInOrder) {
 
 // What was recorded before a crash shows the way to it.
 TEST_F(Faults, AKilledDiveLeavesItsRecording) {
-    const pid_t child = start(play({"--hands", script(), "--fps", "30", "--record", file("a.replay")}));
+    const pid_t child = start(draw({"--hands", script(), "--fps", "30", "--record", file("a.replay")}));
     awaitRecording(child, 3);
     ::kill(child, SIGKILL);
     EXPECT_EQ(end(child), -SIGKILL);
@@ -186,7 +191,7 @@ TEST_F(Faults, StatisticsGoThroughDevicesPipesAndLinks) {
 // Twenty files may be open at once: it plays, or says what is missing.
 TEST_F(Faults, FewOpenFilesAreEnoughOrSaid) {
     for (const rlim_t files : {8, 12, 16, 20, 40}) {
-        const int status = run(play({"--at", "0.5", "--stats", file("s.json")}), [&] {
+        const int status = run(draw({"--at", "0.5", "--stats", file("s.json")}), [&] {
             const rlimit limit{files, files};
             ::setrlimit(RLIMIT_NOFILE, &limit);
         });
@@ -204,7 +209,7 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
     GTEST_SKIP() << "the sanitizer maps terabytes";
 #endif
     const auto playWithin = [&](rlim_t memory_MB) {
-        return run(play({"--at", "0.2"}), [=] {
+        return run(draw({"--at", "0.2"}), [=] {
             const rlimit limit{memory_MB << 20, memory_MB << 20};
             ::setrlimit(RLIMIT_AS, &limit);
         });
@@ -232,8 +237,9 @@ TEST_F(Faults, LackOfMemoryIsSaid) {
 TEST_F(Faults, SharedMemoryIsNotNeeded) {
     if (std::system("unshare -rm umount /dev/shm 2>/dev/null") != 0)
         GTEST_SKIP() << "this user may not unmount";
-    const std::string command =
-        tests::program() + " play --headless --backdrop-only --size 32x18 --at 0.5 --stats " + file("s.json");
+    const std::string command = tests::program() +
+                                " play --headless --backdrop-only --size 32x18 --at 0.5 --screenshot " +
+                                file("s.png");
     EXPECT_EQ(std::system(("unshare -rm sh -c 'umount /dev/shm && " + command + "'").c_str()), 0);
 }
 

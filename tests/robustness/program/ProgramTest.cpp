@@ -249,7 +249,8 @@ TEST_F(Program, HeadlessRunsDoNotDependOnThePlayersSettings) {
 TEST_F(Program, ABrokenScoresFileIsSaidOnce) {
     std::filesystem::create_directories(folder_ / "shoal");
     write("shoal/scores.json", "broken");
-    const std::string err = run("play --headless --mute --size 64x64 --at 0.1").err;
+    const std::string picture = (folder_ / "a.png").string();
+    const std::string err = run("play --headless --mute --size 64x64 --at 0.1 --screenshot " + picture).err;
     const size_t first = err.find("scores.json");
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(err.find("scores.json", first + 1), std::string::npos) << err;
@@ -363,6 +364,54 @@ TEST_F(Program, HandsAndDivesThatAreNone) {
     expectOneMessage(run(play + "--hands feet"), "feet");
     expectOneMessage(run(play + "--dive ../../etc/passwd"), "passwd");
     expectOneMessage(run(play + "--dive none"), "none");
+}
+
+TEST_F(Program, AScriptBringsItsOwnDiveAndRules) {
+    const std::string script =
+        "play --headless --hands script:" + (tests::sourceFolder() / "tests/playthrough/miss.toml").string();
+    for (const std::string option :
+         {"--dive night", "--seed 3", "--assist none", "--free-swim", "--posture seated", "--reach-help 0"}) {
+        const Outcome outcome = run(script + " " + option);
+        expectOneMessage(outcome, option.substr(0, option.find(' ')), 2);
+    }
+}
+
+TEST_F(Program, ARecordingOfAnOlderVersionIsRefusedByName) {
+    const std::string file = (tests::sourceFolder() / "tests/robustness/program/version_2.replay").string();
+    expectOneMessage(run("play --headless --hands replay:" + file),
+                     "has version 2, this game reads version 3");
+    expectOneMessage(run("check " + file), "has version 2");
+}
+
+// As the README says, from another folder than the script's.
+TEST_F(Program, PlaythroughsGiveTheStoredStatesInBothWatersAndTheirRecordingsReplay) {
+    for (const char* name : {"shark_steals_night", "behind_rock", "mouse"})
+        for (const bool inFilm : {true, false}) {
+            const std::string file = (tests::sourceFolder() / "tests/playthrough" / name).string() + ".toml";
+            const Path replay = folder_ / (std::string(name) + (inFilm ? "" : "2") + ".replay");
+            const std::string water = inFilm ? "" : " --no-depth";
+            const Outcome played = run("play --headless --fps 144 --hands script:" + file + water +
+                                       " --record " + replay.string());
+            EXPECT_EQ(played.status, 0) << played.err;
+            std::istringstream stored(readText(tests::sourceFolder() / "tests/equal_hashes.txt").value());
+            std::string word, open, film;
+            while (stored >> word >> open >> film && word != name) {
+            }
+            EXPECT_EQ(played.out, std::string(name) + " " + (inFilm ? film : open) + "\n");
+            const std::string from = "cd / && '" + tests::program() +
+                                     "' play --headless --hands replay:" + replay.string() + water;
+            EXPECT_EQ(std::system(from.c_str()), 0);
+            EXPECT_EQ(run("check " + replay.string()).status, 0);
+        }
+    const Path gone = folder_ / "gone.toml";
+    std::ofstream(gone) << readText(tests::sourceFolder() / "tests/playthrough/dive/cove.toml").value();
+    fs::copy(tests::sourceFolder() / "tests/playthrough/dive/species.toml", folder_ / "species.toml");
+    const Path replay = folder_ / "gone.replay";
+    EXPECT_EQ(run("play --headless --at 0.1 --dive " + gone.string() + " --record " + replay.string()).status,
+              0);
+    EXPECT_EQ(run("check " + replay.string()).status, 0);
+    fs::remove(gone);
+    expectOneMessage(run("check " + replay.string()), "its dive cannot be played");
 }
 
 TEST_F(Program, AModelThatIsNoneLeavesNoPicture) {

@@ -1,7 +1,7 @@
-// The rooms in which playthroughs are played where no film can be decoded are those that the program makes of the films'
-// depth tracks. With SHOAL_UPDATE=1 the files are written anew.
-#include "game/views/FilmSpaceOf.h"
+// The rooms in which playthroughs are played where no film can be decoded are those that the program makes of
+// the films' depth tracks. With SHOAL_UPDATE=1 the files are written anew.
 #include "tests/playthrough/Rooms.h"
+#include "game/views/FilmSpaceOf.h"
 
 #include <gtest/gtest.h>
 

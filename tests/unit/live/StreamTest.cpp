@@ -159,9 +159,8 @@ TEST(Stream, WhatIsNoStreamIsRefusedWithASentence) {
                              "#EXTINF:1,\nfile:///etc/passwd\n")
                   .find("is no video of a known kind"),
               std::string::npos);
-    EXPECT_NE(
-        refusalOf("HTTP/1.1 302 Found\r\nLocation: file:///etc/passwd\r\n\r\n").find("leads elsewhere"),
-        std::string::npos);
+    EXPECT_NE(refusalOf("HTTP/1.1 302 Found\r\nLocation: file:///etc/passwd\r\n\r\n").find("leads elsewhere"),
+              std::string::npos);
     EXPECT_FALSE(refusalOf("").empty());
     EXPECT_FALSE(refusalOf(ok + "\r\n" + jpegOf(0).substr(0, 300)).empty());
 }

@@ -30,8 +30,8 @@ class HttpServer {
     bool beginPictures(); // the head of a stream of JPEG pictures
     bool sendPicture(std::string_view jpeg);
 
-    void cut();                              // the connection, as a cable is cut
-    void hangUp();                           // in good order
+    void cut();                                // the connection, as a cable is cut
+    void hangUp();                             // in good order
     bool waitForLeave(int atMax_ms = 600'000); // of the client; false if it is still there then
 
   private:

@@ -182,7 +182,7 @@ TEST_F(RecordingFile, AFullDiskIsSaidAndWhatIsWholeIsRead) {
 // Nor may whole numbers be negative, too large or fractions.
 TEST_F(RecordingFile, NumbersOfItsHeaderThatAreNoneAreRefused) {
     const auto with = [&](const std::string& number, const std::string& inputBytes = "64") {
-        const std::string text = R"({"version":2,"tick_rate_Hz":120,"seed":)" + number +
+        const std::string text = R"({"version":3,"tick_rate_Hz":120,"seed":)" + number +
                                  R"(,"dive":"reef","input_bytes":)" + inputBytes + R"(,"settings":{}})";
         const std::array<uint32_t, 2> prefix = {
             static_cast<uint32_t>(text.size()),
