@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t kMinTriangles = 24;
 constexpr float kLargestError = 0.1f;                              // of the primitive's extent
-constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.33f; // of it; at 0.055 bodies were gone
+constexpr float kStated = MESHOPTIMIZER_VERSION < 200 ? 1 : 0.25f; // of it: 0.22 says less than 0.18
 
 Lod compact(const std::vector<uint32_t>& indices, size_t vertexCount, float error) {
     std::vector<uint32_t> place(vertexCount); // ~0: not used
