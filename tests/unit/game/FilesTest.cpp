@@ -99,12 +99,14 @@ TEST_F(GameFiles, ScriptErrorsNameTheLine) {
         return read ? std::string("accepted") : read.error().message();
     };
     EXPECT_THAT(reason(good + "[[step]]\ndo = \"fly\"\n"),
-                AllOf(HasSubstr("line 6"), HasSubstr("reach, close")));
+                AllOf(HasSubstr("line 6"), HasSubstr("reach, move")));
     EXPECT_THAT(reason(good + "until = \"dinner\"\n"), HasSubstr("line 5"));
     EXPECT_THAT(reason(good + "[[step]]\ndo = \"again\"\nfrom = 2\n"), HasSubstr("earlier"));
     EXPECT_THAT(reason(good + "[[expect]]\norder = [\"grab\", \"dinner\"]\n"), HasSubstr("line 6"));
     EXPECT_THAT(reason("dive = \"../reef\"\n" + good), HasSubstr("line 1"));
     EXPECT_THAT(reason(good + "hand = \"third\"\n"), HasSubstr("line 5"));
+    EXPECT_THAT(reason("assist = \"much\"\n" + good), HasSubstr("line 1"));
+    EXPECT_THAT(reason(good + "[[step]]\ndo = \"press\"\n[[step]]\ndo = \"close\"\n"), HasSubstr("either"));
 }
 
 TEST_F(GameFiles, AScriptThatFailsSaysWhy) {
