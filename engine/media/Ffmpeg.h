@@ -48,7 +48,7 @@ void setUpDecoders();
 // server. Null if it cannot be opened.
 Input openInput(const Path& file, const AVInputFormat* container = nullptr);
 
-// What a stream states beside its packets; null if it does not, or not so many. FFmpeg 6.1 moved it.
+// Side data of a stream; null if there is none, or too little. FFmpeg 6.1 moved it.
 template <class T> const T* sideData(const AVStream& of, AVPacketSideDataType type, size_t count = 1) {
 #if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 0)
     const AVCodecParameters& in = *of.codecpar;

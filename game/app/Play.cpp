@@ -194,7 +194,7 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
         .moveTo(sceneRenderer_);
 }
 
-// What the rules know of the distances of the film; no file: nothing. A replay that was made without plays
+// Gives the rules the distances of the film; no file: nothing. A replay that was made without plays
 // without.
 static Status findFilmSpace(const Path& film, const EnvironmentOptions& options, SessionConfig& config) {
     config.dive.space.reset();

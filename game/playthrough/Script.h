@@ -95,7 +95,7 @@ class ScriptRun {
 
     // Input of the next tick, from the snapshot after the last one.
     void next(const Snapshot&, TickInput& out);
-    // Of the tick just stepped: events, the state's hash, and the snapshot after it.
+    // Takes the events of the tick just stepped, the state's hash, and the snapshot after it.
     void observe(const Events&, uint64_t stateHash, const Snapshot&);
 
     bool finished() const { return finished_; }

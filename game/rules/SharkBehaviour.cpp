@@ -430,7 +430,7 @@ void swimShark(Shark& shark, const SharkView& view) {
 
 void startInRoom(Shark& shark, const SharkView& view) {
     if (!shark.present) return;
-    // Of sixteen bearings the first with a whole circle's room, or else the one with most.
+    // Takes the first of sixteen bearings with a whole circle's room, or else the one with most.
     constexpr int kBearings = 16;
     const glm::quat turn = math::rotationAbout(kUp, 2 * std::numbers::pi_v<float> / kBearings);
     float most = 0;

@@ -29,7 +29,7 @@ glm::vec3 restingPlace(Side side, float tanX, float tanY) {
     return {sign * z * std::min(0.62f * tanX, 0.6f), -z * 0.88f * tanY, -z};
 }
 
-// Of the picture at a metre's distance: right, up.
+// Upper right corner of the picture at a metre's distance.
 glm::vec2 cornerOf(const MouseInput& input) {
     const float half = 0.5f * std::clamp(input.fovY, 0.2f, 2.6f);
     const float tanY = math::sine(half) / math::cosine(half);

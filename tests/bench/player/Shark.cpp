@@ -1,4 +1,4 @@
-// What the shark does in whole dives of modelled players, and of a scripted one who offers it fish, in open
+// Measures the shark in whole dives of modelled players, and of a scripted one who offers it fish, in open
 // water and in the rooms of the films: bench_shark [SEEDS [FIRST [DIVE]]], in the cove of the playthroughs or
 // another dive.
 #include "tests/bench/player/PlayedDive.h"

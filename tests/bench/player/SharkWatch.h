@@ -1,4 +1,4 @@
-// What the shark does in dives: how often it takes a fish, bumps a hand, and where it is meanwhile.
+// Counts how often the shark takes a fish and bumps a hand in dives, and where it is meanwhile.
 #pragma once
 
 #include "game/rules/Dive.h"
