@@ -87,7 +87,7 @@ void decideCircling(Shark& shark, const SharkView& view, Events& events) {
 }
 
 void decideProwling(Shark& shark, const SharkView& view, int struggling) {
-    shark.visit_s -= kDt;
+    if (openRadius(shark.position, view) > kVisitRoom_m) shark.visit_s -= kDt; // else it waits for room
     shark.threatRest_s -= kDt;
     const int hand = watchedHand(shark, view);
     const float away =
@@ -215,9 +215,10 @@ void bite(Shark& shark, const SharkView& view, Hands& hands, std::span<Fish> fis
 
 void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physics::Contact> own, Hands& hands,
                std::span<Fish> fish, Events& events) {
-    // One that a wall, or the room around the eyes, moves aside does not hit.
-    constexpr float kMovedAside_mps = 0.4f;
-    if (glm::distance(shark.velocity, shark.forward * shark.speed) > kMovedAside_mps) return;
+    // A wall, or the room around the eyes, pushes it along a hand: it does not hit the hand that it brushes.
+    constexpr float kMovedAside_mps = 0.25f, kBrushRest_s = 0.5f;
+    if (!own.empty() && glm::distance(shark.velocity, shark.forward * shark.speed) > kMovedAside_mps)
+        shark.bumpRest_s = std::max(shark.bumpRest_s, kBrushRest_s);
     for (const physics::Contact& contact : own) {
         const int h = contact.group;
         if (shark.bumpRest_s > 0) return;
@@ -235,9 +236,9 @@ void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physic
 
 namespace {
 
+constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
 constexpr float kSharkRockShy_m = 0.8f;    // room to what the film shows below which it turns away
 constexpr float kHandShy_m = 0.8f;         // its nose keeps so far from hands where it is cramped
-constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
 constexpr float kRoomy_m = 2.8f;           // it does not circle on into less room than this...
 constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
 constexpr float kSharkGiveRoom_mps = 3.0f; // how fast a wall that comes nearer moves it at most
@@ -311,18 +312,18 @@ Course courseOf(const Shark& shark, const Species& kind, const SharkView& view, 
 void avoidPlayer(const Shark& shark, const Species& kind, const SharkView& view, Course& course) {
     if (shark.state == State::Strike || shark.state == State::Threaten) return;
     const glm::vec3 nose = shark.mouthPosition(kind.length_m);
-    const auto avoid = [&](glm::vec3 from, float shy_m) {
+    const auto avoid = [&](glm::vec3 from, float shy_m, float least_mps) {
         const glm::vec3 apart = nose - from;
         const float distance = glm::length(apart);
         if (distance >= shy_m) return;
         course.way += apart / std::max(distance, 0.05f) * (2.5f * (shy_m - distance));
         if (glm::dot(shark.forward, apart) < 0)
-            course.speed_mps = std::min(course.speed_mps, 0.5f * kind.cruise_mps);
+            course.speed_mps = std::clamp(distance - 0.5f * shy_m, least_mps, course.speed_mps);
     };
-    avoid(glm::vec3(0), kSharkApart_m + 0.15f);
-    const float cramped = 1 - openRadius(shark.position, view) / view.dive.shark.radius_m;
+    avoid(glm::vec3(0), kSharkApart_m + 0.15f, 0.5f * kind.cruise_mps);
+    if (!view.film.known()) return;
     for (const Hand& hand : view.hands)
-        if (hand.visible) avoid(hand.graspCentre, kHandShy_m * (0.3f + cramped));
+        if (hand.visible) avoid(hand.graspCentre, kHandShy_m, 0);
 }
 
 // As wide as the way between the hands and what the film will soon show, at that bearing.

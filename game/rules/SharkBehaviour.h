@@ -31,6 +31,7 @@ constexpr float kThreatRest_s = 2.5f;         // before the next
 constexpr float kThreatFrom_m = 2.6f;         // from its mouth to the hand
 constexpr float kThreatRoom_m = 0.7f;         // nearer than that it does not come
 constexpr float kSoon_s = 1.2f, kLater_s = 3; // so far ahead it sees walls come
+constexpr float kVisitRoom_m = 2.2f;          // a visit's time stands still where the film leaves less
 constexpr float kWide_m = 2.6f;               // radius from which it begins the next approach
 
 Shark spawnShark(const DiveFiles&, Random&); // at the beginning of a dive

@@ -37,7 +37,7 @@ int main(int count, char** arguments) {
     if (!rig || !offers) return 1;
     auto files = game::loadDiveFiles(count > 3 ? arguments[3]
                                                : (dataRoot() / "tests/playthrough/dive/cove.toml").string());
-    if (!files) return 1;
+    if (!files) return std::fprintf(stderr, "%s\n", files.error().message().c_str()), 1;
     for (const char* film : {"open water", "reef", "night", "kelp"}) {
         files->dive.space.reset();
         if (std::string_view(film) != "open water") {
