@@ -83,6 +83,7 @@ void decideCircling(Shark& shark, const SharkView& view, Events& events) {
     shark.threatRest_s = 0;
     shark.visit_s = view.dive.shark.visitLength_s;
     shark.interest = 0;
+    shark.bumpRest_s = std::max(shark.bumpRest_s, kNotice_s);
     events.push_back({.kind = EventKind::SharkNear, .creature = idOf(view), .position = shark.position});
 }
 
@@ -238,7 +239,7 @@ namespace {
 
 constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
 constexpr float kSharkRockShy_m = 0.8f;    // room to what the film shows below which it turns away
-constexpr float kHandShy_m = 0.8f;         // its nose keeps so far from hands where it is cramped
+constexpr float kHandShy_m = 0.8f;         // its nose keeps so far from hands where the film shows rock
 constexpr float kRoomy_m = 2.8f;           // it does not circle on into less room than this...
 constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
 constexpr float kSharkGiveRoom_mps = 3.0f; // how fast a wall that comes nearer moves it at most

@@ -20,6 +20,7 @@ constexpr float kSharkApart_m = 1.1f;    // ...and none nearer than this but for
 constexpr float kStrikeTime_s = 2.5f;    // then it gives up
 constexpr float kFarOut_m = 0.6f;        // so near to its circle it has left, and loses what it took
 constexpr float kBumpRest_s = 2;         // it bumps no hand again for so long
+constexpr float kNotice_s = 1;           // a visit begins with so long without a bump
 constexpr float kTempted = 4;            // seconds of struggling that bring it early
 constexpr float kStrikeFrom_m = 3.0f;    // farther away it does not try
 
