@@ -92,6 +92,16 @@ TEST_F(Package, RunsFromWhereItIs) {
     EXPECT_THAT(check.said, HasSubstr((prefix() / "lib/games/shoal/libshoal_codecs.so").string()));
 }
 
+// The maker of depth tracks comes along, for films of the player's own.
+TEST_F(Package, MakesDepthTracks) {
+    const Path film = prefix() / "share/games/shoal/content/video/reef.mp4", none = kScratch / "none/a.mkv";
+    const std::string depth = quoted(prefix() / "games/shoal-depth") + " ";
+    EXPECT_THAT(run(depth + "--version").said, HasSubstr(version()));
+    const Outcome made = run(depth + quoted(film) + " -o " + quoted(none)); // which finds no place for it
+    EXPECT_EQ(made.status, 1);
+    EXPECT_THAT(made.said, HasSubstr(none.parent_path().string()));
+}
+
 TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
     const Path content = prefix() / "share/games/shoal/content";
     for (const char* name : {"make", "truth", "glove", "udev", "package"})
@@ -206,7 +216,7 @@ TEST(Dependencies, AreInTheBillOfMaterials) {
     if (!installed("dpkg-query")) GTEST_SKIP() << "needs Debian's dpkg";
     const Path bill = kScratch / "bill.json";
     fs::create_directories(kScratch);
-    const Outcome outcome = run(std::string(SHOAL_CMAKE) + " -D PROGRAM=" + quoted(Path(tests::program())) +
+    const Outcome outcome = run(std::string(SHOAL_CMAKE) + " -D PROGRAMS=" + quoted(Path(tests::program())) +
                                 " -D CODECS=" + quoted(Path(SHOAL_BUILD) / "game/libshoal_codecs.so") +
                                 " -D VERSION=1 -D OUT=" + quoted(bill) +
                                 " -D SETUP=" + quoted(tests::sourceFolder() / "game/setup") + " -P " +
