@@ -30,7 +30,8 @@ class Program : public testing::Test {
 
     Outcome run(const std::string& arguments, const std::string& which = program()) const {
         const Path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
-        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME=" + folder_.string() +
+        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_CACHE_HOME=" + folder_.string() +
+                                    " XDG_DATA_HOME=" + folder_.string() +
                                     " XDG_CONFIG_HOME=" + folder_.string() + " timeout 1000 '" + which +
                                     "' " + arguments + " >" + out.string() + " 2>" + err.string() +
                                     " </dev/null";

@@ -143,6 +143,32 @@ TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
     EXPECT_EQ(readText(text).value(), "no film, but text");
 }
 
+// A model without a file of its occlusion gets one, once, which is what its maker has stored for the same
+// model here.
+TEST_F(Program, OcclusionOfAModelIsMadeOnceAndKept) {
+    const Path photo = write("photo.ppm", pnm(256, 128, "P6")), out = folder_ / "out.png";
+    const Path stored = tests::sourceFolder() / "content/models/angelfish.glb", copy = folder_ / "copy.glb";
+    fs::copy_file(stored, copy);
+    const auto draw = [&](const Path& model, const std::string& about = "") {
+        const Outcome outcome = run("view " + model.string() + " --photo " + photo.string() +
+                                    " --size 64x64 --out " + out.string());
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_NE(outcome.err.find(about), std::string::npos) << outcome.err;
+        EXPECT_EQ(lines(outcome.err), about.empty() ? 0 : 1) << outcome.err;
+        return readText(out).value();
+    };
+    const std::string shaded = draw(stored);
+    const Path cache = folder_ / "shoal";
+    write("shoal", "no folder"); // so that nothing can be kept
+    EXPECT_NE(draw(copy, "copy.glb: is shown without"), shaded);
+    fs::remove(cache);
+    EXPECT_EQ(draw(copy), shaded);
+    const fs::directory_iterator kept(cache / "occlusion");
+    const auto made = fs::last_write_time(kept->path());
+    EXPECT_EQ(draw(copy), shaded);
+    EXPECT_EQ(fs::last_write_time(kept->path()), made);
+}
+
 // Each choice changes the picture, and its older name means the same.
 TEST_F(Program, WaysOfLightingCanBeChosen) {
     const Path photo = write("photo.ppm", pnm(256, 128, "P6"));

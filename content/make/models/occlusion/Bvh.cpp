@@ -1,4 +1,4 @@
-#include "engine/occlusion/Bvh.h"
+#include "content/make/models/occlusion/Bvh.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,5 +1,6 @@
-// A bounding volume hierarchy over triangles, for rays at load time and in tests. Hand-written
-// because the rays of a whole model take a fraction of a second; tests/bench/occlusion uses Embree.
+// Bounding volume hierarchy over triangles, for rays. Hand-written because the rays of a whole model take a
+// second or two, and this is built and installed with the game, which Embree is not; tests/bench/occlusion
+// uses Embree.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -21,8 +22,8 @@ class Bvh {
         uint32_t triangle = 0; // of indices
         float u = 0, v = 0;    // weights of its second and third corner
     };
-    // The first triangle met between the two distances, from either side; any: the one found first. Many
-    // threads may ask at once.
+    // Returns the first triangle hit between the two distances, from either side; any: the one found first.
+    // Many threads may call it at once.
     std::optional<Touch> first(const glm::vec3& origin, const glm::vec3& direction, float nearest,
                                float furthest, bool any = false) const;
     bool blocked(const glm::vec3& origin, const glm::vec3& direction, float nearest, float furthest) const {

@@ -1,7 +1,7 @@
-#include "engine/occlusion/TraceSelfOcclusion.h"
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 
+#include "content/make/models/occlusion/Bvh.h"
 #include "engine/core/ThreadPool.h"
-#include "engine/occlusion/Bvh.h"
 #include "engine/occlusion/Directions.h"
 
 #include <glm/common.hpp>
@@ -17,17 +17,17 @@ namespace shoal::occlusion {
 
 namespace {
 
-constexpr float kMeanBack = -2 / 3.0f; // of directions in a cosine-weighted hemisphere, along its normal
-constexpr float kGap = 1e-4f;          // of a ray's start from its surface, of the body's extent
-constexpr int kSweeps = 4;             // of fitting corners to samples: more would fit the noise of few rays
-constexpr int kSmoothings = 2;         // more would smooth away detail
-constexpr float kSeen = 0.1f;     // share of the hemisphere that must be free for a sample to count in full
-constexpr float kBuried = 0.03f;  // its weight where nothing is free: such places are never seen
+constexpr float kMeanBack = -2 / 3.0f; // minus the mean height of directions in a cosine-weighted hemisphere
+constexpr float kGap = 1e-4f;    // distance of a ray's start from its surface, share of the body's extent
+constexpr int kSweeps = 4;       // rounds of fitting corners to samples: more would fit the noise of few rays
+constexpr int kSmoothings = 2;   // more would smooth away detail
+constexpr float kSeen = 0.1f;    // share of the hemisphere that must be free for a sample to count in full
+constexpr float kBuried = 0.03f; // its weight where nothing is free: such places are never seen
 constexpr size_t kInTriangle = 3; // samples, each nearest to one corner
 
-// What hides a point from so near varies over about that distance. Corners further apart cannot carry it:
-// between them it would be a gradient that no light makes. So what is nearer than a triangle is long does not
-// count, but for this much of the body's extent, below which it is fine detail of a model that has its
+// Occlusion by something near varies over about its distance. Corners that are further apart cannot carry it:
+// between them it would be a gradient that no light makes. So nothing counts that is nearer than a triangle
+// is long, minus this share of the body's extent: below that it is fine detail of a model that has its
 // vertices where they are wanted.
 constexpr float kFine = 0.05f;
 
@@ -35,7 +35,7 @@ struct Sample {
     std::array<uint32_t, 3> corners{};
     glm::vec3 shares{0}; // of the corners
     float weight = 0;    // area, as far as it is seen
-    float nearest = 0;   // that a ray sees, from its start
+    float nearest = 0;   // distance from a ray's start below which nothing counts
     glm::vec4 hidden{0}; // occlusionMoments()
 };
 
@@ -73,8 +73,8 @@ class SelfOcclusionOf {
         for (size_t k = first; k < end; ++k) look(k);
     }
 
-    // Corners by what is amiss at their samples, in parts, again and again (Gilbert 1972, "Iterative Methods
-    // for the Three-dimensional Reconstruction of an Object from Projections").
+    // Corrects corners by the errors at their samples, repeatedly (Gilbert 1972, "Iterative Methods for the
+    // Three-dimensional Reconstruction of an Object from Projections").
     std::vector<glm::vec4> fit() const {
         std::vector<glm::vec4> selfOcclusion(body_.positions.size(), glm::vec4(0)),
             sums(selfOcclusion.size());
@@ -98,8 +98,8 @@ class SelfOcclusionOf {
         return selfOcclusion;
     }
 
-    // Neighbours that differ by no more than the noise of so few rays are averaged (Tomasi and Manduchi 1998,
-    // "Bilateral Filtering for Gray and Color Images", the range being that of the noise).
+    // Averages neighbours that differ by no more than the noise of few rays (Tomasi and Manduchi 1998,
+    // "Bilateral Filtering for Gray and Color Images", with the noise for its range).
     void smooth(std::vector<glm::vec4>& selfOcclusion) const {
         std::vector<float> variance(selfOcclusion.size(), 0), samples(selfOcclusion.size(), 0);
         for (const Sample& sample : samples_)
@@ -140,11 +140,11 @@ class SelfOcclusionOf {
             return;
         }
         normal = glm::normalize(normal);
-        // Out to where the smooth surface would be: Hanika 2021, "Hacking the Shadow Terminator".
+        // The ray starts where the smooth surface would be: Hanika 2021, "Hacking the Shadow Terminator".
         glm::vec3 origin = flat + gap_ * normal;
         for (int i = 0; i < 3; ++i)
             origin -= shares[i] * std::min(0.0f, glm::dot(flat - placeOf(i), normalOf(i))) * normalOf(i);
-        // Each turned anew, so that few rays err differently in neighbours.
+        // Each sample turns the pattern differently, so that few rays err differently in neighbours.
         const glm::mat3 frame = glm::transpose(lookingAlong(
             normal, static_cast<float>(std::fmod(static_cast<double>(k) * kGoldenAngle, 6.283))));
         glm::vec4 sum(0);
@@ -166,6 +166,18 @@ class SelfOcclusionOf {
 
 } // namespace
 
+std::vector<glm::vec3> cosineDirections(int count) {
+    std::vector<glm::vec3> out;
+    for (int i = 0; i < count; ++i) {
+        const float square =
+            (static_cast<float>(i) + 0.5f) / static_cast<float>(count); // of the disc's radius
+        const float ring = std::sqrt(square);
+        out.emplace_back(ring * static_cast<float>(std::cos(i * kGoldenAngle)),
+                         ring * static_cast<float>(std::sin(i * kGoldenAngle)), std::sqrt(1 - square));
+    }
+    return out;
+}
+
 AxisOcclusion withSelfOcclusion(AxisOcclusion hidden, const glm::vec3& normal,
                                 const glm::vec4& selfOcclusion) {
     for (size_t k = 0; k < kAxisCount; ++k)
@@ -185,7 +197,7 @@ glm::vec4 occlusionMoments(const AxisOcclusion& hidden, const glm::vec3& normal)
     return sum / all;
 }
 
-// What is amiss is added as if nothing were clamped, again and again. Across the normal the variance of a
+// Adds the remaining error repeatedly, as if nothing were clamped. Across the normal the variance of a
 // cosine-weighted hemisphere is a quarter.
 glm::vec4 fitSelfOcclusion(const AxisOcclusion& hidden, const glm::vec3& normal, const glm::vec4& moments) {
     constexpr int kSteps = 8;
