@@ -90,16 +90,14 @@ TEST_F(Package, RunsFromWhereItIs) {
     const Outcome check = run("LD_DEBUG=files " + game() + "check " + quoted(photo));
     EXPECT_THAT(check.said, HasSubstr("usable: " + photo.string()));
     EXPECT_THAT(check.said, HasSubstr((prefix() / "lib/games/shoal/libshoal_codecs.so").string()));
-}
-
-// The maker of depth tracks comes along, for films of the player's own.
-TEST_F(Package, MakesDepthTracks) {
-    const Path film = prefix() / "share/games/shoal/content/video/reef.mp4", none = kScratch / "none/a.mkv";
-    const std::string depth = quoted(prefix() / "games/shoal-depth") + " ";
-    EXPECT_THAT(run(depth + "--version").said, HasSubstr(version()));
-    const Outcome made = run(depth + quoted(film) + " -o " + quoted(none)); // which finds no place for it
-    EXPECT_EQ(made.status, 1);
-    EXPECT_THAT(made.said, HasSubstr(none.parent_path().string()));
+    // A program beside it makes the occlusion of models that have none.
+    const Path copy = kScratch / "copy.glb";
+    fs::copy_file(prefix() / "share/games/shoal/content/models/sardine.glb", copy);
+    const Outcome viewed =
+        run("env XDG_CACHE_HOME=" + quoted(kScratch) + " " + game() + "view " + quoted(copy) + " --photo " +
+            quoted(photo) + " --size 64x64 --out " + quoted(picture));
+    EXPECT_EQ(viewed.status, 0) << viewed.said;
+    EXPECT_THAT(viewed.said, testing::Not(HasSubstr("is shown without")));
 }
 
 TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
@@ -115,6 +113,7 @@ TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
 
 TEST_F(Package, SaysOneVersionEverywhere) {
     EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+    EXPECT_EQ(run(quoted(prefix() / "games/shoal-depth") + " --version").said, version() + "\n");
     EXPECT_THAT(text("share/doc/shoal/changelog.gz"), HasSubstr("shoal (" + version() + ")"));
     EXPECT_THAT(text("share/man/man6/shoal.6.gz"), HasSubstr("Shoal " + version()));
     EXPECT_THAT(text("share/metainfo/org.shoalgame.shoal.metainfo.xml"),
