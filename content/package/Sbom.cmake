@@ -1,12 +1,12 @@
 # The software bill of materials of a build, by `cmake --build build/release --target sbom`: CycloneDX 1.5 (ECMA-424).
-# Lists what the program is compiled with (packages_play in game/setup) and every shared library that it loads, by Debian
+# Lists what the program is compiled with (packages_play in game/setup) and every shared library that the programs load, by Debian
 # package and version. Wants Debian's dpkg.
 cmake_policy(VERSION 3.25)
 file(READ ${SETUP} TEXT)
 string(REGEX MATCH "packages_play=\\(([^)]*)\\)" FOUND "${TEXT}")
 string(REGEX MATCHALL "[^ \n]+" BUILT_WITH "${CMAKE_MATCH_1}")
 
-file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAM} LIBRARIES ${CODECS} RESOLVED_DEPENDENCIES_VAR LIBRARIES_LOADED
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${PROGRAMS} LIBRARIES ${CODECS} RESOLVED_DEPENDENCIES_VAR LIBRARIES_LOADED
     UNRESOLVED_DEPENDENCIES_VAR MISSING)
 foreach(FILE ${LIBRARIES_LOADED})
     file(REAL_PATH ${FILE} REAL)

@@ -20,10 +20,11 @@ Path programFolder();
 // use.
 const Path& dataRoot();
 
-// $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal; relative values are ignored, as the XDG Base Directory
-// Specification asks. Not created here.
+// $XDG_CONFIG_HOME/shoal, $XDG_DATA_HOME/shoal, $XDG_CACHE_HOME/shoal; relative values are ignored, as the
+// XDG Base Directory Specification asks. Not created here.
 Path configFolder();
 Path scoreFolder();
+Path cacheFolder();
 
 // A folder of the person's own, whatever it is called in their language: as xdg-user-dirs keeps it in
 // $XDG_CONFIG_HOME/user-dirs.dirs, else its English name in the home folder. Not created here.

@@ -1,5 +1,5 @@
-// The depth of a film: how far off what it shows is, in every direction and at every time. A small second
-// video beside it, whose layout content/README.md documents. One thread at a time.
+// Depth of a film: the distance of what it shows, in every direction and at every time, read from a small
+// second video beside it, whose layout content/README.md documents. One thread at a time.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -16,13 +16,6 @@ namespace shoal::media {
 // Inverse metres and confidence are stored in ten bits.
 constexpr int kMaxDepthCode = 1023;
 constexpr float kMaxInverse_perM = 4; // of the highest code: nothing is nearer than 0.25 m
-
-// Of a track: finer ones make it larger, and nobody sees them (tests/bench/figures/depth.md).
-constexpr int kDepthStepsPerOctave = 16;
-constexpr int kExactDepthSteps = 1024; // all of the codes
-
-// Rounded to so many steps (a power of two) from one power of two to the next.
-uint16_t depthCode(float inverse_perM, int stepsPerOctave = kDepthStepsPerOctave);
 
 // One frame, equirectangular as the film is, rows from the top. Distances are radial, from the film's camera.
 struct DepthFrame {
@@ -66,24 +59,6 @@ class DepthTrack {
   private:
     struct Impl;
     explicit DepthTrack(Hidden<Impl> impl) : impl_(std::move(impl)) {}
-    Hidden<Impl> impl_;
-};
-
-// Makes a track, frame by frame.
-class DepthTrackWriter {
-  public:
-    // films: what it belongs to, as filmIdentity() has it. frameCount and duration as in DepthTrackInfo; the
-    // width a power of two, the height half of it. All stays in memory until it is finished. FFmpeg's encoder
-    // takes 148 bytes a texel at once: more than 1024 around needs a higher av_max_alloc() than
-    // setUpDecoders() leaves.
-    static Result<DepthTrackWriter> make(const DepthTrackInfo& info, std::span<const std::string> films);
-
-    Status add(const DepthFrame& frame);
-    Status finish(const Path& file); // once all frames are there
-
-  private:
-    struct Impl;
-    explicit DepthTrackWriter(Hidden<Impl> impl) : impl_(std::move(impl)) {}
     Hidden<Impl> impl_;
 };
 

@@ -34,18 +34,6 @@ Axes::Axes(int count) {
     }
 }
 
-std::vector<glm::vec3> cosineDirections(int count) {
-    std::vector<glm::vec3> out;
-    for (int i = 0; i < count; ++i) {
-        const float square =
-            (static_cast<float>(i) + 0.5f) / static_cast<float>(count); // of the disc's radius
-        const float ring = std::sqrt(square);
-        out.emplace_back(ring * static_cast<float>(std::cos(i * kGoldenAngle)),
-                         ring * static_cast<float>(std::sin(i * kGoldenAngle)), std::sqrt(1 - square));
-    }
-    return out;
-}
-
 glm::mat3 frameAround(const glm::vec3& n) {
     const float sign = n.z < 0 ? -1.0f : 1.0f;
     const float a = -1.0f / (sign + n.z), b = n.x * n.y * a;

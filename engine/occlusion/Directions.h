@@ -1,4 +1,4 @@
-// Directions: axes over half a sphere, cosine-weighted samples, frames around one, and unit vectors packed.
+// Axes over half a sphere, frames around a direction, and packed unit vectors.
 #pragma once
 
 #include "engine/math/Octahedron.h"
@@ -27,10 +27,6 @@ struct Axes {
     // with z >= 0, turned by 45 degrees so that it fills the square.
     std::vector<uint16_t> table;
 };
-
-// Cosine-weighted over the half sphere around +Z, stratified: Shirley and Chiu 1997 by rings of Vogel's
-// spiral.
-std::vector<glm::vec3> cosineDirections(int count);
 
 // Some right-handed frame with +Z along a unit normal; turns smoothly with it but at one point. Duff et al.
 // 2017, "Building an Orthonormal Basis, Revisited".

@@ -1,5 +1,5 @@
 // The one approximate description of a body: a few solid ellipsoids, each attached to one joint. Occlusion
-// and shadows are derived from it. content/make/models/make_occlusion fits them.
+// and shadows are derived from it. shoal-occlusion fits them (content/make/models/occlusion).
 #pragma once
 
 #include <glm/mat3x3.hpp>

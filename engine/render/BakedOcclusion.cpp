@@ -2,11 +2,8 @@
 
 #include "engine/core/Hash.h"
 #include "engine/core/Number.h"
-#include "engine/occlusion/TraceSelfOcclusion.h"
-#include "engine/scene/Surface.h"
 
 #include <fmt/core.h>
-#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
@@ -20,14 +17,6 @@ namespace shoal::render {
 
 namespace {
 
-// Turned and not scaled.
-glm::vec4 turned(const glm::mat3& by, const glm::vec4& selfOcclusion) {
-    const glm::vec3 to = by * glm::vec3(selfOcclusion);
-    const float length = glm::length(to);
-    return {length > 0 ? to * (glm::length(glm::vec3(selfOcclusion)) / length) : glm::vec3(0),
-            selfOcclusion.w};
-}
-
 using nlohmann::json;
 
 constexpr size_t kMaxParts = 64;
@@ -39,7 +28,7 @@ template <class T> void addAll(Hash& hash, const std::vector<T>& values) {
     for (const T& value : values) hash.bytes(&value, sizeof value);
 }
 
-// Every primitive that is drawn, in the order of the nodes.
+// Calls `each` for every primitive that is drawn, in the order of the nodes.
 template <class Model, class Each> void eachPrimitive(Model& model, Each&& each) {
     for (const int index : model.order) {
         const int mesh = model.nodes[static_cast<size_t>(index)].mesh;
@@ -48,7 +37,7 @@ template <class Model, class Each> void eachPrimitive(Model& model, Each&& each)
     }
 }
 
-// Throws, like those below, where it is no such list of so many numbers at most this large.
+// Throws, like the functions below, if the list is not of so many numbers of at most this magnitude.
 template <int kCount> glm::vec<kCount, float> vectorFrom(const json& list, float maximum) {
     const auto numbers = list.get<std::vector<float>>();
     if (numbers.size() != kCount) throw std::length_error("has a vector of another length");
@@ -88,42 +77,6 @@ std::vector<glm::vec4> selfOcclusionFrom(const json& list) {
 
 } // namespace
 
-void bakeSelfOcclusion(scene::Model& model, const scene::Pose& pose, int rays) {
-    const scene::Surface surface = scene::posedSurface(model, pose);
-    keepSelfOcclusion(
-        model, pose,
-        occlusion::traceSelfOcclusion({surface.positions, surface.normals, surface.opaque}, rays),
-        &scene::Primitive::selfOcclusion);
-}
-
-void keepSelfOcclusion(scene::Model& model, const scene::Pose& pose, std::span<const glm::vec4> traced,
-                       std::vector<glm::vec4> scene::Primitive::*kept) {
-    std::vector<glm::mat4> joints;
-    size_t next = 0; // in the surface's order
-    for (const int index : model.order) {
-        const auto n = static_cast<size_t>(index);
-        const scene::Node& node = model.nodes[n];
-        if (node.mesh < 0) continue;
-        if (node.skin >= 0) scene::skinMatrices(model, node.skin, pose, joints);
-        for (scene::Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
-            const bool mapped =
-                primitive.material >= 0 &&
-                model.materials[static_cast<size_t>(primitive.material)].occlusion.texture >= 0;
-            if (mapped || scene::isBlended(model, primitive)) {
-                next += primitive.positions.size();
-                continue;
-            }
-            (primitive.*kept).resize(primitive.positions.size());
-            for (size_t v = 0; v < primitive.positions.size(); ++v, ++next) {
-                const bool skinned = node.skin >= 0 && !primitive.joints.empty();
-                const glm::mat4 modelFromMesh =
-                    skinned ? scene::skinMatrix(primitive, v, joints) : pose.modelFromNode[n];
-                (primitive.*kept)[v] = turned(glm::inverse(glm::mat3(modelFromMesh)), traced[next]);
-            }
-        }
-    }
-}
-
 uint64_t skinHash(const scene::Model& model) {
     Hash hash;
     eachPrimitive(model, [&](const scene::Primitive& primitive) {
@@ -150,7 +103,7 @@ Result<BakedOcclusion> parseBakedOcclusion(std::string_view text) {
         for (const json& each : ellipsoids) baked.parts.push_back(partFrom(each));
         baked.selfOcclusion = selfOcclusionFrom(read.at("selfOcclusion"));
         baked.besideOwn = selfOcclusionFrom(read.at("selfOcclusionBesideOwn"));
-        if (baked.selfOcclusion.size() != baked.besideOwn.size())
+        if (!baked.besideOwn.empty() && baked.besideOwn.size() != baked.selfOcclusion.size())
             return Error{{}, "has no self-occlusion for each vertex"};
         return baked;
     } catch (const std::exception& problem) {
@@ -170,17 +123,20 @@ bool applyBakedOcclusion(const BakedOcclusion& baked, scene::Model& model) {
     for (const occlusion::BodyPart& part : baked.parts)
         if (part.joint >= model.nodes.size()) return false;
     if (baked.skin != skinHash(model)) return false;
-    if (baked.selfOcclusion.empty() && baked.besideOwn.empty()) return true;
-    size_t vertices = 0;
+    size_t vertices = 0, next = 0;
     eachPrimitive(model, [&](const scene::Primitive& primitive) { vertices += primitive.positions.size(); });
-    if (baked.selfOcclusion.size() != vertices || baked.besideOwn.size() != vertices) return false;
-    size_t next = 0;
+    if (baked.selfOcclusion.size() != vertices) return false;
+    const auto part = [&](const std::vector<glm::vec4>& all, size_t count) {
+        if (all.empty()) return all;
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(next);
+        const auto end = begin + static_cast<std::ptrdiff_t>(count);
+        const bool none = std::all_of(begin, end, [](const glm::vec4& each) { return each == glm::vec4(0); });
+        return none ? std::vector<glm::vec4>() : std::vector(begin, end);
+    };
     eachPrimitive(model, [&](scene::Primitive& primitive) {
-        const auto from = static_cast<std::ptrdiff_t>(next);
+        primitive.selfOcclusion = part(baked.selfOcclusion, primitive.positions.size());
+        primitive.selfOcclusionBesideOwn = part(baked.besideOwn, primitive.positions.size());
         next += primitive.positions.size();
-        const auto to = static_cast<std::ptrdiff_t>(next);
-        primitive.selfOcclusion.assign(baked.selfOcclusion.begin() + from, baked.selfOcclusion.begin() + to);
-        primitive.selfOcclusionBesideOwn.assign(baked.besideOwn.begin() + from, baked.besideOwn.begin() + to);
     });
     return true;
 }

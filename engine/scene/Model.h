@@ -72,9 +72,10 @@ struct Primitive { // triangles
     std::vector<glm::vec4> coloursLin;   // empty if absent
     std::vector<glm::u16vec4> joints;    // indices into Skin::joints; empty if absent
     std::vector<glm::vec4> weights;      // sum 1; empty if absent
-    std::vector<glm::vec4>
-        selfOcclusion; // occlusion::traceSelfOcclusion() at rest, in the mesh's frame; empty: none
-    std::vector<glm::vec4> selfOcclusionBesideOwn; // likewise, bent, beside the body's own ellipsoids
+    // Self-occlusion at rest, in the mesh's frame: the body hides the share w + dot(xyz, d) of a direction d
+    // from a vertex. Empty: none.
+    std::vector<glm::vec4> selfOcclusion;
+    std::vector<glm::vec4> selfOcclusionBesideOwn; // the same, bent, beside the body's own ellipsoids
     std::vector<uint32_t> indices;                 // a multiple of 3, all below positions.size()
     std::vector<MorphTarget> morphTargets;
     int material = -1;                 // index into Model::materials; -1: glTF's default material

@@ -173,7 +173,6 @@ int run(int argc, char** argv) {
     ViewOptions viewOptions;
     LightOptions lightOptions;
     PanoramaOptions panoramaOptions;
-    DepthOptions depthOptions;
     CheckOptions checkOptions;
     DevicesOptions devicesOptions;
     const std::vector<Command> commands = {
@@ -185,8 +184,6 @@ int run(int argc, char** argv) {
          [&] { return exitStatus(light(lightOptions)); }},
         {"panorama", "Grow an ordinary photo to a full environment", settingsOf(panoramaOptions), false,
          [&] { return exitStatus(panorama(panoramaOptions)); }},
-        {"depth", "Find how far away things are in a 360-degree video", settingsOf(depthOptions), false,
-         [&] { return depth(depthOptions); }},
         {"check", "Is this video, photo, model, dive, playthrough or replay usable?",
          settingsOf(checkOptions), false, [&] { return check(checkOptions); }},
         {"devices", "List hands, cameras, haptic devices and sound outputs", settingsOf(devicesOptions), true,

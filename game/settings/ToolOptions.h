@@ -98,38 +98,6 @@ struct PanoramaOptions {
     }
 };
 
-struct DepthOptions {
-    std::string video, out, preview;
-    media::Layout layout = media::Layout::Auto;
-    float baseline_m = 0.064f, height_m = 1.6f;
-    float speed_mPerS = 0; // 0: by the height
-
-    void addTo(SettingsTable& table) {
-        table.add("VIDEO", &video, "An equirectangular 360-degree video, a file").mustBeGiven();
-        table
-            .add(
-                "-o,--out", &out,
-                "The depth track. NAME.depth.mkv beside NAME.mp4 is used by `shoal play`; an interrupted run "
-                "goes on from FILE.part")
-            .takes("FILE")
-            .mustBeGiven();
-        table.add("--preview", &preview, "Writes a picture: the video's middle and its depth, side by side")
-            .takes("FILE.png");
-        table.add("--layout", choice(layout), "Of the video's eyes; auto: recognised");
-        table.add("--baseline", &baseline_m, "Between the eyes of a stereo video, metres").between(0.01, 1);
-        table
-            .add("--height", &height_m,
-                 "Of a mono video's camera over what lies below it, metres, the median over the video: the "
-                 "scale, which a picture does not tell")
-            .between(0.05, 1000);
-        table
-            .add("--speed", &speed_mPerS,
-                 "Of a mono video's camera, metres a second, the median over the video: the scale instead of "
-                 "--height; 0: not known")
-            .between(0, 1000);
-    }
-};
-
 struct CheckOptions {
     std::vector<std::string> files;
 

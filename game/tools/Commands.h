@@ -12,8 +12,6 @@ Status play(const PlayOptions& options);
 Status view(const ViewOptions& options);
 Status light(const LightOptions& options);
 Status panorama(const PanoramaOptions& options);
-// Returns the exit status: 3 if how far away things are cannot be known from the film.
-int depth(const DepthOptions& options);
 // Prints a line for each file: "usable: FILE: what it is" to standard output, or "not usable: FILE: why" to
 // standard error. Returns the exit status, 1 if a file is not usable.
 int check(const CheckOptions& options);

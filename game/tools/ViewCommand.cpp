@@ -10,11 +10,11 @@
 #include "engine/platform/Headless.h"
 #include "engine/platform/Window.h"
 #include "engine/render/BackgroundPass.h"
-#include "engine/render/BakedOcclusion.h"
 #include "engine/render/ObjectPass.h"
 #include "engine/scene/LoadModel.h"
 #include "engine/scene/Surface.h"
 #include "game/views/Environment.h"
+#include "game/views/ModelOcclusion.h"
 
 #include <GLFW/glfw3.h>
 
@@ -27,8 +27,6 @@ namespace shoal::app {
 
 namespace {
 
-constexpr int kSelfOcclusionRays = 16, kMinRays = 2; // from each of three points in a triangle, once
-constexpr size_t kMaxRays = 3'000'000;               // a few seconds
 constexpr int kSupersampling = 2; // each way, for pictures written to a file, on top of multisampling
 
 struct Clip {
@@ -89,7 +87,6 @@ class Viewer {
     Status draw(const gl::Target& target);
     void pose();
     void uploadMorphed();
-    void bakeOcclusion();
     Status seeLayers();
     Status followPose(bool moving);
     void aim();
@@ -127,15 +124,6 @@ void Viewer::uploadMorphed() {
             render::uploadMorphed(model_.meshes[static_cast<size_t>(mesh)], pose_.morphWeights[n],
                                   gpu_.meshes[static_cast<size_t>(mesh)]);
     }
-}
-
-// What the model hides of itself in its first pose, which of a picture is the only one.
-void Viewer::bakeOcclusion() {
-    size_t indices = 1;
-    for (const scene::Mesh& mesh : model_.meshes)
-        for (const scene::Primitive& primitive : mesh.primitives) indices += primitive.indices.size();
-    const auto rays = static_cast<int>(std::min<size_t>(kMaxRays / indices, kSelfOcclusionRays));
-    if (rays >= kMinRays) render::bakeSelfOcclusion(model_, pose_, rays);
 }
 
 // Layered fragment buffers of the posed model.
@@ -199,7 +187,7 @@ Status Viewer::open() {
     environment_ = std::move(*environment);
     environment_->update(static_cast<double>(options_.at_s), true);
     pose();
-    if (options_.look.occlusion == Occlusion::Ellipsoids) bakeOcclusion();
+    if (options_.look.occlusion == Occlusion::Ellipsoids) occlusionOf(options_.model, model_);
     if (options_.look.occlusion != Occlusion::Off) {
         body_.albedo = scene::meanBaseColour(model_);
         if (reflectanceIn(options_.environment) == render::Reflectance::Coded)

@@ -1,8 +1,7 @@
 #include "game/views/CreatureModels.h"
 
-#include "engine/core/Log.h"
-#include "engine/render/BakedOcclusion.h"
 #include "engine/scene/Surface.h"
+#include "game/views/ModelOcclusion.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -35,19 +34,7 @@ void placeJoints(std::span<const hands::Joint> joints, std::span<const int> node
             glm::translate(glm::mat4(1), joints[k].position) * glm::mat4_cast(joints[k].orientation);
 }
 
-// Self-occlusion in the rest pose; of what bites with its mouth open, whose inside must not glow.
-void traceSelfOcclusion(scene::Model& model) {
-    constexpr int kRays = 6; // per point
-    const int bite = model.findAnimation(game::kMotionNames[static_cast<size_t>(game::Motion::Bite)]);
-    scene::Pose pose;
-    scene::restPose(model, pose);
-    if (bite >= 0)
-        scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
-    scene::updateGlobals(model, pose);
-    render::bakeSelfOcclusion(model, pose, kRays);
-}
-
-// For a model without a file of its own ellipsoids: one that fills its bounds.
+// Returns one ellipsoid that fills the bounds, for a model that none could be made for.
 std::vector<occlusion::BodyPart> ellipsoidOf(const scene::Model& model, const scene::Bounds& bounds) {
     if (model.order.empty()) return {};
     return {{{0.5f * (bounds.low + bounds.high), glm::mat3(1),
@@ -73,14 +60,10 @@ Result<CreatureModels::ModelInstance> CreatureModels::readInstance(const ModelRe
     scene::restPose(instance.model, instance.pose);
     scene::updateGlobals(instance.model, instance.pose);
     const scene::Bounds bounds = scene::posedBounds(instance.model, instance.pose);
-    auto baked = render::readBakedOcclusion(render::bakedOcclusionBeside(request.file));
-    if (!baked || !render::applyBakedOcclusion(*baked, instance.model)) {
-        log::warn("{}: no ellipsoids are made for it; content/make/models/make_occlusion makes them",
-                  request.file.string());
-        baked = render::BakedOcclusion{.parts = ellipsoidOf(instance.model, bounds)};
-    }
-    if (baked->selfOcclusion.empty()) traceSelfOcclusion(instance.model);
-    instance.body = render::makeBodyOccluders(instance.model, instance.pose, baked->parts, request.onItself);
+    const auto baked = occlusionOf(request.file, instance.model);
+    instance.body = render::makeBodyOccluders(instance.model, instance.pose,
+                                              baked ? baked->parts : ellipsoidOf(instance.model, bounds),
+                                              request.onItself);
     if (reflectance == render::Reflectance::Coded)
         instance.body.albedo = glm::pow(instance.body.albedo, glm::vec3(1 / 2.2f));
     instance.length_m = std::max(bounds.high.z - bounds.low.z, 1e-3f);

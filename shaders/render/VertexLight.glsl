@@ -14,7 +14,7 @@ const float dielectricF90 = 1.0;
 #include "render/Clearcoat.glsl"
 #endif
 
-// p: world; self-occlusion: occlusion::traceSelfOcclusion(), light's frame; n, v: unit, world, to the surface's outside and to the eye.
+// p: world; self-occlusion: of Primitive (engine/scene/Model.h), light's frame; n, v: unit, world, to the surface's outside and to the eye.
 void lightVertex(vec3 p, vec3 n, vec3 v, vec4 selfOcclusion, out vec3 perBaseLin, out vec3 besidesLin) {
     float nv = clamp(dot(n, v), 1e-3, 1.0);
     vec2 dfg = textureLod(dfgTable, vec2(nv, roughness), 0.0).rg;

@@ -1,6 +1,6 @@
 // make_fuzz_seeds FOLDER: one or more valid inputs for each fuzz target, in FOLDER/TARGET.
+#include "content/make/depth/DepthTrackWriter.h"
 #include "engine/core/WriteFile.h"
-#include "engine/media/DepthTrack.h"
 #include "engine/media/Pictures.h"
 #include "game/rules/Dive.h"
 

@@ -133,8 +133,8 @@ void measure(const std::string& name, const std::string& pathTracer, Distances& 
     const auto& target = scenario.at("target");
     const Path picture = tests::cacheFolder() / (name + ".png"); // the average wants it too
     std::string command =
-        std::string("'") + tests::program() + "' view '" + (folder / scenario.at("model")).string() +
-        "' --env '" + (folder / scenario.at("lighting")).string() +
+        "XDG_CACHE_HOME='" + tests::cacheFolder().string() + "' '" + tests::program() + "' view '" +
+        (folder / scenario.at("model")).string() + "' --env '" + (folder / scenario.at("lighting")).string() +
         "' --env-yaw 90 --tone aces --orbit=" + number(orbit.at("theta")) + "," + number(orbit.at("phi")) +
         "," + number(orbit.at("radius")) + " --target=" + number(target.at("x")) + "," +
         number(target.at("y")) + "," + number(target.at("z")) + " --fov " +

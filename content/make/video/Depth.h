@@ -1,14 +1,15 @@
-// How far off what the film shows is: no light is needed for it.
+// Tracing of the distances of what a film shows, which needs no light.
 #pragma once
 
 #include "content/make/video/World.h"
 
-#include "engine/media/DepthTrack.h"
+#include "content/make/depth/DepthTrackWriter.h"
 
 namespace shoal::reef {
 
-// Moves the world to that time. rays: for each texel, a square number; its median counts, which belongs to
-// one surface where a mean would lie between two. stepsPerOctave: see media::depthCode().
+// Moves the world to that time and traces it. rays: number for each texel, a square number; their median
+// counts, which belongs to one surface where a mean would lie between two. stepsPerOctave: see
+// media::depthCode().
 media::DepthFrame traceDepth(World& world, const Route& route, float turn, int width, int rays,
                              int stepsPerOctave);
 

@@ -1,9 +1,9 @@
 #include "Scenes.h"
 
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/core/Files.h"
 #include "engine/light/InverseToneMap.h"
 #include "engine/media/VideoSource.h"
-#include "engine/occlusion/TraceSelfOcclusion.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/scene/LoadModel.h"
 #include "input/hands/HandRig.h"

@@ -1,5 +1,5 @@
 // Shadows of bending animals on the ground, cast by their ellipsoids, against rays to their skin.
-#include "engine/occlusion/Bvh.h"
+#include "content/make/models/occlusion/Bvh.h"
 #include "engine/render/BakedOcclusion.h"
 #include "engine/render/BodyOccluders.h"
 #include "engine/render/CastShadow.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Scenes.h"
-#include "engine/occlusion/Bvh.h"
+#include "content/make/models/occlusion/Bvh.h"
 
 #include <vector>
 

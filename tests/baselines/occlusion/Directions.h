@@ -1,6 +1,7 @@
 // An environment as few directions: what methods use that ask, ray by ray, from where a point is seen.
 #pragma once
 
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/core/Image.h"
 #include "engine/occlusion/Directions.h"
 

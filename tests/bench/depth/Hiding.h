@@ -2,8 +2,8 @@
 // something nearer.
 #pragma once
 
+#include "content/make/depth/DepthTrackWriter.h"
 #include "engine/depth/DepthMap.h"
-#include "engine/media/DepthTrack.h"
 
 #include <array>
 #include <vector>

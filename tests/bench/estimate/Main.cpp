@@ -2,7 +2,7 @@
 // bench_estimate measure NAME FILM TRUTH FROM_S : estimates the depth of the film, which begins at that
 // second of the truth, and prints a line for each frame of the track: name, time, shares and factors as
 // Accuracy.h has them, and the processor's seconds a frame of the track.
-#include "engine/depth/estimate/FilmDepth.h"
+#include "content/make/depth/FilmDepth.h"
 #include "tests/bench/estimate/Accuracy.h"
 #include "tests/bench/estimate/Scenes.h"
 

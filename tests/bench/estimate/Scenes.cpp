@@ -1,8 +1,8 @@
 #include "tests/bench/estimate/Scenes.h"
 
+#include "content/make/depth/DepthTrackWriter.h"
 #include "engine/core/Image.h"
 #include "engine/math/LatLong.h"
-#include "engine/media/DepthTrack.h"
 #include "tests/bench/compose/Encode.h"
 
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kWidth = 1024, kHeight = 512; // of one eye
 constexpr int kFrames = 48, kFps = 24;
-constexpr int kTrackWidth = 256, kTrackHeight = 128, kStep = 2; // as shoal depth makes tracks
+constexpr int kTrackWidth = 256, kTrackHeight = 128, kStep = 2; // as shoal-depth makes tracks
 constexpr float kPace_m = 0.03f;                                // the camera's, each frame
 constexpr float kBaseline_m = 0.064f;
 constexpr float kFloor_m = -1.6f, kWater_m = 60;

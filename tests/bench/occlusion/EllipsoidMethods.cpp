@@ -1,6 +1,6 @@
 // What the game draws: bodies as ellipsoids on their joints, which hide the ends of a few axes.
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/light/Lookup.h"
-#include "engine/occlusion/TraceSelfOcclusion.h"
 #include "tests/bench/occlusion/EllipsoidParts.h"
 #include "tests/bench/occlusion/Method.h"
 

@@ -37,7 +37,7 @@ Result<ModelInstance> loadInstance(const std::string& name) {
     return instance;
 }
 
-// As the game keeps it beside the model.
+// Reads the occlusion that the game keeps beside the model.
 Result<render::BakedOcclusion> shadeFor(ModelInstance& instance, const std::string& name) {
     const Path file = render::bakedOcclusionBeside(models() / (name + ".glb"));
     auto shade = render::readBakedOcclusion(file);

@@ -1,6 +1,7 @@
 // A body in the light of its own layered fragment buffers: it shadows and reflects itself.
+#include "content/make/models/occlusion/Bvh.h"
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/math/Colour.h"
-#include "engine/occlusion/Bvh.h"
 #include "engine/occlusion/Directions.h"
 #include "tests/gl/Spheres.h"
 #include "tests/unit/occlusion/Bodies.h"

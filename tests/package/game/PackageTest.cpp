@@ -90,6 +90,14 @@ TEST_F(Package, RunsFromWhereItIs) {
     const Outcome check = run("LD_DEBUG=files " + game() + "check " + quoted(photo));
     EXPECT_THAT(check.said, HasSubstr("usable: " + photo.string()));
     EXPECT_THAT(check.said, HasSubstr((prefix() / "lib/games/shoal/libshoal_codecs.so").string()));
+    // A program beside it makes the occlusion of models that have none.
+    const Path copy = kScratch / "copy.glb";
+    fs::copy_file(prefix() / "share/games/shoal/content/models/sardine.glb", copy);
+    const Outcome viewed =
+        run("env XDG_CACHE_HOME=" + quoted(kScratch) + " " + game() + "view " + quoted(copy) + " --photo " +
+            quoted(photo) + " --size 64x64 --out " + quoted(picture));
+    EXPECT_EQ(viewed.status, 0) << viewed.said;
+    EXPECT_THAT(viewed.said, testing::Not(HasSubstr("is shown without")));
 }
 
 TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
@@ -105,6 +113,7 @@ TEST_F(Package, HoldsWhatIsPlayedAndNotWhatMakesIt) {
 
 TEST_F(Package, SaysOneVersionEverywhere) {
     EXPECT_THAT(version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+    EXPECT_EQ(run(quoted(prefix() / "games/shoal-depth") + " --version").said, version() + "\n");
     EXPECT_THAT(text("share/doc/shoal/changelog.gz"), HasSubstr("shoal (" + version() + ")"));
     EXPECT_THAT(text("share/man/man6/shoal.6.gz"), HasSubstr("Shoal " + version()));
     EXPECT_THAT(text("share/metainfo/org.shoalgame.shoal.metainfo.xml"),
@@ -206,7 +215,7 @@ TEST(Dependencies, AreInTheBillOfMaterials) {
     if (!installed("dpkg-query")) GTEST_SKIP() << "needs Debian's dpkg";
     const Path bill = kScratch / "bill.json";
     fs::create_directories(kScratch);
-    const Outcome outcome = run(std::string(SHOAL_CMAKE) + " -D PROGRAM=" + quoted(Path(tests::program())) +
+    const Outcome outcome = run(std::string(SHOAL_CMAKE) + " -D PROGRAMS=" + quoted(Path(tests::program())) +
                                 " -D CODECS=" + quoted(Path(SHOAL_BUILD) / "game/libshoal_codecs.so") +
                                 " -D VERSION=1 -D OUT=" + quoted(bill) +
                                 " -D SETUP=" + quoted(tests::sourceFolder() / "game/setup") + " -P " +

@@ -47,12 +47,14 @@ TEST_F(Numbers, OfOptions) {
                "reach-help", "eye-distance", "load"}},
              {"view m.glb --out a.png", {"fov", "at", "exposure", "env-yaw", "samples"}},
              {"light a.hdr -o out", {"at"}},
-             {"panorama a.jpg -o a.png", {"fov"}},
-             {"depth a.mp4 -o a.mkv", {"baseline", "height", "speed"}}})
+             {"panorama a.jpg -o a.png", {"fov"}}})
         for (const std::string& option : options)
             fill({command + " --" + option + "='#'", "--" + option}, kNone, [&](const std::string& words) {
                 expectOneMessage(run(words), "--" + option + ": wants", 2);
             });
+    fill({"a.mp4 -o a.mkv --height='#'", ""}, kNone, [&](const std::string& words) {
+        expectOneMessage(run(words, depthProgram()), "--height: wants", 2);
+    });
 }
 
 TEST_F(Numbers, OfEveryKindThatIsNone) {

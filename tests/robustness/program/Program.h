@@ -25,10 +25,14 @@ class Program : public testing::Test {
     ScratchFolder scratch_;
     Path folder_ = scratch_.path();
 
-    Outcome run(const std::string& arguments) const {
+    // The program that makes depth tracks, beside the game.
+    static std::string depthProgram() { return Path(program()).parent_path() / "shoal-depth"; }
+
+    Outcome run(const std::string& arguments, const std::string& which = program()) const {
         const Path out = folder_ / "stdout.txt", err = folder_ / "stderr.txt";
-        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_DATA_HOME=" + folder_.string() +
-                                    " XDG_CONFIG_HOME=" + folder_.string() + " timeout 1000 '" + program() +
+        const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_CACHE_HOME=" + folder_.string() +
+                                    " XDG_DATA_HOME=" + folder_.string() +
+                                    " XDG_CONFIG_HOME=" + folder_.string() + " timeout 1000 '" + which +
                                     "' " + arguments + " >" + out.string() + " 2>" + err.string() +
                                     " </dev/null";
         const int status = std::system(command.c_str());

@@ -117,7 +117,7 @@ void writeStillFilm(const Path& file) {
 TEST_F(Program, DepthOfAStillCameraCannotBeKnown) {
     const Path film = folder_ / "still.avi", out = folder_ / "still.depth.mkv";
     writeStillFilm(film);
-    expectOneMessage(run("depth " + film.string() + " -o " + out.string()), "cannot be known", 3);
+    expectOneMessage(run(film.string() + " -o " + out.string(), depthProgram()), "cannot be known", 3);
     EXPECT_FALSE(fs::exists(out));
     EXPECT_FALSE(fs::exists(out.string() + ".part"));
 }
@@ -125,22 +125,48 @@ TEST_F(Program, DepthOfAStillCameraCannotBeKnown) {
 // Before a frame is read: of the two things that are wrong here, the message names the output.
 TEST_F(Program, DepthIsMadeOfFilesAndHasToHaveAPlace) {
     const std::string out = " -o " + folder_.string() + "/out.mkv";
-    expectOneMessage(run("depth rtsp://localhost/live" + out), "depth is made of files");
-    expectOneMessage(run("depth camera:0" + out), "depth is made of files");
-    expectOneMessage(run("depth " + folder_.string() + out), "depth is made of files");
-    expectOneMessage(run("depth " + (folder_ / "none.mp4").string() + out), "none.mp4");
+    expectOneMessage(run("rtsp://localhost/live" + out, depthProgram()), "depth is made of files");
+    expectOneMessage(run("camera:0" + out, depthProgram()), "depth is made of files");
+    expectOneMessage(run(folder_.string() + out, depthProgram()), "depth is made of files");
+    expectOneMessage(run((folder_ / "none.mp4").string() + out, depthProgram()), "none.mp4");
     const Path text = write("film.mp4", "no film, but text");
-    expectOneMessage(run("depth " + text.string() + out), "film.mp4");
+    expectOneMessage(run(text.string() + out, depthProgram()), "film.mp4");
     const std::string nowhere = folder_.string() + "/none/out.mkv";
-    expectOneMessage(run("depth " + text.string() + " -o " + nowhere), "/none");
-    expectOneMessage(run("depth " + text.string() + " -o " + folder_.string()), "it is a folder");
-    expectOneMessage(run("depth " + text.string() + " -o " + text.string()), "film.mp4");
-    expectOneMessage(run("depth " + text.string() + out + " --preview " + folder_.string() + "/x.gif"),
+    expectOneMessage(run(text.string() + " -o " + nowhere, depthProgram()), "/none");
+    expectOneMessage(run(text.string() + " -o " + folder_.string(), depthProgram()), "it is a folder");
+    expectOneMessage(run(text.string() + " -o " + text.string(), depthProgram()), "film.mp4");
+    expectOneMessage(run(text.string() + out + " --preview " + folder_.string() + "/x.gif", depthProgram()),
                      "x.gif");
     EXPECT_FALSE(fs::exists(folder_ / "none"));
     EXPECT_FALSE(fs::exists(folder_ / "out.mkv"));
     EXPECT_FALSE(fs::exists(folder_ / "out.mkv.part"));
     EXPECT_EQ(readText(text).value(), "no film, but text");
+}
+
+// A model without a file of its occlusion gets one, once, which is what its maker has stored for the same
+// model here.
+TEST_F(Program, OcclusionOfAModelIsMadeOnceAndKept) {
+    const Path photo = write("photo.ppm", pnm(256, 128, "P6")), out = folder_ / "out.png";
+    const Path stored = tests::sourceFolder() / "content/models/angelfish.glb", copy = folder_ / "copy.glb";
+    fs::copy_file(stored, copy);
+    const auto draw = [&](const Path& model, const std::string& about = "") {
+        const Outcome outcome = run("view " + model.string() + " --photo " + photo.string() +
+                                    " --size 64x64 --out " + out.string());
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_NE(outcome.err.find(about), std::string::npos) << outcome.err;
+        EXPECT_EQ(lines(outcome.err), about.empty() ? 0 : 1) << outcome.err;
+        return readText(out).value();
+    };
+    const std::string shaded = draw(stored);
+    const Path cache = folder_ / "shoal";
+    write("shoal", "no folder"); // so that nothing can be kept
+    EXPECT_NE(draw(copy, "copy.glb: is shown without"), shaded);
+    fs::remove(cache);
+    EXPECT_EQ(draw(copy), shaded);
+    const fs::directory_iterator kept(cache / "occlusion");
+    const auto made = fs::last_write_time(kept->path());
+    EXPECT_EQ(draw(copy), shaded);
+    EXPECT_EQ(fs::last_write_time(kept->path()), made);
 }
 
 // Each choice changes the picture, and its older name means the same.

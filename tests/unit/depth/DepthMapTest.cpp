@@ -2,6 +2,8 @@
 // track does not know.
 #include "engine/depth/DepthMap.h"
 
+#include "content/make/depth/DepthTrackWriter.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

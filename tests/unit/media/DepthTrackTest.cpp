@@ -1,6 +1,5 @@
 // Depth tracks come back as they were written, or not at all.
-#include "engine/media/DepthTrack.h"
-
+#include "content/make/depth/DepthTrackWriter.h"
 #include "engine/core/Random.h"
 #include "engine/media/Check.h"
 #include "tests/unit/media/TestFiles.h"
@@ -209,7 +208,8 @@ TEST_F(DepthTracks, OfImpossibleLengthsAreNotWritten) {
     EXPECT_FALSE(DepthTrackWriter::make({256, 100, 10, 1}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({300, 150, 10, 1}, {}));
     EXPECT_FALSE(DepthTrackWriter::make({8192, 4096, 10, 1}, {}));
-    EXPECT_FALSE(DepthTrackWriter::make({16, std::numeric_limits<int>::min() + 8, 10, 1}, {})) << "twice it is 16";
+    EXPECT_FALSE(DepthTrackWriter::make({16, std::numeric_limits<int>::min() + 8, 10, 1}, {}))
+        << "twice it is 16";
     auto writer = DepthTrackWriter::make(kSmall, {});
     ASSERT_TRUE(writer);
     EXPECT_FALSE(writer->add(frameOf(0, 16)));

@@ -1,7 +1,7 @@
 // Bodies become ellipsoids: what they were made of comes back.
+#include "content/make/models/occlusion/Bvh.h"
 #include "content/make/models/occlusion/FitEllipsoids.h"
 #include "engine/math/LatLong.h"
-#include "engine/occlusion/Bvh.h"
 #include "engine/occlusion/SmoothLight.h"
 
 #include <gtest/gtest.h>

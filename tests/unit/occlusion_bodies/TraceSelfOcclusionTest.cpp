@@ -1,5 +1,5 @@
 // What a surface hides of itself, where it can be said on paper; and how several that hide join.
-#include "engine/occlusion/TraceSelfOcclusion.h"
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 
 #include "tests/baselines/occlusion/OccludeByEllipsoids.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "content/make/models/occlusion/FitEllipsoids.h"
 
-#include "engine/occlusion/Bvh.h"
+#include "content/make/models/occlusion/Bvh.h"
 
 #include <glm/glm.hpp>
 

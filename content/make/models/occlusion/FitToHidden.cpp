@@ -1,8 +1,8 @@
 #include "content/make/models/occlusion/FitToHidden.h"
 
+#include "content/make/models/occlusion/Bvh.h"
 #include "content/make/models/occlusion/Silhouettes.h"
 #include "engine/core/Random.h"
-#include "engine/occlusion/Bvh.h"
 #include "engine/occlusion/Directions.h"
 
 #include <glm/geometric.hpp>

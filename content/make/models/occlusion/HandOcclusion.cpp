@@ -17,11 +17,13 @@ namespace shoal::make {
 
 namespace {
 
-constexpr int kBakeRays = 192; // from each of three points in a triangle
+constexpr int kHandRays = 192; // from each of three points in a triangle
+constexpr size_t kCreatureRays = 64, kMinRays = 2;
+constexpr size_t kMaxRays = 3'000'000; // of a whole creature: a few seconds
 constexpr size_t kParts = 20, kCreatureParts = 4, kHunterParts = 12,
                  kArmParts = 5; // maximum number of ellipsoids
 constexpr int kPlaces = 4000;   // around each pose
-// As most of what a hand's own parts count for is; and nearly a fist.
+// Half closed, where a hand's own parts count most; and nearly a fist.
 const hands::HandShape kHalf{{0.45f, 0.45f, 0.45f, 0.45f, 0.45f}, 0},
     kClosed{{0.65f, 0.75f, 0.75f, 0.75f, 0.75f}, 0};
 
@@ -44,6 +46,51 @@ json steps(const std::vector<glm::vec4>& selfOcclusion) {
                                       render::kMaxSelfOcclusionSteps));
         }
     return list;
+}
+
+// Traces the self-occlusion of the model in this pose, in its frame.
+std::vector<glm::vec4> traced(const scene::Surface& surface, int rays) {
+    return occlusion::traceSelfOcclusion({surface.positions, surface.normals, surface.opaque}, rays);
+}
+
+// Turns self-occlusion that was traced in this pose into the frames of the meshes, where it goes along with
+// the joints. A surface that is blended, or whose material brings a map of its occlusion, gets none.
+std::vector<glm::vec4> inMeshFrames(const scene::Model& model, const scene::Pose& pose,
+                                    std::vector<glm::vec4> traced) {
+    std::vector<glm::mat4> joints;
+    auto next = traced.begin(); // in the surface's order
+    for (const int index : model.order) {
+        const auto n = static_cast<size_t>(index);
+        const scene::Node& node = model.nodes[n];
+        if (node.mesh < 0) continue;
+        if (node.skin >= 0) scene::skinMatrices(model, node.skin, pose, joints);
+        for (const scene::Primitive& primitive : model.meshes[static_cast<size_t>(node.mesh)].primitives) {
+            const bool mapped =
+                primitive.material >= 0 &&
+                model.materials[static_cast<size_t>(primitive.material)].occlusion.texture >= 0;
+            const bool none = mapped || scene::isBlended(model, primitive);
+            const bool skinned = node.skin >= 0 && !primitive.joints.empty();
+            for (size_t v = 0; v < primitive.positions.size(); ++v, ++next) {
+                const glm::mat3 meshFromModel = glm::inverse(
+                    glm::mat3(skinned ? scene::skinMatrix(primitive, v, joints) : pose.modelFromNode[n]));
+                const glm::vec3 to = meshFromModel * glm::vec3(*next); // turned, and not scaled
+                const float length = glm::length(to), kept = glm::length(glm::vec3(*next));
+                *next = none ? glm::vec4(0)
+                             : glm::vec4(length > 0 ? to * (kept / length) : glm::vec3(0), next->w);
+            }
+        }
+    }
+    return traced;
+}
+
+// Traces a creature in its rest pose, or with its mouth open if it bites, because the inside must not glow.
+std::vector<glm::vec4> selfOccludeCreature(const scene::Model& model, scene::Pose pose) {
+    if (const int bite = model.findAnimation("bite"); bite >= 0)
+        scene::animate(model, bite, 0.4f * model.animations[static_cast<size_t>(bite)].duration_s, pose);
+    scene::updateGlobals(model, pose);
+    const scene::Surface surface = scene::posedSurface(model, pose);
+    const size_t rays = std::min(kMaxRays / std::max<size_t>(surface.indices.size(), 1), kCreatureRays);
+    return inMeshFrames(model, pose, traced(surface, rays < kMinRays ? 0 : static_cast<int>(rays)));
 }
 
 } // namespace
@@ -100,29 +147,18 @@ std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts
     return parts;
 }
 
-render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts) {
+render::BakedOcclusion selfOccludeHand(const Hand& hand, const std::vector<occlusion::BodyPart>& parts) {
     const scene::Pose half = hand.closed(kHalf);
     std::vector<occlusion::Occluder> own;
     for (const auto& part : render::makeBodyOccluders(hand.model, hand.rest, parts, true).parts)
         own.push_back({placed(part, half, glm::mat4(1)), 1, {}});
-    render::bakeSelfOcclusion(hand.model, hand.rest, kBakeRays);
+    const scene::Surface atRest = scene::posedSurface(hand.model, hand.rest);
     const scene::Surface surface = scene::posedSurface(hand.model, half);
-    const occlusion::SelfOccludingMesh skin{surface.positions, surface.normals, surface.opaque};
-    std::vector<glm::vec4> traced = occlusion::traceSelfOcclusion(skin, kBakeRays);
-    occlusion::completeOwn(skin, own, traced);
-    render::keepSelfOcclusion(hand.model, half, traced, &scene::Primitive::selfOcclusionBesideOwn);
-    render::BakedOcclusion baked{render::skinHash(hand.model), parts, {}, {}};
-    for (const int index : hand.model.order) {
-        const int mesh = hand.model.nodes[static_cast<size_t>(index)].mesh;
-        if (mesh < 0) continue;
-        for (const scene::Primitive& primitive : hand.model.meshes[static_cast<size_t>(mesh)].primitives) {
-            baked.selfOcclusion.insert(baked.selfOcclusion.end(), primitive.selfOcclusion.begin(),
-                                       primitive.selfOcclusion.end());
-            baked.besideOwn.insert(baked.besideOwn.end(), primitive.selfOcclusionBesideOwn.begin(),
-                                   primitive.selfOcclusionBesideOwn.end());
-        }
-    }
-    return baked;
+    std::vector<glm::vec4> besideOwn = traced(surface, kHandRays);
+    occlusion::completeOwn({surface.positions, surface.normals, surface.opaque}, own, besideOwn);
+    return {render::skinHash(hand.model), parts,
+            inMeshFrames(hand.model, hand.rest, traced(atRest, kHandRays)),
+            inMeshFrames(hand.model, half, std::move(besideOwn))};
 }
 
 Result<render::BakedOcclusion> fitCreature(const Path& file) {
@@ -137,7 +173,7 @@ Result<render::BakedOcclusion> fitCreature(const Path& file) {
         render::skinHash(*model),
         occlusion::fitEllipsoids({surface.positions, surface.indices, surface.nodesOf},
                                  arm ? occlusion::Parts::ByJoint : occlusion::Parts::ByShape, maximum),
-        {},
+        selfOccludeCreature(*model, rest),
         {}};
 }
 

@@ -1,4 +1,4 @@
-// What the game's own creatures and hands hide of light (engine/render/BakedOcclusion.h).
+// Making of models' occlusion, for creatures and hands (engine/render/BakedOcclusion.h).
 #pragma once
 
 #include "engine/render/BakedOcclusion.h"
@@ -21,20 +21,21 @@ struct Hand {
 // models: the folder of hand_left.glb, hand_right.glb and hand_skeleton.json.
 Result<Hand> loadHand(const Path& models, hands::Side side);
 
-// The ellipsoids that hide what the skin hides from places around it, open and closing. Seconds.
+// Fits ellipsoids that hide what the skin hides from places around it, with the hand open and closing. Takes
+// seconds.
 std::vector<occlusion::BodyPart> fitHand(const Hand& hand);
 
-// Of the other hand, whose joints are the same nodes.
+// Returns the ellipsoids of the other hand, whose joints are the same nodes.
 std::vector<occlusion::BodyPart> mirrored(std::vector<occlusion::BodyPart> parts);
 
-// TraceSelfOcclusion at rest, and half closed beside these ellipsoids. Seconds.
-render::BakedOcclusion selfOccludeHand(Hand hand, const std::vector<occlusion::BodyPart>& parts);
+// Traces the hand's self-occlusion at rest, and half closed beside these ellipsoids. Takes seconds.
+render::BakedOcclusion selfOccludeHand(const Hand& hand, const std::vector<occlusion::BodyPart>& parts);
 
-// The ellipsoids of a creature that bends softly, or of an arm; its self-occlusion is traced when it is
-// loaded.
+// Makes the ellipsoids and self-occlusion of a creature that bends softly, of an arm, or of any other glTF
+// model. Takes seconds.
 Result<render::BakedOcclusion> fitCreature(const Path& model);
 
-// As its file holds it; self-occlusion to 1 / kSelfOcclusionSteps.
+// Returns the text of its file, in which self-occlusion is rounded to 1 / kSelfOcclusionSteps.
 std::string written(const render::BakedOcclusion& baked);
 
 } // namespace shoal::make

@@ -1,4 +1,4 @@
-// Makes content/models/*.occlusion.json: make_occlusion MODELS. Same program, same bytes.
+// shoal-occlusion: makes the occlusion of a model, or of all models of the game. Same program, same bytes.
 #include "content/make/models/occlusion/HandOcclusion.h"
 #include "engine/core/WriteFile.h"
 
@@ -19,6 +19,11 @@ Status write(const Path& model, const render::BakedOcclusion& baked) {
     return writeFileWhole(file, text);
 }
 
+Status makeOne(const Path& model, const Path& file) {
+    const auto baked = make::fitCreature(model);
+    return baked ? writeFileWhole(file, make::written(*baked)) : Status(baked.error());
+}
+
 Status makeAll(const Path& models) {
     std::vector<Path> files;
     for (const auto& entry : std::filesystem::directory_iterator(models))
@@ -36,8 +41,7 @@ Status makeAll(const Path& models) {
         if (!hand) return hand.error();
         parts = parts.empty() ? make::fitHand(*hand) : make::mirrored(parts);
         const char* name = side == hands::Side::Left ? "hand_left.glb" : "hand_right.glb";
-        if (Status kept = write(models / name, make::selfOccludeHand(std::move(*hand), parts)); !kept)
-            return kept;
+        if (Status kept = write(models / name, make::selfOccludeHand(*hand, parts)); !kept) return kept;
     }
     return Done{};
 }
@@ -45,8 +49,16 @@ Status makeAll(const Path& models) {
 } // namespace
 
 int main(int count, char** arguments) {
-    if (count != 2) return std::fputs("make_occlusion FOLDER: of the models\n", stderr), 2;
-    const Status made = makeAll(arguments[1]);
-    if (!made) std::fprintf(stderr, "%s\n", made.error().message().c_str());
+    if (count < 2 || count > 3) {
+        std::fputs("shoal-occlusion MODEL FILE: makes the occlusion of a glTF model; Shoal reads it from "
+                   "NAME.occlusion.json "
+                   "beside NAME.glb\n"
+                   "shoal-occlusion FOLDER: makes that of all models of the game, in a folder such as "
+                   "content/models\n",
+                   stderr);
+        return 2;
+    }
+    const Status made = count == 3 ? makeOne(arguments[1], arguments[2]) : makeAll(arguments[1]);
+    if (!made) std::fprintf(stderr, "shoal-occlusion: %s\n", made.error().message().c_str());
     return made ? 0 : 1;
 }

@@ -3,8 +3,8 @@
 // The light itself is taken in shaders/occlusion/Bodies.glsl. All in the light's frame.
 #pragma once
 
+#include "content/make/models/occlusion/TraceSelfOcclusion.h"
 #include "engine/occlusion/Ellipsoid.h"
-#include "engine/occlusion/TraceSelfOcclusion.h"
 
 #include <span>
 
