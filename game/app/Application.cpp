@@ -75,7 +75,6 @@ Status Application::begin(Mode mode, bool measured) {
                                    : window_         ? FrameClock::Mode::RealTime
                                                      : FrameClock::Mode::FixedStep;
     play_.emplace(config, screens_, mode, !options_.headless, clock, static_cast<double>(options_.fps));
-    noteWebcam();
     return records(mode, measured) ? play_->session.record(recordingFile()) : Done{};
 }
 
@@ -134,6 +133,7 @@ Status Application::frame(bool measured) {
     play_->elapsed_s = play_->clock.elapsed_s(display_->elapsed_s()) * static_cast<double>(options_.speed);
     readInput();
     simulate();
+    noteTracker();
     measureHand();
     if (Status done = display_->vibrate(soundAndHaptics_->hapticFrame(), session.paused); !done) return done;
     const size_t metBefore = screens_.facts.met.size();
@@ -235,11 +235,15 @@ void Application::readMenuInput() {
     screens_.input(menu);
 }
 
-// Whenever the source of hands may be another.
-void Application::noteWebcam() {
+void Application::noteTracker() {
     const std::optional<TrackedHands>& tracked = play_->session.tracked;
+    ScreenFacts& facts = screens_.facts;
     const bool webcam = tracked && tracked->hasCamera();
-    if (std::exchange(screens_.facts.webcam, webcam) != webcam) screens_.refresh();
+    const auto need = tracked ? tracked->needs() : std::nullopt;
+    if (facts.webcam == webcam && facts.handsNeed == need) return;
+    facts.webcam = webcam;
+    facts.handsNeed = need;
+    screens_.refresh();
 }
 
 // before: how many animals the field guide had.

@@ -87,7 +87,7 @@ class Application {
     Status frame(bool measured);
     void readInput();
     void noteDevice();
-    void noteWebcam();
+    void noteTracker();
     void noteMet(size_t before);
     void measureHand();
     void readMenuInput();

@@ -201,7 +201,6 @@ Status Application::applySettings() {
         if (const auto chosen = handSourceFor(options_)) {
             config_.handSource = *chosen;
             play_->session.track(config_);
-            noteWebcam();
         }
     config_.rules.assist = options_.assist; // from the next dive on
     applied_ = options_;

@@ -368,7 +368,9 @@ MenuPage Screens::groupPage(SettingsPage group) {
         button("Measure my hand", [this] { push(Screen::HandSize); });
     backButton();
     const auto shown = std::ranges::find(kGroups, group, &Group::page);
-    return {.title = in(shown->label)};
+    MenuPage page{.title = in(shown->label)};
+    if (group == SettingsPage::Hands && facts.handsNeed) page.text = {facts.handsNeed->in(language())};
+    return page;
 }
 
 MenuPage Screens::handSizePage() {

@@ -74,8 +74,9 @@ struct ScreenFacts {
     std::vector<std::string> met; // species that the player has touched
     game::Snapshot results;       // as the last dive ended
     bool freeSwim = false, firstSteps = false;
-    bool webcam = false;            // hands come from one
-    hands::HandSizing handSizing{}; // on the page for that
+    bool webcam = false;                     // hands come from one
+    std::optional<game::Notice> handsNeed{}; // TrackedHands::needs()
+    hands::HandSizing handSizing{};          // on the page for that
 };
 
 class Screens {

@@ -117,7 +117,8 @@ void TrackedHands::announce() {
         announcement_ = game::Notice{"Hands: {}", name};
         log::info("Hands: {}, {}", name, state_.description);
     } else if (asked_) { // why not this one
-        announcement_ = game::Notice{"{} is not there; the mouse has the hands", name};
+        announcement_ = needs();
+        if (!announcement_) announcement_ = game::Notice{"{} is not there; the mouse has the hands", name};
         log::info("Hands: mouse; {}: {}", name, state_.description);
     } else
         log::info("Hands: mouse");
@@ -169,13 +170,13 @@ std::array<hands::HandPose, 2> TrackedHands::seen() const {
     return poses;
 }
 
+std::optional<game::Notice> TrackedHands::needs() const {
+    if (!state_.lacksModels) return std::nullopt;
+    return game::Notice{"To find your hands before the webcam, run once: {}",
+                        hands::handModelScript().string()};
+}
+
 const game::Notice* TrackedHands::notice() const {
-    static const std::array<game::Notice, 3> kInstructions = {
-        {{"Webcam: keep your hands out of its sight for a moment"},
-         {"Webcam: hold one open hand in the middle of its view, palm to the camera"},
-         {"Webcam: keep it there for two seconds"}}};
-    if (state_.instruction != hands::Instruction::None)
-        return &kInstructions[static_cast<size_t>(state_.instruction) - 1];
     return announcement_ && played_s_ - announcedAt_s_ < kCaption_s ? &*announcement_ : nullptr;
 }
 

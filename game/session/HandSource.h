@@ -100,7 +100,9 @@ class TrackedHands {
     std::optional<float> openHand_m() const;
     void setHandSize(float size) { tracker_->setHandSize(size); }
 
-    // To be shown now: which device is used, or what it asks of the player. Null: nothing.
+    // The player's next step, without which the device finds no hands; empty: there is none.
+    std::optional<game::Notice> needs() const;
+    // To be shown now: which device is used, or why not. Null: nothing.
     const game::Notice* notice() const;
 
   private:

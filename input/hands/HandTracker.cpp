@@ -5,6 +5,7 @@
 
 namespace shoal::hands {
 
+Path handModelScript() { return dataRoot() / "input/hands/webcam/get_models"; }
 Path handModelFolder() { return scoreFolder() / "models"; }
 
 HandStream::HandStream(size_t capacity, Full full) : capacity_(capacity), full_(full) {}

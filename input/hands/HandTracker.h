@@ -32,14 +32,11 @@ struct HandFrame {
     std::array<float, 2> asRig_m{};
 };
 
-// What the player is to do now, so that a webcam learns the hand's colour.
-enum class Instruction { None, KeepHandsAway, ShowOpenHand, KeepHandThere };
-
 // State of a tracker, for a person to read.
 struct DeviceState {
-    bool present = false;    // frames come, or would if there were hands
-    std::string description; // "protocol 6, peripheral attached", "not there", ...
-    Instruction instruction = Instruction::None;
+    bool present = false;     // frames come, or would if there were hands
+    std::string description;  // "protocol 6, peripheral attached", "not there", ...
+    bool lacksModels = false; // a webcam's, which handModelScript() fetches
 };
 
 // A queue of frames with one writer, the tracker's thread, and one reader.
@@ -105,7 +102,8 @@ struct LeapOptions {
 constexpr int kNewestLeapVersion = 6;
 std::unique_ptr<HandTracker> makeLeapTracker(const LeapOptions& options, const HandRig& rig);
 
-// Where input/hands/webcam/get_models puts the models of hands.
+// The script that fetches the models of hands, once, and the folder that it puts them into.
+Path handModelScript();
 Path handModelFolder();
 
 // A webcam, or a clip of one.
@@ -113,7 +111,7 @@ struct WebcamOptions {
     std::string file;                // a clip; empty: the camera
     int index = 0;                   // which camera, as the system counts them
     bool live = true;                // a clip keeps its own rate; else it waits for whoever takes its frames
-    Path models = handModelFolder(); // where they are missing, hands are found by their colour
+    Path models = handModelFolder(); // without them no hand is found, and no camera opened
     float handSize = 1;              // the player's, in times of the rig's
 };
 

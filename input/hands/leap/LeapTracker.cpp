@@ -33,7 +33,7 @@ class LeapTracker final : public HandTracker {
 
   private:
     std::string address() const { return options_.host + ":" + std::to_string(options_.port); }
-    void setState(bool present, const std::string& words) { stream().setState({present, words, {}}); }
+    void setState(bool present, const std::string& words) { stream().setState({present, words}); }
 
     void run();
     void connect();

@@ -1,14 +1,10 @@
 #include "input/hands/HandTracker.h"
 
-#include "engine/core/Log.h"
 #include "engine/core/ThreadPool.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/VideoSource.h"
 #include "input/hands/HandSize.h"
-#include "input/hands/webcam/HandDetector.h"
-#ifdef SHOAL_HAND_LANDMARKS
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
-#endif
 
 #include <glm/geometric.hpp>
 #include <opencv2/imgproc.hpp>
@@ -27,21 +23,6 @@ namespace {
 
 constexpr std::chrono::seconds kRetry{1};
 
-#ifndef SHOAL_HAND_LANDMARKS
-Result<std::unique_ptr<HandFinder>> makeLandmarkFinder(const Path&, const HandRig&) {
-    return Error{"", "this build lacks XNNPACK; install libxnnpack-dev, libpthreadpool-dev, "
-                     "libflatbuffers-dev and flatbuffers-compiler, and build it anew"};
-}
-#endif
-
-// By landmarks where that is possible; else by colour, and why and what to do is said.
-std::unique_ptr<HandFinder> makeFinder(const Path& models, const HandRig& rig) {
-    auto finder = makeLandmarkFinder(models, rig);
-    if (finder) return std::move(*finder);
-    log::info("Webcam: hands are found by their colour alone: {}", finder.error().message());
-    return std::make_unique<HandDetector>(rig);
-}
-
 class WebcamTracker final : public HandTracker {
   public:
     WebcamTracker(const WebcamOptions& options, const HandRig& rig)
@@ -49,7 +30,7 @@ class WebcamTracker final : public HandTracker {
                       !options.live && !options.file.empty() ? HandStream::Full::Wait
                                                              : HandStream::Full::Drop),
           options_(options), rig_(rig), handSize_(options.handSize) {
-        stream().setState({false, place() + " is being opened", {}});
+        stream().setState({false, place() + " is being opened"});
         thread_ = std::jthread([this](const std::stop_token& ending) { run(ending); });
     }
     ~WebcamTracker() override {
@@ -72,7 +53,7 @@ class WebcamTracker final : public HandTracker {
         return options_.file.empty() ? "camera " + std::to_string(options_.index) : options_.file;
     }
     // takenAt: the picture; time_s: since the first.
-    void detect(HandFinder& finder, const cv::Mat& picture, Clock::time_point takenAt, double time_s) {
+    void detect(LandmarkFinder& finder, const cv::Mat& picture, Clock::time_point takenAt, double time_s) {
         HandFrame frame = finder.detect(picture, time_s);
         frame.seenAt = takenAt;
         const float size =
@@ -85,10 +66,7 @@ class WebcamTracker final : public HandTracker {
         placement_.apply(frame.hands, frame.time_us);
         stream().push(frame);
         if (preview_.isWatched()) showPreview(picture, finder.marks());
-        const Instruction instruction = finder.instruction();
-        stream().setState(
-            {true, instruction == Instruction::None ? place() : place() + ", learning your hand's colour",
-             instruction});
+        stream().setState({true, place()});
     }
 
     // As in a mirror.
@@ -110,11 +88,12 @@ class WebcamTracker final : public HandTracker {
         preview_.show(shown_);
     }
 
-    // Returns why it ended.
-    std::string watchClip(const std::stop_token& ending) {
+    // Both return why they ended.
+    DeviceState watchClip(const std::stop_token& ending) {
         auto source = media::VideoSource::open(options_.file, media::Layout::Mono);
-        if (!source) return source.error().message();
-        const auto finder = makeFinder(options_.models, rig_);
+        if (!source) return {false, source.error().message()};
+        auto finder = LandmarkFinder::load(options_.models, rig_);
+        if (!finder) return {false, finder.error().message(), true};
         const Clock::time_point began = Clock::now();
         ImageRgb8 picture(source->info().width, source->info().height);
         for (int64_t number = 0; !ending.stop_requested() && source->grab() && source->retrieve(picture);
@@ -125,16 +104,18 @@ class WebcamTracker final : public HandTracker {
             detect(*finder, cv::Mat(picture.height, picture.width, CV_8UC3, picture.pixels.data()), due,
                    time.count());
         }
-        return options_.file + " is over";
+        return {false, options_.file + " is over"};
     }
 
-    std::string watchCamera(const std::stop_token& ending) {
+    // A camera that nothing can be found with is not opened.
+    DeviceState watchCamera(const std::stop_token& ending) {
+        auto finder = LandmarkFinder::load(options_.models, rig_);
+        if (!finder) return {false, finder.error().message(), true};
         const auto with = media::codecs();
-        if (!with) return with.error().message();
+        if (!with) return {false, with.error().message()};
         try {
             const auto camera = (*with)->openCamera(options_.index, {.width = 640, .height = 480});
-            if (!camera) return place() + " is not there, or lets nobody in";
-            const auto finder = makeFinder(options_.models, rig_);
+            if (!camera) return {false, place() + " is not there, or lets nobody in"};
             const Clock::time_point began = Clock::now();
             cv::Mat picture;
             while (!ending.stop_requested() && camera(nullptr)) {
@@ -144,15 +125,15 @@ class WebcamTracker final : public HandTracker {
             }
         } catch (const cv::Exception&) { // of a driver: as good as unplugged
         }
-        return place() + " gives no pictures";
+        return {false, place() + " gives no pictures"};
     }
 
     void run(const std::stop_token& ending) {
         lowerThreadPriority();
         if (!options_.file.empty()) {
-            stream().setState({false, watchClip(ending), {}});
+            stream().setState(watchClip(ending));
         } else {
-            do stream().setState({false, watchCamera(ending), {}});
+            do stream().setState(watchCamera(ending));
             while (waitUntil(ending, Clock::now() + kRetry));
         }
         stream().close();

@@ -30,7 +30,6 @@ ImageRgb8 room() {
 
 cv::Mat background(Behind behind, cv::Size size) {
     cv::Mat picture(size, CV_8UC3, cv::Scalar(120, 122, 125));
-    cv::RNG random(7);
     switch (behind) {
     case Behind::Grey:
         break;
@@ -40,10 +39,6 @@ cv::Mat background(Behind behind, cv::Size size) {
                 picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(60 + 160 * x / size.width),
                                                         static_cast<uchar>(200 - 120 * y / size.height),
                                                         static_cast<uchar>(80 + 60 * y / size.height));
-        break;
-    case Behind::Noise:
-        random.fill(picture, cv::RNG::UNIFORM, 0, 255);
-        cv::GaussianBlur(picture, picture, {}, 1.5);
         break;
     case Behind::Wood: // the hue of skin, in grained boards, somewhat darker
         for (int y = 0; y < size.height; ++y)

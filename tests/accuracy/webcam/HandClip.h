@@ -15,8 +15,7 @@
 
 namespace shoal::hands::test {
 
-enum class Behind { Grey, Gradient, Noise, Wood, Room };
-inline constexpr std::array kBehindNames = {"grey wall", "gradient", "noise", "wood, skin-like", "room"};
+enum class Behind { Grey, Gradient, Wood, Room };
 
 // What a hand shows at one moment; camera's frame (x right in the picture, y up, the camera looks along -z).
 struct Shown {
@@ -45,7 +44,7 @@ class HandClip {
     std::optional<render::ObjectPass> pass_;
     std::optional<render::EnvironmentGpu> environment_;
     std::optional<gl::Target> target_;
-    std::array<cv::Mat, kBehindNames.size()> behind_;
+    std::array<cv::Mat, 4> behind_; // by Behind
     cv::Size size_;
     float verticalFov_ = 0.8f;
     cv::RNG random_{1};

@@ -14,8 +14,7 @@ namespace shoal::hands::test {
 namespace {
 
 constexpr double kPicture_s = 1 / 30.0;
-constexpr int kAway = 18, kLearning = 66; // pictures, for the method that learns the hand's colour
-constexpr int kSettling = 10;             // pictures, in which the hand that was learnt may be followed yet
+constexpr int kSettling = 10; // pictures, until hands are followed
 
 const float kFocal_px = kRowWidth / 2.0f / std::tan(kWebcamFov / 2);
 
@@ -101,7 +100,6 @@ Shown shownAt(const Row& row, Side side, int number) {
 
 cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<HandPose>, 2>& poses, int number,
               cv::RNG& random) {
-    const bool learning = number < 0;
     ImageRgba8 hands = clip.hands(poses);
     std::function<void(cv::Mat&)> paint;
     switch (row.trouble) {
@@ -126,7 +124,7 @@ cv::Mat taken(HandClip& clip, const Row& row, const std::array<std::optional<Han
     if (row.trouble == Trouble::Sleeves)
         for (const auto& pose : poses)
             if (pose) drawSleeve(picture, *pose);
-    if (row.blur_px > 1 && !learning) cv::blur(picture, picture, {row.blur_px, 1});
+    if (row.blur_px > 1) cv::blur(picture, picture, {row.blur_px, 1});
     if (row.light < 1) {
         cv::Mat noise(picture.size(), CV_16SC3);
         random.fill(noise, cv::RNG::NORMAL, 0, 5);
@@ -213,7 +211,7 @@ double RowResult::wristOff_percent(double knownSize) const {
     return medianOf(off);
 }
 
-float measuredSize(HandClip& clip, const HandRig& rig, float size, HandFinder& method) {
+float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinder& finder) {
     HandSizing sizing;
     for (int number = 0; number < 90 && sizing.state() != HandSizing::State::Done; ++number) {
         const float t = static_cast<float>(number) / 30;
@@ -225,7 +223,7 @@ float measuredSize(HandClip& clip, const HandRig& rig, float size, HandFinder& m
         const std::array<std::optional<HandPose>, 2> drawn = {std::nullopt,
                                                               shownHand(rig, Side::Right, asRig(held, size))};
         const HandFrame frame =
-            method.detect(clip.picture(clip.hands(drawn), Behind::Room), number * kPicture_s);
+            finder.detect(clip.picture(clip.hands(drawn), Behind::Room), number * kPicture_s);
         std::optional<float> asRig_m;
         for (const HandPose& hand : frame.hands)
             if (hand.tracked) asRig_m = glm::length(hand.joints[kPalmJoint].position);
@@ -234,38 +232,29 @@ float measuredSize(HandClip& clip, const HandRig& rig, float size, HandFinder& m
     return sizing.size().value_or(0);
 }
 
-std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
-                               const std::vector<HandFinder*>& methods, const Look& look) {
-    std::vector<RowResult> results(methods.size());
+RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder,
+                  const Look& look) {
+    RowResult result;
     cv::RNG random(3);
-    for (int number = -kAway - kLearning; number < pictures; ++number) {
-        const bool learning = number < 0;
-        if (learning && number > -kAway - kLearning &&
-            !std::ranges::any_of(
-                methods, [](const HandFinder* method) { return method->instruction() != Instruction::None; }))
-            continue;
+    for (int number = 0; number < pictures; ++number) {
         std::array<std::optional<HandPose>, 2> shown, drawn;
-        if (learning && number >= -kLearning)
-            shown[1] = drawn[1] = shownHand(rig, Side::Right, {.palm = {0, -0.01f, -0.5f}});
         for (const Side side : {Side::Left, Side::Right}) {
-            if (learning || !(side == Side::Left ? row.left : row.right)) continue;
+            if (!(side == Side::Left ? row.left : row.right)) continue;
             const auto at = static_cast<size_t>(side);
             drawn[at] = shown[at] = shownHand(rig, side, asRig(shownAt(row, side, number), row.size));
             resize(*shown[at], row.size);
         }
         const cv::Mat picture = taken(clip, row, drawn, number, random);
-        std::vector<HandFrame> frames;
-        for (size_t i = 0; i < methods.size(); ++i) {
-            const auto began = std::chrono::steady_clock::now();
-            frames.push_back(methods[i]->detect(picture, (number + kAway + kLearning) * kPicture_s));
-            const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
-            if (number < kSettling) continue;
-            judge(shown, frames.back(), results[i]);
-            results[i].ms.push_back(took.count());
+        const auto began = std::chrono::steady_clock::now();
+        const HandFrame frame = finder.detect(picture, number * kPicture_s);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+        if (number >= kSettling) {
+            judge(shown, frame, result);
+            result.ms.push_back(took.count());
         }
-        if (look && !learning) look(number, picture, frames);
+        if (look) look(number, picture, frame);
     }
-    return results;
+    return result;
 }
 
 void drawHands(cv::Mat& picture, const HandFrame& frame) {

@@ -1,8 +1,9 @@
-// What makes hands hard to find, a row each, and how well a method does there: for tests and the bench.
+// Conditions that make hands hard to find, a row each, and how well they are found there: for tests and the
+// bench.
 #pragma once
 
 #include "HandClip.h"
-#include "input/hands/webcam/HandFinder.h"
+#include "input/hands/webcam/landmarks/LandmarkFinder.h"
 
 #include <functional>
 
@@ -40,7 +41,7 @@ struct RowResult {
     int otherSide = 0;           // of these, taken for the other hand
     int phantoms = 0;            // hands where none is
     std::vector<double> tips_mm; // how far fingertips are off, from the wrist
-    // How far the wrist is from the camera as the method has it, to which hands are of the rig's size, in
+    // How far the wrist is from the camera as the finder has it, to which hands are of the rig's size, in
     // times of how far it is.
     std::vector<double> wristRatio;
     std::vector<double> ms; // for each picture
@@ -49,14 +50,13 @@ struct RowResult {
     double wristOff_percent(double knownSize) const;
 };
 
-// Seen by one method after the other, each of which has learnt the hand first. pictures: at 30 a second.
-// look: is shown every picture, and each method's hands.
-using Look = std::function<void(int number, const cv::Mat& picture, const std::vector<HandFrame>& found)>;
-std::vector<RowResult> measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures,
-                               const std::vector<HandFinder*>& methods, const Look& look = {});
+// pictures: at 30 a second. look: is shown every picture, and the hands found in it.
+using Look = std::function<void(int number, const cv::Mat& picture, const HandFrame& found)>;
+RowResult measure(HandClip& clip, const HandRig& rig, const Row& row, int pictures, LandmarkFinder& finder,
+                  const Look& look = {});
 
 // What HandSizing says of a hand of that size, held open where it asks for it; 0: nothing.
-float measuredSize(HandClip& clip, const HandRig& rig, float size, HandFinder& method);
+float measuredSize(HandClip& clip, const HandRig& rig, float size, LandmarkFinder& finder);
 
 // Draws found hands into a picture.
 void drawHands(cv::Mat& picture, const HandFrame& frame);

@@ -1,5 +1,5 @@
-// Hands found by learned landmarks. What needs the models, which no checkout holds, skips by name without.
-#ifdef SHOAL_HAND_LANDMARKS
+// Hands found by learned landmarks. Tests that need the models, which no checkout holds, skip by name
+// without.
 #include "HandRows.h"
 #include "engine/core/WriteFile.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
@@ -19,12 +19,12 @@ using tests::rig;
 
 TEST(Landmarks, ModelsThatAreMissingOrDamagedAreSaidWithWhatToDo) {
     const tests::ScratchFolder folder;
-    const auto missing = makeLandmarkFinder(folder.path(), rig());
+    const auto missing = LandmarkFinder::load(folder.path(), rig());
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().message().find("get_models fetches it"), std::string::npos)
         << missing.error().message();
     ASSERT_TRUE(writeFileWhole(folder / "palm_detection_full.tflite", "TFL3"));
-    const auto damaged = makeLandmarkFinder(folder.path(), rig());
+    const auto damaged = LandmarkFinder::load(folder.path(), rig());
     ASSERT_FALSE(damaged);
     EXPECT_NE(damaged.error().message().find("damaged"), std::string::npos) << damaged.error().message();
 }
@@ -32,12 +32,12 @@ TEST(Landmarks, ModelsThatAreMissingOrDamagedAreSaidWithWhatToDo) {
 class LandmarkRows : public testing::TestWithParam<size_t> {};
 
 TEST_P(LandmarkRows, AreFoundWithoutPhantomsAndTheirFingertipsAreWhereTheyAre) {
-    auto finder = makeLandmarkFinder(handModelFolder(), rig());
+    auto finder = LandmarkFinder::load(handModelFolder(), rig());
     if (!finder) GTEST_SKIP() << finder.error().message();
     auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
     if (!clip) GTEST_SKIP() << clip.error().message();
     const test::Row& row = test::rows()[GetParam()];
-    const test::RowResult result = test::measure(*clip, rig(), row, 50, {finder->get()})[0];
+    const test::RowResult result = test::measure(*clip, rig(), row, 50, *finder);
     EXPECT_EQ(result.phantoms, 0);
     if (result.shown == 0) return;
     // Of hands that cross one is hidden for a while. Tips: measured were 18 mm in sleeves, which hide the
@@ -64,15 +64,15 @@ class LandmarkSizes : public testing::TestWithParam<float> {};
 TEST_P(LandmarkSizes, OnceMeasuredTheWristIsAsFarAsItIs) {
     auto clip = test::HandClip::make({test::kRowWidth, test::kRowHeight}, kWebcamFov);
     if (!clip) GTEST_SKIP() << clip.error().message();
-    auto measuring = makeLandmarkFinder(handModelFolder(), rig());
+    auto measuring = LandmarkFinder::load(handModelFolder(), rig());
     if (!measuring) GTEST_SKIP() << measuring.error().message();
-    const auto measured = static_cast<double>(test::measuredSize(*clip, rig(), GetParam(), **measuring));
+    const auto measured = static_cast<double>(test::measuredSize(*clip, rig(), GetParam(), *measuring));
     EXPECT_NEAR(measured / static_cast<double>(GetParam()), 1, 0.04);
     for (const float distance_m : {0.3f, 0.9f}) {
-        auto finder = makeLandmarkFinder(handModelFolder(), rig());
+        auto finder = LandmarkFinder::load(handModelFolder(), rig());
         ASSERT_TRUE(finder);
         const test::Row row{.name = "of another size", .distance_m = distance_m, .size = GetParam()};
-        const test::RowResult result = test::measure(*clip, rig(), row, 40, {finder->get()})[0];
+        const test::RowResult result = test::measure(*clip, rig(), row, 40, *finder);
         EXPECT_GE(result.found, 0.97 * result.shown);
         const auto size = static_cast<double>(GetParam());
         EXPECT_NEAR(result.wristOff_percent(1), 100 * std::abs(1 / size - 1), 5) << distance_m;
@@ -85,19 +85,17 @@ INSTANTIATE_TEST_SUITE_P(All, LandmarkSizes, testing::Values(0.85f, 1.0f, 1.15f)
 });
 
 TEST(Landmarks, OddPicturesAreSurvived) {
-    auto finder = makeLandmarkFinder(handModelFolder(), rig());
+    auto finder = LandmarkFinder::load(handModelFolder(), rig());
     if (!finder) GTEST_SKIP() << finder.error().message();
     double t = 0;
     for (const cv::Size size : {cv::Size(1, 1), cv::Size(2000, 3), cv::Size(3, 2000), cv::Size(640, 480)})
         for (const int value : {0, 255, 128}) {
-            const HandFrame frame =
-                (*finder)->detect(cv::Mat(size, CV_8UC3, cv::Scalar::all(value)), t += 0.03);
+            const HandFrame frame = finder->detect(cv::Mat(size, CV_8UC3, cv::Scalar::all(value)), t += 0.03);
             EXPECT_FALSE(frame.hands[0].tracked || frame.hands[1].tracked);
         }
-    EXPECT_FALSE((*finder)->detect(cv::Mat(), t).hands[0].tracked);
-    EXPECT_FALSE((*finder)->detect(cv::Mat(9, 9, CV_8UC1, cv::Scalar(0)), t).hands[0].tracked);
+    EXPECT_FALSE(finder->detect(cv::Mat(), t).hands[0].tracked);
+    EXPECT_FALSE(finder->detect(cv::Mat(9, 9, CV_8UC1, cv::Scalar(0)), t).hands[0].tracked);
 }
 
 } // namespace
 } // namespace shoal::hands
-#endif

@@ -1,8 +1,7 @@
-// How well hands are found in a webcam's pictures, by colour and by landmarks: bench_webcam [FOLDER
-// [PICTURES [WORD]]]. Prints tables, and with a folder writes every tenth picture there with what landmarks
-// found. WORD: of the rows with this in their names alone, or "sizes".
+// How well hands are found in a webcam's pictures: bench_webcam [FOLDER [PICTURES [WORD]]]. Prints tables,
+// and with a folder writes every tenth picture there with the hands found. WORD: only rows with this in their
+// names, or "sizes".
 #include "engine/core/Files.h"
-#include "input/hands/webcam/HandDetector.h"
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 #include "tests/accuracy/webcam/HandRows.h"
 
@@ -17,8 +16,8 @@ using namespace shoal::hands;
 
 namespace {
 
-std::unique_ptr<HandFinder> landmarkFinder(const HandRig& rig) {
-    auto finder = makeLandmarkFinder(handModelFolder(), rig);
+LandmarkFinder landmarkFinder(const HandRig& rig) {
+    auto finder = LandmarkFinder::load(handModelFolder(), rig);
     if (finder) return std::move(*finder);
     std::fprintf(stderr, "%s\n", finder.error().message().c_str());
     std::exit(1);
@@ -26,30 +25,26 @@ std::unique_ptr<HandFinder> landmarkFinder(const HandRig& rig) {
 
 void printRows(test::HandClip& clip, const HandRig& rig, const std::string& folder, int pictures,
                const std::string& word) {
-    std::puts("| hands | method | found, % | other side | phantoms | tips off, mm | ms a picture "
-              "|\n|---|---|--:|--:|--:|--:|--:|");
+    std::puts("| hands | found, % | other side | phantoms | tips off, mm | ms a picture "
+              "|\n|---|--:|--:|--:|--:|--:|");
     for (const test::Row& row : test::rows()) {
         if (std::string(row.name).find(word) == std::string::npos) continue;
-        HandDetector colour(rig);
-        const auto landmarks = landmarkFinder(rig);
-        const auto look = [&](int number, const cv::Mat& picture, const std::vector<HandFrame>& found) {
+        LandmarkFinder finder = landmarkFinder(rig);
+        const auto look = [&](int number, const cv::Mat& picture, const HandFrame& found) {
             if (folder.empty() || number % 10 != 9) return;
             cv::Mat drawn = picture.clone();
-            test::drawHands(drawn, found[0]);
+            test::drawHands(drawn, found);
             std::string name = row.name;
             std::replace(name.begin(), name.end(), ' ', '_');
             cv::imwrite(folder + "/" + name + "_" + std::to_string(number) + ".png", drawn);
         };
-        const auto results = test::measure(clip, rig, row, pictures, {landmarks.get(), &colour}, look);
-        for (size_t i = 0; i < results.size(); ++i) {
-            const test::RowResult& result = results[i];
-            std::printf("| %s | %s | ", row.name, i == 0 ? "landmarks" : "colour");
-            if (result.shown) std::printf("%.1f", 100.0 * result.found / result.shown);
-            std::printf(" | %d | %d | ", result.otherSide, result.phantoms);
-            if (result.found) std::printf("%.1f", result.tipMedian_mm());
-            std::printf(" | %.1f |\n", test::medianOf(result.ms));
-            std::fflush(stdout);
-        }
+        const test::RowResult result = test::measure(clip, rig, row, pictures, finder, look);
+        std::printf("| %s | ", row.name);
+        if (result.shown) std::printf("%.1f", 100.0 * result.found / result.shown);
+        std::printf(" | %d | %d | ", result.otherSide, result.phantoms);
+        if (result.found) std::printf("%.1f", result.tipMedian_mm());
+        std::printf(" | %.1f |\n", test::medianOf(result.ms));
+        std::fflush(stdout);
     }
 }
 
@@ -58,11 +53,12 @@ void printSizes(test::HandClip& clip, const HandRig& rig, int pictures) {
         "\n| hands of size, % | measured, % | at, m | found, % | wrist's distance off, % | once measured, % "
         "|\n|--:|--:|--:|--:|--:|--:|");
     for (const float size : {0.85f, 1.0f, 1.15f}) {
-        const auto measured = static_cast<double>(test::measuredSize(clip, rig, size, *landmarkFinder(rig)));
+        LandmarkFinder measuring = landmarkFinder(rig);
+        const auto measured = static_cast<double>(test::measuredSize(clip, rig, size, measuring));
         for (const float distance_m : {0.3f, 0.5f, 0.9f}) {
-            const auto landmarks = landmarkFinder(rig);
+            LandmarkFinder finder = landmarkFinder(rig);
             const test::Row row{.name = "size", .distance_m = distance_m, .size = size};
-            const test::RowResult result = test::measure(clip, rig, row, pictures, {landmarks.get()})[0];
+            const test::RowResult result = test::measure(clip, rig, row, pictures, finder);
             std::printf("| %.0f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", 100 * static_cast<double>(size),
                         100 * measured, static_cast<double>(distance_m),
                         100.0 * result.found / std::max(result.shown, 1), result.wristOff_percent(1),

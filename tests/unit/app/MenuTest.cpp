@@ -172,6 +172,12 @@ TEST_F(MenuTest, TheHandIsMeasuredOnAPageOfTheHandsSettings) {
     screens_.facts.webcam = true;
     screens_.refresh();
     EXPECT_TRUE(page().camera);
+    EXPECT_TRUE(page().text.empty());
+    screens_.facts.handsNeed =
+        game::Notice{"To find your hands before the webcam, run once: {}", "get_models"};
+    screens_.refresh();
+    ASSERT_EQ(page().text.size(), 1u);
+    EXPECT_NE(page().text[0].find("run once: get_models"), std::string::npos);
     choose("Measure my hand");
     ASSERT_EQ(screens_.top(), Screen::HandSize);
     EXPECT_TRUE(page().camera);

@@ -1,5 +1,7 @@
 #include "input/hands/webcam/landmarks/HandNets.h"
 
+#include "input/hands/HandTracker.h"
+
 #include <opencv2/imgproc.hpp>
 
 extern "C" {
@@ -55,7 +57,7 @@ Result<NeuralNet> loadNet(const Path& folder, const ModelFile& model, size_t pic
     if (!right)
         return Error{file.string(),
                      (bytes ? std::string("is damaged, or of another version") : bytes.error().reason) +
-                         "; " + (dataRoot() / "input/hands/webcam/get_models").string() + " fetches it"};
+                         "; " + handModelScript().string() + " fetches it"};
     auto net = NeuralNet::read(*bytes, file.string());
     if (!net) return net;
     bool fits =
@@ -132,7 +134,7 @@ void HandNets::takePicture(const cv::Mat& bgr, const cv::Matx23f& inputFromPictu
     rgb_.convertTo(to, CV_32F, 1.0 / 255);
 }
 
-std::span<const Palm> HandNets::findPalms(const cv::Mat& bgr) {
+std::span<const FoundPalm> HandNets::findPalms(const cv::Mat& bgr) {
     // The whole picture, in the middle of a black square.
     const cv::Point2f size(static_cast<float>(bgr.cols), static_cast<float>(bgr.rows));
     const float side = std::max(size.x, size.y), scale = kPalmPicture / side;
@@ -165,11 +167,12 @@ std::span<const Palm> HandNets::findPalms(const cv::Mat& bgr) {
                           score});
     }
     // Non-maximum suppression, in place.
-    std::sort(found_.begin(), found_.end(), [](const Palm& a, const Palm& b) { return a.score > b.score; });
+    std::sort(found_.begin(), found_.end(),
+              [](const FoundPalm& a, const FoundPalm& b) { return a.score > b.score; });
     size_t kept = 0;
-    for (const Palm& palm : found_) {
+    for (const FoundPalm& palm : found_) {
         const std::span before(found_.data(), kept);
-        const bool known = std::any_of(before.begin(), before.end(), [&](const Palm& other) {
+        const bool known = std::any_of(before.begin(), before.end(), [&](const FoundPalm& other) {
             return overlap(other.box, palm.box) > kSamePalm;
         });
         if (!known && kept < kMaxPalms) found_[kept++] = palm;

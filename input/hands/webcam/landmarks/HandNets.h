@@ -23,7 +23,7 @@ struct Crop {
     float size = 0, turn = 0;
 };
 
-struct Palm {
+struct FoundPalm {
     Crop hand; // around the whole hand
     cv::Rect2f box;
     float score = 0; // 0 to 1
@@ -46,7 +46,7 @@ class HandNets {
     static Result<HandNets> load(const Path& folder);
 
     // bgr: 8 bits, not empty. The surest palm first; valid until the next call.
-    std::span<const Palm> findPalms(const cv::Mat& bgr);
+    std::span<const FoundPalm> findPalms(const cv::Mat& bgr);
     Landmarks findLandmarks(const cv::Mat& bgr, const Crop& crop);
 
   private:
@@ -58,7 +58,7 @@ class HandNets {
     std::vector<cv::Point2f> anchors_;
     // Kept from picture to picture for their memory.
     cv::Mat small_, part_, rgb_;
-    std::vector<Palm> found_;
+    std::vector<FoundPalm> found_;
 };
 
 } // namespace shoal::hands

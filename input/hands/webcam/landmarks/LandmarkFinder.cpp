@@ -1,8 +1,6 @@
 #include "input/hands/webcam/landmarks/LandmarkFinder.h"
 
 #include "engine/math/Trigonometry.h"
-#include "input/hands/CompleteHand.h"
-#include "input/hands/webcam/landmarks/HandNets.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -17,7 +15,6 @@ namespace {
 
 constexpr float kPresent = 0.5f;   // a hand is followed while the network is so sure that there is one...
 constexpr float kNew = 0.7f;       // ...and taken for one when it is so sure...
-constexpr int kNewPictures = 2;    // ...in so many pictures in a row
 constexpr int kLookEvery = 3;      // pictures: for a second hand, which costs more than to follow one
 constexpr float kSameHand = 0.6f;  // palms nearer than this, in lengths of a palm, are one
 constexpr float kSideShare = 0.1f; // of the newest picture in what is known of a hand's side
@@ -66,61 +63,10 @@ float palmLength(const Landmarks& hand) {
     return static_cast<float>(cv::norm(hand.at[kMiddleKnuckle] - hand.at[kWrist]));
 }
 
-struct Track {
-    Landmarks hand;
-    int pictures = 0; // in a row
-    float right = 0.5f;
-    Side side = Side::Right;
-    int64_t identity = 0;
-
-    bool isSure() const { return pictures >= kNewPictures; }
-};
-
 bool same(const Landmarks& a, const Landmarks& b) {
     return cv::norm(palmOf(a) - palmOf(b)) <
            static_cast<double>(kSameHand * std::max(palmLength(a), palmLength(b)));
 }
-
-class LandmarkFinder final : public HandFinder {
-  public:
-    LandmarkFinder(HandNets nets, const HandRig& rig);
-    HandFrame detect(const cv::Mat& bgr, double time_s) override;
-    std::span<const cv::Point2f> marks() const override { return marks_; }
-
-  private:
-    void follow(const cv::Mat& bgr);
-    void lookForNew(const cv::Mat& bgr);
-    void decideSides();
-    std::optional<HandPose> poseOf(const Track& track, cv::Size picture) const;
-
-    // In the camera's frame: x right, y up, z towards the camera.
-    struct Seen {
-        std::array<glm::vec3, kLandmarkCount> ray;   // z is -1
-        std::array<glm::vec3, kLandmarkCount> shape; // metres, in the size of the rig's hand
-    };
-    struct Fit {
-        glm::quat turn;
-        glm::vec3 wrist;
-        HandShape hand;
-    };
-    static constexpr int kResiduals = 3 * kLandmarkCount + 1 + kFingerCount, kUnknowns = 12;
-    using Residuals = cv::Vec<float, kResiduals>;
-    using Step = cv::Vec<float, kUnknowns>; // radians, metres, five curls, spread
-    Fit firstFit(const Seen& seen, const std::array<glm::vec3, kLandmarkCount>& rest) const;
-    Residuals residuals(const Fit& fit, const Seen& seen, Side side) const;
-    static Fit moved(Fit fit, const Step& by);
-    HandPose fitted(const Seen& seen, Side side) const;
-
-    HandNets nets_;
-    HandCompleter completer_;
-    HandRig rig_;
-    std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
-    float palmBones_m_ = 0;        // the rig's sum of kPalmBones
-    std::vector<Track> tracks_;    // two at most, the older first
-    std::vector<cv::Point2f> marks_;
-    cv::Mat brightened_;
-    int64_t identities_ = 0, pictures_ = 0;
-};
 
 // The axes of a palm: across to the index finger's side, ahead to the fingers, and their product.
 glm::mat3 palmAxes(const std::array<glm::vec3, kLandmarkCount>& at) {
@@ -129,6 +75,16 @@ glm::mat3 palmAxes(const std::array<glm::vec3, kLandmarkCount>& at) {
     const glm::vec3 side = glm::normalize(across - ahead * glm::dot(across, ahead));
     return {side, ahead, glm::cross(side, ahead)};
 }
+
+// By how much pictures are to be made brighter so that hands are seen in the dark; else 1.
+double gainFor(const cv::Mat& bgr) {
+    constexpr double kDark = 70, kBright = 110, kMaxGain = 6; // of a picture's mean, of 255
+    const cv::Scalar mean = cv::mean(bgr);
+    const double light = (mean[0] + mean[1] + mean[2]) / 3;
+    return light < kDark ? std::min(kBright / std::max(light, 1.0), kMaxGain) : 1.0;
+}
+
+} // namespace
 
 LandmarkFinder::LandmarkFinder(HandNets nets, const HandRig& rig)
     : nets_(std::move(nets)), completer_(rig),
@@ -151,7 +107,7 @@ void LandmarkFinder::follow(const cv::Mat& bgr) {
 }
 
 void LandmarkFinder::lookForNew(const cv::Mat& bgr) {
-    for (const Palm& palm : nets_.findPalms(bgr)) {
+    for (const FoundPalm& palm : nets_.findPalms(bgr)) {
         if (tracks_.size() == 2) return;
         const auto isFollowed = [&](const Landmarks& hand) {
             return std::any_of(tracks_.begin(), tracks_.end(),
@@ -337,12 +293,10 @@ HandFrame LandmarkFinder::detect(const cv::Mat& given, double time_s) {
     return frame;
 }
 
-} // namespace
-
-Result<std::unique_ptr<HandFinder>> makeLandmarkFinder(const Path& folder, const HandRig& rig) {
+Result<LandmarkFinder> LandmarkFinder::load(const Path& folder, const HandRig& rig) {
     auto nets = HandNets::load(folder);
     if (!nets) return nets.error();
-    return std::unique_ptr<HandFinder>(std::make_unique<LandmarkFinder>(std::move(*nets), rig));
+    return LandmarkFinder(std::move(*nets), rig);
 }
 
 } // namespace shoal::hands

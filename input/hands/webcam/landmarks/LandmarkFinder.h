@@ -1,15 +1,77 @@
 // Finds both hands in the pictures of a webcam by learned landmarks, and follows them.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "input/hands/HandRig.h"
-#include "input/hands/webcam/HandFinder.h"
+#include "input/hands/CompleteHand.h"
+#include "input/hands/HandTracker.h"
+#include "input/hands/webcam/landmarks/HandNets.h"
 
-#include <memory>
+#include <opencv2/core.hpp>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace shoal::hands {
 
-// folder: where get_models puts the models.
-Result<std::unique_ptr<HandFinder>> makeLandmarkFinder(const Path& folder, const HandRig& rig);
+// Field of view of a typical webcam, which does not report it: horizontal, radians. An error in it scales all
+// distances alike.
+constexpr float kWebcamFov = 1.05f;
+
+class LandmarkFinder {
+  public:
+    // folder: where get_models puts the models.
+    static Result<LandmarkFinder> load(const Path& folder, const HandRig& rig);
+
+    // The next picture, blue first, of any size. time_s rises. Hands are returned in the camera's frame.
+    HandFrame detect(const cv::Mat& bgr, double time_s);
+    // Landmarks of the hands in the last picture, its pixels; for a person to see.
+    std::span<const cv::Point2f> marks() const { return marks_; }
+
+  private:
+    LandmarkFinder(HandNets nets, const HandRig& rig);
+
+    struct Track {
+        Landmarks hand;
+        int pictures = 0; // in a row
+        float right = 0.5f;
+        Side side = Side::Right;
+        int64_t identity = 0;
+
+        bool isSure() const { return pictures >= 2; } // taken for a hand
+    };
+    void follow(const cv::Mat& bgr);
+    void lookForNew(const cv::Mat& bgr);
+    void decideSides();
+    std::optional<HandPose> poseOf(const Track& track, cv::Size picture) const;
+
+    // In the camera's frame: x right, y up, z towards the camera.
+    struct Seen {
+        std::array<glm::vec3, kLandmarkCount> ray;   // z is -1
+        std::array<glm::vec3, kLandmarkCount> shape; // metres, in the size of the rig's hand
+    };
+    struct Fit {
+        glm::quat turn;
+        glm::vec3 wrist;
+        HandShape hand;
+    };
+    static constexpr int kResiduals = 3 * kLandmarkCount + 1 + kFingerCount, kUnknowns = 12;
+    using Residuals = cv::Vec<float, kResiduals>;
+    using Step = cv::Vec<float, kUnknowns>; // radians, metres, five curls, spread
+    Fit firstFit(const Seen& seen, const std::array<glm::vec3, kLandmarkCount>& rest) const;
+    Residuals residuals(const Fit& fit, const Seen& seen, Side side) const;
+    static Fit moved(Fit fit, const Step& by);
+    HandPose fitted(const Seen& seen, Side side) const;
+
+    HandNets nets_;
+    HandCompleter completer_;
+    HandRig rig_;
+    std::array<HandPose, 2> rest_; // left, right: flat, wrist at the origin
+    float palmBones_m_ = 0;        // the rig's sum of kPalmBones
+    std::vector<Track> tracks_;    // two at most, the older first
+    std::vector<cv::Point2f> marks_;
+    cv::Mat brightened_;
+    int64_t identities_ = 0, pictures_ = 0;
+};
 
 } // namespace shoal::hands
