@@ -5,14 +5,10 @@
 
 #include "input/haptics/HapticFrame.h"
 #include "input/haptics/HidBus.h"
-#include "input/haptics/ReportDescriptor.h"
 
 #include <array>
 #include <functional>
-#include <limits>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace shoal::haptics {
@@ -33,11 +29,7 @@ struct Driver {
     // checksum) is filled in by seal, if there is any.
     std::function<Report(const HapticFrame&)> encode;
     void (*seal)(Report&, uint8_t sequence) = nullptr;
-    std::vector<Report> initialReports;                         // written first, sealed likewise
-    double minWrite_s = 0;                                      // between two writes
-    double refresh_s = std::numeric_limits<double>::infinity(); // a vibration is repeated after that: devices
-                                                                // stop by themselves
-    bool oneShot = false; // each report plays one short pulse, so that only a growing amplitude is written
+    std::vector<Report> initialReports; // written first, sealed likewise
 
     Report sealed(const HapticFrame& frame, uint8_t sequence) const {
         Report report = encode(frame);
@@ -53,16 +45,14 @@ using ReadFeature = std::function<size_t(std::span<uint8_t>)>;
 struct DeviceContext {
     uint16_t product;
     bool bluetooth;
-    const ReportLayout& layout; // empty for devices known by vendor and product
     const ReadFeature& readFeature;
 };
 
-// Each in the file named beside it. Empty: the device has no actuator that can be used.
-using MakeDriver = std::optional<Driver>(const DeviceContext&);
+// Each in the file named beside it.
+using MakeDriver = Driver(const DeviceContext&);
 MakeDriver makeDualSense, makeDualShock4, makeXbox, makeStadia; // Gamepads.cpp
 MakeDriver makeSwitch;                                          // Switch.cpp
 MakeDriver makeGlove;                                           // Glove.cpp
-MakeDriver makeSimpleHaptic;                                    // SimpleHaptic.cpp
 MakeDriver makeForceFeedback;                                   // ForceFeedback.cpp
 
 struct DeviceRow {
@@ -71,7 +61,8 @@ struct DeviceRow {
     const char* name;
     const char* motors;
     MakeDriver* driver;
-    double minWrite_s, refresh_s; // as in Driver, which may refresh more often
+    double minWrite_s; // between two writes
+    double refresh_s;  // a vibration is repeated after that: some devices stop by themselves
 };
 
 // Pace. USB: the controller polls every 4 ms. Bluetooth: reports that come more often than every 10 ms queue
@@ -105,32 +96,16 @@ inline constexpr auto kDevices = [] {
     });
 }();
 
-// Devices of any vendor, known by their report descriptor. The glove's watchdog waits 0.1 s.
-struct DescriptorRow {
-    bool (*matches)(const ReportLayout&);
-    DeviceRow device;
-};
-bool isGlove(const ReportLayout& layout);
-bool hasSimpleHaptic(const ReportLayout& layout);
-inline constexpr auto kDevicesByDescriptor = std::to_array<DescriptorRow>({
-    {isGlove,
-     {0, 0, Transport::Any, "fingertip glove", "ten fingertips and two palms", makeGlove, 0.002, 0.040}},
-    {hasSimpleHaptic, {0, 0, Transport::Any, "haptic device", "one actuator", makeSimpleHaptic, 0.020, 0.5}},
-});
+// Known by its usage, whoever built it. Its watchdog waits 0.1 s.
+inline constexpr DeviceRow kGlove = {
+    0, 0, Transport::Any, "fingertip glove", "ten fingertips and two palms", makeGlove, 0.002, 0.040};
 
 // Gamepads that the kernel drives; motors with weights follow no faster than this.
 inline constexpr DeviceRow kForceFeedback = {
     0, 0, Transport::ForceFeedback, "gamepad", "a strong and a quick motor", makeForceFeedback, 0.010, 0.5};
 
-struct Recognised {
-    const DeviceRow* row;
-    ReportLayout layout;
-    std::string name;
-};
-
-// Empty for all that has no actuator: keyboards, mice. descriptor: reads the report descriptor of a path.
-std::optional<Recognised>
-recognise(const HidInfo& info, const std::function<std::vector<uint8_t>(const std::string&)>& descriptor);
+// Null for all that has no actuator: keyboards, mice.
+const DeviceRow* recognise(const HidInfo& info);
 
 // The two tones of one side of Nintendo's controllers in four bytes, by the tables of dekuNukem's
 // Nintendo_Switch_Reverse_Engineering (rumble_data_table.md): the high one 82 to 1253 Hz, the low one 41 to
@@ -138,28 +113,5 @@ recognise(const HidInfo& info, const std::function<std::vector<uint8_t>(const st
 // silent tone the frequency is the neutral one, 320 and 160 Hz.
 std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation& low);
 int switchAmplitudeIndex(float amplitude); // number of an amplitude in the table, 0 to 100
-
-// HID simple haptic controllers (usage page 0E of the HID Usage Tables): the device has a list of waveforms
-// and plays the one whose index it receives.
-struct SimpleHaptic {
-    struct Waveform {
-        uint16_t ordinal = 0;     // its place in the device's list; 0: it has none such
-        uint32_t duration_ms = 0; // 0: unknown
-        bool goesOn = false;      // until it is stopped; else it is one short pulse
-    };
-    Waveform slow, quick; // for low and high frequencies, the best of the list for each
-    ReportField trigger;
-    std::optional<ReportField> intensity, repeats, cutoff;
-    size_t reportBytes = 0; // the id not counted
-
-    bool oneShot() const { return !slow.goesOn; } // it only plays short pulses
-    Report encode(const HapticFrame& frame) const;
-};
-
-// Empty if it is none, or names no waveform that can be used.
-std::optional<SimpleHaptic> findSimpleHaptic(const ReportLayout& layout, const ReadFeature& readFeature);
-
-// readFeature: of the opened device. Empty if it has nothing that can be used.
-std::optional<Driver> driverOf(const Recognised& device, Transport transport, const ReadFeature& readFeature);
 
 } // namespace shoal::haptics

@@ -115,8 +115,8 @@ uint16_t scaled16(float amplitude) { return static_cast<uint16_t>(std::lround(dr
 
 } // namespace
 
-std::optional<Driver> makeForceFeedback(const DeviceContext&) {
-    return Driver{.encode = [](const HapticFrame& frame) {
+Driver makeForceFeedback(const DeviceContext&) {
+    return {.encode = [](const HapticFrame& frame) {
         const Motors motors = motorsOf(frame);
         const uint16_t strong = scaled16(motors.strong), weak = scaled16(motors.weak);
         Report report{.size = 4};

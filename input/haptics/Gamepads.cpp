@@ -103,20 +103,19 @@ Report stadia(const HapticFrame& frame) {
 
 } // namespace
 
-std::optional<Driver> makeDualSense(const DeviceContext& device) {
+Driver makeDualSense(const DeviceContext& device) {
     const bool bluetooth = device.bluetooth, newVibration = hasNewVibration(device);
-    return Driver{
-        .encode = [=](const HapticFrame& frame) { return dualSense(frame, bluetooth, newVibration); },
-        .seal = bluetooth ? sealDualSenseBluetooth : nullptr};
+    return {.encode = [=](const HapticFrame& frame) { return dualSense(frame, bluetooth, newVibration); },
+            .seal = bluetooth ? sealDualSenseBluetooth : nullptr};
 }
 
-std::optional<Driver> makeDualShock4(const DeviceContext& device) {
+Driver makeDualShock4(const DeviceContext& device) {
     const bool bluetooth = device.bluetooth;
-    return Driver{.encode = [=](const HapticFrame& frame) { return dualShock4(frame, bluetooth); },
-                  .seal = bluetooth ? sealDualShock4Bluetooth : nullptr};
+    return {.encode = [=](const HapticFrame& frame) { return dualShock4(frame, bluetooth); },
+            .seal = bluetooth ? sealDualShock4Bluetooth : nullptr};
 }
 
-std::optional<Driver> makeXbox(const DeviceContext&) { return Driver{.encode = xbox}; }
-std::optional<Driver> makeStadia(const DeviceContext&) { return Driver{.encode = stadia}; }
+Driver makeXbox(const DeviceContext&) { return {.encode = xbox}; }
+Driver makeStadia(const DeviceContext&) { return {.encode = stadia}; }
 
 } // namespace shoal::haptics

@@ -10,14 +10,6 @@ namespace shoal::haptics {
 
 static_assert(glove::kActuators == kActuatorCount);
 
-bool isGlove(const ReportLayout& layout) {
-    return layout.bytes(ReportKind::Output, 0) == glove::kReportBytes &&
-           std::any_of(layout.fields.begin(), layout.fields.end(), [](const ReportField& field) {
-               return field.kind == ReportKind::Output &&
-                      field.isWithin(usage(glove::kUsagePage, glove::kUsage));
-           });
-}
-
 namespace {
 
 // 0 (reports have no id), sequence, twelve amplitudes, twelve frequencies. The body, for which a glove has no
@@ -40,6 +32,6 @@ void seal(Report& report, uint8_t sequence) { report.bytes[1] = sequence; }
 
 } // namespace
 
-std::optional<Driver> makeGlove(const DeviceContext&) { return Driver{.encode = encode, .seal = seal}; }
+Driver makeGlove(const DeviceContext&) { return {.encode = encode, .seal = seal}; }
 
 } // namespace shoal::haptics

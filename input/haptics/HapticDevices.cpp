@@ -16,12 +16,12 @@ double secondsSince(std::chrono::steady_clock::time_point then) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
 }
 
-constexpr float kPulseGrowth = 0.1f; // of the amplitude, for another pulse of a one-shot device
-
-std::string describe(const Recognised& recognised, const HidInfo& info) {
-    return recognised.name + (info.transport == Transport::Bluetooth ? " over Bluetooth"
-                              : info.transport == Transport::Usb     ? " on USB"
-                                                                     : "");
+std::string describe(const DeviceRow& row, const HidInfo& info) {
+    const bool named = info.transport == Transport::ForceFeedback && !info.name.empty();
+    return (named ? info.name : row.name) + std::string(info.transport == Transport::Bluetooth
+                                                            ? " over Bluetooth"
+                                                        : info.transport == Transport::Usb ? " on USB"
+                                                                                           : "");
 }
 
 // What a person must do to be let in, with the rule for just this device.
@@ -38,19 +38,17 @@ std::string notLetIn(const HidInfo& info) {
 
 } // namespace
 
-// What is wrong, empty if nothing.
-std::string HapticDevices::add(const HidInfo& info, const Recognised& recognised, double now_s) {
+// Returns why the device cannot be used; empty: it can.
+std::string HapticDevices::add(const HidInfo& info, const DeviceRow& row, double now_s) {
     auto handle = bus_.open(info.path);
     if (!handle) return notLetIn(info);
-    auto driver = driverOf(recognised, info.transport,
-                           [&](std::span<uint8_t> report) { return bus_.readFeature(*handle, report); });
-    if (!driver) {
-        bus_.close(*handle);
-        return "names no waveform that can be used";
-    }
-    Device device{.listed = {describe(recognised, info), info.path, recognised.row->motors, ""},
+    const ReadFeature readFeature = [&](std::span<uint8_t> report) {
+        return bus_.readFeature(*handle, report);
+    };
+    Device device{.listed = {describe(row, info), info.path, row.motors, ""},
                   .physical = info.device,
-                  .driver = std::move(*driver),
+                  .row = &row,
+                  .driver = row.driver({row.product, info.transport == Transport::Bluetooth, readFeature}),
                   .handle = *handle};
     device.stopped = device.sent = device.driver.encode({});
     bus_.guard(device.handle, device.driver.sealed({}, 0).view());
@@ -71,21 +69,21 @@ void HapticDevices::findDevices(double now_s) {
         if (std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.listed.path == info.path; }))
             continue;
-        // What moves already through its HID node is not moved twice.
+        // A pad that moves already through its HID node is not moved twice.
         if (info.transport == Transport::ForceFeedback && !info.device.empty() &&
             std::any_of(devices_.begin(), devices_.end(),
                         [&](const Device& device) { return device.physical == info.device; }))
             continue;
-        const auto recognised = recognise(info, bus_.descriptor);
-        if (!recognised) continue;
-        const std::string problem = add(info, *recognised, now_s);
+        const DeviceRow* row = recognise(info);
+        if (!row) continue;
+        const std::string problem = add(info, *row, now_s);
         if (problem.empty()) {
             warned_.erase(info.path);
             continue;
         }
-        refused_.push_back({describe(*recognised, info), info.path, recognised->row->motors, problem});
+        refused_.push_back({describe(*row, info), info.path, row->motors, problem});
         if (warned_.insert(info.path).second)
-            warnings_.push_back(describe(*recognised, info) + " at " + info.path + ": " + problem);
+            warnings_.push_back(describe(*row, info) + " at " + info.path + ": " + problem);
     }
 }
 
@@ -97,31 +95,21 @@ bool HapticDevices::write(Device& device, const Report& unsealed, double now_s) 
     return bus_.write(device.handle, report.view());
 }
 
-bool HapticDevices::needsWrite(Device& device, const Report& report, float strongest, double now_s) const {
-    if (device.driver.oneShot) {
-        device.level = std::min(device.level, strongest);
-        return strongest > device.level + kPulseGrowth;
-    }
-    const bool refresh = report != device.stopped && now_s - device.sent_s >= device.driver.refresh_s;
-    return report != device.sent || refresh;
-}
-
 double HapticDevices::step(const HapticFrame& frame, double now_s) {
     if (now_s - found_s_ >= kFindDevices_s) {
         found_s_ = now_s;
         findDevices(now_s);
     }
-    const float strongest = strongestOf(frame).amplitude;
     double next_s = found_s_ + kFindDevices_s;
     std::erase_if(devices_, [&](Device& device) {
         const Report report = device.driver.encode(frame);
-        const double free_s = device.sent_s + device.driver.minWrite_s;
-        if (needsWrite(device, report, strongest, now_s)) {
+        const double free_s = device.sent_s + device.row->minWrite_s;
+        const bool refresh = report != device.stopped && now_s - device.sent_s >= device.row->refresh_s;
+        if (report != device.sent || refresh) {
             if (now_s < free_s) {
                 next_s = std::min(next_s, free_s);
                 return false;
             }
-            device.level = strongest;
             if (!write(device, report, now_s)) {
                 // Gone, or deaf for the moment: if it still hears, let it be still.
                 bus_.write(device.handle, device.driver.sealed({}, device.sequence).view());
@@ -129,17 +117,15 @@ double HapticDevices::step(const HapticFrame& frame, double now_s) {
                 return true;
             }
         }
-        if (!device.driver.oneShot && device.sent != device.stopped)
-            next_s = std::min(next_s, device.sent_s + device.driver.refresh_s);
+        if (device.sent != device.stopped) next_s = std::min(next_s, device.sent_s + device.row->refresh_s);
         return false;
     });
     return std::max(next_s - now_s, 0.0);
 }
 
 bool HapticDevices::allStopped() const {
-    return std::all_of(devices_.begin(), devices_.end(), [](const Device& device) {
-        return device.driver.oneShot || device.sent == device.stopped;
-    });
+    return std::all_of(devices_.begin(), devices_.end(),
+                       [](const Device& device) { return device.sent == device.stopped; });
 }
 
 void HapticDevices::stop() {

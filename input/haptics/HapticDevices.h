@@ -1,6 +1,5 @@
 // The haptic devices that are plugged in, and the schedule of reports to each. Takes the time as an argument,
-// so that tests need not wait. One thread; HapticOutput
-// has one of its own for them.
+// so that tests need not wait. One thread; HapticOutput has one of its own for them.
 #pragma once
 
 #include "input/haptics/DeviceTable.h"
@@ -35,7 +34,7 @@ class HapticDevices {
     // Stops all motors at once and lets go of the devices.
     void stop();
 
-    bool allStopped() const; // no motor runs; a pulse of a one-shot device ends by itself
+    bool allStopped() const; // no motor runs
 
     struct Listed {
         std::string name, path;
@@ -52,18 +51,17 @@ class HapticDevices {
     struct Device {
         Listed listed;
         std::string physical; // HidInfo::device
+        const DeviceRow* row;
         Driver driver;
         int handle = -1;
         Report stopped; // unsealed
         Report sent;    // unsealed
         uint8_t sequence = 0;
         double sent_s = -1e9;
-        float level = 0; // one-shot: amplitude of the last pulse, lowered to those of the frames since
     };
     void findDevices(double now_s);
-    std::string add(const HidInfo& info, const Recognised& recognised, double now_s);
+    std::string add(const HidInfo& info, const DeviceRow& row, double now_s);
     bool write(Device& device, const Report& unsealed, double now_s);
-    bool needsWrite(Device& device, const Report& report, float strongest, double now_s) const;
 
     HidBus bus_;
     std::vector<Device> devices_;

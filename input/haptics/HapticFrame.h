@@ -49,7 +49,6 @@ inline Actuation stronger(const Actuation& a, const Actuation& b) {
 // The strongest with a frequency of min_Hz or above and below limit_Hz; amplitude 0 if there is none.
 Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz = 0,
                       float limit_Hz = std::numeric_limits<float>::infinity());
-Actuation strongestOf(const HapticFrame& frame); // of everything, the body too
 
 // What a motor with an eccentric weight is driven by, 0 to 1. Such motors start only at about a fifth of
 // their range; amplitudes are laid over what can be felt, and 0 stays 0.

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 namespace shoal::haptics {
@@ -29,17 +27,10 @@ struct Opened {
     }
 };
 
-// hidapi 0.13 has no call for these; the system keeps them as files.
-fs::path folderOf(const std::string& path) {
-    return fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device";
-}
+// hidapi 0.13 has no call for this.
 std::string deviceOf(const std::string& path) {
     std::error_code none;
-    return fs::canonical(folderOf(path), none).string();
-}
-std::vector<uint8_t> readDescriptor(const std::string& path) {
-    std::ifstream file(folderOf(path) / "report_descriptor", std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return fs::canonical(fs::path("/sys/class/hidraw") / fs::path(path).filename() / "device", none).string();
 }
 
 struct Hidapi {
@@ -72,7 +63,7 @@ struct Hidapi {
                              info->bus_type == HID_API_BUS_USB         ? Transport::Usb
                              : info->bus_type == HID_API_BUS_BLUETOOTH ? Transport::Bluetooth
                                                                        : Transport::Any,
-                             std::move(name), deviceOf(info->path)});
+                             std::move(name), deviceOf(info->path), info->usage_page, info->usage});
         }
         hid_free_enumeration(first);
     }
@@ -87,7 +78,6 @@ HidBus hidapiBus() {
         if (hidapi->folder.mayHaveChanged()) hidapi->list();
         return hidapi->found;
     };
-    bus.descriptor = readDescriptor;
     bus.open = [hidapi](const std::string& path) -> Result<int> {
         hid_device* device = hid_open_path(path.c_str());
         if (!device) return Error{path, "may not be opened"};

@@ -20,14 +20,14 @@ struct HidInfo {
     Transport transport = Transport::Any;
     std::string name;   // as the device calls itself; may be empty
     std::string device; // the system's name of the device behind the path, which may have several; or empty
+    uint16_t usagePage = 0, usage = 0; // of its first collection of reports
 };
 
 struct HidBus {
     // All devices, each path once; may take some milliseconds, unless nothing was plugged in or out.
     std::function<std::vector<HidInfo>()> list;
-    std::function<std::vector<uint8_t>(const std::string& path)> descriptor; // of its reports; empty: unknown
-    std::function<Result<int>(const std::string& path)> open;                // a handle, 0 or above
-    std::function<bool(int handle, std::span<const uint8_t> report)> write;  // false: the device is gone
+    std::function<Result<int>(const std::string& path)> open;               // a handle, 0 or above
+    std::function<bool(int handle, std::span<const uint8_t> report)> write; // false: the device is gone
     // Fills the buffer, whose first byte is the report's id; how many bytes, id counted, or 0.
     std::function<size_t(int handle, std::span<uint8_t> report)> readFeature;
     // From now until close(): should the program die by a signal, this report is still written.

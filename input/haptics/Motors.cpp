@@ -42,8 +42,6 @@ Actuation strongestOf(std::span<const Actuation> actuations, float min_Hz, float
     return best;
 }
 
-Actuation strongestOf(const HapticFrame& frame) { return stronger(strongestOf(frame.actuators), frame.body); }
-
 float driveOf(float amplitude) {
     if (!(amplitude > 1.0f / 512)) return 0; // NaN too
     return kMinFelt + (1 - kMinFelt) * std::min(amplitude, 1.0f);

@@ -71,11 +71,11 @@ std::array<uint8_t, 4> encodeSwitchTones(const Actuation& high, const Actuation&
             static_cast<uint8_t>(0x40 + lowIndex / 2)};
 }
 
-std::optional<Driver> makeSwitch(const DeviceContext& device) {
+Driver makeSwitch(const DeviceContext& device) {
     const size_t size = device.bluetooth ? 49 : 64;
-    return Driver{.encode = [=](const HapticFrame& frame) { return tones(frame, size); },
-                  .seal = seal,
-                  .initialReports = {enable(size)}};
+    return {.encode = [=](const HapticFrame& frame) { return tones(frame, size); },
+            .seal = seal,
+            .initialReports = {enable(size)}};
 }
 
 } // namespace shoal::haptics

@@ -28,7 +28,6 @@ struct Stamped {
         made.list = [] {
             return std::vector<haptics::HidInfo>{{"x", 0x054c, 0x0ce6, haptics::Transport::Usb, ""}};
         };
-        made.descriptor = [](const std::string&) { return std::vector<uint8_t>(); };
         made.open = [](const std::string&) -> Result<int> { return 0; };
         made.write = [this](int, std::span<const uint8_t>) {
             const std::lock_guard lock(mutex);

@@ -1,8 +1,7 @@
 // A bus that notes what is done to it, and frames to send over it.
 #pragma once
 
-#include "input/haptics/HapticFrame.h"
-#include "input/haptics/HidBus.h"
+#include "input/haptics/DeviceTable.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -18,10 +17,18 @@ inline HapticFrame frameOf(float amplitude, float frequency_Hz, size_t actuator 
     return frame;
 }
 
+inline Driver driverOf(const DeviceRow& row, Transport transport) {
+    const ReadFeature none = [](std::span<uint8_t>) { return size_t{0}; };
+    return row.driver({row.product, transport == Transport::Bluetooth, none});
+}
+
+// A vendor number that is given to nobody, for a device that no table knows.
+constexpr uint16_t kNoVendor = 0xFFFF;
+
 struct FakeBus {
     struct Node {
         HidInfo info;
-        std::vector<uint8_t> descriptor, feature; // feature: with its id
+        std::vector<uint8_t> feature; // with its id
         bool permitted = true;
     };
     std::vector<Node> plugged;
@@ -30,7 +37,7 @@ struct FakeBus {
     int lists = 0;
 
     void plug(std::string path, uint16_t vendor, uint16_t product, Transport transport = Transport::Usb) {
-        plugged.push_back({{std::move(path), vendor, product, transport, ""}, {}, {}});
+        plugged.push_back({{std::move(path), vendor, product, transport, ""}, {}});
     }
     void unplug(const std::string& path) {
         std::erase_if(plugged, [&](const Node& node) { return node.info.path == path; });
@@ -53,7 +60,6 @@ struct FakeBus {
             for (const Node& node : plugged) infos.push_back(node.info);
             return infos;
         };
-        made.descriptor = [this](const std::string& path) { return find(path)->descriptor; };
         made.open = [this](const std::string& path) -> Result<int> {
             if (!find(path)->permitted) return Error{path, "may not be opened"};
             open.push_back(path);

@@ -29,8 +29,7 @@ TEST(Glove, UnderstandsWhatTheGameSends) {
     frame.actuators[0] = {1, 40};
     frame.actuators[7] = {0.5f, 250};
     frame.body = {0.25f, 60};
-    const ReportLayout layout = readReportDescriptor(glove::kReportDescriptor);
-    const Driver driver = makeGlove({0, false, layout, {}}).value();
+    const Driver driver = driverOf(kGlove, Transport::Usb);
     const Report report = driver.sealed(frame, 9);
     ASSERT_EQ(report.bytes[0], 0); // hidapi's word for a report without a number; it is not sent
     glove::State state;
@@ -45,18 +44,15 @@ TEST(Glove, UnderstandsWhatTheGameSends) {
     EXPECT_EQ(state.frequency[5], 30);
 }
 
-TEST(Glove, IsRecognisedByItsDescriptorWhoeverBuiltIt) {
-    EXPECT_TRUE(isGlove(readReportDescriptor(glove::kReportDescriptor)));
-    std::vector<uint8_t> other(std::begin(glove::kReportDescriptor), std::end(glove::kReportDescriptor));
-    other[1] = 0x49; // another vendor's page
-    EXPECT_FALSE(isGlove(readReportDescriptor(other)));
-    FakeBus fake;
-    fake.plugged.push_back({{"g", 0xABCD, 0x1234, Transport::Usb, ""},
-                            {std::begin(glove::kReportDescriptor), std::end(glove::kReportDescriptor)},
-                            {}});
-    HapticDevices hapticDevices(fake.bus());
-    hapticDevices.step({}, 0);
-    EXPECT_EQ(hapticDevices.list().at(0).name, "fingertip glove on USB");
+HidInfo gloveInfo() {
+    return {.path = "g", .vendor = kNoVendor, .usagePage = glove::kUsagePage, .usage = glove::kUsage};
+}
+
+TEST(Glove, IsRecognisedByItsUsageWhoeverBuiltIt) {
+    EXPECT_EQ(recognise(gloveInfo()), &kGlove);
+    HidInfo other = gloveInfo();
+    ++other.usagePage; // another vendor's
+    EXPECT_FALSE(recognise(other));
 }
 
 TEST(Glove, StopsAfterATenthOfASecondOfSilence) {
@@ -76,9 +72,7 @@ TEST(Glove, StopsAfterATenthOfASecondOfSilence) {
 
 TEST(Glove, TheGameSpeaksOftenEnoughForTheWatchdog) {
     FakeBus fake;
-    fake.plugged.push_back({{"g", 1, 2, Transport::Usb, ""},
-                            {std::begin(glove::kReportDescriptor), std::end(glove::kReportDescriptor)},
-                            {}});
+    fake.plugged.push_back({gloveInfo(), {}});
     HapticDevices hapticDevices(fake.bus());
     glove::State state;
     size_t had = 0;

@@ -27,7 +27,6 @@ struct Watched {
                     [] {
                         return std::vector<HidInfo>{{"x", 0x054c, 0x0ce6, Transport::Usb, ""}};
                     },
-                .descriptor = [](const std::string&) { return std::vector<uint8_t>(); },
                 .open = [](const std::string&) -> Result<int> { return 0; },
                 .write =
                     [this](int, std::span<const uint8_t> report) {
