@@ -2,13 +2,15 @@
 //
 // A file is written beside its place, brought to the disk, then renamed: a reader, a crash or a full disk
 // finds the old file or the new one, never half of one. The name beside NAME is .NAME.PID.part, of the
-// process that writes; those of the same NAME whose process is gone are removed by the next writer. Symbolic
-// links are followed, so that a link stays one; into devices, FIFOs and sockets is written as they are.
+// process that writes; a process that is killed in the middle leaves it there. Symbolic links are followed,
+// so that a link stays one; into devices, FIFOs and sockets is written as they are.
 #pragma once
 
 #include "engine/core/Files.h"
 
 #include <cstdint>
+#include <cstdio>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,8 +25,7 @@ struct NamedBytes {
     std::string bytes;
 };
 
-// All of them or none: a folder that is not there yet appears whole; in one that is, nothing is replaced
-// before everything has been written beside. Creates the parent folder.
+// All of them or none: nothing is put in place before everything has been written beside. Creates the folder.
 Status writeFolderWhole(const Path& folder, std::span<const NamedBytes> files);
 
 // A file that grows while the program runs, written under its final name; for what must survive a crash.
@@ -34,18 +35,16 @@ class GrowingFile {
     static Result<GrowingFile> create(const Path& file);
     // Goes on behind the first `bytes` of a file that is there; what it holds beyond them is dropped.
     static Result<GrowingFile> extend(const Path& file, uint64_t bytes);
-    GrowingFile(GrowingFile&&) noexcept;
-    GrowingFile& operator=(GrowingFile&&) noexcept;
-    ~GrowingFile();
 
     Status write(std::string_view bytes);
     // Waits until the disk has it all, and closes.
     Status finish();
 
   private:
-    GrowingFile(Path file, int descriptor) : file_(std::move(file)), descriptor_(descriptor) {}
+    static Result<GrowingFile> open(const Path& file, const char* mode); // of std::fopen()
+    GrowingFile(const Path& file, std::FILE* opened) : file_(file), out_(opened, std::fclose) {}
     Path file_;
-    int descriptor_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> out_;
 };
 
 // A file that a person has named, and the option that did so.

@@ -45,9 +45,8 @@ struct PictureHeader {
 // bytes: the file or at least its beginning (a JPEG's size may follow long metadata). The error has no path.
 Result<PictureHeader> readPictureHeader(ByteSpan bytes);
 
-// Why a PNG or JPEG is cut short or altered; empty if it is neither. PNG: every chunk and its checksum; JPEG:
-// the end mark. Tested before decoding, because libpng and libjpeg write to standard error.
-const char* damageIn(PictureKind kind, ByteSpan bytes);
+// Whether a JPEG's end mark is missing: libjpeg would fill the rest with grey.
+bool isCutJpeg(ByteSpan bytes);
 
 // Calls visit(marker, payload) for each segment of a JPEG (ITU T.81 annex B) until it returns true or the
 // compressed data begins. Returns the offset reached.

@@ -1,7 +1,6 @@
 #include "engine/media/Pictures.h"
 
 #include "engine/core/Log.h"
-#include "engine/core/Number.h"
 #include "engine/core/WriteFile.h"
 #include "engine/media/Codecs.h"
 #include "engine/media/EncodeHdr.h"
@@ -16,6 +15,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 
 namespace shoal::media {
 
@@ -157,27 +157,16 @@ Result<ImageRgbF> decodeRadiance(ByteSpan bytes, int width, int height) {
     return image;
 }
 
-// The third header field; `at` ends one past the single white space behind it. 0 if there is none.
-float scaleOf(ByteSpan b, size_t& at) {
-    at = 2;
-    std::string_view field;
-    for (int i = 0; i < 3; ++i) {
-        while (at < b.size() && std::isspace(b[at])) ++at;
-        const size_t begin = at;
-        while (at < b.size() && !std::isspace(b[at])) ++at;
-        field = asText(b.subspan(begin, at - begin));
-    }
-    ++at;
-    return parseNumber<float>(field).value_or(0);
-}
-
 // Portable float maps: "PF" or "Pf", size, scale (negative: little endian), then 32-bit floats, bottom row
 // first. Paul Debevec's definition: the scale's size is a factor. OpenCV 4.6 divides by it.
 Result<ImageRgbF> decodePfm(ByteSpan bytes, int width, int height) {
     const size_t channels = hasText(bytes, 0, "PF") ? 3 : 1;
-    size_t at = 0;
-    const float scale = scaleOf(bytes, at);
-    if (scale == 0) return Error{"", "its PFM header is damaged"};
+    const std::string begin(asText(bytes.first(std::min<size_t>(bytes.size(), 128))));
+    float scale = 0;
+    int headerBytes = 0;
+    std::sscanf(begin.c_str(), "P%*c %*d %*d %f%n", &scale, &headerBytes);
+    if (!std::isfinite(scale) || scale == 0) return Error{"", "its PFM header is damaged"};
+    size_t at = static_cast<size_t>(headerBytes) + 1; // behind one white space
     const size_t needed = size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height) * channels;
     if (at > bytes.size() || bytes.size() - at < needed) return Error{"", "is cut short"};
 
@@ -242,7 +231,7 @@ Result<ImageRgb8> readPicture(const Path& file, PictureLimits limits) {
     const auto read = readPictureFile(file, false, limits);
     if (!read) return read.error();
     const auto& [bytes, header] = *read;
-    if (const char* damage = damageIn(header.kind, bytes); *damage) return Error{file.string(), damage};
+    if (header.kind == PictureKind::Jpeg && isCutJpeg(bytes)) return Error{file.string(), "is cut short"};
     return decoded<ImageRgb8>(file, header.kind, CV_8UC3,
                               [&](const Codecs& with) { return with.imdecode(bytes, cv::IMREAD_COLOR); });
 }

@@ -18,22 +18,14 @@ struct Stream {
     std::string mode, filter;
 };
 
-// What the extension's specification asks of each mode and filter, before anything is decoded.
-void checkStream(const Stream& stream, const std::string& who) {
-    const auto [bytes, count, stride, mode, filter] = stream;
-    const bool attributes = mode == "ATTRIBUTES";
-    if (!attributes && mode != "TRIANGLES" && mode != "INDICES")
-        fault(who, ".mode is ", quoted(mode), ", no mode of the extension");
-    if (count < 1) fault(who, ".count is 0");
-    if (attributes ? stride < 1 || stride > 256 || stride % 4 != 0 : stride != 2 && stride != 4)
-        fault(who, ".byteStride is ", stride, ", which ", mode, " cannot have");
-    if (mode == "TRIANGLES" && count % 3 != 0) fault(who, ".count is ", count, ", no multiple of 3");
-    if (filter == "NONE") return;
-    if (filter != "OCTAHEDRAL" && filter != "QUATERNION" && filter != "EXPONENTIAL")
-        fault(who, ".filter is ", quoted(filter), ", no filter of the extension");
-    if (!attributes) fault(who, ".filter is ", filter, ", which ", mode, " cannot have");
-    if ((filter == "OCTAHEDRAL" && stride != 4 && stride != 8) || (filter == "QUATERNION" && stride != 8))
-        fault(who, ".byteStride is ", stride, ", which the filter ", filter, " cannot have");
+// Whether the extension's specification knows the stream's mode and filter, with that count and stride.
+bool isKnown(const Stream& stream) {
+    const auto& [bytes, count, stride, mode, filter] = stream;
+    if (mode == "TRIANGLES" || mode == "INDICES")
+        return filter == "NONE" && (stride == 2 || stride == 4) && (mode == "INDICES" || count % 3 == 0);
+    if (mode != "ATTRIBUTES" || stride < 1 || stride > 256 || stride % 4 != 0) return false;
+    return filter == "NONE" || filter == "EXPONENTIAL" || (filter == "OCTAHEDRAL" && stride <= 8) ||
+           (filter == "QUATERNION" && stride == 8);
 }
 
 // The stream of a view, which lies in its buffer and becomes as many bytes as the view has.
@@ -46,7 +38,10 @@ Stream streamOf(const Json& view, const std::vector<tinygltf::Buffer>& buffers, 
               " bytes of ", all.size(), ")");
     const Stream stream{std::span(all).subspan(offset, length), from["count"], from["byteStride"],
                         from["mode"], from.value("filter", "NONE")};
-    checkStream(stream, who);
+    if (stream.count < 1) fault(who, ".count is 0");
+    if (!isKnown(stream))
+        fault(who, ": the mode ", quoted(stream.mode), " cannot have ", stream.count, " elements of ",
+              stream.stride, " bytes with the filter ", quoted(stream.filter));
     if (view.value("byteStride", stream.stride) != stream.stride)
         fault(who, ".byteStride is not that of its bufferView");
     if (const uint64_t whole = view["byteLength"]; whole != stream.count * stream.stride)
@@ -78,26 +73,20 @@ void keepCompression(Json& root) {
         for (Json& each : *found) {
             if (!each.is_object()) continue;
             each.erase(kName);
-            const auto extensions = each.find("extensions");
-            if (extensions == each.end() || !extensions->is_object() || !extensions->contains(kName))
-                continue;
-            Json kept = std::move((*extensions)[kName]);
-            each[kName] = std::move(kept);
+            const Json::json_pointer stated(std::string("/extensions/") + kName);
+            if (each.contains(stated)) each[kName] = Json(each[stated]);
         }
     }
 }
 
 std::set<size_t> replacedBuffers(const Json& root, bool hasBinary) {
     std::set<size_t> replaced;
-    if (!root.contains("buffers")) return replaced;
-    const Json& buffers = root["buffers"];
-    for (size_t i = 0; i < buffers.size(); ++i)
-        if (buffers[i].contains(kName) && buffers[i][kName].value("fallback", false)) replaced.insert(i);
-    if (!root.contains("bufferViews")) return replaced;
-    for (const Json& view : root["bufferViews"]) {
-        const size_t buffer = view["buffer"];
-        const bool hasBytes = buffers[buffer].contains("uri") || (buffer == 0 && hasBinary);
-        if (view.contains(kName) && !hasBytes) replaced.insert(buffer);
+    for (const Json& view : root.value("bufferViews", Json::array())) {
+        const size_t index = view["buffer"];
+        const Json& buffer = root["buffers"][index];
+        const bool hasBytes = buffer.contains("uri") || (index == 0 && hasBinary);
+        const bool isMarked = buffer.contains(kName) && buffer[kName].value("fallback", false);
+        if (view.contains(kName) && (isMarked || !hasBytes)) replaced.insert(index);
     }
     return replaced;
 }

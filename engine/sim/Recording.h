@@ -8,9 +8,7 @@
 // are written as they fill: after a crash the file is read up to its last whole block.
 #pragma once
 
-#include "engine/core/Files.h"
-#include "engine/core/Hidden.h"
-#include "engine/core/Result.h"
+#include "engine/core/WriteFile.h"
 #include "engine/sim/FixedStep.h"
 
 #include <cstdint>
@@ -37,16 +35,20 @@ class RecordingWriter {
   public:
     static Result<RecordingWriter> create(const Path& file, const RecordingHeader& header);
 
-    // input.size() == header.inputBytes. After an error, such as a full disk, nothing more is written.
+    // input.size() == header.inputBytes. After an error, such as a full disk, nothing more may be added.
     Status add(std::span<const uint8_t> input, uint64_t hash);
     // Marks the end, and waits until the disk has it. Without this the file ends after its last whole block,
     // as after a crash.
     Status finish();
 
   private:
-    struct State;
-    explicit RecordingWriter(Hidden<State> state) : state_(std::move(state)) {}
-    Hidden<State> state_;
+    RecordingWriter(GrowingFile file, uint32_t inputBytes) : file_(std::move(file)), before_(inputBytes) {}
+    Status endBlock();
+
+    GrowingFile file_;
+    std::vector<uint8_t> before_; // the last tick's input
+    std::string body_;            // of the present block, not yet packed
+    uint32_t ticks_ = 0;          // in it
 };
 
 struct RecordedTick {
@@ -54,18 +56,17 @@ struct RecordedTick {
     uint64_t hash;
 };
 
-// Reads one from its first tick to its last. Memory does not depend on its length. Copies share the open file
-// and read on by themselves.
+// Reads one from its first tick to its last. The file is held as it is, packed; copies share it and read on
+// by themselves.
 class RecordingReader {
   public:
-    // Fails on anything that is not a recording of this tick rate, and on damage before its end.
-    // maxBlockBytes: of the unpacked body of one block, before memory is taken for it.
-    static Result<RecordingReader> open(const Path& file, uint64_t maxBlockBytes = 1u << 30);
+    // Fails on anything that is not a recording of this tick rate. What follows damage is left out.
+    static Result<RecordingReader> open(const Path& file);
 
-    const RecordingHeader& header() const;
-    uint64_t ticks() const;
+    const RecordingHeader& header() const { return file_->header; }
+    uint64_t ticks() const { return file_->ticks; }
     // False: the end mark is missing; the program that wrote it was stopped.
-    bool complete() const;
+    bool complete() const { return file_->complete; }
     uint64_t position() const { return position_; } // ticks read
     bool atEnd() const { return position_ == ticks(); }
 
@@ -73,9 +74,21 @@ class RecordingReader {
     Result<RecordedTick> next();
 
   private:
-    struct File;
-    explicit RecordingReader(std::shared_ptr<const File> file);
-    Status unpackBlock();
+    struct Block {
+        uint32_t ticks;
+        std::span<const uint8_t> packed; // of bytes
+    };
+    struct File {
+        Path path;
+        std::vector<uint8_t> bytes;
+        RecordingHeader header{};
+        std::vector<Block> blocks{};
+        uint64_t ticks = 0;
+        bool complete = false;
+    };
+    explicit RecordingReader(std::shared_ptr<const File> file)
+        : file_(std::move(file)), input_(file_->header.inputBytes) {}
+    static void findBlocks(File& file, std::span<const uint8_t> rest);
 
     std::shared_ptr<const File> file_;
     uint64_t position_ = 0;

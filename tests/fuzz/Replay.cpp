@@ -7,7 +7,7 @@ using namespace shoal;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const fuzz::FileInput file("input.replay");
-    auto reader = sim::RecordingReader::open(file({data, size}), 4u << 20);
+    auto reader = sim::RecordingReader::open(file({data, size}));
     if (!reader) return 0;
     (void)game::rulesOf(reader->header());
     while (!reader->atEnd()) {

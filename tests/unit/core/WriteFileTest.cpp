@@ -108,27 +108,6 @@ TEST_F(WriteFile, WritesIntoPipesAndDevices) {
     ASSERT_EQ(names(), std::vector<std::string>{"pipe"});
 }
 
-TEST_F(WriteFile, RemovesWhatProcessesThatAreGoneHaveLeft) {
-    const auto put = [&](const std::string& name) { std::ofstream(folder_ / name) << "x"; };
-    const pid_t gone = ::fork();
-    if (gone == 0) ::_exit(0);
-    ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
-    const std::string alive = ".a." + std::to_string(::getppid()) + ".part";
-    const std::vector<std::string> stay = {alive,
-                                           ".a.12x.part",
-                                           ".a..part",
-                                           ".b." + std::to_string(gone) + ".part",
-                                           "a." + std::to_string(gone) + ".part",
-                                           ".a.-1.part"};
-    for (const std::string& name : stay) put(name);
-    put(".a." + std::to_string(gone) + ".part");
-    ASSERT_TRUE(writeFileWhole(folder_ / "a", "new"));
-    std::vector<std::string> expected = stay;
-    expected.push_back("a");
-    std::sort(expected.begin(), expected.end());
-    EXPECT_EQ(names(), expected);
-}
-
 // Full after each page, and within one.
 TEST_F(WriteFile, AFullDiskLeavesWhatIsThere) {
     const std::string old(3 * 4096, 'o'), fresh(5 * 4096 + 17, 'n');
@@ -219,8 +198,6 @@ TEST_F(WriteFile, AKilledWriterLeavesAWholeFile) {
         EXPECT_EQ(found, std::string(found.size(), found[0])) << round;
         EXPECT_GE(found.size(), 20'000u);
     }
-    ASSERT_TRUE(writeFileWhole(folder_ / "a", "last"));
-    EXPECT_EQ(names(), std::vector<std::string>{"a"}) << "what the killed ones left is removed";
 }
 
 TEST_F(WriteFile, OutputsAreCheckedBeforeTheWork) {

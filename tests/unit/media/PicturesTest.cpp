@@ -114,7 +114,6 @@ TEST(Pictures, SizeIsCheckedBeforeDecoding) {
     EXPECT_NE(bomb.error().reason.find("2147483647x2147483647"), std::string::npos) << bomb.error().reason;
 }
 
-// Found before the decoders are asked, so that they have nothing to complain about on standard error.
 TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
     const TempFolder folder;
     cv::Mat picture(32, 64, CV_8UC3);
@@ -125,7 +124,7 @@ TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
         writeBytes(folder / name, good.substr(0, good.size() / 2));
         const auto cut = readPicture(folder / name);
         ASSERT_FALSE(cut) << name;
-        EXPECT_EQ(cut.error().reason, "is cut short");
+        EXPECT_NE(cut.error().reason.find("cut short"), std::string::npos);
     }
     cv::imwrite((folder / "a.png").string(), picture);
     std::string bytes = readBytes(folder / "a.png");
@@ -133,7 +132,7 @@ TEST(Pictures, CutAndAlteredFilesAreNamedAsSuch) {
     writeBytes(folder / "a.png", bytes);
     const auto altered = readPicture(folder / "a.png");
     ASSERT_FALSE(altered);
-    EXPECT_NE(altered.error().reason.find("checksum"), std::string::npos);
+    EXPECT_NE(altered.error().reason.find("damaged"), std::string::npos);
 }
 
 TEST(Pictures, WhatIsNoPictureIsRefusedByName) {

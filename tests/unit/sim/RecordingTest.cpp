@@ -114,15 +114,6 @@ TEST_F(RecordingFile, NoFlippedBitGoesUnseen) {
     }
 }
 
-TEST_F(RecordingFile, LimitsHoldBeforeMemoryIsTaken) {
-    ASSERT_TRUE(tests::write(file_, sample(100)));
-    const auto read = RecordingReader::open(file_, kBlockTicks * (kInputBytes + 8) - 1);
-    ASSERT_FALSE(read);
-    EXPECT_THAT(read.error().message(), HasSubstr("more input than is allowed"));
-    EXPECT_FALSE(RecordingReader::open(file_.string() + ".absent"));
-    EXPECT_FALSE(RecordingReader::open(folder_.path()));
-}
-
 TEST_F(RecordingFile, CopiesReadOnByThemselves) {
     ASSERT_TRUE(tests::write(file_, sample(300)));
     auto first = RecordingReader::open(file_).value();
