@@ -1,4 +1,4 @@
-// Runs the frames of title screen and dives.
+// Application: the frames of title screen and dives.
 #include "game/app/Application.h"
 
 #include "engine/core/Log.h"
@@ -18,16 +18,16 @@ namespace shoal::app {
 
 namespace {
 
-constexpr float kTitleTurn_radps = 0.03f; // of the view behind the title
-constexpr float kGoalsAtFirst_s = 8;      // for which the goals are shown as a dive begins
-constexpr float kGoalsOnNews_s = 4;       // and after one is reached
-constexpr float kResultsRest_s = 1;       // without a press, before the results take a choice,
-constexpr float kMaxResultsRest_s = 3;    // for this long at most
-constexpr float kMet_s = 4;               // for which an animal new in the field guide is named
-// Between the eyes of a tall person on a chair and of a small one who stands.
+constexpr float kTitleTurn_radps = 0.03f; // rate at which the view behind the title turns
+constexpr float kGoalsAtFirst_s = 8;      // time for which the goals are shown as a dive begins
+constexpr float kGoalsOnNews_s = 4;       // and after one has been reached
+constexpr float kResultsRest_s = 1;       // time without a press before the results accept a choice,
+constexpr float kMaxResultsRest_s = 3;    // limit of that wait
+constexpr float kMet_s = 4;               // time for which a new animal in the field guide is named
+// Eye height above the floor between a tall person's on a chair and a small one's standing.
 constexpr float kStandingEyes_m = 1.35f;
-constexpr double kMinimisedWait_s = 0.25; // between looks at a window that shows nothing
-constexpr double kWarmUp_s = 5;           // of a dive, before one is measured
+constexpr double kMinimisedWait_s = 0.25; // interval of input from a minimised window
+constexpr double kWarmUp_s = 5;           // time of a dive that warms up before one is measured
 
 } // namespace
 
@@ -44,15 +44,15 @@ Status Application::run(bool measured) {
         if (played = beginSeated(measured); !played) break;
         if (const auto request = screens_.takeRequest()) played = answer(*request);
         awaitHeadset();
-        if (isOver()) break; // first: a player who leaves while a film loads has ended the session
+        if (isOver()) break; // first: play_ is empty if the player has left while a film was loading
         if (!measured && play_->session.shown.time_s >= kWarmUp_s) break;
         if (played && play_->tutorial.stepsAreOver()) played = endFirstSteps();
     }
-    const Status ended = endPlay(); // whatever went wrong
+    const Status ended = endPlay(); // even after an error
     return played ? ended : played;
 }
 
-// A person who has not said where to begin begins at the title.
+// Returns the mode to begin with: the title screen, if a person plays who has not asked for another.
 Mode Application::firstMode() const {
     const bool person = !config_.script && !config_.replay;
     const bool watched = window_ && !options_.timedemo && !options_.at_s && options_.record.empty();
@@ -62,7 +62,7 @@ Mode Application::firstMode() const {
     return options_.freeSwim ? Mode::FreeSwim : Mode::Dive;
 }
 
-// measured: not only to warm up.
+// measured: false to warm up.
 Status Application::begin(Mode mode, bool measured) {
     if (Status ended = endPlay(); !ended) return ended;
     SessionConfig config = config_;
@@ -82,7 +82,7 @@ bool Application::records(Mode mode, bool measured) const {
     return measured && !options_.record.empty() && mode != Mode::Title;
 }
 
-// Only in a headset does a dive depend on it.
+// Returns whether the player sits, which matters only in a headset.
 bool Application::isSeated() const {
     if (display_->audience() != Audience::HeadsetPlayer) return false;
     if (options_.posture != Posture::Auto) return options_.posture == Posture::Seated;
@@ -90,7 +90,7 @@ bool Application::isSeated() const {
     return eyes_m && *eyes_m < kStandingEyes_m;
 }
 
-// A headset finds its player only with its first frames, when the first dive has been set up.
+// Begins again with seated rules: a headset finds its player only after the first dive's set-up.
 Status Application::beginSeated(bool measured) {
     constexpr uint64_t kFirst_ticks = 60; // half a second
     const GameSession& session = play_->session;
@@ -98,7 +98,7 @@ Status Application::beginSeated(bool measured) {
     if (!byPerson || session.ticks > kFirst_ticks || session.dive.rules().seated || !isSeated())
         return Done{};
     const Mode mode = play_->states.mode();
-    if (records(mode, measured)) --recordings_; // it begins anew as well
+    if (records(mode, measured)) --recordings_; // the recording begins again, too
     return begin(mode, measured);
 }
 
@@ -111,7 +111,7 @@ Path Application::recordingFile() {
     return file;
 }
 
-// Writes what the session was to leave, and returns its verdict.
+// Ends the session: writes its recording and returns its verdict.
 Status Application::endPlay() {
     if (!play_) return Done{};
     GameSession& session = play_->session;
@@ -139,7 +139,7 @@ Status Application::frame(bool measured) {
     const size_t metBefore = screens_.facts.met.size();
     play_->states.update();
     noteMet(metBefore);
-    // The video begins with the dive, pauses with it, and begins anew with it.
+    // The video starts, pauses and restarts with the dive.
     play_->freshVideo =
         environment_->update(play_->clock.video_s(session.shown.time_s), play_->clock.exactVideo());
     const Result<bool> drawn = draw();
@@ -172,7 +172,7 @@ void Application::readInput() {
             window_->holdCursor(play_->controls.turns);
             return photograph();
         }
-        // A headset's player looks at no window; whether it is worn is for the headset to say.
+        // A lost focus means nothing in a headset, which tells itself whether it is worn.
         const bool windowPlayer = display_->audience() == Audience::WindowPlayer;
         if (!menus || !states.byPerson())
             states.input(play_->controls, windowPlayer && !play_->input->focused, leaving_);
@@ -181,7 +181,7 @@ void Application::readInput() {
             if (states.byPerson()) screens_.dropped(file);
     }
     display_->feed(session);
-    // In a headset a script waits for its onlooker.
+    // A script in a headset waits for its onlooker.
     if (display_->audience() == Audience::HeadsetPlayer && session.paused && !states.byPerson())
         play_->elapsed_s = 0;
     auto* mouse = std::get_if<MouseSource>(&session.source);
@@ -196,7 +196,7 @@ void Application::readInput() {
                  static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1)));
 }
 
-// Which of them the player has in hand: what is said on the screen follows it.
+// Notes whether the player uses the gamepad; the texts on the screen follow it.
 void Application::noteDevice() {
     const platform::WindowInput& input = *play_->input;
     const platform::Gamepad& pad = input.gamepad;
@@ -219,12 +219,12 @@ void Application::readMenuInput() {
             screens_.cancelCapture();
         return;
     }
-    // A hand that is held up to be measured pokes nothing.
+    // A hand held up to be measured does not poke the menu.
     const auto fingers =
         screens_.top() == Screen::HandSize ? std::array<Pointing, 2>() : display_->pointing(play_->session);
     MenuInput menu = menuControls_.step(&input, &*window_, fingers, display_->menuSurface(),
                                         static_cast<float>(play_->elapsed_s));
-    // The dive ends while the player's button is busy: what was meant for a fish chooses nothing.
+    // A press meant for a fish as the dive ends must choose nothing in the results.
     if (play_->states.state() == ProgramStates::State::Results) {
         const auto dt_s = static_cast<float>(play_->elapsed_s);
         const bool rests = play_->results_s < kMaxResultsRest_s && play_->resultsQuiet_s < kResultsRest_s;
@@ -246,7 +246,7 @@ void Application::noteTracker() {
     screens_.refresh();
 }
 
-// before: how many animals the field guide had.
+// before: number of animals in the field guide before this frame.
 void Application::noteMet(size_t before) {
     const std::vector<std::string>& met = screens_.facts.met;
     play_->metLeft_s -= static_cast<float>(play_->elapsed_s);
@@ -256,7 +256,7 @@ void Application::noteMet(size_t before) {
     play_->metLeft_s = kMet_s;
 }
 
-// While its page is open, anew each time.
+// Measures the hand while the page HandSize is open, each time from the start.
 void Application::measureHand() {
     ScreenFacts& facts = screens_.facts;
     if (screens_.top() != Screen::HandSize) {
@@ -274,7 +274,7 @@ void Application::measureHand() {
     screens_.refresh();
 }
 
-// What does the same in every state.
+// Handles the actions that do the same in every state.
 void Application::globalActions(const Controls& controls) {
     if (screens_.capturesKey()) return;
     if (controls.was(Action::Performance)) options_.frameTimes = !options_.frameTimes;
@@ -305,7 +305,7 @@ void Application::photograph() {
     case PhotoMode::Command::None:
         return;
     case PhotoMode::Command::Picture: {
-        photo_->clearNotice(); // nothing is written over the picture
+        photo_->clearNotice(); // no text covers the picture
         const Result<bool> drawn = draw();
         if (drawn && *drawn) photo_->save(pictureOf(display_->pictures()), *sceneRenderer_);
         return;
@@ -434,7 +434,7 @@ void Application::drawHud(HudPart part, Audience audience, const render::View& v
         size);
 }
 
-// Once a frame has been drawn, before the display is waited for.
+// Adapts the quality once a frame has been drawn, before waiting for the display.
 void Application::adjustQuality() {
     if (!quality_) return;
     glFinish();
@@ -453,7 +453,7 @@ bool Application::isOver() const {
         if (session.shown.time_s >= at_s) return true;
         if (!window_ && static_cast<double>(play_->clock.frame()) >= frames) return true;
     }
-    // Nobody is there to look at the results.
+    // Runs without an onlooker end with the results.
     return (!window_ || options_.timedemo) && std::holds_alternative<MouseSource>(session.source) &&
            play_->states.state() == ProgramStates::State::Results;
 }

@@ -1,5 +1,5 @@
-// `shoal play` while it runs: opens what is needed, then runs frames of the title screen and of dives. Main
-// thread, which has the OpenGL context.
+// The command `shoal play`: opens window or headset, content and sound, then runs the frames of the title
+// screen and of dives. Main thread, which has the OpenGL context.
 #pragma once
 
 #include "engine/platform/Headless.h"
@@ -28,19 +28,19 @@ class Application {
 
     Status open();
 
-    // Until the player leaves, or what was asked for is done; not measured: a few seconds, to warm up.
+    // Runs until the player leaves or the run is complete; not measured: a few seconds, to warm up.
     Status run(bool measured);
 
     bool hasPicture() const { return !display_->pictures().empty(); }
     Status saveScreenshot() const;
-    const std::string& summary() const { return summary_; } // of a script that was played
+    const std::string& summary() const { return summary_; } // of the last script that was played
     const Statistics& statistics() const { return statistics_; }
-    bool leaving() const { return leaving_; }           // the player has asked for it
-    const Screens& screens() const { return screens_; } // as they stand over the picture
+    bool leaving() const { return leaving_; }           // the player has asked to leave
+    const Screens& screens() const { return screens_; } // the pages over the picture
     bool showsLiveVideo() const { return environment_->live(); }
 
   private:
-    // A session while it runs.
+    // The present session and its state on the screen.
     struct Play {
         Play(const SessionConfig& config, Screens& screens, Mode mode, bool keepsScores,
              FrameClock::Mode clockMode, double fps)
@@ -53,16 +53,16 @@ class Application {
         GameSession session;
         ProgramStates states;
         FrameClock clock;
-        double elapsed_s = 0;                         // of this frame
-        const platform::WindowInput* input = nullptr; // of this frame; null: there is no window
+        double elapsed_s = 0;                         // game time of this frame
+        const platform::WindowInput* input = nullptr; // of this frame; null without a window
         Controls controls;
         bool freshVideo = false; // a new frame of the video is shown
         Tutorial tutorial;
-        float results_s = 0;             // for which the results have been shown
-        float resultsQuiet_s = 0;        // for which nothing has been pressed since
-        float goalsLeft_s = 0;           // for which the goals are still shown
-        std::optional<game::Notice> met; // who is new in the field guide
-        float metLeft_s = 0;             // for which that is still said
+        float results_s = 0;             // seconds since the results appeared
+        float resultsQuiet_s = 0;        // seconds without a press since then
+        float goalsLeft_s = 0;           // seconds for which the goals are still shown
+        std::optional<game::Notice> met; // the animal that is new in the field guide
+        float metLeft_s = 0;             // seconds for which that is still shown
     };
 
     Status openContext();
@@ -79,7 +79,7 @@ class Application {
     Mode firstMode() const;
     Status begin(Mode mode, bool measured = true);
     bool isSeated() const;
-    Status beginSeated(bool measured); // again, where who dives turns out to sit
+    Status beginSeated(bool measured); // begins again with seated rules if the player turns out to sit
     bool records(Mode mode, bool measured) const;
     Path recordingFile();
     Status endPlay();
@@ -115,32 +115,32 @@ class Application {
     bool isOver() const;
 
     PlayOptions options_;
-    PlayOptions applied_; // as they took effect last
+    PlayOptions applied_; // options_ when they last took effect
     Bindings bindings_;
     Screens screens_{options_, bindings_};
     MenuControls menuControls_;
     SessionConfig config_;
-    std::optional<platform::Headless> headless_; // the context first: it dies last
+    std::optional<platform::Headless> headless_; // before all that uses its context, and so destroyed last
     std::optional<platform::Window> window_;
     std::unique_ptr<Display> display_;
     std::optional<Hud> hud_;
     std::unique_ptr<Environment> environment_;
-    std::optional<CreatureModels> models_; // while no scene renderer has them
+    std::optional<CreatureModels> models_; // empty while the scene renderer has them
     std::optional<SceneRenderer> sceneRenderer_;
-    bool software_ = false; // OpenGL renders on the processor
+    bool software_ = false; // OpenGL renders on the CPU
     std::optional<SoundAndHaptics> soundAndHaptics_;
-    std::optional<DynamicQuality> quality_; // while somebody looks on and the quality is not fixed
+    std::optional<DynamicQuality> quality_; // only for a display whose quality may change
     std::optional<Play> play_;
-    HeadsetReturn headsetReturn_;    // while a dive is paused because its headset was lost
-    std::optional<PhotoMode> photo_; // while the camera is free
+    HeadsetReturn headsetReturn_;    // active while a dive is paused because its headset was lost
+    std::optional<PhotoMode> photo_; // set while the camera is free
     Popups popups_;
-    Pictures::Picture cameraPicture_; // what a hand tracker's camera sees
-    ImageRgba8 cameraImage_;          // scratch: the same
+    Pictures::Picture cameraPicture_; // image of a hand tracker's camera
+    ImageRgba8 cameraImage_;          // scratch memory for that image
     Statistics statistics_;           // of the present session
     std::string summary_;
-    int recordings_ = 0; // begun
+    int recordings_ = 0; // number of recordings begun
     double volumeShown_s_ = -10;
-    bool byGamepad_ = false; // the player's last input
+    bool byGamepad_ = false; // the player's last input came from a gamepad
     bool leaving_ = false;
 };
 

@@ -1,5 +1,5 @@
-// Where a dive is seen: in a window or off screen (FlatDisplay), or in a headset (HeadsetDisplay). A frame is
-// begin(), draw() and, if there is a picture, present(). The thread of the OpenGL context only.
+// Output of a dive: a window or off-screen picture (FlatDisplay), or a headset (HeadsetDisplay). A frame is
+// begin(), draw() and, if there is a picture, present(). Only on the thread of the OpenGL context.
 #pragma once
 
 #include "engine/gl/Target.h"
@@ -18,17 +18,17 @@
 
 namespace shoal::app {
 
-// Draws the content of a frame for a display, which knows the eyes and the targets.
+// Callbacks that draw the content of a frame; the display provides eyes and targets.
 struct Painter {
     using AfterEye = render::Compositor::AfterEye;
-    // The scene as these eyes see it, into their canvases; see SceneRenderer::draw().
+    // Draws the scene for these eyes into their canvases; see SceneRenderer::draw().
     std::function<Status(std::span<const SceneRenderer::Eye>, const AfterEye&)> scene;
-    // The depth of what was just drawn for this eye, into a framebuffer with depth.
+    // Draws the depth of the scene just drawn for this eye into a framebuffer with depth.
     std::function<Status(const SceneRenderer::Eye&, uint32_t framebuffer)> depth;
-    // Into the bound framebuffer, which is `size` pixels large.
+    // Draws the text into the bound framebuffer of `size` pixels.
     std::function<void(HudPart, Audience, const render::View&, glm::ivec2 size)> hud;
 
-    // Scene and depth as this renderer draws them.
+    // Returns a painter whose scene and depth come from this renderer.
     static Painter of(SceneRenderer& renderer, decltype(hud) hud) {
         return {[&](auto eyes, const AfterEye& afterEye) { return renderer.draw(eyes, afterEye); },
                 [&](const auto& eye, uint32_t into) { return renderer.drawDepth(eye, into); },
@@ -40,45 +40,45 @@ class Display {
   public:
     virtual ~Display() = default;
 
-    // First in a frame: waits until the display wants one, where it sets the pace.
+    // Begins a frame; waits until the display wants one, if it sets the pace.
     virtual Status begin() = 0;
-    // From the frame before to this one, as they are seen; empty: the display does not know.
+    // Time between the display of the last frame and of this one; empty: the display does not know.
     virtual std::optional<double> elapsed_s() const { return std::nullopt; }
-    virtual double period_s() const = 0;           // from one picture to the next; 0: not known yet
+    virtual double period_s() const = 0;           // time between two pictures; 0: not known yet
     virtual bool leaving() const { return false; } // the player has ended the game in the display's own menu
-    virtual bool lost() const { return false; } // a step failed because the device is gone; it may come back
-    virtual const game::Notice* notice() const { return nullptr; } // to be told to the player now
+    virtual bool lost() const { return false; } // a call failed because the device is gone; it may come back
+    virtual const game::Notice* notice() const { return nullptr; } // message for the player now, or null
 
-    // The head and hands that the display itself tracks, and whether it is worn.
+    // Gives the session the head and hands that the display tracks, and whether it is worn.
     virtual void feed(GameSession&) {}
     virtual Status vibrate(const haptics::HapticFrame&, bool /*paused*/) { return Done{}; }
 
-    // Of the player, now; empty: the display does not know.
+    // Height of the player's eyes now; empty: the display does not know.
     virtual std::optional<float> eyesAboveFloor_m() const { return std::nullopt; }
-    // Ahead is where the player looks now, where the display tracks the head.
+    // Makes the direction that the player now looks in the one ahead, if the display tracks the head.
     virtual void recentre() {}
 
-    virtual bool seesRoom() const { return false; } // showRoom() can
-    // The player's own room in place of the film, from the next picture on. False: the display cannot.
+    virtual bool seesRoom() const { return false; } // whether showRoom() can show the room
+    // Shows the player's own room in place of the film from the next picture on. False: it cannot.
     virtual bool showRoom(bool /*wanted*/) { return true; }
 
-    // scale: of the drawn picture's width and height, which is enlarged to the display's. False: there is
-    // nothing to be seen now.
+    // Draws a frame. scale: share of the display's width and height that is drawn, then enlarged. Returns
+    // false if nothing can be seen now.
     virtual Result<bool> draw(const Painter& painter, const game::Snapshot& shown, float scale) = 0;
     virtual void present() = 0;
 
     virtual MenuSurface menuSurface() const = 0;
-    // Where the hands of the session point on it.
+    // Returns where the session's hands point on that surface.
     virtual std::array<Pointing, 2> pointing(const GameSession& session) const = 0;
 
     virtual std::span<const gl::Target> pictures() const = 0; // as last drawn: left, right
     virtual Audience audience() const { return Audience::WindowPlayer; }
 };
 
-// Of both eyes side by side.
+// Returns a picture of both eyes side by side.
 ImageRgb8 pictureOf(std::span<const gl::Target> eyes);
 
-// Makes so many of this size, if they are not.
+// Makes `count` targets of this size, unless they are so already.
 void resize(std::vector<gl::Target>& targets, int count, glm::ivec2 size, int samples);
 
 } // namespace shoal::app

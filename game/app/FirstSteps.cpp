@@ -12,12 +12,12 @@ namespace shoal::app {
 
 namespace {
 
-constexpr float kReach_m = 1.2f; // the ghost reaches for fish up to here
+constexpr float kReach_m = 1.2f; // farthest fish that the ghost hand reaches for
 constexpr std::array<game::Text, 3> kHints = {"A fast hand frightens fish",
                                               "Wait in a fish’s way with an open hand",
                                               "Keep what you hold away from the shark"};
 
-// How the player does a step, with what is in the player's hands.
+// Returns how the player does a step, with the device in use.
 game::Text howTo(FirstSteps::Step step, Audience audience) {
     const bool headset = audience == Audience::HeadsetPlayer, pad = audience == Audience::GamepadPlayer;
     if (step == FirstSteps::Step::Look)
@@ -33,7 +33,7 @@ game::Text howTo(FirstSteps::Step step, Audience audience) {
                    : "Hold the left mouse button for one second";
 }
 
-// The fish nearest to the middle of the view that a hand may reach.
+// Returns the catchable fish within reach that is nearest to the middle of the view.
 std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::SpeciesTable& species) {
     std::optional<glm::vec3> best;
     float bestCosine = 0.8f;
@@ -49,7 +49,7 @@ std::optional<glm::vec3> fishToReach(const game::Snapshot& shown, const game::Sp
     return best;
 }
 
-// A hand as a white sign with a dark outline: rounded bones, and the palm.
+// Draws a hand as a white sign with a dark outline: rounded bones, and the palm.
 void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& hand) {
     const glm::vec2 half = view.halfExtent();
     const auto onScreen = [&](int joint) {
@@ -82,10 +82,10 @@ void drawGhost(const Pen& pen, const render::View& view, const hands::HandPose& 
     shape(0, IM_COL32(235, 248, 255, 255));
 }
 
-// Arrows to both sides, of which one after the other moves outwards. round: 0 to 1.
+// Draws arrows to both sides, which move outwards in turn. round: progress of the demonstration, 0 to 1.
 void drawTurning(const Pen& pen, float round) {
     for (const float side : {-1.0f, 1.0f}) {
-        const float phase = side > 0 ? 2 * round : 2 * round - 1; // of its half of the round
+        const float phase = side > 0 ? 2 * round : 2 * round - 1; // progress in its half of the round
         const float out = phase > 0 && phase < 1 ? std::sin(3.14159265f * phase) : 0.0f;
         const float x = pen.size.x * (0.5f + side * (0.2f + 0.06f * out)), y = pen.size.y * 0.5f;
         const auto arrow = [&](float size, uint32_t colour) {
@@ -115,10 +115,10 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     near_s_ = catchable ? near_s_ + elapsed_s : 0;
     const bool holds = shown.hands[0].holds >= 0 || shown.hands[1].holds >= 0;
     away_s_ = catchable || holds ? 0 : away_s_ + elapsed_s;
-    // The target stays for a round, so that the ghost does not jump from fish to fish.
+    // The target stays for one demonstration, so that the ghost hand does not jump from fish to fish.
     if (!target_ || std::fmod(inStep_s_, kShown_s) < elapsed_s) target_ = fishToReach(shown, species_);
 
-    if (shown.caught > caughtBefore_) return next(Step::Done); // who can hold can do all of it
+    if (shown.caught > caughtBefore_) return next(Step::Done); // the player can do all steps
     switch (step_) {
     case Step::Look:
         if (turned_rad > kTurned_rad) next(Step::Reach);
@@ -134,7 +134,7 @@ void FirstSteps::follow(const game::Snapshot& shown, float elapsed_s) {
     }
 }
 
-// The hand goes to its place within the first half of a round and acts in the second.
+// The ghost hand reaches its place in the first half of a round and acts in the second.
 hands::HandPose FirstSteps::ghost(const render::View& view) const {
     const float round = std::fmod(inStep_s_, kShown_s) / kShown_s;
     const glm::vec3 rest(0.22f, -0.26f, -0.5f);

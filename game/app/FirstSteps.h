@@ -1,5 +1,5 @@
-// The first minute, which teaches: three steps without a clock, each over as soon as the player does it, and
-// hints that come when a rule matters and stop once it is understood. Reads snapshots and events only.
+// The tutorial of the first minute: three steps without a clock, each over as soon as the player does it, and
+// hints that appear when a rule matters and stop once it is understood. Reads snapshots and events only.
 #pragma once
 
 #include "engine/render/View.h"
@@ -23,20 +23,20 @@ class FirstSteps {
     FirstSteps(hands::HandRig rig, game::SpeciesTable species)
         : rig_(std::move(rig)), species_(std::move(species)) {}
 
-    // Once a frame. elapsed_s: since the last.
+    // Updates the step, once a frame. elapsed_s: since the last.
     void follow(const game::Snapshot& shown, float elapsed_s);
     Step step() const { return step_; }
 
-    // What is to be done, and a hand that shows it.
+    // Draws the instruction, and a ghost hand that demonstrates it.
     void draw(const Pen& pen, const render::View& view) const;
-    // The hand that shows it, viewer's frame.
+    // Returns the pose of the ghost hand, viewer's frame.
     hands::HandPose ghost(const render::View& view) const;
-    std::optional<glm::vec3> target() const { return target_; } // a fish that the ghost reaches for; world
+    std::optional<glm::vec3> target() const { return target_; } // world; the ghost hand's goal
 
-    static constexpr float kTurned_rad = 0.6f; // away from the first view: the player has looked around
-    static constexpr float kNear_s = 0.25f;    // a fish is within reach of the hand for so long
-    static constexpr float kShown_s = 3;       // a round of what the ghost hand does
-    static constexpr float kAway_s = 3;        // no fish has been: the player reaches again
+    static constexpr float kTurned_rad = 0.6f; // turn of the view that completes the step Look
+    static constexpr float kNear_s = 0.25f;    // time within reach of a fish that ends the step Reach
+    static constexpr float kShown_s = 3;       // duration of one demonstration by the ghost hand
+    static constexpr float kAway_s = 3; // time without a fish in reach after which the step Reach comes back
 
   private:
     void next(Step step);
@@ -55,9 +55,9 @@ class Hints {
     void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
     std::optional<game::Text> shown() const;
 
-    static constexpr int kTimes = 3;                     // each is said so often at most
-    static constexpr int kUnderstood = 3;                // catches after which nothing is said any more
-    static constexpr float kStay_s = 5, kWithout_s = 14; // without a catch
+    static constexpr int kTimes = 3;                     // how often each hint is shown at most
+    static constexpr int kUnderstood = 3;                // catches after which only the shark's hint is shown
+    static constexpr float kStay_s = 5, kWithout_s = 14; // of a hint; without a catch before
 
   private:
     enum Kind { FastHand, Wait, Shark };
@@ -68,7 +68,7 @@ class Hints {
     int caught_ = 0;
 };
 
-// What a session teaches.
+// The tutorial of a session.
 class Tutorial {
   public:
     enum class Kind { Nothing, FirstSteps, Hints, FreeSwim };
@@ -76,7 +76,7 @@ class Tutorial {
         : kind_(kind), steps_(std::move(rig), std::move(species)) {}
 
     void follow(const game::Snapshot& shown, std::span<const game::Event> events, float elapsed_s);
-    bool stepsAreOver() const { return done_s_ > kStay_s; } // and what was said at their end was read
+    bool stepsAreOver() const { return done_s_ > kStay_s; } // and the message at their end has been read
     void draw(const Pen& pen, const render::View& view) const;
 
     static constexpr float kStay_s = 2.5f, kWelcome_s = 9;
@@ -86,7 +86,7 @@ class Tutorial {
     FirstSteps steps_;
     Hints hints_;
     float time_s_ = 0;
-    float done_s_ = 0; // since the steps were done
+    float done_s_ = 0; // seconds since the steps were done
 };
 
 } // namespace shoal::app

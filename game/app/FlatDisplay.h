@@ -1,4 +1,4 @@
-// Pictures in a window or off screen, of one eye or of both side by side.
+// A display in a window or off screen, of one eye or of both side by side.
 #pragma once
 
 #include "engine/platform/Window.h"
@@ -31,7 +31,7 @@ class FlatDisplay : public Display {
     const PlayOptions& options_;
     int samples_;
     std::vector<gl::Target> targets_;        // one per eye
-    std::vector<gl::Target> reducedTargets_; // what those are enlarged from, while `scale` is below 1
+    std::vector<gl::Target> reducedTargets_; // enlarged to targets_ while `scale` is below 1
 };
 
 } // namespace shoal::app

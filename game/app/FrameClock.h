@@ -1,4 +1,4 @@
-// The time that a frame of a dive is worth, and when it is drawn.
+// The game time that each frame of a dive takes, and the time of its drawing.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace shoal::app {
 class FrameClock {
   public:
     enum class Mode {
-        RealTime,  // somebody looks on: time is the clock's
-        FixedStep, // every picture is 1 / fps after the one before, and shows just its frame of the video
-        TimeDemo   // the same for the dive, as fast as it can; the video keeps the clock's time
+        RealTime,  // game time is the clock's
+        FixedStep, // every frame takes 1 / fps, and shows just its frame of the video
+        TimeDemo   // the same for the dive, as fast as possible; the video keeps the clock's time
     };
     FrameClock(Mode mode, double fps) : mode_(mode), fps_(fps) {}
 
@@ -24,14 +24,14 @@ class FrameClock {
         wall_s_ = Seconds(now - frameStart_).count();
         frameStart_ = now;
     }
-    uint64_t frame() const { return frame_; } // 0 is the first
+    uint64_t frame() const { return frame_; } // 0: the first frame
     double sinceBegin_ms() const {
         return 1e3 * Seconds(Clock::now() - frameStart_).count();
-    } // of this frame
+    } // since beginFrame()
 
-    // Of the dive since the frame before. display: what a display says that passed between two pictures.
+    // Returns the dive's time since the last frame. display: time between two pictures by the display.
     double elapsed_s(std::optional<double> display) const {
-        constexpr double kMaximum_s = 0.5; // more is not made up for
+        constexpr double kMaximum_s = 0.5; // a longer pause is not made up for
         if (display) return std::min(*display, kMaximum_s);
         if (mode_ == Mode::RealTime) return std::min(wall_s_, kMaximum_s);
         return frame_ == 0 ? 0 : 1 / fps_;
@@ -41,14 +41,14 @@ class FrameClock {
     }
     bool exactVideo() const { return mode_ == Mode::FixedStep; }
 
-    // At a frame's end, where a live video is shown, which has the clock's time: lets fixed steps go no
+    // Waits at the end of a frame with a live video, which has the clock's time, so that fixed steps go no
     // faster.
     void waitForLiveVideo() const {
         if (mode_ != Mode::FixedStep) return;
         const Seconds due(static_cast<double>(frame_ + 1) / fps_);
         std::this_thread::sleep_until(start_ + std::chrono::duration_cast<Clock::duration>(due));
     }
-    // Until this frame has lasted so long.
+    // Waits until this frame has lasted load_ms.
     void waste(double load_ms) const {
         while (sinceBegin_ms() < load_ms) {
         }
@@ -59,9 +59,9 @@ class FrameClock {
     using Seconds = std::chrono::duration<double>;
     Mode mode_;
     double fps_;
-    uint64_t frame_ = ~uint64_t{0}; // before the first
+    uint64_t frame_ = ~uint64_t{0}; // before the first frame
     Clock::time_point start_, frameStart_;
-    double wall_s_ = 0; // from the frame before to this one
+    double wall_s_ = 0; // from the last frame to this one
 };
 
 } // namespace shoal::app

@@ -13,16 +13,16 @@ namespace shoal::app {
 
 namespace {
 
-// 53 by 37 degrees at 1.5 m, 18 pixels a degree, about what headsets have: a line of text is 1.5 degrees
-// high.
+// The panel spans 53 by 37 degrees at 1.5 m with 18 pixels a degree, about as headsets have: a line of text
+// is 1.5 degrees high.
 constexpr glm::ivec2 kPanelPixels(960, 640);
 constexpr glm::vec2 kPanel_m(1.5f, 1.0f);
 constexpr glm::vec4 kDark(0.01f, 0.05f, 0.08f, 1); // display values; deep water
-constexpr glm::vec4 kClear(0);                     // lets the room through
+constexpr glm::vec4 kClear(0);                     // shows the room through
 constexpr double kNoRoom_s = 5;
 constexpr auto kIdle = std::chrono::milliseconds(10);
 
-// The largest part of a picture about its middle that has the shape of the window.
+// Returns the size of the largest central part of a picture with the shape of the window.
 glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
     const double shape = static_cast<double>(window.x) / window.y;
     const glm::ivec2 wide(picture.x, std::max(1, static_cast<int>(std::lround(picture.x / shape))));
@@ -30,7 +30,7 @@ glm::ivec2 croppedTo(glm::ivec2 picture, glm::ivec2 window) {
     return {std::max(1, static_cast<int>(std::lround(picture.y * shape))), picture.y};
 }
 
-// The index finger is stretched: its tip is nearly as far from its root as its bones are long.
+// Returns whether the index finger is stretched: its tip as far from its root as its bones are long.
 bool points(const hands::HandPose& hand) {
     constexpr float kStretched = 0.93f;
     const hands::FingerJoints& index = hands::kFingerJoints[1];
@@ -61,7 +61,7 @@ Status HeadsetDisplay::begin() {
     elapsed_s_ = 0;
     if (Status polled = headset_.poll(); !polled) return polled;
     if (!headset_.wantsFrames()) {
-        std::this_thread::sleep_for(kIdle); // nobody waits for us, and we wait for nobody
+        std::this_thread::sleep_for(kIdle); // the headset wants no frame now
         last_ns_ = 0;
         return Done{};
     }
@@ -84,14 +84,14 @@ void HeadsetDisplay::feed(GameSession& session) {
                       .results = session.after.phase == game::Phase::Results};
     for (size_t i = 0; i < poses.size(); ++i) {
         now.menu |= tracking.controllers[i].menu;
-        // A finger that points chooses in a menu, whatever the others do.
+        // A hand with a pointing finger chooses in a menu, however closed the others are.
         if (poses[i].tracked) now.grip[i] = points(poses[i]) ? 0 : poses[i].grip;
         pointing_[i] = pointingOf(i, poses[i]);
     }
     pause_.step(now, static_cast<float>(elapsed_s_), session.paused, session.restart);
     if (session.restart) {
         session.paused = false;
-        recentre(); // the new dive begins where the player is now
+        recentre(); // centres the new dive on the player's place now
     }
     session.head = tracking.worldFromHead;
     if (auto* source = std::get_if<OpenXrSource>(&session.source)) source->frame(poses);
@@ -125,8 +125,8 @@ bool HeadsetDisplay::showRoom(bool wanted) {
 
 MenuSurface HeadsetDisplay::menuSurface() const { return {kPanelPixels, 1, false}; }
 
-// Where the line from the head through the fingertip meets the panel. Of a hand that holds a controller it is
-// the palm that points: the trigger moves the finger.
+// Returns where the line from the head through the fingertip meets the panel. For a hand that holds a
+// controller the palm points instead, as the trigger moves the finger.
 Pointing HeadsetDisplay::pointingOf(size_t side, const hands::HandPose& hand) const {
     constexpr float kPulled = 0.6f, kBefore_m = 0.05f;
     if (!hand.tracked) return {};
@@ -179,7 +179,7 @@ Status HeadsetDisplay::drawDepth(const Painter& painter, const SceneRenderer::Ey
     return headset_.release(picture);
 }
 
-// The middle of the left eye's picture, into the window.
+// Copies the middle of the left eye's picture to the window.
 void HeadsetDisplay::mirror(const gl::Target& target, uint32_t framebuffer, glm::ivec2 windowSize,
                             const render::View& view) {
     const glm::ivec2 size(target.width(), target.height());
@@ -202,7 +202,7 @@ Status HeadsetDisplay::drawPanel(const Painter& painter) {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
     const xr::Pose& head = headset_.tracking().worldFromHead;
-    // As a window of the panel's size at its distance: to tell what lies beyond its edges.
+    // The panel's view is that of a window of its size at its distance: to tell what lies beyond its edges.
     painter.hud(HudPart::Panel, Audience::HeadsetPlayer,
                 {.eyeWorld = head.position,
                  .worldFromEye = head.orientation,
@@ -216,7 +216,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
     if (!waiting_) return false;
     waiting_ = false;
     if (Status begun = headset_.begin(); !begun) return begun.error();
-    // Before the head was ever seen there is no place to draw from.
+    // Before the head has been tracked there is no place to draw from.
     const bool drawn = frame_.drawn && pause_.fade() < 1;
     const glm::ivec2 windowSize = window_->framebufferSize();
     xr::Shown shown;
@@ -232,7 +232,7 @@ Result<bool> HeadsetDisplay::draw(const Painter& painter, const game::Snapshot&,
             // The marks are in the picture already.
             painter.hud(HudPart::Panel, Audience::Onlooker, windowView_, windowSize);
         }
-        // After the onlookers' text: fingers point at the menu as it was drawn last.
+        // The panel comes after the onlookers' text: fingers point at the menu as it was drawn last.
         if (Status done = drawPanel(painter); !done) return done.error();
         shown.eyes = shown.panel = true;
         shown.eyeSize = size;

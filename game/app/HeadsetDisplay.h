@@ -1,5 +1,5 @@
-// A dive in an OpenXR headset: pictures for both eyes, text on a panel before the player, and the left eye's
-// middle in a window for onlookers. The headset's clock is the game's.
+// A display in an OpenXR headset: pictures for both eyes, text on a panel in front of the player, and the
+// middle of the left eye's picture in a window for onlookers. The headset's clock is the game's.
 #pragma once
 
 #include "engine/platform/Window.h"
@@ -19,11 +19,11 @@ namespace shoal::app {
 
 class HeadsetDisplay : public Display {
   public:
-    // The window, whose OpenGL context must be current, and the rig of hands that hold controllers must
-    // outlive this. samples: for anti-aliasing.
+    // Opens the headset. The window, whose OpenGL context must be current, and the rig, for hands that hold
+    // controllers, must outlive this. samples: for anti-aliasing.
     static Result<HeadsetDisplay> open(platform::Window& window, const hands::HandRig& rig, int samples);
 
-    // Fails when the headset is lost, as every step may.
+    // Fails when the headset is lost, as all other calls may.
     Status begin() override;
     std::optional<double> elapsed_s() const override { return elapsed_s_; }
     double period_s() const override { return frame_.period_s; }
@@ -43,7 +43,7 @@ class HeadsetDisplay : public Display {
     std::span<const gl::Target> pictures() const override { return targets_; }
     Audience audience() const override { return Audience::HeadsetPlayer; }
 
-    const render::View& windowView() const { return windowView_; } // of the onlookers, as last drawn
+    const render::View& windowView() const { return windowView_; } // of the onlookers' window, as last drawn
 
   private:
     HeadsetDisplay(platform::Window& window, const hands::HandRig& rig, xr::Headset headset,
@@ -61,19 +61,19 @@ class HeadsetDisplay : public Display {
     const hands::HandRig* rig_;
     xr::Headset headset_;
     render::FadePass fade_;
-    render::PremultiplyPass premultiply_; // for the room
+    render::PremultiplyPass premultiply_; // for pictures over the room
     int samples_;
     render::Surroundings surroundings_ = render::Surroundings::Film;
-    double noRoom_s_ = 0; // for which it is still said that it cannot be shown
+    double noRoom_s_ = 0; // seconds for which the notice "cannot show the room" is still shown
     std::vector<gl::Target> targets_;
-    std::optional<xr::Planes> planes_; // of the depth that was drawn; none: the headset takes none
+    std::optional<xr::Planes> planes_; // planes of the depth drawn; empty: the headset takes no depth
     HeadsetPause pause_;
     PanelPlacement panel_;
-    xr::Pose worldFromPanel_;            // as last shown
-    std::array<Pointing, 2> pointing_{}; // at it
+    xr::Pose worldFromPanel_;            // panel's pose as last shown
+    std::array<Pointing, 2> pointing_{}; // on the panel
     std::array<haptics::VibrationTimer, 2> vibration_;
     xr::Frame frame_;
-    bool waiting_ = false; // a frame was waited for and is not yet handed in
+    bool waiting_ = false; // a frame has been waited for and not yet submitted
     int64_t last_ns_ = 0;
     double elapsed_s_ = 0, clock_s_ = 0;
     render::View windowView_;

@@ -8,7 +8,7 @@ namespace shoal::app {
 
 void HeadsetReturn::await() {
     awaited_ = true;
-    pause_s_ = kEvery_s; // what goes still answers for a while
+    pause_s_ = kEvery_s; // a runtime that shuts down still answers for a while
 }
 
 bool HeadsetReturn::step(float dt_s) {

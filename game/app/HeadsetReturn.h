@@ -1,5 +1,5 @@
-// Asks after a headset that was lost in mid-dive until it is back. A runtime may take seconds to answer, so
-// it is asked on a thread of its own. Main thread.
+// Polls the OpenXR runtime for a headset that was lost in mid-dive. The runtime may take seconds to answer,
+// so a thread of its own asks it. Main thread.
 #pragma once
 
 #include <future>
@@ -8,18 +8,18 @@ namespace shoal::app {
 
 class HeadsetReturn {
   public:
-    void await();                       // it was lost just now
-    void forget() { awaited_ = false; } // somebody goes on without it, or with it
-    // Once a frame. True: it is there; open it.
+    void await();                       // begins polling: the headset was just lost
+    void forget() { awaited_ = false; } // ends polling: the dive goes on without the headset, or with it
+    // Polls, once a frame. Returns true when the headset is there and can be opened.
     bool step(float dt_s);
-    // Waits for the answer to what was asked: before a headset is opened.
+    // Waits for the answer under way; to be called before a headset is opened.
     void settle();
 
     static constexpr float kEvery_s = 2;
 
   private:
     bool awaited_ = false;
-    float pause_s_ = 0; // until it is asked for again
+    float pause_s_ = 0; // seconds before the next question
     std::future<bool> answer_;
 };
 

@@ -56,7 +56,7 @@ void addSettings(CLI::App& command, const SettingsTable& table) {
         option->group(enumName(row.category))->required(row.required);
         if (!row.placeholder.empty()) option->type_name(row.placeholder);
     }
-    for (const Setting& row : table.rows) { // once all are there
+    for (const Setting& row : table.rows) { // once all options are there
         for (const std::string& other : row.excludes)
             command.get_option(row.option)->excludes(command.get_option(other));
         for (const std::string& other : row.needs)
@@ -72,8 +72,8 @@ struct Command {
     std::function<int()> run;
 };
 
-// The first option among the words that neither the program nor its command has, without its value; empty if
-// there is none.
+// Returns the first option among the words that neither the program nor its command knows, without its value;
+// empty if there is none.
 std::string unknownOption(const CLI::App& app, const CLI::App& command,
                           const std::vector<std::string>& words) {
     for (const std::string& word : words) {
@@ -84,7 +84,7 @@ std::string unknownOption(const CLI::App& app, const CLI::App& command,
     return {};
 }
 
-// Why the words could not be parsed, in one sentence.
+// Returns why the words could not be parsed, in one sentence.
 std::string explained(const CLI::ParseError& error, const CLI::App& app, const CLI::App& command,
                       const std::vector<std::string>& words) {
     const std::string option = unknownOption(app, command, words);
@@ -98,7 +98,7 @@ std::string explained(const CLI::ParseError& error, const CLI::App& app, const C
 int wrongCommandLine(const std::string& why, const std::string& command) {
     const std::string message = why + " (" + command + " --help lists what there is)";
     std::fprintf(stderr, "shoal: %s\n", message.c_str());
-    const bool tool = command != "shoal" && command != "shoal play"; // of scripts, not of menus
+    const bool tool = command != "shoal" && command != "shoal play"; // tools run in scripts, not menus
     if (!tool && startedFromMenu()) showMessageBox("Shoal cannot start: " + message);
     return 2;
 }
@@ -115,7 +115,7 @@ int parseAndRun(CLI::App& app, const std::vector<std::string>& words, const std:
                                     "Accepted by every command; this one opens no window in any case");
     }
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // as CLI11 takes them
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // CLI11 reads them backwards
     } catch (const CLI::ParseError& error) {
         std::ostringstream out, err;
         const int status = app.exit(error, out, err);
@@ -144,7 +144,7 @@ int exitStatus(const Status& status) {
     return 1;
 }
 
-// Scripts and measurements run with nobody to close a box.
+// Returns whether a person plays: scripts and measurements run with nobody to close a box.
 bool playedByAPerson(const PlayOptions& options) {
     const std::string& hands = options.hands.source;
     return !options.headless && !options.timedemo && !options.at_s && !hands.starts_with("script:") &&
@@ -194,7 +194,7 @@ int run(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const auto isNamed = [&](const Command& command) { return !words.empty() && words[0] == command.name; };
     const auto named = std::ranges::find_if(commands, isNamed);
-    // A file or an address has one of these in it.
+    // Only a file or an address has one of these characters.
     if (named == commands.end() && !words.empty() && !words[0].starts_with('-') &&
         words[0].find_first_of("./:") == std::string::npos) {
         std::vector<std::string> names;
@@ -206,15 +206,15 @@ int run(int argc, char** argv) {
     const Command& command = named == commands.end() ? commands.front() : *named;
     if (named == commands.end() && !global) words.insert(words.begin(), command.name);
     log::setUp(false);
-    // First, so that the command line overrides the file. Runs without a window are for scripts and tests:
-    // equal on every machine, whatever its player has set.
+    // The settings file comes first, so that the command line overrides it. Runs without a window ignore it:
+    // for scripts and tests they are equal on every machine.
     if (command.readsFile && std::ranges::find(words, "--headless") == words.end())
         loadSettings(command.table);
     return parseAndRun(app, words, commands);
 }
 
-// What no one catches, in any thread: lack of memory most of all. One sentence, and what is on the disk
-// stays.
+// Ends the program after an exception that nothing catches, in any thread, mostly for lack of memory: with
+// one sentence, and without touching files.
 [[noreturn]] void endBecauseOfException() {
     try {
         if (std::current_exception()) std::rethrow_exception(std::current_exception());
@@ -233,7 +233,7 @@ int run(int argc, char** argv) {
 } // namespace shoal::app
 
 int main(int argc, char** argv) {
-    // A reader that has gone, or a file that may not grow, is an error of that write.
+    // A write fails with an error, not a signal, if its reader is gone or its file may not grow.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     std::set_terminate(shoal::app::endBecauseOfException);

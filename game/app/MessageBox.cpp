@@ -20,7 +20,7 @@ bool run(std::vector<std::string> words) {
     return ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) != 127;
 }
 
-// zenity and kdialog take a backslash and what follows for one character.
+// Doubles backslashes: zenity and kdialog take a backslash and the next character for one.
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) out += c == '\\' ? "\\\\" : std::string(1, c);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kTurn_radps = 1.2f, kMove_mps = 0.8f;
 
-// Turns of the six faces of a cube, each seen with 90 degrees: ahead, right, back, left, up, down.
+// Returns the rotations of the six faces of a cube, each of 90 degrees: ahead, right, back, left, up, down.
 std::array<glm::quat, 6> faceTurns() {
     constexpr float kQuarter = std::numbers::pi_v<float> / 2;
     const auto about = [](glm::vec3 axis, float angle) { return glm::angleAxis(angle, axis); };
@@ -34,8 +34,8 @@ size_t faceOf(glm::vec3 d) {
     return d.z < 0 ? 0 : 2;
 }
 
-// A new file's name in the folder for pictures, by date and time: shoal-2026-11-22-213045.png. what: "-360"
-// or nothing.
+// Returns the name of a new file in the folder for pictures, by date and time: shoal-2026-11-22-213045.png.
+// what: "-360" or nothing.
 Path newPictureFile(std::string_view what) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -45,7 +45,7 @@ Path newPictureFile(std::string_view what) {
     return userFolder(UserFolder::Pictures) / ("shoal-" + std::string(stamp) + std::string(what) + ".png");
 }
 
-// Letters where there are any, for they are short.
+// Returns the names of the keys that move the camera; letters where bound, for they are short.
 std::string movingKeys(const Bindings& bindings) {
     std::string names;
     for (const Action action : {Action::LookUp, Action::LookLeft, Action::LookDown, Action::LookRight,
@@ -69,7 +69,7 @@ PhotoMode::PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad,
                         : game::Notice{"Click: picture. Right button: look. {}: move. Wheel: zoom. Esc: back",
                                        movingKeys(bindings)}) {
     for (game::HandView& hand : shown_.hands) hand.visible = false;
-    for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // nor is it marked
+    for (game::CreatureView& creature : shown_.creatures) creature.catchable = 0; // nor a mark
 }
 
 PhotoMode::Command PhotoMode::step(const Controls& controls, const platform::WindowInput& input,

@@ -1,5 +1,5 @@
-// Photo mode: the dive stands still, the camera is free, nothing is written over the picture; a press saves
-// it and the whole surroundings as PNG files in the player's folder for pictures.
+// Photo mode: the dive stands still, the camera is free and no text covers the picture; a press saves it and
+// a lat-long of all directions as PNG files in the player's folder for pictures.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -13,26 +13,26 @@ namespace shoal::app {
 
 class PhotoMode {
   public:
-    // From where the player looks. bindings: the keys that move the camera.
+    // The camera starts at the player's view. bindings: the keys that move the camera.
     PhotoMode(const game::Snapshot& shown, float fov_deg, bool byGamepad, const Bindings& bindings);
 
     enum class Command { None, Picture, Leave };
-    // Once a frame: moves the camera, and tells what the player wants. fov_deg: of the picture, which the
+    // Moves the camera and returns the player's command; once a frame. fov_deg: the picture's, which the
     // wheel changes.
     Command step(const Controls& controls, const platform::WindowInput& input, float sensitivity, float dt_s,
                  float& fov_deg);
-    // The snapshot as the free camera sees it.
+    // The dive's snapshot, with the free camera as the viewer.
     const game::Snapshot& shown() const { return shown_; }
     float fovBefore_deg() const { return fovBefore_deg_; }
 
-    // Writes the picture, and one of all directions, and says so.
+    // Saves the picture and a lat-long of all directions, and sets the notice.
     void save(const ImageRgb8& picture, SceneRenderer& renderer);
-    // To be shown; null: nothing.
+    // The notice to show; null: none.
     const game::Notice* notice() const { return notice_ ? &*notice_ : nullptr; }
     void clearNotice() { notice_.reset(); }
 
-    static constexpr float kReach_m = 0.5f; // the camera goes from where the player is: farther, what the
-                                            // film's camera did not see leaves holes
+    static constexpr float kReach_m =
+        0.5f; // farthest from the player: beyond, the film lacks what its camera did not see
 
   private:
     void move(const Controls& controls, float sensitivity, float dt_s, float& fov_deg);
@@ -44,7 +44,7 @@ class PhotoMode {
     std::optional<game::Notice> notice_;
 };
 
-// The scene in every direction: lat-long, twice as wide as high.
+// Draws the scene in all directions as a lat-long picture, twice as wide as high.
 Result<ImageRgb8> drawAround(SceneRenderer& renderer, glm::vec3 eyeWorld, int width);
 
 } // namespace shoal::app

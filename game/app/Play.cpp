@@ -1,4 +1,4 @@
-// Opens what a dive needs, and plays it.
+// The command `play`: opens a dive's content and plays it.
 #include "engine/core/WriteFile.h"
 #include "game/app/Application.h"
 
@@ -29,7 +29,7 @@ render::Composition compositionIn(const PlayOptions& options) {
     return options.backdropOnly ? render::Composition::BackgroundOnly : options.compose;
 }
 
-// With their titles and best scores; a dive whose file cannot be read is left out.
+// Returns the dives with their titles and best scores; a dive whose file cannot be read is left out.
 std::vector<DiveName> divesThereAre() {
     std::vector<DiveName> dives;
     auto scores = readAllScores();
@@ -47,7 +47,7 @@ std::vector<DiveName> divesThereAre() {
                          .picture = shown ? picture : "",
                          .best = top.empty() ? 0 : top.front()});
     }
-    // The one that is played where none is named comes first.
+    // The default dive comes first.
     const auto first = std::ranges::find(dives, kFirstDive, &DiveName::name);
     if (first != dives.end()) std::rotate(dives.begin(), first, first + 1);
     return dives;
@@ -66,7 +66,7 @@ Status Application::open() {
     statistics_.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     gl::spreadRasterThreads();
     software_ = gl::rendersInSoftware();
-    // Before what takes longer: a headset fails more often.
+    // The display comes before what takes longer to open: a headset fails more often.
     if (Status opened = openDisplay(); !opened) return opened;
     screens_.facts = {.species = &config_.species,
                       .dive = &config_.dive,
@@ -107,7 +107,7 @@ Status Application::openContext() {
 
 Status Application::openDisplay() {
     const int samples = options_.look.samples > 0 ? options_.look.samples : software_ ? 1 : 4;
-    quality_.reset(); // another display, another rate
+    quality_.reset(); // another display may have another rate
     const bool vsync = options_.vsync && !options_.timedemo;
     if (!options_.xr) {
         if (window_) window_->setVsync(vsync);
@@ -117,13 +117,13 @@ Status Application::openDisplay() {
     headsetReturn_.settle();
     auto headset = HeadsetDisplay::open(*window_, config_.rig, samples);
     if (!headset) return headset.error();
-    window_->setVsync(false); // a headset sets the pace; its onlookers' window does not
+    window_->setVsync(false); // the headset sets the pace, not the onlookers' window
     display_ = std::make_unique<HeadsetDisplay>(std::move(*headset));
     showRoom();
     return Done{};
 }
 
-// Over the film where it can be shown already, and over the colour of deep water until then.
+// Draws the loading screen over the film if it can be shown already, else over the colour of deep water.
 bool Application::drawLoading(float progress) {
     if (!window_) return true;
     const platform::WindowInput& input = window_->poll();
@@ -194,8 +194,8 @@ Status Application::makeRenderer(CreatureModels models, render::Composition comp
         .moveTo(sceneRenderer_);
 }
 
-// Gives the rules the distances of the film; no file: nothing. A replay that was made without plays
-// without.
+// Gives the rules the distances of the film, none without a file. A replay recorded without them is played
+// without them.
 static Status findFilmSpace(const Path& film, const EnvironmentOptions& options, SessionConfig& config) {
     config.dive.space.reset();
     const bool wanted = !config.replay || game::needsFilmSpace(config.replay->header());
@@ -204,7 +204,7 @@ static Status findFilmSpace(const Path& film, const EnvironmentOptions& options,
     return config.replay ? game::checkFilmSpace(config.replay->header(), config.dive.space.get()) : Done{};
 }
 
-// The film first, so that there is a picture; then the models, and the light that they need.
+// Opens the film first, so that there is a picture; then the models, and the light that they need.
 Status Application::openScene() {
     const bool watched = window_ && !options_.xr && options_.environment.isOwnVideo();
     if (sceneRenderer_ && !models_) models_ = sceneRenderer_->takeModels();
@@ -234,7 +234,7 @@ Status Application::openScene() {
     return makeRenderer(std::move(taken), compositionIn(options_));
 }
 
-// Before anything is played: what would be written at the end must have a place.
+// Checks, before anything is played, that all output files can be written.
 static Status checkOutputsOf(const PlayOptions& options) {
     if (!options.screenshot.empty() && media::writtenAs(options.screenshot) != media::WrittenAs::Png)
         return Error{options.screenshot, "screenshots are PNG files; let the name end in .png"};
@@ -248,18 +248,18 @@ static Status checkOutputsOf(const PlayOptions& options) {
     return checkOutputs(outputs, inputs);
 }
 
-// A script that met its expectations is named, with the hash that tests/equal_hashes.txt stores of it.
+// Prints the name of a script that met its expectations, with its hash as in tests/equal_hashes.txt.
 static void tellSummary(const std::string& summary, const Status& verdict) {
     if (verdict && !summary.empty()) std::printf("%s\n", summary.c_str());
 }
 
-// Nobody sees a picture, and rules know none. A live video is shown: it has the clock's time.
+// Returns whether a picture is needed. A live video always needs one: it has the clock's time.
 static bool isSeen(const PlayOptions& options) {
     const auto address = media::liveAddress(options.environment.video);
     return !options.headless || options.timedemo || !options.screenshot.empty() || !address || *address;
 }
 
-// A session without a picture, as fast as it can: only the film's room is followed.
+// Plays a session without a picture, as fast as possible: of the film only its distances are read.
 static Status playUnseen(const PlayOptions& options) {
     SessionConfig config;
     if (Status s = makeSessionConfig(options).moveTo(config); !s) return s;
@@ -317,7 +317,7 @@ Status play(const PlayOptions& given) {
     Status verdict = Done{};
     if (options.timedemo) verdict = application.run(false); // to warm up
     if (verdict) verdict = application.run(true);
-    // What was asked for is written even when an expectation failed: it helps to see why.
+    // The outputs are written even when an expectation failed: they help to see why.
     if (!options.screenshot.empty() && application.hasPicture())
         if (Status saved = application.saveScreenshot(); !saved) return saved;
     if (!options.stats.empty())

@@ -17,7 +17,7 @@ ProgramStates::ProgramStates(GameSession& session, Screens& screens, Mode mode, 
 ProgramStates::State ProgramStates::state() const {
     if (mode_ == Mode::Title) return State::Title;
     if (session_.after.phase == game::Phase::Results) return State::Results;
-    // As the player or the headset has decided, or the script or replay that plays.
+    // A pause is the decision of the player, the headset, or the script or replay that plays.
     return (byPerson() ? session_.paused : session_.after.paused) ? State::Paused : State::Diving;
 }
 
@@ -57,7 +57,7 @@ void ProgramStates::entered(State state) {
 void ProgramStates::keepScore() {
     const std::string& dive = session_.dive.file().name;
     screens_.facts.scores = readScores(dive);
-    // Only what a person has played counts.
+    // Only a person's dives count.
     if (!keepsScores_ || !byPerson()) return;
     if (Status saved = addScore(dive, session_.after.score); !saved) log::warn("{}", saved.error().message());
 }

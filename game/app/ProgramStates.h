@@ -1,4 +1,4 @@
-// What the program is doing, and which pages of the menus stand over the picture then. Main thread.
+// The states of the program, and the menu pages that each shows over the picture. Main thread.
 #pragma once
 
 #include "game/app/Screens.h"
@@ -6,25 +6,25 @@
 
 namespace shoal::app {
 
-// What a session is for.
+// Purpose of a session.
 enum class Mode { Title, FirstSteps, Dive, FreeSwim };
 
 class ProgramStates {
   public:
     enum class State { Title, Diving, Paused, Results };
 
-    // All outlive this. keepsScores: in the player's file.
+    // Session and screens must outlive this. keepsScores: writes scores to the player's file.
     ProgramStates(GameSession& session, Screens& screens, Mode mode, bool keepsScores);
 
     State state() const;
     Mode mode() const { return mode_; }
     bool byPerson() const { return playedByAPerson(session_.source); }
-    // Nobody moves the hands: the player is in the menus.
+    // Whether nobody moves the hands, because the player is in the menus.
     bool idle() const { return state() == State::Title; }
 
-    // Of the state that is shown; menus get their own.
+    // Handles input of the game; menus read their own.
     void input(const Controls& controls, bool lostFocus, bool& leaving);
-    // Once a frame, after the simulation: opens and closes pages, and keeps score and guide.
+    // Opens and closes pages, and keeps score and guide; once a frame, after the simulation.
     void update();
 
   private:

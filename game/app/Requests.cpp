@@ -1,4 +1,4 @@
-// What the pages of the menus ask the program for.
+// Application: the answers to the requests of the menu pages.
 #include "game/app/Application.h"
 
 #include "engine/core/Log.h"
@@ -60,7 +60,7 @@ Status Application::startDive(const std::string& name, Mode mode) {
     return begin(mode);
 }
 
-// file: empty: the dive's own film.
+// file: empty for the dive's own film.
 Status Application::openFilm(const std::string& file) {
     PlayOptions wanted = options_;
     EnvironmentOptions& shown = wanted.environment;
@@ -69,7 +69,7 @@ Status Application::openFilm(const std::string& file) {
     return reopen(wanted, Mode::Title, Screen::Films);
 }
 
-// From the title screen, or in mid-dive where the headset was lost: that dive then goes on in it.
+// Opens the headset from the title screen; or in mid-dive after its loss, and the dive goes on in it.
 Status Application::startHeadset() {
     if (play_->states.mode() != Mode::Title) {
         if (Status entered = enterHeadset(); !entered) screens_.showError(entered.error().message());
@@ -80,7 +80,7 @@ Status Application::startHeadset() {
     return reopen(wanted, Mode::Title, Screen::Title);
 }
 
-// In mid-dive, in place of the window.
+// Moves the dive from the window to the headset.
 Status Application::enterHeadset() {
     options_.xr = true;
     if (Status opened = openDisplay(); !opened) {
@@ -93,7 +93,7 @@ Status Application::enterHeadset() {
     return Done{};
 }
 
-// By the setting. Where the headset cannot, it stays with the film and says so.
+// Shows the room if the setting says so. If the headset cannot, the film stays and the player is told.
 void Application::showRoom() {
     if (display_->showRoom(options_.passthrough)) return;
     log::warn(
@@ -101,15 +101,15 @@ void Application::showRoom() {
     options_.passthrough = false;
 }
 
-// The headset or its runtime has gone while somebody played: the dive pauses and is shown in the window,
-// where the mouse goes on with it, or the headset when it is back.
+// Moves the dive to the window after the headset or its runtime has gone: it pauses, and the mouse goes on
+// with it, or the headset when it is back.
 void Application::leaveHeadset(const Error& why) {
     log::warn("{}", why.message());
     options_.xr = false;
     if (options_.hands.source == "openxr") options_.hands.source.clear();
-    (void)openDisplay(); // in the window; that does not fail
+    (void)openDisplay(); // in the window, which does not fail
     if (std::holds_alternative<OpenXrSource>(play_->session.source)) takeHandsFrom(HandSourceKind::Mouse);
-    play_->session.head.reset(); // a headset feeds it
+    play_->session.head.reset(); // only a headset feeds it
     play_->session.paused = true;
     screens_.facts.headsetLost = true;
     headsetReturn_.await();
@@ -117,7 +117,7 @@ void Application::leaveHeadset(const Error& why) {
     screens_.showError(why.message());
 }
 
-// Who goes on without it is left alone.
+// Reopens a lost headset once it is back, unless the dive goes on without it.
 void Application::awaitHeadset() {
     if (photo_) return;
     if (play_->states.state() != ProgramStates::State::Paused) return headsetReturn_.forget();
@@ -125,7 +125,7 @@ void Application::awaitHeadset() {
     if (Status entered = enterHeadset(); !entered) log::debug("{}", entered.error().message());
 }
 
-// Of this session and the next ones, while everything else of them stays.
+// Sets the source of hands of this session and the next ones; all else of the session stays.
 void Application::takeHandsFrom(HandSourceKind kind) {
     GameSession& session = play_->session;
     if (kind == HandSourceKind::OpenXr)
@@ -135,14 +135,14 @@ void Application::takeHandsFrom(HandSourceKind kind) {
     config_.handSource = {kind, {}};
 }
 
-// The dive begins, and every later one begins at once.
+// Begins the dive after the first steps, which later dives leave out.
 Status Application::endFirstSteps() {
     options_.firstSteps = false;
     screens_.keep("first-steps");
     return begin(Mode::Dive);
 }
 
-// Ends the session, opens what these options ask for, and begins there.
+// Ends the session, opens the content for these options, and begins in that mode.
 Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
     if (Status ended = endPlay(); !ended) return ended;
     const PlayOptions before = std::exchange(options_, wanted);
@@ -150,7 +150,7 @@ Status Application::reopen(const PlayOptions& wanted, Mode mode, Screen asker) {
     return opened ? begin(mode) : goBack(before, opened.error(), asker);
 }
 
-// What is played and where it is seen, by the options as they are now.
+// Opens dive, display, scene and sound for the present options.
 Status Application::openContent() {
     if (Status s = makeSessionConfig(options_).moveTo(config_); !s) return s;
     if (options_.xr != (display_->audience() == Audience::HeadsetPlayer))
@@ -161,12 +161,12 @@ Status Application::openContent() {
     return Done{};
 }
 
-// What cannot be opened is said on the page that has asked for it, and what was there before stays.
+// Restores the options and content of before, and shows the error on the page that made the request.
 Status Application::goBack(const PlayOptions& before, const Error& why, Screen asker) {
     if (leaving_) return Done{};
     log::warn("{}", why.message());
     options_ = before;
-    if (Status back = openContent(); !back) { // a film on a disk that was taken out: the dive has its own
+    if (Status back = openContent(); !back) { // the earlier film's disk may be gone: the dive has its own
         options_.environment = PlayOptions().environment;
         if (Status own = openContent(); !own) return own;
     }
@@ -175,14 +175,14 @@ Status Application::goBack(const PlayOptions& before, const Error& why, Screen a
     return Done{};
 }
 
-// Settings that do not take effect by being read in every frame.
+// Applies settings that are not read in every frame.
 Status Application::applySettings() {
     if (options_.volume != applied_.volume) soundAndHaptics_->setVolume(options_.volume);
     soundAndHaptics_->setMix(options_.effects, options_.videoSound, options_.hapticStrength);
     if (options_.fullscreen != applied_.fullscreen) window_->toggleFullscreen();
     if (options_.passthrough != applied_.passthrough) {
         showRoom();
-        if (!options_.passthrough) screens_.keep("passthrough"); // not what could not be shown
+        if (!options_.passthrough) screens_.keep("passthrough"); // saves that the room could not be shown
     }
     if (options_.quality == QualityControl::Fixed) quality_.reset();
     if (options_.compose != applied_.compose || options_.skin != applied_.skin ||
@@ -190,7 +190,7 @@ Status Application::applySettings() {
         options_.stereo != applied_.stereo) {
         if (Status opened = openScene(); !opened) return goBack(applied_, opened.error(), Screen::Title);
     }
-    // What was opened silent is not there to become louder.
+    // A sound or haptic output that was opened silent must be opened again to become louder.
     const auto starts = [](float before, float now) { return before == 0 && now > 0; };
     if (options_.headphones != applied_.headphones || starts(applied_.videoSound, options_.videoSound) ||
         starts(applied_.hapticStrength, options_.hapticStrength))
@@ -202,7 +202,7 @@ Status Application::applySettings() {
             config_.handSource = *chosen;
             play_->session.track(config_);
         }
-    config_.rules.assist = options_.assist; // from the next dive on
+    config_.rules.assist = options_.assist; // takes effect with the next dive
     applied_ = options_;
     return Done{};
 }

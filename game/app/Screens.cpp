@@ -47,7 +47,7 @@ template <class... Values> std::string filled(const char* text, const Values&...
     return fmt::format(fmt::runtime(text), values...);
 }
 
-// As it stands in the file of settings, or in the player's words: "PageUp", "Page up".
+// Returns a key's name for the player: translated, or the file's name with spaces: "PageUp", "Page up".
 std::string keyLabel(std::string_view name, game::Language language) {
     std::string label(game::translated(name, language));
     if (label != name) return label;
@@ -60,7 +60,7 @@ std::string keyLabel(std::string_view name, game::Language language) {
     return label;
 }
 
-// Empty where there is none.
+// Returns the keys and the button as text; empty if there is none.
 std::string keysText(const Bindings::Keys& keys, game::Language language) {
     std::string text;
     for (const int key : keys.keys)
@@ -70,7 +70,7 @@ std::string keysText(const Bindings::Keys& keys, game::Language language) {
     return text;
 }
 
-// What it asks for.
+// Returns what a goal asks for.
 std::string goalText(const game::Goal& goal, const game::SpeciesTable& species, game::Language language) {
     const auto text = [&](game::Text words) { return words.in(language); };
     switch (goal.kind) {
@@ -170,7 +170,7 @@ void Screens::back() {
         case Screen::Results:
             return ask(Request::Kind::Title);
         default:
-            return; // the title screen leaves by its own button
+            return; // the title screen is left by its own button
         }
     }
     stack_.pop_back();
@@ -231,7 +231,7 @@ void Screens::input(const MenuInput& input) {
     if (!event) return;
     if (event->kind == MenuEvent::Kind::Back) return back();
     const size_t depth = stack_.size();
-    const auto act = entries_[event->item].act; // the page may be replaced by it
+    const auto act = entries_[event->item].act; // the call may replace the page
     act(*event);
     if (stack_.size() == depth) refresh();
 }
@@ -260,7 +260,7 @@ void Screens::backButton() {
     button("Back", [this] { back(); });
 }
 
-// A change holds at once. Only what is changed is written: what the command line says is not kept.
+// Saves a changed setting at once. Only changed settings are written, none from the command line.
 void Screens::keepRow(size_t row) {
     if (Status saved = saveSetting(table_.rows[row]); !saved) {
         log::warn("{}", saved.error().message());
@@ -332,7 +332,7 @@ MenuPage Screens::swimsPage() {
     return page;
 }
 
-// The player's own film or photo takes the place of every dive's.
+// Returns the text that the player's own film or photo replaces every dive's.
 std::string Screens::otherFilm() const {
     const EnvironmentOptions& shown = options_.environment;
     const std::string& file = !shown.video.empty()   ? shown.video
@@ -361,7 +361,7 @@ MenuPage Screens::settingsPage() {
 }
 
 MenuPage Screens::groupPage(SettingsPage group) {
-    const bool isMuted = group == SettingsPage::Sound && options_.mute; // nothing of it would be heard
+    const bool isMuted = group == SettingsPage::Sound && options_.mute; // nothing would be heard
     for (size_t row = 0; row < table_.rows.size() && !isMuted; ++row)
         if (table_.rows[row].page == group) settingEntry(row);
     if (group == SettingsPage::Hands && facts.webcam)
@@ -472,7 +472,7 @@ MenuPage Screens::howToPlayPage() {
                "away.")}};
 }
 
-// Each animal that the player has met leads to a page of its own.
+// Makes the field guide; each animal that the player has met leads to a page of its own.
 MenuPage Screens::guidePage() {
     const game::SpeciesTable& all = *facts.species;
     size_t met = 0;

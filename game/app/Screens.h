@@ -1,5 +1,5 @@
-// The pages of the menus: title, settings, pause, results and what they lead to. They change the player's
-// settings themselves; all else that the player asks for is a request to the program. Main thread.
+// The menu pages: title, settings, pause, results and their subpages. They change the player's settings
+// themselves; all else that the player asks for is a request to the program. Main thread.
 #pragma once
 
 #include "game/rules/DiveFile.h"
@@ -21,7 +21,7 @@ namespace shoal::app {
 enum class Screen {
     Title,
     Dives,
-    Swims, // where to swim freely
+    Swims, // the places for free swims
     Films,
     Settings,
     SettingsGroup,
@@ -34,7 +34,7 @@ enum class Screen {
     Results
 };
 
-// What the player has asked for.
+// A request of the player to the program.
 struct Request {
     enum class Kind {
         Dive,
@@ -52,65 +52,65 @@ struct Request {
         SettingsChanged
     };
     Kind kind;
-    std::string name; // of the place of a dive or a free swim, or a file
+    std::string name; // of a dive or a free swim, or a file
 };
 
 struct DiveName {
     std::string name, title;
-    std::string picture{}; // in content; empty: none
+    std::string picture{}; // below content/; empty: none
     int best = 0;          // score; 0: none yet
 };
 
-// What the pages show besides settings.
+// Data that the pages show besides settings.
 struct ScreenFacts {
     const game::SpeciesTable* species = nullptr;
     const game::DiveFile* dive = nullptr;
     std::vector<DiveName> dives;
-    bool headset = false;         // there is one
-    bool headsetLost = false;     // in mid-dive, and what is played is in the window since
+    bool headset = false;         // a headset is there
+    bool headsetLost = false;     // the headset was lost in mid-dive, and the dive is in the window since
     bool ownFilm = true;          // the dive's own film is shown
-    uint64_t seed = 0;            // of the last dive
+    uint64_t seed = 0;            // of the present dive
     DiveScores scores;            // of this dive, before the last one
-    std::vector<std::string> met; // species that the player has touched
-    game::Snapshot results;       // as the last dive ended
+    std::vector<std::string> met; // names of the species that the player has touched
+    game::Snapshot results;       // at the end of the last dive
     bool freeSwim = false, firstSteps = false;
-    bool webcam = false;                     // hands come from one
+    bool webcam = false;                     // a webcam tracks the hands
     std::optional<game::Notice> handsNeed{}; // TrackedHands::needs()
-    hands::HandSizing handSizing{};          // on the page for that
+    hands::HandSizing handSizing{};          // measurement on the page HandSize
 };
 
 class Screens {
   public:
-    // Both outlive this.
+    // options and bindings must outlive this.
     Screens(PlayOptions& options, Bindings& bindings);
 
-    void open(Screen screen); // and no other below it
+    void open(Screen screen); // as the only page
     void close() { stack_.clear(); }
-    void openWithError(Screen screen, std::string error);                         // above the title screen
-    void showError(std::string error);                                            // on the page that is open
+    void openWithError(Screen screen, std::string error);                         // over the title page
+    void showError(std::string error);                                            // on the open page
     void dropped(const std::string& file) { ask(Request::Kind::OpenFilm, file); } // onto the window
     bool isOpen() const { return !stack_.empty(); }
     std::optional<Screen> top() const;
-    bool showsCamera() const; // what a webcam sees belongs to the page
-    // A text setting of bindings waits for the next key or button, which is no input for the menus.
+    bool showsCamera() const; // the page shows the webcam's image
+    // Whether a binding waits for the next key or button, which is then no input for the menus.
     bool capturesKey() const { return captured_.has_value(); }
 
     void input(const MenuInput& input);
-    void keyPressed(int key);       // while it captures
-    void buttonPressed(int button); // the same
-    void cancelCapture();           // a mouse has no key to give
+    void keyPressed(int key);       // only while capturesKey()
+    void buttonPressed(int button); // only while capturesKey()
+    void cancelCapture();           // a press of the mouse cannot be bound
     std::optional<Request> takeRequest();
     void draw(const Pen& pen);
-    // Words or numbers that a page shows have changed.
+    // Updates the page that is open, after its words or numbers have changed.
     void refresh();
-    // The player has changed this setting by a key of the game: it is kept, and asked to take effect.
+    // Saves a setting that the player has changed by a key of the game, and requests that it take effect.
     void keep(std::string_view key);
 
     ScreenFacts facts;
 
     const Menu& menu() const { return menu_; }
 
-    // The dive's goals, each with how far it has got.
+    // Returns a line for each of the dive's goals, with its progress.
     std::vector<std::string> goalLines(std::span<const game::GoalView> goals) const;
 
   private:
@@ -118,10 +118,10 @@ class Screens {
         MenuItem item;
         std::function<void(const MenuEvent&)> act;
     };
-    struct Level { // of the stack of pages
+    struct Level { // one page of the stack
         Screen screen;
         SettingsPage group = SettingsPage::None;
-        size_t species = 0; // of the page Animal
+        size_t species = 0; // for the page Animal
         size_t focus = 0;
     };
     void push(Screen screen, SettingsPage group = SettingsPage::None);
@@ -147,8 +147,8 @@ class Screens {
     MenuPage resultsPage();
 
     void button(game::Text label, std::function<void()> act);
-    void itemButton(std::string label, std::function<void()> act); // named by content, not by a text
-    void diveButton(std::string label, const DiveName& dive, Request::Kind kind); // with its picture
+    void itemButton(std::string label, std::function<void()> act); // label from content, already translated
+    void diveButton(std::string label, const DiveName& dive, Request::Kind kind); // adds the dive's picture
     void backButton();
     void settingEntry(size_t row);
     void keepRow(size_t row);
@@ -163,14 +163,14 @@ class Screens {
     Bindings& bindings_;
     SettingsTable table_;
     std::vector<Level> stack_;
-    std::vector<Entry> entries_; // of the page that is shown
+    std::vector<Entry> entries_; // items of the open page
     Menu menu_;
     std::optional<Request> request_;
-    std::optional<Action> captured_; // is being given a key
-    std::string message_, error_;    // below the items
+    std::optional<Action> captured_; // the action that waits for a key
+    std::string message_, error_;    // texts below the items
 };
 
-// The language of the screen, as chosen or as the system has it.
+// Returns the language of the screen: the chosen one, or the system's.
 game::Language languageIn(const TextSettings& settings);
 
 } // namespace shoal::app

@@ -4,7 +4,7 @@
 
 namespace shoal::app {
 
-// The only thing that a signal's handler may touch.
+// The signal handler may touch only this.
 static volatile std::sig_atomic_t came = 0;
 
 void noteStopSignals() {
@@ -14,7 +14,7 @@ void noteStopSignals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup stays
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // as nohup sets it
     }
 }
 

@@ -35,7 +35,7 @@ bool graspable(const Fish& f, const Hand& hand, int h, const Closing& closing) {
            graspGap(f, kind, hand) < 2 * kGraspRadius_m;
 }
 
-// The graspable fish nearest to the grasp centre, or -1.
+// Returns the graspable fish nearest to the grasp centre, or -1.
 int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const Closing& closing) {
     int nearest = -1;
     float gap = std::numeric_limits<float>::max();
@@ -47,7 +47,7 @@ int nearestGraspable(const Hand& hand, int h, std::span<const Fish> fish, const 
     return nearest;
 }
 
-// Closing fingers draw a fish into the hollow of the hand.
+// Pushes a fish between closing fingers into the hollow of the hand.
 void drawIn(Fish& f, const Species& kind, const Hand& hand) {
     const glm::vec3 hollow = hollowOf(hand.palm(), std::min(kind.bodyRadius_m, physics::kEnclosed_m));
     const glm::vec3 wanted =
@@ -62,7 +62,7 @@ void wrapAround(const Fish& f, const Species& kind, Hand& hand) {
 void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     hand.grasp.holds = hand.grasp.encloses = id;
     hand.grasp.window = 0;
-    hand.grasp.firmest = 1; // it takes hold anew only after it has opened
+    hand.grasp.firmest = 1; // it takes hold again only after it has opened
     hand.lastMiss = Miss::None;
     f.state = Fish::State::Held;
     f.heldBy = h;
@@ -75,15 +75,15 @@ void grab(Fish& f, int id, Hand& hand, int h, Events& events) {
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
     f.palmFromBody = palmFromWorld * f.worldFromBody;
     f.palmOffset = palmFromWorld * (f.position - hand.graspCentre);
-    // In a fist a fish lies across the palm, head out at the side it was heading for, back towards wrist or
-    // fingers.
+    // A fish in a fist lies across the palm: its head out at the side it was heading for, its back towards
+    // wrist or fingers.
     const glm::vec3 heading = f.palmFromBody * glm::vec3(0, 0, 1), back = f.palmFromBody * kUp;
     const glm::vec3 z(heading.x < 0 ? -1.0f : 1.0f, 0, 0), y(0, 0, back.z < 0 ? -1.0f : 1.0f);
     f.palmFromBodyGoal = glm::quat_cast(glm::mat3(glm::cross(y, z), y, z));
     events.push_back({EventKind::Grab, id, h, f.position});
 }
 
-// Out of the hand, away from the player, the way it looks if that will do.
+// Starts the flight of a released fish: away from the player and roughly the way it looks.
 void swimOff(Fish& f, const Species& kind, const Hand& hand) {
     f.struggle = 0;
     f.loose_s = physics::kLoose_s;
@@ -101,7 +101,7 @@ void swimOff(Fish& f, const Species& kind, const Hand& hand) {
     f.velocity = f.forward * f.speed + f.push;
 }
 
-// Whether the hand is closed, and for how long it may still take hold.
+// Updates whether the hand is closed, and for how many ticks it may still take hold.
 void readGrip(Hand& hand) {
     Grasp& grasp = hand.grasp;
     const bool helped = hand.intent.helps && hand.intent.fish >= 0;
@@ -119,7 +119,7 @@ void readGrip(Hand& hand) {
     grasp.closed = grasp.closed || hand.grip > kGripCloses;
 }
 
-// Two hands that press on one fish from both sides hold it too.
+// Takes hold of a fish that both hands press on from opposing sides.
 void takeBetweenHands(Hands& hands, std::span<Fish> fish, const Closing& closing, Events& events) {
     if (hands[0].grasp.holds >= 0 || hands[1].grasp.holds >= 0) return;
     bool taken = false;
@@ -147,7 +147,7 @@ void drop(Hand& hand, int h, const SpeciesTable& species, std::span<Fish> fish, 
 
 namespace {
 
-// Takes hold of the fish between the fingers, or draws it in. True: it holds.
+// Takes hold of the fish between the fingers, or draws it in. Returns whether it is held.
 bool takeHold(Hands& hands, int h, int id, std::span<Fish> fish, const Closing& closing, Events& events) {
     Hand& hand = hands[h];
     Fish& f = fish[id];
@@ -165,7 +165,7 @@ bool takeHold(Hands& hands, int h, int id, std::span<Fish> fish, const Closing& 
     return false;
 }
 
-// True: the hand closed on something that stings.
+// Stings a hand that closes on a stinging species. Returns whether it did.
 bool sting(Hand& hand, int h, std::span<Fish> fish, const Closing& closing, Events& events) {
     for (size_t i = 0; i < fish.size(); ++i) {
         const Species& kind = closing.species[fish[i].species];

@@ -14,36 +14,36 @@
 namespace shoal::game {
 
 constexpr int kCloseWindow = 12;  // ticks after it has stopped closing in which a hand still takes hold
-constexpr int kHelpedWindow = 22; // the same for one that is helped to a fish
-constexpr float kGraspRadius_m = 0.075f; // around hands::graspCentre: what closing fingers draw in
+constexpr int kHelpedWindow = 22; // the same for a hand that is helped to a fish
+constexpr float kGraspRadius_m = 0.075f; // closing fingers draw in fish this near to hands::graspCentre
 constexpr float kHoldToCatch_s = 1;
-constexpr float kShowCatch_s = 0.2f; // from the catch until it is let go
-constexpr float kUncatchable_s = 2;  // after a catch, and after the shark had it
-constexpr float kSting_s = 1;        // for which a stung hand holds nothing
+constexpr float kShowCatch_s = 0.2f; // time from the catch to the release
+constexpr float kUncatchable_s = 2;  // time before a fish can be caught again, after a catch or the shark
+constexpr float kSting_s = 1;        // time in which a stung hand cannot hold
 
-// Distance from the hand's grasp centre to the body's surface, metres.
+// Returns the distance from the hand's grasp centre to the body's surface, metres.
 float graspGap(const Fish&, const Species&, const Hand&);
 bool onPalmSide(const Fish&, const Hand&);
 
-// What closing hands are subject to.
+// Inputs of closeHands() that it does not change.
 struct Closing {
     const SpeciesTable& species;
     std::span<const physics::Contact> contacts;
     const Viewpoint& view;
-    FilmMoment film{}; // what it hides nobody takes
+    FilmMoment film{}; // a fish or hand that it hides takes no part
     Assist assist = Assist::None;
     uint32_t tick = 0;
-    bool takes = true; // false once the dive is over
+    bool takes = true; // hands take nothing once the dive is over
 };
 
-// Reads each hand's closing and opening, and takes hold of a fish that lies between fingers, or between both
-// hands, and is held from opposing sides; helps hands that mean to. Stings those that close on what stings.
+// Updates each hand's closing and opening. A closing hand takes hold of a fish that its fingers, or both
+// hands, press from opposing sides; it is helped to the fish it reaches for, and stung by one that stings.
 void closeHands(Hands&, std::span<Fish>, const Closing&, Events&);
 
-// What a hand holds is let go: a Release if it has counted as a catch, else an Escape.
+// Lets the held fish go: with a Release if it has counted as a catch, else an Escape. h: 0 left, 1 right.
 void drop(Hand&, int h, const SpeciesTable&, std::span<Fish>, Events&);
 
-// After everything has moved: held fish may slip out, become a catch, and are let go after it.
+// Advances all holds, after everything has moved: a held fish may slip out, or is caught and then let go.
 void countCatches(Hands&, const SpeciesTable&, std::span<Fish>, std::span<const physics::Contact>, Score&,
                   Events&);
 

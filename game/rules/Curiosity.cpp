@@ -10,14 +10,14 @@ namespace {
 
 constexpr float kStill_mps = 0.2f; // a hand slower than this rests...
 constexpr float kFast_mps = 0.6f;  // ...until it is faster than this
-constexpr float kRest_s = 1;       // of rest before the first comes
-constexpr float kNext_s = 2;       // between two
-constexpr int kVisitors = 2;       // at a time, to a hand
+constexpr float kRest_s = 1;       // rest before the first visitor comes
+constexpr float kNext_s = 2;       // time between two visitors
+constexpr int kVisitors = 2;       // visitors of a hand at a time
 constexpr float kInView = 0.82f;   // cosine of the angle from the middle of the view: 35 degrees
-constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // from the hand, of those who may come
-constexpr float kComes_s = 7;                           // on its way for no longer...
-constexpr float kThere_m = 0.12f;                       // ...until it is there
-constexpr float kBefore_m = 0.06f;                      // the grasp centre, out of the palm
+constexpr float kNearest_m = 0.25f, kFarthest_m = 2.2f; // distance of a possible visitor from the hand
+constexpr float kComes_s = 7;                           // longest time on its way
+constexpr float kThere_m = 0.12f;                       // distance from its place at which it has arrived
+constexpr float kBefore_m = 0.06f;                      // distance of its place from the grasp centre
 
 bool isStill(const Hand& hand, const Viewpoint& view) {
     const bool open = hand.visible && hand.solid && hand.grip < kGripOpens && hand.stung_s == 0;
@@ -48,7 +48,7 @@ void advanceVisit(Fish& f, const Hands& hands, Random& random) {
     if (f.state != Fish::State::Cruise || hand.rested_s == 0 || f.visit_s <= 0) leave(f, random);
 }
 
-// The nearest, the more curious from farther away; from before the player, so that it is seen to come.
+// Returns the fish ahead of the player with the least distance over curiosity; -1: none may come.
 int nextVisitor(const Hand& hand, const Viewpoint& view, const SpeciesTable& species,
                 std::span<const Fish> fish) {
     int best = -1;

@@ -12,12 +12,12 @@
 
 namespace shoal::game {
 
-// Every tick: begins and ends visits.
+// Begins and ends visits; called every tick.
 void chooseVisitors(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Random&);
 
-// Where a fish that visits a hand goes to.
+// Returns the place in front of the palm that a visiting fish swims to.
 glm::vec3 visitedPlace(const Hand&);
 
-constexpr float kVisitSlow_m = 0.25f; // from here on it comes slowly
+constexpr float kVisitSlow_m = 0.25f; // distance from that place below which it slows down
 
 } // namespace shoal::game

@@ -14,9 +14,9 @@ namespace shoal::game {
 
 namespace {
 
-// Who sits has a lap and a floor nearer below the eyes than who stands, and cannot step towards a fish.
+// Moves the fish's bands up and in for a seated player, who has a lap and cannot step towards fish.
 void bringToSeated(DiveFile& dive) {
-    constexpr float kLap_m = -0.45f, kFloor_m = -0.9f; // against the eyes; the floor is at -1.1 to -1.3
+    constexpr float kLap_m = -0.45f, kFloor_m = -0.9f; // relative to the eyes
     constexpr float kStep_m = 0.3f, kMinBand_m = 0.3f;
     dive.floor_m = std::max(dive.floor_m, kFloor_m);
     for (School& school : dive.schools) {
@@ -160,7 +160,7 @@ void Dive::reachGoals(Events& events) {
 
 namespace {
 
-constexpr const char* kFilmSpace = "film_space"; // among a recording's settings
+constexpr const char* kFilmSpace = "film_space"; // key in a recording's settings
 
 std::string nameOf(const FilmSpace& space) { return fmt::format("{:016x}", space.hash()); }
 
@@ -196,7 +196,7 @@ Result<DiveRules> rulesOf(const sim::RecordingHeader& header) {
         else if (name == "seated")
             rules.seated = on;
         else
-            continue; // of those who made the inputs
+            continue; // a setting of the program, no rule
         if (!known) return Error{"the recording", "has an unknown value: " + name + " = " + value};
     }
     return rules;

@@ -1,5 +1,5 @@
-// The game without picture and sound: rules and behaviours, stepped at 120 Hz. A function of its files, its
-// seed and its inputs alone; no clock, no global state. One thread.
+// The game without picture and sound: rules and behaviours, stepped at 120 Hz. The state depends on files,
+// seed and inputs alone; no clock, no global state. One thread.
 #pragma once
 
 #include "engine/core/Random.h"
@@ -20,7 +20,7 @@
 
 namespace shoal::game {
 
-// All that the future depends on besides files and inputs. Plain data.
+// The complete state of a dive: with the files and the coming inputs it determines the future. Plain data.
 struct DiveState {
     uint64_t seed = 0;
     Random random{};
@@ -34,7 +34,7 @@ struct DiveState {
     std::vector<Fish> fish;
     Shark shark;                            // its creature id is fish.size()
     Passer passer;                          // its creature id comes after the shark's
-    std::vector<physics::Contact> contacts; // of this tick; what lasts is next tick's past
+    std::vector<physics::Contact> contacts; // of this tick; the next tick continues the lasting ones
 
     auto fields() const {
         return std::tie(seed, random, tick, totalTicks, phase, begun, paused, restartHeld, score, view, hands,
@@ -46,14 +46,14 @@ class Dive {
   public:
     Dive(SpeciesTable, DiveFile, uint64_t seed, DiveRules = {});
 
-    // One tick of 1/120 s. Appends what happened. Joints that are not finite or absurd are not
-    // believed: the hand's last good pose stays for that tick.
+    // Advances the dive by one tick of 1/120 s and appends its events. A hand whose joints are not finite or
+    // not plausible keeps its last good pose for that tick.
     void step(const TickInput&, Events& events);
 
-    // Overwrites out; allocates only the first time.
+    // Copies the visible state to out; allocates only the first time.
     void snapshot(Snapshot& out) const;
 
-    // Of everything that the future depends on.
+    // Returns the hash of the whole DiveState.
     uint64_t stateHash() const;
 
     uint64_t seed() const { return state_.seed; } // of the dive now under way
@@ -84,26 +84,26 @@ class Dive {
 
 sim::RecordingHeader recordingHeader(const Dive&);
 
-// The rules under which a recording was made; an error names a value, or the kind of inputs, that this
-// version does not know.
+// Returns the rules under which a recording was made; an error names a value, or the kind of inputs, that
+// this version does not know.
 Result<DiveRules> rulesOf(const sim::RecordingHeader&);
 
-// The film that it was played in, a file below content/; own: the dive's own.
+// Returns the video of a recording, a file below content/; own, the dive's video, if it names none.
 std::string filmOf(const sim::RecordingHeader&, const std::string& own);
 
-// A dive goes the same way only in the same space: a recording that was made with one is played with that
-// one, and one made without is played without. An error says which it is not.
+// A recording made with a FilmSpace replays only with an equal one, and one made without it only without. An
+// error says what differs.
 bool needsFilmSpace(const sim::RecordingHeader&);
 Status checkFilmSpace(const sim::RecordingHeader&, const FilmSpace*); // null: none
 
-// A mark's effect grows over the two seconds before it and fades over the two after it, beyond the video's
-// end from its start on. Nothing is known where videoLength_s is 0 (no video) or where a mark begins behind
-// the end (it belongs to a longer one).
-//
-// 0 to 1 at a time of a video that repeats every videoLength_s; where marks meet the greater counts.
+// Returns how enclosed the video, which repeats every videoLength_s, is at a time: 0 to 1. A mark's amount
+// ramps up over the two seconds before it and down over the two after it, across the video's end too; of
+// overlapping marks the greater counts. A mark counts nothing if videoLength_s is 0 (no video) or if it
+// begins beyond the end (it belongs to a longer video).
 float enclosureAt(std::span<const VideoMark> marks, double videoLength_s, double time_s);
 
-// What lies between two snapshots of neighbouring ticks, alpha 0 to 1. Creatures that jumped are not smeared.
+// Interpolates the snapshots of two neighbouring ticks, alpha 0 to 1. Creatures that jumped are shown as in
+// `after`.
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out);
 
 } // namespace shoal::game

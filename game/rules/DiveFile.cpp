@@ -47,7 +47,7 @@ Species readOne(TomlTable& table) {
     return s;
 }
 
-// -1, and a complaint, if there is none.
+// Returns the index of the table's species; -1, with a complaint, if it is not known.
 int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     std::string name;
     table.need("species");
@@ -60,7 +60,7 @@ int speciesNamed(TomlTable& table, const SpeciesTable& known, bool shark) {
     return index;
 }
 
-// Of those that swim about the player.
+// Returns the index of a species that schools may hold: neither shark nor giant.
 int schoolSpecies(TomlTable& table, const SpeciesTable& known) {
     const int index = speciesNamed(table, known, false);
     if (index >= 0 && known[index].giant) table.complain("species", "must not be a giant");
@@ -233,7 +233,7 @@ Result<DiveFiles> loadDiveFiles(const std::string& name, const Path& content) {
     if (!species) return species.error();
     auto dive = loadDive(file, *species);
     if (!dive) return dive.error();
-    dive->name = isFile ? file.string() : name; // by which a recording finds it again, from any folder
+    dive->name = isFile ? file.string() : name; // absolute, so that a recording finds it from any folder
     return DiveFiles{*std::move(species), *std::move(dive)};
 }
 

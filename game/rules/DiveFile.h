@@ -1,4 +1,4 @@
-// What kinds of creatures there are, content/species.toml, and one dive (a level), content/dives/NAME.toml.
+// The table of species, content/species.toml, and one dive (a level), content/dives/NAME.toml.
 #pragma once
 
 #include "engine/core/Files.h"
@@ -16,7 +16,7 @@ namespace shoal::game {
 
 class FilmSpace; // game/rules/FilmSpace.h
 
-// How much kin mean to a fish: nothing, one partner, or all of its school.
+// Company that a species keeps: none, one partner, or its whole school.
 enum class Company { Alone, Pair, Shoal };
 constexpr std::array<const char*, 3> kCompanyNames = {"alone", "pair", "shoal"};
 
@@ -26,28 +26,28 @@ struct Species {
     bool shark = false;         // hunts instead of being caught
     bool giant = false;         // passes in an encounter instead of being caught
     float length_m = 0.2f;      // nose to tail
-    float bodyRadius_m = 0.03f; // of the capsule along the body's Z
-    float bodyHalf_m = 0.05f;   // half its core segment
+    float bodyRadius_m = 0.03f; // radius of the collision capsule along the body's Z
+    float bodyHalf_m = 0.05f;   // half the length of the capsule's core segment
     float cruise_mps = 0.3f;
     float dart_mps = 1.6f; // at most kMaxSpeed_mps
     float turn_radps = 2;  // how fast the heading turns while cruising
     float shyness = 1;     // scales the distance at which a fast hand frightens it; 0 to 3
-    int points = 10;       // a catch
+    int points = 10;       // for a catch
     Company company = Company::Alone;
-    float spacing = 1.2f;   // to the companions around it, body lengths, centre to centre
-    float stride = 0.65f;   // body lengths it swims in one beat of the tail
-    bool coasts = false;    // beats in bursts and glides between them
-    bool stings = false;    // the hand that closes on it; nobody holds it
+    float spacing = 1.2f;   // distance to companions, body lengths, centre to centre
+    float stride = 0.65f;   // body lengths that it swims in one beat of the tail
+    bool coasts = false;    // beats its tail in bursts and glides between them
+    bool stings = false;    // stings a hand that closes on it, and cannot be held
     float curiosity = 0.5f; // 0 to 1: how readily it comes to look at a hand that rests
 };
 
 inline bool isCatchable(const Species& kind) { return !kind.shark && !kind.giant && !kind.stings; }
 
-constexpr float kMaxSpeed_mps = 3; // of any fish that is not in a hand, however it is pushed
+constexpr float kMaxSpeed_mps = 3; // top speed of a fish outside a hand, pushes included
 
 using SpeciesTable = std::vector<Species>;
 
-// Index of the name, -1 if there is none.
+// Returns the index of the species with that name, -1 if there is none.
 int findSpecies(const SpeciesTable&, std::string_view name);
 
 // Errors name the file and, where they can, the line. Unknown keys are errors.
@@ -56,40 +56,39 @@ Result<SpeciesTable> loadSpecies(const Path& file);
 struct School {
     int species = 0; // index into the species table; never the shark
     int count = 1;
-    float radiusLow_m = 0.7f, radiusHigh_m = 3;     // from the vertical axis through the viewer
-    float heightLow_m = -0.5f, heightHigh_m = 0.5f; // against the viewer's eyes
+    float radiusLow_m = 0.7f, radiusHigh_m = 3;     // distance from the vertical axis through the viewer
+    float heightLow_m = -0.5f, heightHigh_m = 0.5f; // relative to the viewer's eyes
 };
 
 struct SharkPlan {
     int species = -1;      // -1: no shark in this dive
-    float radius_m = 4.2f; // of its circles
+    float radius_m = 4.2f; // radius of its circles
     float height_m = -0.2f;
-    std::vector<float> visits_s; // when it comes close, seconds since the dive began, rising
-    float visitLength_s = 10;    // how long it prowls around the player then
+    std::vector<float> visits_s; // starts of its visits, seconds since the dive began, rising
+    float visitLength_s = 10;    // length of a visit
     float prowlRadius_m = 1.7f;
 };
 
-// What passes once, straight from one place to another (metres against the viewer's eyes, as the world
-// frame).
+// A giant (a whale) that passes once, straight from one place to another: metres, world frame.
 struct EncounterPlan {
     int species = -1; // -1: none in this dive
-    float at_s = 45;  // when it sets out, seconds since the dive began
+    float at_s = 45;  // start, seconds since the dive began
     glm::vec3 from{0}, to{0};
 };
 
-// How enclosed a stretch of a dive's video is, in seconds from the video's start.
+// A stretch of a dive's video, in seconds from the video's start, and how enclosed it is.
 struct VideoMark {
     float from_s = 0, to_s = 0;
     float amount = 1; // 0 open water to 1 a tunnel
 };
 
-// What a player may try for in a dive; a goal's text follows from kind, species and count.
+// Kinds of a dive's goals; a goal's text follows from kind, species and count.
 enum class GoalKind {
-    Catch,     // `count` of a species, or of any
+    Catch,     // `count` fish of a species, or of any
     Different, // `count` different species
     Score,     // `count` points
     NoLoss,    // something is caught and no fish lost to the shark, until the dive is over
-    Combo,     // of `count`
+    Combo,     // a combo of `count`
 };
 constexpr std::array<const char*, 5> kGoalNames = {"catch", "different", "score", "no_loss", "combo"};
 constexpr size_t kMaxGoals = 3;
@@ -97,27 +96,27 @@ constexpr int kMaxCombo = 5;
 
 struct Goal {
     GoalKind kind = GoalKind::Catch;
-    int species = -1; // of Catch: index into the species table; -1: any
+    int species = -1; // index into the species table, for Catch; -1: any
     int count = 1;
 };
 
 struct DiveFile {
     std::string name;  // stem of the file; its path if it lies outside content/
-    std::string title; // as shown
+    std::string title; // as the menu shows it
     std::string video; // file below content/; may be missing (it is made by content/make)
     float duration_s = 90;
     float exposure_ev = 0;
-    float floor_m = -1.1f; // fish stay above
+    float floor_m = -1.1f; // height of the floor; fish stay above it
     bool water = true;     // the video was filmed under water
     std::vector<School> schools;
     SharkPlan shark;
     EncounterPlan encounter;
     std::vector<Goal> goals;          // at most kMaxGoals
-    std::vector<VideoMark> enclosure; // of the video
-    // Of the video, which starts with the dive and repeats. Not in the file: who opens the video tells; 0: no
-    // video, or another.
+    std::vector<VideoMark> enclosure; // by stretches of the video
+    // Length of the video, which starts with the dive and repeats. Not in the file: set by the code that
+    // opens the video; 0: no video, or not the dive's own.
     double videoLength_s = 0;
-    // How far away what the video shows is. Not in the file either; null: nobody knows, all is open water.
+    // Distances to what the video shows. Not in the file either; null: unknown, all is open water.
     std::shared_ptr<const FilmSpace> space;
 };
 
@@ -127,16 +126,16 @@ struct DiveFiles {
     DiveFile dive;
 };
 
-// By index into the species table: whether the dive shows any of it.
+// Returns for each species, by index into the table, whether the dive shows it.
 std::vector<bool> speciesShown(const SpeciesTable&, const DiveFile&);
 
 Result<DiveFile> loadDive(const Path& file, const SpeciesTable&);
 
-// Names of the dives below content (dataRoot()/content if empty), in the alphabet's order.
+// Returns the names of the dives below content (dataRoot()/content if empty), sorted.
 std::vector<std::string> diveNames(const Path& content = {});
 
-// dive: a name, for dives/NAME.toml and species.toml below content (dataRoot()/content if empty); or the path
-// of a dive file, NAME.toml, beside which lies its species.toml.
+// Loads a dive: by name, from dives/NAME.toml and species.toml below content (dataRoot()/content if empty);
+// or by path, from NAME.toml and the species.toml beside it.
 Result<DiveFiles> loadDiveFiles(const std::string& dive, const Path& content = {});
 
 } // namespace shoal::game

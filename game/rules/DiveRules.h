@@ -8,8 +8,8 @@
 
 namespace shoal::game {
 
-// How much a hand that means to take a fish is helped (game/rules/Intent.h). None: it takes hold only of what
-// its fingers really close around.
+// How much a hand that reaches for a fish is helped (game/rules/Intent.h). None: it takes hold only of a fish
+// that its fingers really close around.
 enum class Assist { None, Normal, Strong };
 
 struct DiveRules {

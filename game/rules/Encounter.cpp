@@ -7,7 +7,7 @@ namespace shoal::game {
 
 namespace {
 
-// Its voice carries far: it is heard from its direction, as loud as something at this distance.
+// Distance at which its sound is placed, in its true direction: a whale's voice carries far.
 constexpr float kHeardFrom_m = 1.5f;
 
 void setOut(Passer& passer, const EncounterPlan& plan, const Species& kind, int id, Score& score,

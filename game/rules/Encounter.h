@@ -1,5 +1,5 @@
-// Something too large to catch that passes once in a dive: a whale. It heeds nobody, and nothing collides
-// with it.
+// The encounter of a dive: a giant (a whale), too large to catch, swims past once. It reacts to nothing, and
+// nothing collides with it.
 #pragma once
 
 #include "game/rules/Creatures.h"
@@ -9,8 +9,8 @@
 
 namespace shoal::game {
 
-// A tick of its way; time_s: since the dive began, id: its creature's. It counts as met, for the field guide,
-// when it sets out.
+// Advances the giant by a tick; time_s: since the dive began, id: its creature id. The field guide counts it
+// as met when it sets out.
 void passBy(Passer&, const EncounterPlan&, const SpeciesTable&, float time_s, int id, Score&, Events&);
 
 } // namespace shoal::game

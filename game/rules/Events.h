@@ -1,5 +1,5 @@
-// What happens in a dive, for sound, captions, haptics and playthroughs. What each kind of event is called,
-// sounds, says and feels like is its row in game/feedback/EventTable.h.
+// Events of a dive, for sound, captions, haptics and playthroughs. Each kind has a row in
+// game/feedback/EventTable.h with its name, sound, caption and haptic pulse.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,7 +17,7 @@ enum class EventKind {
     Release, // let go after a catch
     Escape,  // let go, or slipped out, before it counted
     Miss,    // a hand closed on nothing: no fish was near it
-    // A hand closed beside a fish, and why it did not get it (game/rules/Intent.h):
+    // A hand closed beside a fish and did not get it, with the reason (game/rules/Intent.h):
     MissTooFar,   // the fish was farther away than the hand
     MissTooFast,  // the hand was too fast
     MissTooEarly, // the fish had not yet come between the fingers
@@ -38,12 +38,12 @@ struct Event {
     int hand = -1;                       // 0 left, 1 right
     std::optional<glm::vec3> position{}; // world frame; empty: everywhere
     int part = -1;                       // hands::Finger or hands::kPalmPart
-    float closing_mps = 0;               // how fast the two came together
-    // Of a Catch: what was caught, what it gave (combo included), and the combo: times the species' points.
+    float closing_mps = 0;               // closing speed of hand and creature
+    // Set for a Catch: its species, its points (combo included), and the combo, which multiplies the points.
     int species = -1; // index into the species table
     int points = 0;
     int combo = 0;
-    int goal = -1; // of a Goal: index into DiveFile::goals
+    int goal = -1; // index into DiveFile::goals, for a Goal
 };
 
 using Events = std::vector<Event>; // functions append to it

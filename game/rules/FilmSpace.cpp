@@ -13,16 +13,16 @@ namespace shoal::game {
 namespace {
 
 constexpr int kBordered = FilmSpace::kSide + 2;
-constexpr size_t kStride = static_cast<size_t>(kBordered) * kBordered; // of a step
+constexpr size_t kStride = static_cast<size_t>(kBordered) * kBordered; // cells of a step with its border
 
-// How fast the room of an animal may shrink for it to swim along.
+// Limits on how fast an animal's room shrinks, so that it can follow by swimming.
 struct Shrinking {
-    float wall_mps;    // a wall that comes nearer, or a pillar that passes, moves bodies no faster
-    float narrowing_m; // from direction to direction, metres per radian
+    float wall_mps;    // with time, as a wall comes nearer or a pillar passes
+    float narrowing_m; // with direction, metres per radian
 };
 constexpr std::array<Shrinking, 2> kShrinking = {{{0.6f, 2.5f}, {1.2f, 6.0f}}}; // by FilmSpace::Room
 
-// In cells, 0 to kSide.
+// Returns the place of a direction on the unfolded square, in cells, 0 to kSide.
 glm::vec2 unfolded(const glm::vec3& dir) {
     constexpr float kHalf = 0.5f * FilmSpace::kSide;
     return (math::octahedralFromDirection(dir) + 1.0f) * kHalf;
@@ -30,7 +30,7 @@ glm::vec2 unfolded(const glm::vec3& dir) {
 
 size_t cellAt(int x, int y) { return static_cast<size_t>(y + 1) * kBordered + static_cast<size_t>(x + 1); }
 
-// Beyond an edge of the square the octahedron continues with the same edge, read backwards.
+// Fills the cells around the square: the octahedron continues with the same edge, read backwards.
 template <class T> void fillBorder(T* grid) {
     constexpr int n = FilmSpace::kSide;
     for (int i = 0; i < n; ++i) {
@@ -48,8 +48,8 @@ template <class T> void fillBorder(T* grid) {
 constexpr std::array<std::array<int, 2>, 8> kAround = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-// For each cell how much farther than each of its neighbours it may be, millimetres. A chord is shorter than
-// its angle, so the room narrows a little more slowly than it may.
+// Returns for each cell by how many millimetres it may be farther than each of its neighbours. A chord is
+// shorter than its angle, so the room narrows a little more slowly than it may.
 std::vector<std::array<float, 8>> allowances(float narrowing_m) {
     std::vector<glm::vec3> directions(kStride);
     for (int cell = 0; cell < FilmSpace::kCells; ++cell)
@@ -66,8 +66,8 @@ std::vector<std::array<float, 8>> allowances(float narrowing_m) {
     return allowed;
 }
 
-// The nearest of a cell and its neighbours: a place between four cells' middles is then not farther than what
-// any of them shows.
+// Sets each cell to the nearest of itself and its neighbours: a place between four cells' middles is then not
+// farther than what any of them shows.
 void widen(const uint16_t* surface, float* room) {
     for (int y = 0; y < FilmSpace::kSide; ++y)
         for (int x = 0; x < FilmSpace::kSide; ++x) {
@@ -113,8 +113,8 @@ FilmSpace::FilmSpace(double length_s, std::vector<uint16_t> surface_mm)
     for (const Room of : {Room::Fish, Room::Shark}) makeRoom(of);
 }
 
-// The lower envelope of the surface under cones in time and direction: the largest function below it that
-// changes no faster than the two limits. Both limits add, so it is made one after the other.
+// Makes the lower envelope of the surface under cones in time and direction: the largest function below it
+// that changes no faster than the two limits. Both limits add, so they are applied one after the other.
 void FilmSpace::makeRoom(Room of) {
     const Shrinking& may = kShrinking[static_cast<size_t>(of)];
     const auto allowed = allowances(may.narrowing_m);
@@ -131,7 +131,7 @@ void FilmSpace::makeRoom(Room of) {
         const float* other = room.data() + static_cast<size_t>(by) * kStride;
         for (size_t i = 0; i < kStride; ++i) here[i] = std::min(here[i], other[i] + later);
     };
-    // Twice around, as the film repeats.
+    // Two rounds, as the film repeats.
     for (int i = 0; i < 2 * steps_; ++i) limit((i + 1) % steps_, i % steps_);
     for (int i = 2 * steps_; i > 0; --i) limit((i - 1) % steps_, i % steps_);
     std::vector<uint16_t>& made = room_mm_[static_cast<size_t>(of)];
@@ -220,7 +220,7 @@ float FilmMoment::keepOff(glm::vec3& way, glm::vec3 soon, float gap_m, float shy
 
 float FilmMoment::overshoot_m(const physics::Capsule& body) const {
     if (!known()) return 0;
-    constexpr float kBetween_m = 0.35f; // places along the body, at most
+    constexpr float kBetween_m = 0.35f; // greatest distance between places tested along the body
     const glm::vec3 core = body.b - body.a;
     const int pieces = 2 + static_cast<int>(glm::length(core) / kBetween_m);
     float most = 0;
@@ -237,7 +237,7 @@ bool FilmMoment::hides(glm::vec3 headWorld, glm::vec3 place) const {
     const glm::vec3 way = place - headWorld;
     const float distance = glm::length(way);
     if (distance < FilmSpace::kNearest_m) return false;
-    // From the camera itself the place's own direction says all; a head beside it looks along a line.
+    // Tests places along the line of sight: a head beside the camera sees past other directions than its own.
     for (int i = 1; i <= kLooks; ++i) {
         const float share = static_cast<float>(i) / kLooks;
         if (share * distance < FilmSpace::kNearest_m) continue;

@@ -13,16 +13,16 @@ namespace shoal::game {
 
 namespace {
 
-constexpr float kOrientation = 3;   // zone's radius in spacings
-constexpr float kAttraction = 1.6f; // begins here
-constexpr float kSight_m = 1.1f;    // strangers farther away do not matter
-constexpr float kTouch_m = 0.04f;   // gap between bodies below which they push each other
-constexpr float kForesee_s = 0.5f;  // who will be too near so soon is avoided now
+constexpr float kOrientation = 3;   // outer radius of the zone of orientation, in spacings
+constexpr float kAttraction = 1.6f; // inner radius of the zone of attraction, in spacings
+constexpr float kSight_m = 1.1f;    // strangers farther away are ignored
+constexpr float kTouch_m = 0.04f;   // gap below which bodies push each other
+constexpr float kForesee_s = 0.5f;  // look-ahead for fish that will be too near
 
-// Distance at which two strangers start to give way, centre to centre.
+// Returns the distance at which two strangers start to give way, centre to centre.
 float roomBetween(const Species& a, const Species& b) { return 0.45f * (a.length_m + b.length_m) + 0.08f; }
 
-// What one of two fish has to do to keep its room from the other; gap: between the bodies, metres.
+// Adds to out how one of two fish keeps its distance from the other; gap: between the bodies, metres.
 void giveWay(const Fish& f, const Species& kind, glm::vec3 away, float gap, float urgency, Neighbours& out) {
     const float pace = std::max(kind.cruise_mps, f.speed);
     out.giveWay += away * (1.8f * urgency * pace);
@@ -81,7 +81,7 @@ void chooseRoute(Fish& f, int id, std::span<const Fish> fish, const School& scho
     if (--f.wanderTicks <= 0) {
         f.wanderGoal = {random.between(-1, 1), random.between(-0.6f, 0.6f), random.between(-1, 1)};
         f.wanderTicks = 60 + static_cast<int>(random.below(180));
-        // Who lives alone has time: it stops to look around.
+        // A solitary fish at times stops to look around.
         const bool lingers = kind.company == Company::Alone && random.unit() < 0.15f;
         f.pace = lingers ? 0.2f : 1.0f;
     }
@@ -101,7 +101,7 @@ void chooseRoute(Fish& f, int id, std::span<const Fish> fish, const School& scho
 
 void startle(Fish& f, int id, glm::vec3 from, Random& random, Events& events) {
     if (!f.free()) return;
-    // Away from the danger, rather along than up or down, and not through the player.
+    // The flight leads away from the danger, more level than up or down, and not through the player.
     glm::vec3 away = normalizedOr(f.position - from, f.forward);
     const glm::vec3 outward = normalizedOr({f.position.x, 0, f.position.z}, {0, 0, -1});
     away =
@@ -135,18 +135,18 @@ void frightenByHands(const Hands& hands, const SpeciesTable& species, std::span<
     }
 }
 
-// How they swim.
+// Swimming.
 
 namespace {
 
-constexpr float kInner_m = 0.45f;     // no fish nearer to the vertical axis through the player
-constexpr float kEyeRoom_m = 0.35f;   // no part of a fish nearer to the eyes
-constexpr float kEyeShy_m = 0.45f;    // beyond that, it turns away
-constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish leaves its band
+constexpr float kInner_m = 0.45f;     // least distance from the vertical axis through the player
+constexpr float kEyeRoom_m = 0.35f;   // least distance of any part of a fish from the eyes
+constexpr float kEyeShy_m = 0.45f;    // margin beyond kEyeRoom_m in which it turns away
+constexpr float kOuterSlack_m = 1.2f; // how far a frightened fish may leave its band
 constexpr float kCeiling_m = 1.3f;
-constexpr float kRockShy_m = 0.4f;     // room to what the film shows below which it turns away
-constexpr float kRockForesee_s = 0.5f; // where it will be then, it wants that room
-constexpr float kGiveRoom_mps = 2.0f;  // how fast a wall that comes nearer moves it at most
+constexpr float kRockShy_m = 0.4f;     // gap to the film's surfaces below which it turns away
+constexpr float kRockForesee_s = 0.5f; // look-ahead at which it wants that gap
+constexpr float kGiveRoom_mps = 2.0f;  // greatest speed at which an approaching wall moves it
 constexpr float kSharkShy_m = 0.95f;
 constexpr float kSteepest = 0.42f;    // sine of the pitch while cruising...
 constexpr float kSteepestDart = 0.6f; // ...and in flight
@@ -159,7 +159,7 @@ constexpr float kSnap_s = 0.07f;
 bool darts(const Fish& f) { return f.state == Fish::State::Dart; }
 bool snaps(const Fish& f) { return f.flight_s > 0 && f.flight_s <= kSnap_s; }
 
-// Where it wants to go and how fast.
+// The way and the speed that a fish wants.
 struct Desire {
     glm::vec3 way{0}; // m/s
     float speed = 0;  // m/s
@@ -176,7 +176,7 @@ Desire flee(const Fish& f, const Species& kind, const Place& place, const School
     return desire;
 }
 
-// Along its circle, back to it, to its companions and along with them.
+// Follows its circle, returns to it, closes up to its companions and swims parallel to them.
 Desire cruise(const Fish& f, const Species& kind, const Place& place, const Neighbours& around) {
     Desire desire;
     const float own = kind.company == Company::Alone ? 0.3f : 0.25f;
@@ -191,13 +191,13 @@ Desire cruise(const Fish& f, const Species& kind, const Place& place, const Neig
         const float reach = 3 * kind.spacing * kind.length_m;
         const glm::vec3 pull = limited(towards / reach, 1);
         desire.way += pull * (1.2f * f.cruise);
-        // Who is behind hurries, who is ahead waits.
+        // A fish behind its companions hurries, one ahead of them waits.
         desire.speed *= 1 + 0.5f * glm::dot(pull, f.forward);
     }
     return desire;
 }
 
-// To the place before the palm, slowly at the end, where it hovers and looks at the hand.
+// Swims to the place in front of the palm, slowly at the end, and hovers there facing the hand.
 Desire visit(const Fish& f, const Hand& hand) {
     Desire desire;
     const glm::vec3 apart = visitedPlace(hand) - f.position;
@@ -209,7 +209,7 @@ Desire visit(const Fish& f, const Hand& hand) {
     return desire;
 }
 
-// Round the player's head.
+// Steers a fish around the player's head.
 void avoidEyes(const Fish& f, float length_m, Desire& desire) {
     const float distance = glm::length(f.position);
     const float room = distance - kEyeRoom_m - 0.5f * length_m;
@@ -218,7 +218,7 @@ void avoidEyes(const Fish& f, float length_m, Desire& desire) {
         desire.way += f.position / distance * (2.5f * (1 - room / shy_m) * std::max(f.cruise, f.speed));
 }
 
-// A slow hand is merely swum around.
+// Steers a fish around hands, unless it flees or visits the hand.
 void avoidHands(const Fish& f, const Hands& hands, Desire& desire) {
     for (int h = 0; h < 2; ++h) {
         const Hand& hand = hands[h];
@@ -244,7 +244,7 @@ void avoidShark(const Fish& f, const Species& kind, const Shark& shark, const Sp
     desire.afraid = true;
 }
 
-// Levels out above the floor and below the ceiling before they are reached.
+// Levels a fish out before it reaches the floor or the ceiling.
 void avoidFloor(const Fish& f, float floor_m, Desire& desire) {
     const float firmly = 2 + 5 * f.speed;
     const float low = floor_m + 0.25f, high = kCeiling_m - 0.25f;
@@ -270,7 +270,7 @@ Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) 
     avoidHands(f, s.hands, desire);
     avoidShark(f, kind, s.shark, s.species, desire);
     desire.way += around.giveWay * (desire.afraid ? 3.5f : 1.0f);
-    if (!desire.afraid) // brakes for who is in its way
+    if (!desire.afraid) // brakes for fish in its way
         desire.speed = std::max(visits ? 0.0f : 0.3f * f.cruise,
                                 desire.speed + std::min(0.0f, glm::dot(around.giveWay, f.forward)));
     avoidFloor(f, s.dive.floor_m, desire);
@@ -278,7 +278,7 @@ Desire desireOf(const Fish& f, const Neighbours& around, const Surroundings& s) 
     return desire;
 }
 
-// Turns the heading; returns the spin that it strives for.
+// Turns the heading towards the goal; returns the desired spin, rad/s.
 glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::vec3 goal) {
     const bool darting = darts(f), snapping = snaps(f), afraid = desire.afraid;
     const float rate = snapping ? 26.0f : darting ? 9.0f : afraid ? 1.8f * kind.turn_radps : kind.turn_radps;
@@ -292,7 +292,7 @@ glm::vec3 turn(Fish& f, int id, const Species& kind, const Desire& desire, glm::
     return spin;
 }
 
-// Bursts and glides: Weihs 1974, "Energetic advantages of burst swimming of fish".
+// Switches between bursts and glides: Weihs 1974, "Energetic advantages of burst swimming of fish".
 void chooseGliding(Fish& f, const Species& kind, const Desire& desire) {
     if (desire.afraid || !kind.coasts)
         f.coasting = false;
@@ -319,7 +319,7 @@ void bendAndBeat(Fish& f, const Species& kind, glm::vec3 desiredSpin) {
     shape.bendUp = eased(shape.bendUp, bendUpFor(f, desiredSpin, kind.length_m, 0.35f), 6);
     shape.finsDown = eased(shape.finsDown, 0, 6);
 
-    // The C of a fast start, the tail's stroke back, then as its way bends.
+    // Bends into the C of a fast start, then the tail's stroke back, then along its path.
     constexpr float kC_s = 0.07f, kStroke_s = 0.17f, kC = 1.9f, kStroke = -0.7f;
     if (f.flight_s > 0 && f.flight_s < kStroke_s) {
         const float goal = f.flight_s < kC_s ? kC : kStroke;
@@ -334,7 +334,7 @@ void keepInBounds(Fish& f, const Species& kind, const DiveFile& dive) {
     const float outer = dive.schools[f.school].radiusHigh_m + kOuterSlack_m;
     const auto [radius, outward] = placeOf(f.position);
     const float kept = std::clamp(radius, kInner_m, outer);
-    // Drawn back at no more than a brisk swim, so that nobody sees it jump.
+    // It is drawn back at no more than a brisk swim, so that nobody sees it jump.
     if (kept != radius) f.position += outward * std::clamp(kept - radius, -0.008f, 0.008f);
     const float room = kEyeRoom_m + 0.5f * kind.length_m - glm::length(f.position);
     if (room > 0) f.position += normalizedOr(f.position, outward) * std::min(room, 0.008f);
@@ -342,7 +342,7 @@ void keepInBounds(Fish& f, const Species& kind, const DiveFile& dive) {
     f.position.y = std::clamp(f.position.y, low, kCeiling_m);
 }
 
-// Out of what the film shows, towards the player, but never into the room around the eyes.
+// Moves a fish out of the film's surfaces, towards the player but never into the room around the eyes.
 void keepInRoom(Fish& f, const Species& kind, const FilmMoment& film, float most_m) {
     const float over = film.overshoot_m(capsuleOf(f, kind));
     if (over <= 0) return;
@@ -352,7 +352,7 @@ void keepInRoom(Fish& f, const Species& kind, const FilmMoment& film, float most
 }
 
 void move(Fish& f, const Species& kind, const DiveFile& dive, const FilmMoment& film) {
-    f.push *= 1 - 2.5f * kDt; // water stops what was pushed within a second
+    f.push *= 1 - 2.5f * kDt; // water stops a pushed fish within a second
     f.push = limited(f.push, kMaxSpeed_mps);
     const glm::vec3 goal = limited(f.forward * f.speed + f.push + f.parting, kMaxSpeed_mps);
     const glm::vec3 from = f.position;
@@ -394,7 +394,7 @@ void swim(Fish& f, int id, const Neighbours& around, const Surroundings& s) {
 } // namespace
 
 void startInRoom(std::span<Fish> fish, const SpeciesTable& species, const FilmMoment& film) {
-    // A body that moves inwards points elsewhere at what is around it: a few rounds settle.
+    // Each move changes which directions the body covers: a few rounds converge.
     for (int round = 0; round < 4; ++round)
         for (Fish& f : fish) keepInRoom(f, species[f.species], film, FilmSpace::kFar_m);
 }

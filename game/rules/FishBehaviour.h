@@ -1,4 +1,4 @@
-// What free fish do: keep company, choose their way, swim it, and flee.
+// Behaviour of free fish: company, choice of route, swimming and flight.
 //
 // Schooling has zones of repulsion, orientation and attraction around each fish, as in Couzin, Krause, James,
 // Ruxton & Franks 2002, "Collective memory and spatial sorting in animal groups"; here their edges are soft
@@ -18,25 +18,25 @@ namespace shoal::game {
 
 void spawnFish(const DiveFiles&, Random&, std::vector<Fish>& out); // at the beginning of a dive
 
-// Before anybody sees them: those that would be behind what the film shows come nearer.
+// Moves fish that would be behind a surface of the film towards the player, before they are first seen.
 void startInRoom(std::span<Fish>, const SpeciesTable&, const FilmMoment&);
 
-// What a fish makes of those around it, gathered once a tick.
+// Influence of the other fish on one, gathered once a tick.
 struct Neighbours {
-    glm::vec3 giveWay{0};  // m/s, away from who is or soon will be too near
-    glm::vec3 push{0};     // m/s, as steering comes too late for bodies that touch
-    glm::vec3 headings{0}; // sum over the companions in the zone of orientation
-    glm::vec3 towards{0};  // sum of the ways to those in the zone of attraction, metres
+    glm::vec3 giveWay{0};  // m/s, away from fish that are or soon will be too near
+    glm::vec3 push{0};     // m/s, parts touching bodies, for which steering comes too late
+    glm::vec3 headings{0}; // sum of the headings of companions in the zone of orientation
+    glm::vec3 towards{0};  // sum of the ways to companions in the zone of attraction, metres
     int aligned = 0, attracted = 0;
 };
 
-// out: one for each fish.
+// Fills out with one entry for each fish.
 void gatherNeighbours(std::span<const Fish>, const SpeciesTable&, std::span<Neighbours> out);
 
-// Where the fish wants to go for the next while: wander and route. Companions follow their leader's choice.
+// Renews the fish's wandering and route when their time is up. Companions take their leader's route.
 void chooseRoute(Fish&, int id, std::span<const Fish>, const School&, const Species&, Random&);
 
-// What fish see of others than fish.
+// All that a fish reacts to besides other fish.
 struct Surroundings {
     const DiveFile& dive;
     const SpeciesTable& species;
@@ -49,8 +49,8 @@ struct Surroundings {
 // neighbours: scratch, one for each fish.
 void swimFish(std::span<Fish>, const Surroundings&, std::span<Neighbours> neighbours, Random&);
 
-// The fish flees from a place, away from the player; a Startle event once per fright. No effect on one that
-// is in a hand or a mouth.
+// Makes the fish flee from a place and away from the player, with one Startle event per fright. A fish in a
+// hand or a mouth is not affected.
 void startle(Fish&, int id, glm::vec3 from, Random&, Events&);
 
 // Startles fish that a fast hand comes upon.

@@ -18,25 +18,25 @@ using Joints = std::array<hands::Joint, hands::kJointCount>;
 
 // Whether the hand is closing, and what it holds.
 struct Grasp {
-    float firmest = 0;   // grip since it was last open
+    float firmest = 0;   // strongest grip since the hand was last open
     bool closed = false; // with hysteresis
     int window = 0;      // ticks left to take hold of what is between the fingers
-    int holds = -1;      // fish
-    int encloses = -1;   // the fish its fingers close around: held, or about to be
+    int holds = -1;      // index of the held fish, -1 none
+    int encloses = -1;   // index of the fish its fingers close around: held, or about to be
 
     auto fields() const { return std::tie(firmest, closed, window, holds, encloses); }
 };
 
-// Which fish the hand is after, and the help that it gets to take it; see game/rules/Intent.h.
+// The fish that the hand reaches for, and the help that it gets to take it; see game/rules/Intent.h.
 struct Intent {
     int fish = -1;          // -1: none
     bool inRange = false;   // that fish is taken if the hand closes now
-    float unseen_s = 0;     // since the fish was in range
+    float unseen_s = 0;     // seconds since the fish was in range
     bool helps = false;     // the hand has been helped to it since it began to close
     glm::vec3 movedView{0}; // how far the help has moved the hand, viewer's frame
     float closing_Hz = 0;   // growth of the grip a second, smoothed over about 30 ms
-    float fastest_mps = 0;  // of the hand since it began to close
-    Miss miss = Miss::None; // why it takes nothing if it takes nothing, as it was when the grip closed
+    float fastest_mps = 0;  // greatest speed of the hand since it began to close
+    Miss miss = Miss::None; // reason why it takes nothing, if so, decided when the grip closed
 
     auto fields() const {
         return std::tie(fish, inRange, unseen_s, helps, movedView, closing_Hz, fastest_mps, miss);
@@ -63,27 +63,27 @@ struct FingerWrap {
 
 struct Hand {
     bool visible = false;
-    bool known = false;       // joints hold a pose
+    bool known = false;       // lastGood has been set
     hands::HandPose lastGood; // viewer's frame
     int untrackedTicks = 0;
-    bool solid = false; // touches and pushes
+    bool solid = false; // touches and pushes fish
     Joints joints{}, before{};
     std::array<glm::vec3, hands::kJointCount> velocities{}; // of the joints, smoothed over about 25 ms
     glm::vec3 graspCentre{0};
     glm::vec3 velocity{0};         // of the palm, over the last tick
     glm::vec3 calmVelocity{0};     // the same, smoothed over about 50 ms
-    glm::vec3 ownVelocity{0};      // the same against the head, which may turn; without the help's part
+    glm::vec3 ownVelocity{0};      // the same relative to the head, without the help's part
     glm::vec3 calmAcceleration{0}; // of the calm velocity, m/s2
     float grip = 0;                // 0 open to 1 fist
     std::array<TouchView, hands::kHandParts> touching{}; // what each finger and the palm feel
     Grasp grasp;
     Intent intent;
     FingerWrap fingers;
-    Miss lastMiss = Miss::None; // None: it took hold since
+    Miss lastMiss = Miss::None; // None: it has taken hold since
     float sinceMiss_s = 0;
-    float stung_s = 0;     // left of a sting: it holds nothing
-    float rested_s = 0;    // how long it has rested, open and in view
-    float nextVisit_s = 0; // until the next fish may come to look at it
+    float stung_s = 0;     // seconds left in which a stung hand cannot hold
+    float rested_s = 0;    // seconds for which it has rested, open and in view
+    float nextVisit_s = 0; // seconds before the next fish may come to look at it
 
     const hands::Joint& palm() const { return joints[hands::kPalmJoint]; }
     glm::vec3 outOfPalm() const { return palm().orientation * glm::vec3(0, -1, 0); }
@@ -96,18 +96,18 @@ struct Hand {
 };
 using Hands = std::array<Hand, 2>; // left, right
 
-// A hand closes when its grip rises through the first, opens when it falls through the second.
+// A hand closes when its grip rises through kGripCloses and opens when it falls through kGripOpens.
 constexpr float kGripCloses = 0.55f;
 constexpr float kGripOpens = 0.35f;
-constexpr int kHandDropTicks = 36; // a hand untracked for longer: what it holds swims off
+constexpr int kHandDropTicks = 36; // a hand untracked for longer lets go of its fish
 
-// Finger, or the palm, that the bone from kJointParent[joint] to the joint belongs to. The bones of the back
-// of the hand are the palm's.
+// Returns the finger, or hands::kPalmPart, of the bone from kJointParent[joint] to the joint. The bones of
+// the back of the hand belong to the palm.
 inline int partOfBone(int joint) {
     const int finger = hands::fingerOfJoint(joint);
     if (finger < 0) return hands::kPalmPart;
     const hands::FingerJoints& joints = hands::kFingerJoints[finger];
-    const bool thumb = finger == 0; // whose proximal bone moves on its own
+    const bool thumb = finger == 0; // the thumb's proximal bone moves on its own
     return joint <= (thumb ? joints.metacarpal : joints.proximal) ? hands::kPalmPart : finger;
 }
 
@@ -117,12 +117,12 @@ inline physics::Capsule bone(const std::array<hands::Joint, hands::kJointCount>&
     return {from.position, to.position, std::min(from.radius, to.radius)};
 }
 
-// Where a fish of that radius lies in a hand, given the palm joint.
+// Returns where a fish of that radius lies in a hand with that palm joint.
 inline glm::vec3 hollowOf(const hands::Joint& palm, float radius_m) {
     return palm.position + palm.orientation * glm::vec3(0, -0.008f - radius_m, -0.030f);
 }
 
-// The player's head.
+// Position and direction of the player's head.
 struct Viewpoint {
     glm::quat worldFromView{1, 0, 0, 0};
     glm::vec3 headWorld{0}; // between the eyes
@@ -130,8 +130,8 @@ struct Viewpoint {
     auto fields() const { return std::tie(worldFromView, headWorld); }
 };
 
-// Updates view and hands by this tick's input. Values that are not finite or absurd are ignored: the last
-// good ones stay.
+// Updates view and hands from the tick's input. Values that are not finite or not plausible are ignored: the
+// last good ones stay.
 void trackHands(const TickInput&, Viewpoint&, Hands&);
 
 } // namespace shoal::game

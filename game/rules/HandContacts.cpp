@@ -17,7 +17,7 @@ constexpr float kPatience_s = 1.5f; // ...for so long
 
 } // namespace
 
-// Only those within reach of a hand's way.
+// Adds the swimmer's body if a solid hand's path in this tick comes near it.
 void HandContacts::addBody(const Swimmer& swimmer, int id, const Species& kind, const Hands& hands) {
     const auto near = [&](const Hand& hand) {
         if (!hand.solid) return false;
@@ -92,8 +92,8 @@ void pushFish(Fish& f, int id, const Species& kind, std::span<const physics::Con
             (hand.grasp.closed && hand.grasp.window == 0))
             startle(f, id, hand.palm().position, random, events);
     }
-    // Fingers that close around it hold it and do not bat it away; neither does an open hand that it swims
-    // into: a player's fingers would give way.
+    // Fingers that close around the fish hold it and do not bat it away; neither does an open hand that it
+    // swims into: a player's fingers would give way.
     const auto bats = [&](int h) {
         const Hand& hand = hands[h];
         const bool lets =

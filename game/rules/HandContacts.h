@@ -11,7 +11,7 @@
 
 namespace shoal::game {
 
-// Finds the contacts of a tick. Holds scratch memory only, no state; takes none after the first tick.
+// Finds the contacts of a tick. Holds scratch memory only, no state; allocates only in the first tick.
 class HandContacts {
   public:
     // Replaces the last tick's contacts by this tick's, sorted by creature id, hand and joint. The shark's id
@@ -37,7 +37,7 @@ template <class Visit> void forEachCreature(std::span<const physics::Contact> co
     }
 }
 
-// What the hand's finger or palm feels of a fish.
+// Updates what the touching finger or palm feels of the fish.
 void feel(const physics::Contact&, const Fish&, Hands&);
 
 // Pushes a fish that nobody holds, by all contacts with it, and startles it when they are too rough.

@@ -16,7 +16,7 @@ bool nearUnit(const glm::quat& q) {
     return norm > 0.9f && norm < 1.1f; // false for NaN
 }
 
-// A hand that starts anew does not move as far as fish are concerned, and takes hold of nothing.
+// Stops a hand that appears or jumps: no fish feels it move, and it takes hold of none.
 void stop(Hand& hand) {
     hand.velocity = hand.calmVelocity = hand.ownVelocity = hand.calmAcceleration = glm::vec3(0);
     hand.velocities.fill(glm::vec3(0));
@@ -47,14 +47,14 @@ void placeJoints(const Viewpoint& view, Hand& hand) {
     hand.grip = std::clamp(hand.lastGood.grip, 0.0f, 1.0f);
 }
 
-// A fist that appears did not close here.
+// Marks a hand that appears as a fist as closed already, so that it takes hold of nothing.
 void startGrasp(Hand& hand) {
     hand.fingers.lifts = {};
     hand.grasp.closed = hand.grasp.holds >= 0 || hand.grip > kGripCloses;
     hand.grasp.firmest = std::max(hand.grip, kGripOpens);
 }
 
-// palmBefore: in the last tick, viewer's frame.
+// palmBefore: the palm's position in the last tick, viewer's frame.
 void updateVelocities(glm::vec3 palmBefore, const Viewpoint& view, Hand& hand) {
     hand.velocity = (hand.palm().position - hand.before[hands::kPalmJoint].position) / kDt;
     const glm::vec3 change = (hand.velocity - hand.calmVelocity) * (1.0f / 6);

@@ -12,7 +12,7 @@ namespace shoal::game {
 
 namespace {
 
-// The way from a bone into a body.
+// Returns the direction from a bone into a body, unit length.
 glm::vec3 into(const physics::Capsule& bone, const physics::Capsule& body) {
     const physics::Nearest at = physics::nearest(bone, body);
     return normalizedOr(at.onSecond - at.onFirst, kUp);
@@ -24,7 +24,7 @@ void press(Hand& hand, int part, const physics::Press& one, float depth_m) {
     hand.touching[part].depth_m = std::max(hand.touching[part].depth_m, depth_m);
 }
 
-void pressPalm(const physics::Capsule& body, Hand& hand) { // which is rigid
+void pressPalm(const physics::Capsule& body, Hand& hand) { // the palm is rigid
     for (int j = 0; j < hands::kJointCount; ++j) {
         if (j == hands::kWristJoint || partOfBone(j) != hands::kPalmPart) continue;
         const physics::Capsule at = bone(hand.joints, j);
@@ -58,13 +58,13 @@ void wrapFinger(int finger, const physics::Capsule& body, Hand& hand) {
     }
 }
 
-// How hard it struggles, having been held for so long; 1 at first.
+// Returns the strength of its struggle after so long in a hand; 1 at first.
 float tired(float held_s) { return std::max(physics::kTiredOut, 1 - physics::kTires_Hz * held_s); }
 
-// The beat of its tail, -1 to 1.
+// Returns the beat of its tail, -1 to 1.
 float tailBeat(const Fish& f) { return math::sine(f.held_s * physics::kBeat_radps); }
 
-// The force that a held fish asks of the grip.
+// Returns the force that a held fish asks of the grip.
 glm::vec3 askedForce_N(Fish& f, const Species& kind, const Hand& hand) {
     const float mass = physics::mass_kg(kind.bodyRadius_m, kind.bodyHalf_m);
     const float beat = tailBeat(f);
@@ -120,7 +120,7 @@ void followHands(const Hands& hands, std::span<Fish> fish) {
         Fish& f = fish[hand.grasp.holds];
         const glm::quat palm = hand.palm().orientation;
         const glm::vec3 was = f.position;
-        // A beat of 4 Hz, strongest at first.
+        // The tail beats at 4 Hz, strongest at first.
         const float beat = tailBeat(f) * (0.3f * tired(f.held_s));
         const glm::quat wriggle(1, 0, 0.5f * beat, 0.2f * beat);
         const float settle = std::min(1.0f, f.held_s / physics::kSettle_s);
@@ -158,7 +158,7 @@ bool keepsHold(Fish& f, int id, const Species& kind, const Hands& hands, int h,
     const Hand& hand = hands[h];
     const glm::quat palmFromWorld = glm::conjugate(hand.palm().orientation);
 
-    // Into the hollow of the hand at first; then friction keeps it where it lies.
+    // The fish is drawn into the hollow of the hand at first; then friction keeps it where it lies.
     if (f.held_s < physics::kSettle_s)
         f.palmOffset +=
             (palmFromWorld * (hollowOf(hand.palm(), std::min(kind.bodyRadius_m, physics::kEnclosed_m)) -

@@ -18,7 +18,7 @@ void wrapFingers(const physics::Capsule& body, Hand&);
 // Eases the shown joints towards where the fingers rest: the last step of a tick.
 void easeFingers(Hand&);
 
-// Whether all that presses on the fish, of both hands, bears the force that is asked of it.
+// Returns whether the contacts of both hands with the fish can bear the force asked_N.
 physics::Hold holdOn(int fish, const Hands&, std::span<const physics::Contact>, glm::vec3 asked_N);
 
 // Moves the held fish with the hands that hold them.
@@ -28,8 +28,8 @@ void followHands(const Hands&, std::span<Fish>);
 // thrashes again, each time less.
 void struggle(Fish&, const Hand&, Random&);
 
-// Where the hand `h` keeps fish `id`: friction against what its struggle, the water and the hand's
-// acceleration ask for. False: it has slipped out.
+// Advances how fish `id` lies in hand `h`: friction against its struggle, the water's drag and the hand's
+// acceleration. Returns false once it has slipped out.
 bool keepsHold(Fish&, int id, const Species&, const Hands&, int h, std::span<const physics::Contact>);
 
 } // namespace shoal::game

@@ -12,11 +12,11 @@ namespace shoal::game {
 
 namespace {
 
-// How near a fish must be to a hand that means to take it, and how much the hand is helped to it.
+// Range in which a hand can reach for a fish, and how far the hand is helped to it.
 struct Help {
     float across_m;   // gap between grasp centre and body, across the line of sight...
     float along_m;    // ...and along it, where eyes judge worse
-    float moveHand_m; // how far the hand is moved at most
+    float moveHand_m; // farthest that the hand is moved
 };
 constexpr std::array<Help, 3> kHelp = {{
     {kGraspRadius_m, kGraspRadius_m, 0},
@@ -24,21 +24,21 @@ constexpr std::array<Help, 3> kHelp = {{
     {0.17f, 0.30f, 0.10f},
 }}; // by Assist
 
-constexpr float kEnter = 0.85f;        // of the range: nearer, a fish becomes the one meant...
-constexpr float kKeep = 1.5f;          // ...farther, it is forgotten at once...
-constexpr float kForget_s = 0.35f;     // ...and between the whole range and that, after so long
-constexpr float kLook_s = 0.1f;        // ahead: about the time in which fingers close
-constexpr float kSlow_mps = 0.9f;      // against the fish: as good as still...
-constexpr float kTooFast_mps = 1.8f;   // ...and nothing is caught
-constexpr float kClosing_Hz = 1.5f;    // grip a second: faster than this...
+constexpr float kEnter = 0.85f;        // share of the range below which a fish becomes the target...
+constexpr float kKeep = 1.5f;          // ...above which it is dropped at once...
+constexpr float kForget_s = 0.35f;     // ...and time after which it is dropped beyond the range
+constexpr float kLook_s = 0.1f;        // look-ahead, about the time in which fingers close
+constexpr float kSlow_mps = 0.9f;      // speed relative to the fish that counts as none...
+constexpr float kTooFast_mps = 1.8f;   // ...and above which nothing is caught
+constexpr float kClosing_Hz = 1.5f;    // growth of the grip a second above which...
 constexpr float kBegun = 0.1f;         // ...from this grip on, a hand is closing
-constexpr float kMoveHand_mps = 0.8f;  // with which the hand is moved...
+constexpr float kMoveHand_mps = 0.8f;  // speed at which the help moves the hand...
 constexpr float kMoveBack_mps = 0.25f; // ...and back when it is open and empty
-constexpr float kPull_mps2 = 30;       // of a fish into the hand
-constexpr float kShow_Hz = 12;         // easing of what is shown
+constexpr float kPull_mps2 = 30;       // acceleration of a fish into the hand
+constexpr float kShow_Hz = 12;         // easing rate of Fish::catchable
 
-// Distance of the fish from the hand in units of the range, 0 in the hand to 1 at its edge and beyond, as
-// both will be soon; very large where the hand cannot mean it.
+// Returns the distance of the fish from the hand, now or soon, in units of the range: 0 in the hand, 1 at the
+// range's edge, more beyond; very large where the hand cannot mean it.
 float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpoint& view, const Help& help,
               const FilmMoment& film) {
     constexpr float kNever = std::numeric_limits<float>::max();
@@ -62,7 +62,7 @@ float reachOf(const Fish& f, const Species& kind, const Hand& hand, const Viewpo
                          across * across / (help.across_m * help.across_m));
     };
     const float now = gapAt(hand.graspCentre), soon = gapAt(hand.graspCentre - apart * kLook_s);
-    // The better of both: a fish in the hand is not lost because it will swim through.
+    // The lesser of both: a fish in the hand is not lost because it will swim through.
     return std::min(now, soon) + std::max(0.0f, speed - kSlow_mps) / (kTooFast_mps - kSlow_mps);
 }
 
@@ -82,11 +82,11 @@ void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, 
     intent.unseen_s = kept < 1 ? 0 : intent.unseen_s + kDt;
     if (kept > kKeep || intent.unseen_s > kForget_s) intent.fish = -1;
     const bool closes = isClosing(hand);
-    if (hand.grasp.closed && !closes) { // a fist is after nothing
+    if (hand.grasp.closed && !closes) { // a closed fist has no target
         intent.fish = -1;
         return;
     }
-    // Another is meant where it is clearly nearer; none is while fingers close on one.
+    // Another fish becomes the target if it is clearly nearer, and never while the fingers close.
     float best = intent.fish >= 0 ? (closes ? 0.0f : kept - 0.25f) : kEnter;
     for (size_t i = 0; i < fish.size(); ++i) {
         const float here = reach(static_cast<int>(i));
@@ -98,7 +98,7 @@ void readIntent(Hand& hand, const Viewpoint& view, const SpeciesTable& species, 
     intent.inRange = intent.fish >= 0 && intent.unseen_s == 0;
 }
 
-// The help lets go of an open, empty hand slowly.
+// Moves an open, empty hand slowly back to where the device sees it.
 void moveBack(Hand& hand) {
     Intent& intent = hand.intent;
     if (hand.grasp.closed || hand.grasp.holds >= 0 || hand.grasp.window > 0) return;
@@ -151,7 +151,7 @@ bool helpedTo(const Hand& hand, int fish) { return hand.intent.helps && hand.int
 
 Miss missOf(const Hand& hand, const Viewpoint& view, const SpeciesTable& species, std::span<const Fish> fish,
             const FilmMoment& film) {
-    constexpr float kCone = 0.12f, kBeside_m = 0.12f; // of the line of sight: tangent, and metres
+    constexpr float kCone = 0.12f, kBeside_m = 0.12f; // room beside the line of sight: tangent, and metres
     constexpr float kFarthest_m = 3;
     const glm::vec3 sight = normalizedOr(hand.graspCentre - view.headWorld, {0, 0, -1});
     const Fish* meant = nullptr;

@@ -1,5 +1,5 @@
-// Which fish a hand is after, how a hand that closes beside it is helped, and why one that closed took
-// nothing.
+// Finds the fish that a hand reaches for, helps a hand that closes beside it, and tells why one that closed
+// took nothing.
 //
 // Whether a hand means to take a fish is read from where both will be when the fingers have closed (distance,
 // with their velocities), from how fast they are against each other, and from the side of the palm; that it
@@ -21,22 +21,22 @@
 
 namespace shoal::game {
 
-// Every tick, before anything moves: what each hand is after, and how far catchable that makes each fish.
-// None is after a fish that the film hides, and none that it hides is after any.
+// Updates each hand's intent and how catchable that makes each fish; called every tick before anything moves.
+// A hand or a fish that the film hides takes no part.
 void readIntents(Hands&, const Viewpoint&, const SpeciesTable&, std::span<Fish>, Assist, const FilmMoment&);
 
-// A hand that closes on the fish it is after: moves the hand towards it, and the fish into the hand, both by
-// as much as a tick allows. The hand's part shows in the next tick's joints.
+// Moves a closing hand towards the fish it reaches for, and the fish into the hand, both by as much as a tick
+// allows. The hand's part shows in the next tick's joints.
 void helpClosing(Fish&, const Species&, Hand&, const Viewpoint&, Assist);
 
-// From its aperture and the aperture's speed.
+// Returns whether the hand is closing, from its grip and the grip's speed.
 bool isClosing(const Hand&);
 
-// Whether the hand is being helped to that fish, which therefore does not mind it.
+// Returns whether the hand is being helped to that fish, which therefore is not frightened by it.
 bool helpedTo(const Hand&, int fish);
 
-// Why the hand, whose grip has just closed, will take nothing if it takes nothing. Seen from the eyes along
-// the line of sight through the grasp centre, the fish that it was for is the one nearest to that line:
+// Returns why a hand whose grip has just closed would take nothing. The fish that it was for is the one
+// nearest to the line of sight from the eyes through the grasp centre:
 //   Nothing   no fish is near the line;
 //   TooFast   the hand was faster than kFastHand_mps while it closed, or the fish flees;
 //   TooFar    the fish is beyond what the fingers reach, farther along the line than they;

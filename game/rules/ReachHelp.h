@@ -1,4 +1,4 @@
-// Help with depth for hands that a pointer moves: which fish the pointer is for, and how far away that is.
+// Depth of hands that a pointer moves: finds the fish under the pointer and its distance.
 #pragma once
 
 #include "game/rules/DiveFile.h"
@@ -8,13 +8,13 @@
 
 namespace shoal::game {
 
-// One of a player's; no part of the simulation's state. It keeps to a fish until the pointer is clearly
-// nearer to another.
+// One for each hand of a player; no part of the simulation's state. The target stays until the pointer is
+// clearly nearer to another fish.
 class ReachHelp {
   public:
-    // Once a frame. rayView: unit, viewer's frame. Result: how far from the eye a hand on that ray should be,
-    // metres, given how far it is; empty: there is no catchable fish around the ray. A little ahead of a fish
-    // that comes or goes.
+    // Returns how far from the eye a hand on the ray should be, metres, a little ahead of a fish that comes
+    // or goes; empty: no catchable fish is around the ray. rayView: unit, viewer's frame; hand_m: the hand's
+    // distance now. Called once a frame.
     std::optional<float> update(const Snapshot&, const SpeciesTable&, glm::vec3 rayView, float hand_m);
 
   private:

@@ -36,10 +36,10 @@ struct Score {
 
 Score newScore(const SpeciesTable&, const DiveFile&);
 
-// How far a goal has been reached, 0 to Goal::count.
+// Returns how far a goal has been reached, 0 to Goal::count.
 int progressOf(const Goal&, const Score&);
 
-// over: the dive has ended, which decides goals about what did not happen.
+// over: the dive has ended, which decides NoLoss goals.
 bool isReached(const Goal&, const Score&, bool over);
 
 } // namespace shoal::game

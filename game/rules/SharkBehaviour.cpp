@@ -31,7 +31,7 @@ float openRadius(glm::vec3 place, const SharkView& view, const FilmMoment& film)
 }
 float openRadius(glm::vec3 place, const SharkView& view) { return openRadius(place, view, view.film); }
 
-// The least of it in the time that the shark needs to swim somewhere else.
+// Returns the lesser openRadius() of the near and the later future.
 float soonOpen(glm::vec3 place, const SharkView& view) {
     return std::min(openRadius(place, view, view.filmSoon), openRadius(place, view, view.filmLater));
 }
@@ -42,7 +42,7 @@ glm::vec3 mouthOf(const Shark& shark, const SpeciesTable& species) {
 
 int idOf(const SharkView& view) { return static_cast<int>(view.fish.size()); }
 
-// The hand that holds a fish, or else the one nearest to its mouth; -1 if there is none to be seen.
+// Returns the hand that holds a fish, or else the one nearest to its mouth; -1 if none is visible.
 int watchedHand(const Shark& shark, const SharkView& view) {
     int best = -1;
     float minimum = 1e9f;
@@ -56,15 +56,15 @@ int watchedHand(const Shark& shark, const SharkView& view) {
     return best;
 }
 
-// How much nearer its mouth may come while it threatens that hand: it keeps its distance from the hand and
-// from the player's head. Negative: it is too near.
+// Returns how much nearer its mouth may come while it threatens that hand: it keeps its distance from the
+// hand and from the player's head. Negative: it is too near.
 float threatSpare(const Shark& shark, const SharkView& view, int hand) {
     const glm::vec3 mouth = mouthOf(shark, view.species);
     return std::min(glm::distance(mouth, view.hands[hand].graspCentre) - kThreatRoom_m,
                     glm::length(mouth) - kSharkApart_m);
 }
 
-// A fish that struggles in a hand, -1 if none does.
+// Returns a fish that struggles in a hand, -1 if none does.
 int strugglingFish(const SharkView& view) {
     int struggling = -1;
     for (const Hand& hand : view.hands) {
@@ -129,7 +129,7 @@ void decideStriking(Shark& shark, const SharkView& view) {
     shark.set(shark.visit_s > 0 ? State::Prowl : State::Leave);
 }
 
-// On its circle, or as far from the player as the film lets it swim there.
+// Returns whether it is on its circle, or as far from the player as the film lets it swim there.
 bool isFarOut(const Shark& shark, const SharkView& view) {
     return placeOf(shark.position).radius > openRadius(shark.position, view) - kFarOut_m;
 }
@@ -152,7 +152,7 @@ void steal(Shark& shark, Fish& f, int id, Hands& hands, Score& score, Events& ev
     shark.gait.set(Motion::Bite);
 }
 
-// The fish in its mouth lies across the jaws.
+// Moves the fish in its mouth with it, across the jaws.
 void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
     const glm::vec3 was = f.position;
     const glm::vec3 at = mouth - 0.05f * kUp;
@@ -167,7 +167,7 @@ void carryInMouth(const Shark& shark, glm::vec3 mouth, Fish& f) {
     f.shape.amplitude += (0.1f - f.shape.amplitude) * (5 * kDt);
 }
 
-// It wriggles free far out and comes back to its band.
+// Frees the fish in its mouth, which flees towards its band.
 void breakFree(Shark& shark, Fish& f) {
     f.state = Fish::State::Dart;
     f.dart_s = 1.0f;
@@ -216,7 +216,7 @@ void bite(Shark& shark, const SharkView& view, Hands& hands, std::span<Fish> fis
 
 void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physics::Contact> own, Hands& hands,
                std::span<Fish> fish, Events& events) {
-    // A wall, or the room around the eyes, pushes it along a hand: it does not hit the hand that it brushes.
+    // A shark that a wall or the room around the eyes pushes along a hand only brushes it: no bump.
     constexpr float kMovedAside_mps = 0.25f, kBrushRest_s = 0.5f;
     if (!own.empty() && glm::distance(shark.velocity, shark.forward * shark.speed) > kMovedAside_mps)
         shark.bumpRest_s = std::max(shark.bumpRest_s, kBrushRest_s);
@@ -226,32 +226,32 @@ void bumpHands(Shark& shark, const SpeciesTable& species, std::span<const physic
         const bool striking = shark.state == State::Strike && hands[h].grasp.holds == shark.prey;
         if (striking) continue; // its jaws come first; see bite()
         shark.bumpRest_s = kBumpRest_s;
-        shark.visit_s = std::min(shark.visit_s, 1.0f); // it has had enough
+        shark.visit_s = std::min(shark.visit_s, 1.0f); // the visit ends soon after a bump
         events.push_back({EventKind::SharkBump, static_cast<int>(fish.size()), h, contact.point,
                           partOfBone(contact.tag), contact.closingSpeed});
         if (hands[h].grasp.holds >= 0) drop(hands[h], h, species, fish, events);
     }
 }
 
-// How it swims.
+// Swimming.
 
 namespace {
 
 constexpr float kNarrow_m = 1.5f;          // radius of a circle that passes the player too near
-constexpr float kSharkRockShy_m = 0.8f;    // room to what the film shows below which it turns away
-constexpr float kHandShy_m = 0.8f;         // its nose keeps so far from hands where the film shows rock
-constexpr float kRoomy_m = 2.8f;           // it does not circle on into less room than this...
-constexpr float kWider_m = 0.5f;           // ...where there is so much more behind it
-constexpr float kSharkGiveRoom_mps = 3.0f; // how fast a wall that comes nearer moves it at most
+constexpr float kSharkRockShy_m = 0.8f;    // gap to the film's surfaces below which it turns away
+constexpr float kHandShy_m = 0.8f;         // distance of its nose from hands in films with distances
+constexpr float kRoomy_m = 2.8f;           // it turns back from less room than this ahead...
+constexpr float kWider_m = 0.5f;           // ...where the other way has so much more
+constexpr float kSharkGiveRoom_mps = 3.0f; // greatest speed at which an approaching wall moves it
 
-// Where it wants to go, how fast, and how fast it turns.
+// The way, the speed and the turning rate that it wants.
 struct Course {
     glm::vec3 way{0};
     float speed_mps = 0;
     float turn_radps = 0;
 };
 
-// Along the circle that what it does asks for. A visit is a row of approaches: close past the player, wide
+// Returns the course along its state's circle. A visit is a row of approaches: close past the player, wide
 // out, and in again.
 Course circle(const Shark& shark, const Species& kind, const SharkView& view, float radius,
               glm::vec3 outward) {
@@ -272,11 +272,11 @@ Course circle(const Shark& shark, const Species& kind, const SharkView& view, fl
         course.speed_mps = radius > goal + 0.8f ? 1.6f * kind.cruise_mps : 1.15f * kind.cruise_mps;
         course.turn_radps *= 1.4f;
     }
-    if (open < kNarrow_m) course.speed_mps = 2 * kind.cruise_mps; // away from here
+    if (open < kNarrow_m) course.speed_mps = 2 * kind.cruise_mps; // it hurries out of narrow places
     return course;
 }
 
-// Turns first, then dashes; brakes so as to snap rather than ram.
+// Returns the course of a strike: it turns, then dashes, and brakes so as to snap rather than ram.
 Course strike(const Shark& shark, const Species& kind, glm::vec3 prey) {
     const float distance = glm::length(prey - shark.mouthPosition(kind.length_m));
     const glm::vec3 way = prey - shark.position;
@@ -309,7 +309,7 @@ Course courseOf(const Shark& shark, const Species& kind, const SharkView& view, 
     return course;
 }
 
-// Round the player's head and hands, not through them.
+// Steers it around the player's head and hands.
 void avoidPlayer(const Shark& shark, const Species& kind, const SharkView& view, Course& course) {
     if (shark.state == State::Strike || shark.state == State::Threaten) return;
     const glm::vec3 nose = shark.mouthPosition(kind.length_m);
@@ -327,7 +327,7 @@ void avoidPlayer(const Shark& shark, const Species& kind, const SharkView& view,
         if (hand.visible) avoid(hand.graspCentre, kHandShy_m, 0);
 }
 
-// As wide as the way between the hands and what the film will soon show, at that bearing.
+// Returns the open radius soon at a bearing, at most kSharkApart_m where a hand leaves no way past it.
 float roomAt(glm::vec3 outward, const SharkView& view) {
     const float open = soonOpen(outward, view);
     for (const Hand& hand : view.hands) {
@@ -338,7 +338,7 @@ float roomAt(glm::vec3 outward, const SharkView& view) {
     return open;
 }
 
-// Most room, as it will soon be, among bearings to one side that it reaches without passing a narrower one.
+// Returns the most room soon at three bearings to one side, less what the narrowest on the way lacks.
 float roomTowards(const Shark& shark, const SharkView& view, float sense) {
     float most = 0, passed = view.dive.shark.radius_m;
     glm::vec3 outward = placeOf(shark.position).outward;
@@ -351,7 +351,7 @@ float roomTowards(const Shark& shark, const SharkView& view, float sense) {
     return most;
 }
 
-// It keeps to where most room is: it turns back where its circle leads on to a wall.
+// Turns it back where its circle leads on to a wall and the other way has more room.
 void turnBack(Shark& shark, const SharkView& view) {
     if (!view.film.known() || shark.state == State::Threaten || shark.state == State::Strike) return;
     const float ahead = roomTowards(shark, view, shark.sense);
@@ -366,7 +366,7 @@ void avoidRock(const Shark& shark, const Species& kind, const FilmMoment& film, 
     course.turn_radps *= 1 + 0.5f * film.keepOff(course.way, soon, gap, kSharkRockShy_m, 1);
 }
 
-// Towards the player, but never into the room around the eyes.
+// Moves the shark out of the film's surfaces, towards the player but never into the room around the eyes.
 void keepInRoom(Shark& shark, const Species& kind, const FilmMoment& film, float most_m) {
     const float over = film.overshoot_m(capsuleOf(shark, kind));
     const float distance = glm::length(shark.position);
@@ -385,8 +385,8 @@ void keepFromEyes(Shark& shark, const Species& kind, float room_m, glm::vec3 out
         shark.position += normalizedOr(nearest, outward) * std::min(missing, kSharkGiveRoom_mps * kDt);
 }
 
-// A shark that threatens: back arched, snout raised, pectoral fins lowered, the whole body swinging slowly
-// and wide. Johnson & Nelson 1973, "Agonistic display in the gray reef shark".
+// Bends body and tail. A threatening shark arches its back, raises its snout, lowers its pectoral fins and
+// swings slowly and wide: Johnson & Nelson 1973, "Agonistic display in the gray reef shark".
 void bendAndBeat(Shark& shark, const Species& kind, glm::vec3 desiredSpin) {
     const bool threatens = shark.state == State::Threaten;
     BodyShape& shape = shark.shape;

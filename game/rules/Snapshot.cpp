@@ -1,4 +1,4 @@
-// From the state to what others see of it.
+// Makes the snapshots of a dive and interpolates between them.
 #include "game/rules/Dive.h"
 #include "game/rules/Steering.h"
 
@@ -42,7 +42,7 @@ void showScore(const Score& score, const std::vector<Goal>& goals, Snapshot& out
     for (size_t i = 0; i < goals.size(); ++i) out.goals[i] = {progressOf(goals[i], score), score.reached[i]};
 }
 
-// How far the time lies within a mark, 0 to 1.
+// Returns the weight of a mark at a time: 1 within it, down to 0 over kRamp_s on both sides.
 double within(const VideoMark& mark, double videoLength_s, double time_s) {
     constexpr double kRamp_s = 2;
     const auto from_s = static_cast<double>(mark.from_s);
@@ -99,7 +99,7 @@ void Dive::snapshot(Snapshot& out) const {
 }
 
 void interpolate(const Snapshot& before, const Snapshot& after, float alpha, Snapshot& out) {
-    constexpr float kJump_m = 0.6f; // in one tick: farther than anything swims or is carried
+    constexpr float kJump_m = 0.6f; // movement in one tick beyond anything that swims or is carried
     out = after;                    // keeps out's memory: no allocation once it has grown
     if (before.creatures.size() != after.creatures.size() || after.tick != before.tick + 1 ||
         after.time_s < before.time_s)

@@ -1,4 +1,4 @@
-// What the simulation shows after a tick, for picture, sound and haptics. Immutable once made; plain data.
+// State as picture, sound and haptics see it after a tick. Immutable once made; plain data.
 #pragma once
 
 #include "engine/scene/HandPose.h"
@@ -14,18 +14,18 @@
 
 namespace shoal::game {
 
-// World frame: the env frame of engine/math/LatLong.h, metres; the viewer's eyes at the origin, but for what
-// a headset says.
+// World frame: the env frame of engine/math/LatLong.h, metres; the viewer's eyes rest at the origin, and a
+// headset moves them.
 
 enum class Phase { Diving, Results };
 
-// The clips that a species' model must hold, by the names below.
+// The animation clips of a species' model, by the names below.
 enum class Motion { Swim, Dart, Struggle, Cruise, Lunge, Bite };
 constexpr std::array<const char*, 6> kMotionNames = {"swim", "dart", "struggle", "cruise", "lunge", "bite"};
 
 // How a body is bent beyond its clip: what is left of the wave is the clip's own form.
 struct BodyShape {
-    float beats = 0;     // of the tail, left and right, since the dive began
+    float beats = 0;     // tail beats, left and right, since the dive began
     float amplitude = 0; // half the tail's sweep, in body lengths
     // Curvature times length: the angle between head and tail, radians; both ends to the left.
     float bendLeft = 0;
@@ -56,16 +56,16 @@ struct CreatureView {
     Gait gait;
     BodyShape shape; // the spine
     int heldBy = -1; // 0 left, 1 right, -1 free
-    // 0 to 1, eased: a hand that closes now takes it; and which hand that is, -1 none.
+    // 1: a hand that closes now takes it; eased from 0 and back. catchableBy: that hand, -1 none.
     float catchable = 0;
     int catchableBy = -1;
-    bool hidden = false; // by the film, from where the player's head is
+    bool hidden = false; // the film hides it from the player's head
 };
 
-// Why a hand that closed took nothing, as the events of game/rules/Events.h.
+// Reason why a closing hand took nothing, as the events of game/rules/Events.h.
 enum class Miss { None, Nothing, TooFar, TooFast, TooEarly, Behind };
 
-// What one finger, or the palm, has under it.
+// Touch of one finger, or of the palm.
 struct TouchView {
     bool touches = false;
     float depth_m = 0;   // how deep it presses
@@ -81,13 +81,13 @@ struct HandView {
     float grip = 0;
     std::array<hands::Joint, hands::kJointCount> joints{}; // world frame
     int holds = -1;                                        // creature id
-    float holdProgress = 0;                                // 0 to 1: how much of the second it has been held
+    float holdProgress = 0;                                // share of kHoldToCatch_s that it has been held
     std::array<TouchView, hands::kHandParts> touching{};   // five fingers and the palm
-    Miss lastMiss = Miss::None;                            // None: it took hold since, or has not closed yet
+    Miss lastMiss = Miss::None;                            // None: it has taken hold since, or not closed yet
     float sinceMiss_s = 0;
-    float stung_s = 0; // left of a sting: it cannot hold
-    // From the wrist, world frame; its length is 1 where a tracker gives it and 0 where none does. The rules
-    // do not know it, the session adds it.
+    float stung_s = 0; // seconds left in which a stung hand cannot hold
+    // Direction from the wrist to the elbow, world frame: unit where a tracker gives it, else 0. The session
+    // adds it; the rules do not know it.
     glm::vec3 towardsElbow{0};
 };
 
@@ -112,7 +112,7 @@ struct Snapshot {
     int bestCombo = 0;               // of the dive
     std::vector<SpeciesTally> tally; // by index into the species table
     std::vector<GoalView> goals;     // by index into DiveFile::goals; none in free swim
-    glm::quat worldFromView{1, 0, 0, 0}; // where the player looks
+    glm::quat worldFromView{1, 0, 0, 0}; // direction of the player's view
     glm::vec3 headWorld{0};              // between the player's eyes
     std::array<HandView, 2> hands{};     // left, right
     std::vector<CreatureView> creatures;

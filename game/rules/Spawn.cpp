@@ -8,7 +8,7 @@ namespace shoal::game {
 
 namespace {
 
-// A direction on the unit circle without trigonometry: rejection from the square.
+// Returns a random unit vector in the level plane, without trigonometry: rejection from the square.
 glm::vec3 randomAround(Random& random) {
     for (;;) {
         const float x = random.between(-1, 1), z = random.between(-1, 1);
@@ -17,7 +17,7 @@ glm::vec3 randomAround(Random& random) {
     }
 }
 
-// Fish of one school mostly go round the same way; companions start beside their leader.
+// Makes a fish. Those of one school mostly circle the same way; companions start beside their leader.
 Fish spawnOne(const School& school, int schoolIndex, const Species& kind, float mainSense, const Fish* leader,
               Random& random) {
     Fish fish;
@@ -47,7 +47,7 @@ Fish spawnOne(const School& school, int schoolIndex, const Species& kind, float 
     return fish;
 }
 
-// Of a few tries, the one with most room around it.
+// Returns, of twelve random fish, the one farthest from all others.
 Fish spawnWithRoom(const DiveFiles& files, int schoolIndex, float mainSense, const Fish* leader,
                    const std::vector<Fish>& others, Random& random) {
     const School& school = files.dive.schools[schoolIndex];

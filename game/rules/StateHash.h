@@ -15,7 +15,7 @@
 
 namespace shoal::game {
 
-// Number of elements of an aggregate: as many initialisers as it accepts.
+// Returns the number of elements of an aggregate: as many initialisers as it accepts.
 struct AnyField {
     template <class T> operator T() const;
 };

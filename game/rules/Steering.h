@@ -17,7 +17,7 @@ inline glm::vec3 normalizedOr(glm::vec3 v, glm::vec3 fallback) {
     return squared > 1e-12f ? v / std::sqrt(squared) : fallback;
 }
 
-// Place against the vertical axis through the player.
+// Position relative to the vertical axis through the player.
 struct Place {
     float radius;
     glm::vec3 outward; // unit, level
@@ -33,7 +33,7 @@ inline glm::vec3 limited(glm::vec3 v, float length) {
     return squared > length * length ? v * (length / std::sqrt(squared)) : v;
 }
 
-// Towards the left of a body that looks along forward with +Y up.
+// Returns the unit vector to the left of a body that looks along forward with +Y up.
 inline glm::vec3 leftOf(glm::vec3 forward) {
     return normalizedOr(glm::cross(kUp, forward), glm::vec3(1, 0, 0));
 }
@@ -50,9 +50,9 @@ inline glm::vec3 turnSmoothly(glm::vec3& forward, glm::vec3& spin, glm::vec3 goa
         axis /= sine;
     else
         axis = along > 0 ? glm::vec3(0) : kUp;
-    float angle = sine; // near enough
+    float angle = sine; // the sine is near enough
     if (along < 0) {
-        // Round sideways, not over the top; straight behind either way is as good: the one under way.
+        // Turns sideways, not over the top; where the goal is straight behind, it keeps the turn under way.
         const glm::vec3 left = leftOf(forward);
         const float side = along < -0.5f && std::fabs(spin.y) > 0.05f ? spin.y : glm::dot(goal, left);
         axis = glm::cross(forward, side < 0 ? -left : left);
@@ -73,7 +73,7 @@ inline glm::vec3 levelled(glm::vec3 forward, float maximum) {
     return glm::vec3(flat.x, 0, flat.z) * std::sqrt(1 - maximum * maximum) + glm::vec3(0, y, 0);
 }
 
-// Body frame: +Z along forward, +Y as upright as bank allows; bank is the tangent of the lean to the left.
+// Returns worldFromBody: +Z along forward, +Y as upright as bank, the tangent of the left lean, allows.
 inline glm::quat bodyTurn(glm::vec3 forward, float bank) {
     const glm::vec3 left = leftOf(forward);
     const glm::vec3 up = glm::normalize(glm::cross(forward, left) + left * bank);
@@ -81,7 +81,7 @@ inline glm::quat bodyTurn(glm::vec3 forward, float bank) {
     return glm::normalize(glm::quat_cast(glm::mat3(x, glm::cross(forward, x), forward)));
 }
 
-// Between two rotations, by the shorter way; good enough for small blends.
+// Interpolates between two rotations the shorter way; good enough for small blends.
 inline glm::quat blended(glm::quat from, glm::quat to, float t) {
     if (glm::dot(from, to) < 0) to = -to;
     return glm::normalize(from * (1 - t) + to * t);

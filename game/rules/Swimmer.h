@@ -23,7 +23,7 @@ struct Swimmer {
     glm::vec3 spin{0};          // angular velocity of forward, rad/s
     float bank = 0;             // tangent of the lean to the left
     float speed = 0;            // along forward
-    glm::vec3 velocity{0};      // over the last tick, in all
+    glm::vec3 velocity{0};      // mean over the last tick, pushes included
     glm::quat worldFromBody{1, 0, 0, 0};
     Gait gait;
     BodyShape shape;
@@ -36,18 +36,18 @@ struct Swimmer {
 // The body's collision shape, no thicker than maxRadius_m.
 physics::Capsule capsuleOf(const Swimmer&, const Species&, float maxRadius_m = 1);
 
-// Puts it on a circle around the vertical axis through the player, swimming along it; outward is unit and
-// level; sense +1 circles to the left of looking outward, -1 to the right.
+// Puts a swimmer on a circle around the vertical axis through the player, swimming along it; outward is unit
+// and level; sense +1 circles to the left of looking outward, -1 to the right.
 void startCircling(Swimmer&, glm::vec3 position, glm::vec3 outward, float sense, float speed_mps);
 
-// Banks into the turn under way: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
+// Banks a swimmer into its turn: towards `gain` times the yaw rate, at most maxBank, at `rate` 1/s.
 void bankIntoTurn(Swimmer&, float gain, float maxBank, float rate);
 
-// Moves a value towards a goal by the share `rate` times the tick.
+// Returns the value moved towards the goal by the share `rate` times the tick.
 float eased(float value, float goal, float rate);
 
-// Curvature times length of a body that lies along its path: turning to the left, and lifting the head, for
-// the spin that it strives for; it bends before its heading turns.
+// Return the angle between head and tail, radians, of a body bent along its path, for the desired spin: to
+// the left, and with the head up. The body bends before its heading turns.
 float bendLeftFor(const Swimmer&, glm::vec3 desiredSpin, float length_m, float maximum);
 float bendUpFor(const Swimmer&, glm::vec3 desiredSpin, float length_m, float maximum);
 constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
@@ -56,18 +56,18 @@ constexpr float kMaxBendLeft = 0.9f; // radians between head and tail, swimming
 constexpr float kFastestBeat_Hz = 12;
 constexpr float kFullBeat = 0.1f; // half the tail's sweep at speed, body lengths: Bainbridge 1958
 
-// Beats a second. A fish moves on by the same part of its length, its stride, with every beat, however fast
-// it swims: Bainbridge 1958, "The speed of swimming of fish as related to size and to the frequency and
-// amplitude of the tail beat" (0.6 to 0.75 of the length in dace, trout and goldfish).
+// Returns the tail's beats a second. A fish moves on by the same part of its length, its stride, with every
+// beat, however fast it swims: Bainbridge 1958, "The speed of swimming of fish as related to size and to the
+// frequency and amplitude of the tail beat" (0.6 to 0.75 of the length in dace, trout and goldfish).
 inline float tailBeat_Hz(float speed_mps, float length_m, float stride) {
     return std::min(kFastestBeat_Hz, speed_mps / (stride * length_m));
 }
 
-// Half the tail's sweep in body lengths; pace: speed against the cruising speed. It grows with speed while
-// that is low and hardly at all when it is high (Bainbridge 1958): a saturating curve.
+// Returns half the tail's sweep in body lengths; pace: speed divided by the cruising speed. It grows with
+// speed while that is low and hardly at all when it is high (Bainbridge 1958): a saturating curve.
 inline float tailAmplitude(float pace) { return kFullBeat * pace / (pace + 0.3f); }
 
-// Beats the tail at least minBeat_Hz, for its speed and stride.
+// Beats the tail for its speed and stride, but at least minBeat_Hz.
 void beatTail(Swimmer&, const Species&, float minBeat_Hz = 0);
 
 } // namespace shoal::game

@@ -47,7 +47,7 @@ TickInput fromBytes(std::span<const uint8_t, kTickInputBytes> bytes) {
     const uint8_t* at = bytes.data();
     visit(input, [&]<class T>(T& value) {
         if constexpr (std::is_same_v<T, bool>)
-            value = *at != 0; // whatever a file holds
+            value = *at != 0; // a file may hold any byte
         else
             std::memcpy(&value, at, sizeof value);
         at += sizeof value;

@@ -1,4 +1,4 @@
-// Everything the player does in one tick: all that enters the simulation from outside.
+// All input of one tick: all that enters the simulation from outside.
 #pragma once
 
 #include "engine/scene/HandPose.h"
@@ -9,7 +9,7 @@
 
 namespace shoal::game {
 
-constexpr float kHeadReach_m = 10; // farther, or not finite, is not believed
+constexpr float kHeadReach_m = 10; // a head position farther out, or not finite, is ignored
 
 struct TickInput {
     std::array<hands::HandPose, 2> hands{}; // left, right; viewer's frame

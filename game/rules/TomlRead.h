@@ -26,7 +26,7 @@ struct TomlMistake {
     void complain(const toml::node* where, std::string reason);
 };
 
-// Empty: it is no number, or not within the range.
+// Returns the node's number; empty: it is none, or out of the range.
 std::optional<float> numberIn(const toml::node& node, float low, float high);
 
 // One table of the file. Optional keys keep the default.
@@ -45,14 +45,14 @@ class TomlTable {
     }
     void flag(std::string_view key, bool& value);
     void text(std::string_view key, std::string& value);
-    // The place of the text among these; empty: the key is missing, or it is none of them.
+    // Returns the index of the key's text in names; empty: the key is missing, or its text is none of them.
     std::optional<size_t> choice(std::string_view key, std::span<const char* const> names);
     // [low, high], low <= high
     void range(std::string_view key, float& first, float& second, float low, float high);
     // [x, y, z], each from -limit to limit
     void place(std::string_view key, glm::vec3& value, float limit);
     const toml::array* list(std::string_view key);
-    // The table [key], and the list of at most `maximum` tables [[key]].
+    // Calls read for the table [key], or for each of at most `maximum` tables [[key]].
     void table(std::string_view key, const Read& read);
     void tables(std::string_view key, size_t maximum, const Read& read);
 
@@ -66,7 +66,7 @@ class TomlTable {
 
   private:
     const toml::node* at(std::string_view key);
-    // Empty where the key is missing, or its value is not a T or not `good`, which is complained of.
+    // Returns the key's value; empty if it is missing, or, with a complaint, if it is no T or not `good`.
     template <class T, class Good>
     std::optional<T> read(std::string_view key, const std::string& mustBe, const Good& good);
     std::optional<int64_t> readWhole(std::string_view key, int64_t low, int64_t high);
@@ -76,7 +76,7 @@ class TomlTable {
     std::set<std::string, std::less<>> read_;
 };
 
-// Reads a file by its root table.
+// Reads a file: calls read with its root table.
 Status readToml(const Path& file, const TomlTable::Read& read);
 
 } // namespace shoal::game
