@@ -1,11 +1,12 @@
-// Shadows of bodies on what a film shows: the share of the film's values that they leave, by direction from
-// the film's camera.
-//  The place of each texel of a film's distances is known, and what a body hides of the light from a place is
-//  a closed form (CastShadow.h). So shadows are not drawn but computed at these places, once for both eyes;
-//  the passes that draw the film multiply its texels by what is left before objects are drawn over them.
-//  Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the film is
-//  multiplied by what the surface reflects in shadow over what it reflects without, never more than 1, so
-//  that a wrong guess at the surface or the light is a faint mistake.
+// Shadows of bodies on what a film shows: the factors that they leave, by direction from the film's camera.
+//
+// The place of each texel of a film's distances is known, and what a body hides of the light from a place is
+// a closed form (CastShadow.h). So shadows are not drawn but computed at these places, once for both eyes;
+// the passes that draw the film multiply its texels by what is left, before they draw objects over them.
+//
+// Differential rendering (Debevec 1998, "Rendering Synthetic Objects into Real Scenes"): the film is
+// multiplied by what the surface reflects in shadow over what it reflects without, at most 1, so that a wrong
+// guess at the surface or the light is a faint mistake.
 #pragma once
 
 #include "engine/core/Image.h"
