@@ -1,4 +1,4 @@
-// Shadows of bodies on what a film shows: the factors that they leave, by direction from the film's camera.
+// Shadows of bodies on what a film shows, by direction from the film's camera.
 //
 // The place of each texel of a film's distances is known, and what a body hides of the light from a place is
 // a closed form (CastShadow.h). So shadows are not drawn but computed at these places, once for both eyes;
