@@ -31,8 +31,7 @@ glm::vec3 leftOf(const glm::vec3& taken, FrameCoding frames, const glm::vec3& ar
 
 class FilmShadows {
   public:
-    // Begins a frame without bodies. The film must live until the last add(). Allocates nothing once there
-    // has been a map of that size.
+    // Begins a frame without bodies. The film must live until the last add(). Allocates for new sizes only.
     void begin(const FilmSurface& film, FrameCoding frames, const water::Water& water);
     // Adds the shadow of a body, world frame, as far as an eye sees it; what an eye beside the film's camera
     // sees and the camera does not is never shaded.
