@@ -39,8 +39,7 @@ class PictureDecoder {
     Status open(const AVCodecParameters& parameters, AVRational timeBase, FrameThreading threading,
                 int threads, int64_t maxPixels = kMaxPixels);
 
-    // Sends a packet; null drains the decoder. Damaged packets are skipped. hurry: non-reference pictures are
-    // too.
+    // Sends a packet; null drains the decoder. Skips damaged packets, and if hurry non-reference pictures.
     void send(const AVPacket* packet, bool hurry = false);
     void flush() { avcodec_flush_buffers(codec_.get()); } // after a seek, or after packets were left out
 
